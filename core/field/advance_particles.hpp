@@ -10,6 +10,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <atomic>
 #include <stop_token>
 
@@ -18,10 +19,13 @@ namespace wakesurf::core {
 /// Calls `advance(begin, end)` for ranges of particles. Returns false if `stop` fired. Isolated: a thread that waits here
 /// takes no work of another surface.
 template <class Advance>
-bool in_ranges(std::size_t count, const std::stop_token& stop, const Advance& advance) {
+bool in_ranges(std::size_t count,
+               const std::stop_token& stop,
+               const Advance& advance,
+               std::size_t least = 256) {
     std::atomic<bool> whole{true};
     tbb::this_task_arena::isolate([&] {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 256), [&](const auto& range) {
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, least), [&](const auto& range) {
             if (stop.stop_requested())
                 whole = false;
             if (whole.load(std::memory_order_relaxed))
@@ -29,6 +33,27 @@ bool in_ranges(std::size_t count, const std::stop_token& stop, const Advance& ad
         });
     });
     return whole;
+}
+
+/// Calls `advance(view, begin, end)` with a view of the field each: the field itself, or a cursor that serves a block of as many
+/// particles whatever the number of threads. Returns as in_ranges.
+template <class Field, class Advance>
+bool in_blocks(const Field& field,
+               std::size_t count,
+               const std::stop_token& stop,
+               const Advance& advance,
+               std::size_t least = 256) {
+    if constexpr (FieldWithCursor<Field>) {
+        constexpr std::size_t block = 64;
+        const auto some = [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i != end; ++i)
+                advance(field.cursor(), i * block, std::min((i + 1) * block, count));
+        };
+        return in_ranges((count + block - 1) / block, stop, some, least / block);
+    } else {
+        const auto some = [&](std::size_t begin, std::size_t end) { advance(field, begin, end); };
+        return in_ranges(count, stop, some, least);
+    }
 }
 
 /// True for those that move on towards `to` (in the direction of `sign`: +1 or -1).
@@ -63,14 +88,7 @@ bool advance_particles(const Field& field,
                        int sign,
                        const AdvanceOptions& options,
                        const std::stop_token& stop) {
-    const auto carry = [&](ParticleState& at) {
-        if constexpr (FieldInSeries<Field>) {
-            if (options.method == AdvanceOptions::Method::Dopri5)
-                return advance_in_series(field, at, to, options, p.tangents());
-        }
-        advance_particle(cursor_of(field), at, to, options, p.tangents());
-    };
-    return in_ranges(p.count(), stop, [&](std::size_t begin, std::size_t end) {
+    const auto each = [&](std::size_t begin, std::size_t end, const auto& carry) {
         for (std::size_t i = begin; i != end; ++i) {
             if (!still_to_go(p, i, to, sign))
                 continue;
@@ -78,7 +96,27 @@ bool advance_particles(const Field& field,
             carry(at);
             put_back(p, i, at);
         }
-    });
+    };
+    if constexpr (FieldInSeries<Field>) {
+        if (options.method == AdvanceOptions::Method::Dopri5) {
+            const auto block = [&](const auto& view, std::size_t begin, std::size_t end) {
+                const auto& slopes = cursor_of(field);
+                each(begin, end, [&](ParticleState& at) {
+                    restart(view);
+                    restart(slopes);
+                    advance_in_series(view, slopes, at, to, options, p.tangents());
+                });
+            };
+            return in_blocks(field, p.count(), stop, block);
+        }
+    }
+    return in_blocks(field, p.count(), stop,
+                     [&](const auto& view, std::size_t begin, std::size_t end) {
+                         each(begin, end, [&](ParticleState& at) {
+                             restart(view);
+                             advance_particle(view, at, to, options, p.tangents());
+                         });
+                     });
 }
 
 } // namespace wakesurf::core

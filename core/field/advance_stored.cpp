@@ -2,22 +2,24 @@
 
 #include "core/field/advance_particles.hpp"
 
+#include <algorithm>
 #include <array>
+#include <bit>
+#include <type_traits>
+#include <utility>
 
 namespace wakesurf::core {
 
 namespace {
 
-void fill(double (&to)[4], const Vec3& v, double idle = 0.0) {
-    to[0] = v.x;
-    to[1] = v.y;
-    to[2] = v.z;
-    to[3] = idle;
+void fill(double (&to)[3], const Vec3& v) {
+    for (int axis = 0; axis < 3; ++axis)
+        to[axis] = v[axis];
 }
 
 StoredPair stored_pair(const GridSampler<UniformGrid>& field, const AdvanceOptions& options) {
     const UniformGrid& grid = *field.grid;
-    StoredPair pair;
+    StoredPair pair{};
     pair.velocity0 = field.velocity0;
     pair.velocity1 = field.velocity1;
     pair.cell = field.cells->data();
@@ -31,19 +33,29 @@ StoredPair stored_pair(const GridSampler<UniformGrid>& field, const AdvanceOptio
     fill(pair.last_cell, last - 1.0);
     fill(pair.low, box.lo);
     fill(pair.high, box.hi);
-    pair.row = grid.dimensions[0];
-    pair.slice = pair.row * grid.dimensions[1];
+    fill(pair.stride, Vec3(1.0, last.x + 1.0, (last.x + 1.0) * (last.y + 1.0)));
     // A little more than the limit: near it, the step in double decides.
     const double speed = 1.00001 * options.stagnation_speed;
     pair.stagnation2 = static_cast<float>(speed * speed);
     return pair;
 }
 
+StoredPair stored_pair(const CubicSampler& field, const AdvanceOptions& options) {
+    StoredPair pair = stored_pair(field.linear, options);
+    pair.smooth = true;
+    pair.before = field.before ? field.before : field.linear.velocity0;
+    pair.after = field.after ? field.after : field.linear.velocity0;
+    pair.near_solid = field.round_cells ? field.round_cells->data() : nullptr;
+    return pair;
+}
+
 /// Particles of one range in the lanes of a batch. A particle takes a lane, all its steps there, and leaves the lane to
 /// the next: those that have more steps to go than others hold no one up.
+/// @tparam Field  computes in double the steps in which particles end
+template <class Field>
 class Passage {
   public:
-    Passage(const GridSampler<UniformGrid>& field,
+    Passage(const Field& field,
             const StoredPair& pair,
             Rk4Kernel kernel,
             const Particles& particles,
@@ -68,40 +80,80 @@ class Passage {
         batch_.start[lane] = particles_.time[particle];
         batch_.dt[lane] = dt_;
         batch_.taken[lane] = 0.0;
-        lane_[lane] = {particle, steps_};
+        batch_.steps[lane] = steps_;
+        particle_[lane] = particle;
     }
 
     /// Takes one step with all, and lets those that have arrived or ended leave.
     void step() {
+        if constexpr (smooth)
+            share_time_steps();
         kernel_(pair_, batch_, particles_.tangents());
-        for (std::size_t lane = batch_.count; lane-- > 0;) {
-            const bool doubtful = batch_.outside[lane] || field_.gaps;
-            if (batch_.slow[lane] || (doubtful && !inside(batch_.next[lane]))) {
-                if (!step_alone(lane))
-                    leave(lane);
-                continue;
-            }
-            std::copy_n(batch_.next[lane], 4, batch_.position[lane]);
-            if (particles_.tangents())
-                std::copy_n(batch_.next_tangent[lane], 8, batch_.tangent[lane]);
-            count_step(lane);
+        const std::uint32_t aboard = (1u << batch_.count) - 1u;
+        std::uint32_t alone = aboard & (batch_.slow | (gaps() ? aboard : batch_.outside));
+        for (std::uint32_t some = alone & ~batch_.slow; some != 0; some &= some - 1u)
+            if (const auto lane = first_of(some); inside(lane))
+                alone &= ~(1u << lane);
+        std::uint32_t leaving = aboard & batch_.last;
+        if (alone == 0) {
+            go_on();
+        } else {
+            for (std::size_t lane = 0; lane < batch_.count; ++lane)
+                if ((alone >> lane & 1u) == 0)
+                    go_on(lane);
+                else if (!step_alone(lane))
+                    leaving &= ~(1u << lane);
+        }
+        for (std::uint32_t some = leaving; some != 0; some &= some - 1u)
+            arrive(first_of(some));
+        leaving |= std::exchange(ended_, 0u);
+        while (leaving != 0) { // the last first: none that moves has still to leave
+            const auto lane = static_cast<std::size_t>(std::bit_width(leaving)) - 1;
+            leaving &= ~(1u << lane);
+            leave(lane);
         }
     }
 
   private:
-    struct Lane {
-        std::size_t particle;
-        double steps;
-    };
+    static constexpr bool smooth = std::is_same_v<Field, CubicSampler>;
 
-    bool inside(const double (&p)[4]) const {
-        return field_.status({p[0], p[1], p[2]}) == PointStatus::Inside;
+    static std::size_t first_of(std::uint32_t lanes) {
+        return static_cast<std::size_t>(std::countr_zero(lanes));
+    }
+
+    bool gaps() const {
+        if constexpr (smooth)
+            return false;
+        else
+            return field_.gaps;
+    }
+
+    bool inside(std::size_t lane) const {
+        return field_.status({batch_.next[0][lane], batch_.next[1][lane], batch_.next[2][lane]}) ==
+               PointStatus::Inside;
+    }
+
+    /// Most lanes are at the same time.
+    void share_time_steps() requires smooth {
+        for (std::size_t lane = 0; lane < batch_.count; ++lane) {
+            const double time = batch_.start[lane] + batch_.taken[lane] * batch_.dt[lane];
+            const double dt = batch_.dt[lane];
+            if (time != shared_time_ || dt != shared_dt_) {
+                shared_time_ = time;
+                shared_dt_ = dt;
+                for (std::size_t at = 0; at < 3; ++at)
+                    shares_[at] = field_.shares(time + 0.5 * static_cast<double>(at) * dt);
+            }
+            for (std::size_t at = 0; at < 3; ++at)
+                for (std::size_t step = 0; step < 4; ++step)
+                    batch_.share[at][step][lane] = static_cast<float>(shares_[at][step]);
+        }
     }
 
     void put(std::size_t lane, const Carried& at) {
-        fill(batch_.position[lane], at.position);
         double* tangent = batch_.tangent[lane];
         for (int axis = 0; axis < 3; ++axis) {
+            batch_.position[axis][lane] = at.position[axis];
             tangent[axis] = at.along_s[axis];
             tangent[4 + axis] = at.along_t[axis];
         }
@@ -109,11 +161,27 @@ class Passage {
     }
 
     ParticleState state(std::size_t lane) const {
-        const double* p = batch_.position[lane];
+        const auto& p = batch_.position;
         const double* w = batch_.tangent[lane];
-        return {{{p[0], p[1], p[2]}, {w[0], w[1], w[2]}, {w[4], w[5], w[6]}},
+        return {{{p[0][lane], p[1][lane], p[2][lane]}, {w[0], w[1], w[2]}, {w[4], w[5], w[6]}},
                 batch_.start[lane] + batch_.taken[lane] * batch_.dt[lane],
                 CurveEnd::Running};
+    }
+
+    void go_on() {
+        std::copy_n(&batch_.next[0][0], 3 * Rk4Batch::most, &batch_.position[0][0]);
+        if (particles_.tangents())
+            std::copy_n(&batch_.next_tangent[0][0], 8 * batch_.count, &batch_.tangent[0][0]);
+        for (double& taken : batch_.taken)
+            taken += 1.0;
+    }
+
+    void go_on(std::size_t lane) {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            batch_.position[axis][lane] = batch_.next[axis][lane];
+        if (particles_.tangents())
+            std::copy_n(batch_.next_tangent[lane], 8, batch_.tangent[lane]);
+        batch_.taken[lane] += 1.0;
     }
 
     /// The step in double, which finds where the particle ends. False: it has, and is back among the others.
@@ -121,36 +189,37 @@ class Passage {
         ParticleState at = state(lane);
         rk4_particle_step(field_, at, batch_.dt[lane], options_, particles_.tangents());
         if (at.end != CurveEnd::Running) {
-            put_back(particles_, lane_[lane].particle, at);
+            put_back(particles_, particle_[lane], at);
+            ended_ |= 1u << lane;
             return false;
         }
         put(lane, at.carried);
-        count_step(lane);
+        batch_.taken[lane] += 1.0;
         return true;
     }
 
-    void count_step(std::size_t lane) {
-        batch_.taken[lane] += 1.0;
-        if (batch_.taken[lane] < lane_[lane].steps)
-            return;
+    void arrive(std::size_t lane) {
         ParticleState at = state(lane);
         at.time = to_;
-        put_back(particles_, lane_[lane].particle, at);
-        leave(lane);
+        put_back(particles_, particle_[lane], at);
     }
 
     /// Moves the last lane here.
     void leave(std::size_t lane) {
         const std::size_t last = --batch_.count;
-        std::copy_n(batch_.position[last], 4, batch_.position[lane]);
+        if (lane == last)
+            return;
+        for (auto& along_axis : batch_.position)
+            along_axis[lane] = along_axis[last];
         std::copy_n(batch_.tangent[last], 8, batch_.tangent[lane]);
         batch_.start[lane] = batch_.start[last];
         batch_.dt[lane] = batch_.dt[last];
         batch_.taken[lane] = batch_.taken[last];
-        lane_[lane] = lane_[last];
+        batch_.steps[lane] = batch_.steps[last];
+        particle_[lane] = particle_[last];
     }
 
-    const GridSampler<UniformGrid>& field_;
+    const Field& field_;
     const StoredPair& pair_;
     Rk4Kernel kernel_;
     const Particles& particles_;
@@ -159,9 +228,34 @@ class Passage {
     double whole_ = 0.0; ///< time the last one aboard had to go, and its steps
     double steps_ = 1.0;
     double dt_ = 0.0;
+    double shared_time_ = 0.0; ///< when the shares hold
+    double shared_dt_ = 0.0;
+    std::array<std::array<double, 4>, 3> shares_{};
+    std::uint32_t ended_ = 0; ///< in this step, bits of lanes
     Rk4Batch batch_;
-    std::array<Lane, Rk4Batch::most> lane_;
+    std::array<std::size_t, Rk4Batch::most> particle_;
 };
+
+template <class Field>
+bool advance_in_batches(const Field& field,
+                        Rk4Kernel kernel,
+                        const Particles& particles,
+                        double to,
+                        int sign,
+                        const AdvanceOptions& options,
+                        const std::stop_token& stop) {
+    const StoredPair pair = stored_pair(field, options);
+    return in_ranges(particles.count(), stop, [&](std::size_t begin, std::size_t end) {
+        Passage<Field> passage(field, pair, kernel, particles, to, options);
+        while (begin != end || !passage.empty()) {
+            for (; begin != end && !passage.full(); ++begin)
+                if (still_to_go(particles, begin, to, sign))
+                    passage.board(begin);
+            if (!passage.empty())
+                passage.step();
+        }
+    });
+}
 
 bool processor_has_avx2() {
 #if defined(__x86_64__)
@@ -184,17 +278,23 @@ bool advance_stored(const GridSampler<UniformGrid>& field,
                     int sign,
                     const AdvanceOptions& options,
                     const std::stop_token& stop) {
-    const StoredPair pair = stored_pair(field, options);
-    return in_ranges(particles.count(), stop, [&](std::size_t begin, std::size_t end) {
-        Passage passage(field, pair, kernel, particles, to, options);
-        while (begin != end || !passage.empty()) {
-            for (; begin != end && !passage.full(); ++begin)
-                if (still_to_go(particles, begin, to, sign))
-                    passage.board(begin);
-            if (!passage.empty())
-                passage.step();
-        }
-    });
+    return advance_in_batches(field, kernel, particles, to, sign, options, stop);
+}
+
+bool kernel_samples(const CubicSampler& field) {
+    const auto& dimensions = field.linear.grid->dimensions;
+    return !field.gaps && *std::min_element(dimensions.begin(), dimensions.end()) >= 4 &&
+           (field.linear.mask->empty() || field.round_cells != nullptr);
+}
+
+bool advance_stored(const CubicSampler& field,
+                    Rk4Kernel kernel,
+                    const Particles& particles,
+                    double to,
+                    int sign,
+                    const AdvanceOptions& options,
+                    const std::stop_token& stop) {
+    return advance_in_batches(field, kernel, particles, to, sign, options, stop);
 }
 
 } // namespace wakesurf::core

@@ -2,6 +2,7 @@
 // where it is: neither the batch it travels in nor the number of threads changes a bit, and neither does the kernel.
 #pragma once
 
+#include "core/field/cubic_sampler.hpp"
 #include "core/field/grid_sampler.hpp"
 #include "core/field/kernel/rk4_batch.hpp"
 #include "core/integrate/particles.hpp"
@@ -18,6 +19,18 @@ Rk4Kernel choose_rk4_kernel(Simd simd);
 /// @param sign  direction of time, +1 or -1
 /// Returns false if `stop` fired.
 bool advance_stored(const GridSampler<UniformGrid>& field,
+                    Rk4Kernel kernel,
+                    const Particles& particles,
+                    double to,
+                    int sign,
+                    const AdvanceOptions& options,
+                    const std::stop_token& stop);
+
+/// False: the kernel cannot sample the field. It has gaps, or fewer than four nodes on an axis.
+bool kernel_samples(const CubicSampler& field);
+
+/// The same through the smooth field. REQUIRES: kernel_samples(field).
+bool advance_stored(const CubicSampler& field,
                     Rk4Kernel kernel,
                     const Particles& particles,
                     double to,

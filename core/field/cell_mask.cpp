@@ -1,5 +1,7 @@
 #include "core/field/cell_mask.hpp"
 
+#include <algorithm>
+
 namespace wakesurf::core {
 
 CellMask::CellMask(const std::array<std::uint32_t, 3>& dimensions, const SolidMask& mask) {
@@ -18,6 +20,35 @@ CellMask::CellMask(const std::array<std::uint32_t, 3>& dimensions, const SolidMa
                     fluid += (mask.fluid[corner] != 0) + (mask.fluid[corner + 1] != 0);
                 state_[node] = fluid == 8 ? Fluid : fluid == 0 ? Solid : Mixed;
             }
+}
+
+CellMask CellMask::round_cells(const std::array<std::uint32_t, 3>& dimensions,
+                               const SolidMask& mask) {
+    CellMask round;
+    if (mask.empty())
+        return round;
+    round.state_.resize(mask.fluid.size());
+    std::transform(mask.fluid.begin(), mask.fluid.end(), round.state_.begin(),
+                   [](std::uint8_t fluid) { return fluid != 0 ? Fluid : Mixed; });
+    std::size_t stride = 1;
+    std::vector<std::uint8_t> line;
+    for (const std::uint32_t nodes :
+         dimensions) { // axis by axis: from one node before to two after
+        line.resize(nodes);
+        for (std::size_t first = 0; first < round.state_.size(); ++first) {
+            if (first / stride % nodes != 0)
+                continue;
+            for (std::size_t i = 0; i < nodes; ++i)
+                line[i] = round.state_[first + i * stride];
+            for (std::size_t i = 0; i < nodes; ++i)
+                for (std::size_t k = i - std::min<std::size_t>(i, 1);
+                     k <= std::min<std::size_t>(i + 2, nodes - 1); ++k)
+                    round.state_[first + i * stride] =
+                        std::max(round.state_[first + i * stride], line[k]);
+        }
+        stride *= nodes;
+    }
+    return round;
 }
 
 } // namespace wakesurf::core

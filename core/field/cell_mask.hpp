@@ -25,7 +25,13 @@ class CellMask {
     /// A State a byte, by the cell's lowest node; null where all is fluid.
     const std::uint8_t* data() const { return state_.empty() ? nullptr : state_.data(); }
 
+    /// The same of the cell and those round it, 4^3 nodes: Fluid where all are, else Mixed.
+    static CellMask round_cells(const std::array<std::uint32_t, 3>& dimensions,
+                                const SolidMask& mask);
+
   private:
+    CellMask() = default;
+
     std::vector<std::uint8_t> state_; ///< indexed by the cell's lowest node
 };
 

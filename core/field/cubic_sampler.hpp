@@ -74,7 +74,8 @@ struct CubicSampler {
     const float* after = nullptr;
     double time_before = 0.0;
     double time_after = 0.0;
-    bool gaps = false; ///< some velocities of the four are not finite
+    bool gaps = false;                     ///< some velocities of the four are not finite
+    const CellMask* round_cells = nullptr; ///< CellMask::round_cells; null: found out at each point
 
     Vec3 velocity(const Vec3& p, double t) const {
         const Stencil at = stencil(p);
@@ -106,6 +107,15 @@ struct CubicSampler {
     PointStatus status(const Vec3& p) const { return linear.status(p); }
 
     bool at_wall(const Vec3& p) const { return linear.at_wall(p); }
+
+    /// Of the four time-steps.
+    std::array<double, 4> shares(double t) const {
+        if (linear.velocity1 == nullptr)
+            return {0.0, 1.0, 0.0, 0.0};
+        return cubic_time_shares(
+            {time_before, linear.time0, linear.time0 + linear.interval, time_after},
+            before != nullptr, after != nullptr, t);
+    }
 
   private:
     /// The nodes round a point: cell - 1 .. cell + 2 on each axis, as far as there are any.
@@ -147,6 +157,8 @@ struct CubicSampler {
     }
 
     bool touches_solid(const Stencil& at) const {
+        if (round_cells != nullptr)
+            return round_cells->state(at.node(*linear.grid, 1, 1, 1)) != CellMask::Fluid;
         for (std::size_t z = at.begin[2]; z < at.end[2]; ++z)
             for (std::size_t y = at.begin[1]; y < at.end[1]; ++y)
                 for (std::size_t x = at.begin[0]; x < at.end[0]; ++x)
@@ -169,14 +181,6 @@ struct CubicSampler {
 
     std::array<const float*, 4> steps() const {
         return {before, linear.velocity0, linear.velocity1, after};
-    }
-
-    std::array<double, 4> shares(double t) const {
-        if (linear.velocity1 == nullptr)
-            return {0.0, 1.0, 0.0, 0.0};
-        return cubic_time_shares(
-            {time_before, linear.time0, linear.time0 + linear.interval, time_after},
-            before != nullptr, after != nullptr, t);
     }
 
     /// Adds up rows of nodes: `weigh(y, z, value, slope)` of the row's value and slope in x.

@@ -4,7 +4,6 @@
 
 #include "core/integrate/advance_curve.hpp"
 #include "core/integrate/advance_particle.hpp"
-#include "core/integrate/cursor_of.hpp"
 
 #include <cstddef>
 #include <limits>
@@ -31,8 +30,11 @@ Vec3 carry_tangent(const Field& field, const CurveStep& step, double start, cons
 }
 
 /// As advance_particle with Method::Dopri5.
-template <FieldInSeries Field>
+/// @param field  whose series are taken
+/// @param view   the same field, for the tangents' slopes
+template <FieldInSeries Field, CarryingField View>
 void advance_in_series(const Field& field,
+                       const View& view,
                        ParticleState& at,
                        double to,
                        const AdvanceOptions& options,
@@ -56,7 +58,6 @@ void advance_in_series(const Field& field,
     at.end = arrived ? CurveEnd::Running : way.end;
     if (!tangents)
         return;
-    const auto& view = cursor_of(field);
     for (const CurveStep& step : way.steps) {
         at.carried.along_s = carry_tangent(view, step, way.release, at.carried.along_s);
         at.carried.along_t = carry_tangent(view, step, way.release, at.carried.along_t);

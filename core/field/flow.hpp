@@ -62,6 +62,10 @@ class Flow {
     /// True where `smooth` means something other than linear: of stored data on a uniform grid. The others are sampled the same with both.
     virtual bool has_smooth() const { return false; }
 
+    /// True where particles go by Taylor series (AdvanceOptions::Method::Dopri5) at no more cost than by RK4 and with smaller errors: in
+    /// meshes of cells, whose sizes differ.
+    virtual bool prefers_series() const { return false; }
+
     /// True when parts of the domain are solid.
     virtual bool obstacle() const = 0;
 

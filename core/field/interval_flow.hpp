@@ -4,12 +4,9 @@
 
 #include "core/base/clock.hpp"
 #include "core/dataset/time_step_cache.hpp"
+#include "core/field/advance_particles.hpp"
 #include "core/field/flow.hpp"
 #include "core/field/interval.hpp"
-
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <chrono>
@@ -117,6 +114,8 @@ class IntervalFlow final : public Flow {
 
     bool has_smooth() const override { return Sampling::has_smooth; }
 
+    bool prefers_series() const override { return Sampling::prefers_series; }
+
     bool obstacle() const override { return sampling_->obstacle(); }
 
     Result<void> sample(std::span<const Vec3> positions,
@@ -169,14 +168,13 @@ class IntervalFlow final : public Flow {
         if (!held)
             return tl::unexpected(held.error());
         sampling_->with_field(*held, smoothly, [&](const auto& field) {
-            tbb::this_task_arena::isolate([&] {
-                tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 4096),
-                                  [&](const auto& range) {
-                                      for (std::size_t i = range.begin(); i != range.end(); ++i)
-                                          velocities[index(i)] =
-                                              field.velocity(positions[index(i)], times[index(i)]);
-                                  });
-            });
+            const auto some = [&](const auto& view, std::size_t begin, std::size_t end) {
+                for (std::size_t i = begin; i != end; ++i) {
+                    restart(view);
+                    velocities[index(i)] = view.velocity(positions[index(i)], times[index(i)]);
+                }
+            };
+            in_blocks(field, count, {}, some, 4096);
         });
         return {};
     }

@@ -16,8 +16,12 @@ bool UniformSampling::advance(const Interval& interval,
                               const std::stop_token& stop) const {
     const GridSampler<UniformGrid> field = linear(interval);
     end_in_gaps(field, particles, to, sign);
-    if (options.smooth)
-        return advance_particles(smooth(interval), particles, to, sign, options, stop);
+    if (options.smooth) {
+        const CubicSampler cubic = smooth(interval);
+        return options.method == AdvanceOptions::Method::Rk4 && kernel_samples(cubic)
+                   ? advance_stored(cubic, kernel_, particles, to, sign, options, stop)
+                   : advance_particles(cubic, particles, to, sign, options, stop);
+    }
     return options.method == AdvanceOptions::Method::Rk4
                ? advance_stored(field, kernel_, particles, to, sign, options, stop)
                : advance_particles(CellwiseSampler<UniformGrid>{field}, particles, to, sign,
@@ -43,6 +47,11 @@ GridSampler<UniformGrid> UniformSampling::linear(const Interval& interval) const
 CubicSampler UniformSampling::smooth(const Interval& interval) const {
     CubicSampler field{linear(interval)};
     field.gaps = field.linear.gaps;
+    if (!mask_.empty()) {
+        std::call_once(round_cells_made_,
+                       [&] { round_cells_ = CellMask::round_cells(grid_.dimensions, mask_); });
+        field.round_cells = &*round_cells_;
+    }
     if (interval.before) {
         field.before = interval.before->velocity().data();
         field.time_before = interval.before->time;

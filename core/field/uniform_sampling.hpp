@@ -6,6 +6,8 @@
 #include "core/field/cubic_sampler.hpp"
 #include "core/field/stored_steps.hpp"
 
+#include <mutex>
+#include <optional>
 #include <span>
 #include <stop_token>
 
@@ -15,6 +17,7 @@ namespace wakesurf::core {
 class UniformSampling {
   public:
     static constexpr bool has_smooth = true;
+    static constexpr bool prefers_series = false;
 
     UniformSampling(const UniformGrid& grid, const SolidMask& mask, Simd simd);
 
@@ -57,6 +60,9 @@ class UniformSampling {
     const UniformGrid& grid_;
     const SolidMask& mask_;
     CellMask cells_;
+    mutable std::once_flag round_cells_made_;
+    mutable std::optional<CellMask>
+        round_cells_; ///< made when the field is smooth for the first time
     Rk4Kernel kernel_;
 };
 

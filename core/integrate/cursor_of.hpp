@@ -18,4 +18,11 @@ decltype(auto) cursor_of(const Field& field) {
         return (field);
 }
 
+/// A view goes on to another particle.
+template <class View>
+void restart(const View& view) {
+    if constexpr (requires { view.restart(); })
+        view.restart();
+}
+
 } // namespace wakesurf::core

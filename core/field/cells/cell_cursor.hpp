@@ -32,6 +32,14 @@ class CellCursor {
         return status_;
     }
 
+    /// For another particle: answers as a new cursor, to the bit, but finds the first point at once where that is well inside the cell
+    /// in which the particle before began.
+    void restart() {
+        cell_ = anchor_cell_ = nowhere;
+        asked_ = Vec3(std::numeric_limits<double>::quiet_NaN());
+        status_ = PointStatus::OutsideDomain;
+    }
+
     /// Where the last point is, or for one outside the nearest place in the last cell. `nowhere` before the first.
     std::uint32_t cell() const { return cell_; }
 
@@ -102,9 +110,18 @@ class CellCursor {
 
     template <class Usable>
     PointStatus begin(const Vec3& p, const Usable& usable) {
-        if (const auto found = domain_->locator.find(p, there_)) {
-            if (!usable(found->cell))
-                return PointStatus::OutsideDomain;
+        if (begun_ != nowhere) {
+            CellPlace place{begun_, {}};
+            there_ = entered_;
+            if (contains(there_, p, place.local) && well_inside_cell(there_.shape(), place.local))
+                return move(place, p, usable);
+        }
+        if (auto found = domain_->locator.find(p, there_)) {
+            // Again, so that what follows does not depend on the cells that were looked at before.
+            entered_.enter(domain_->mesh, found->cell);
+            there_ = entered_;
+            contains(there_, p, found->local);
+            begun_ = domain_->one_piece ? found->cell : nowhere;
             return move(*found, p, usable);
         }
         const auto near = domain_->locator.near(p);
@@ -149,12 +166,14 @@ class CellCursor {
     const CellDomain* domain_;
     std::uint32_t cell_ = nowhere;
     std::uint32_t anchor_cell_ = nowhere; ///< where the particle last stayed
+    std::uint32_t begun_ = nowhere;       ///< the cell in which the last particle began
     Vec3 local_{0.0};
     Vec3 anchor_{0.0};
     Vec3 asked_{std::numeric_limits<double>::quiet_NaN()};
     PointStatus status_ = PointStatus::OutsideDomain;
     CellGeometry here_;
     CellGeometry there_;
+    CellGeometry entered_; ///< of `begun_`, as it was before any point
 };
 
 } // namespace wakesurf::core

@@ -6,13 +6,18 @@
 
 namespace wakesurf::core {
 
+/// True where every cell can be reached from every other one through faces.
+bool connected(const CellMesh& mesh);
+
 /// Keeps a reference to the mesh. Thread safety: immutable.
 struct CellDomain {
-    explicit CellDomain(const CellMesh& mesh_) : mesh(mesh_), locator(mesh_), walls(mesh_) {}
+    explicit CellDomain(const CellMesh& mesh_)
+        : mesh(mesh_), locator(mesh_), walls(mesh_), one_piece(connected(mesh_)) {}
 
     const CellMesh& mesh;
     CellLocator locator;
     CellWalls walls;
+    bool one_piece; ///< all cells hang together by their faces: no blocks, which may overlap
 };
 
 } // namespace wakesurf::core

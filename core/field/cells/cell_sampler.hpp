@@ -4,16 +4,21 @@
 
 #include "core/field/cells/cell_cursor.hpp"
 #include "core/field/cells/cell_path.hpp"
+#include "core/field/cells/linear_cell.hpp"
 #include "core/integrate/at_rest.hpp"
 
 #include <array>
 #include <cmath>
+#include <optional>
 #include <span>
 
 namespace wakesurf::core {
 
 class CellSamplerCursor;
-class CellSteps;
+template <class Cursor>
+class CellStepsOf;
+using CellSteps = CellStepsOf<CellSamplerCursor>;
+using SharedCellSteps = CellStepsOf<const CellSamplerCursor&>;
 struct TraceOptions;
 
 /// Stateless: every call finds its cell again. Particles take a cursor. Thread safety: concurrent calls are fine.
@@ -64,15 +69,22 @@ class CellSamplerCursor {
   public:
     explicit CellSamplerCursor(const CellSampler& field) : field_(field), place_(*field.domain) {}
 
+    /// For another particle: see CellCursor.
+    void restart() const { place_.restart(); }
+
+    /// Of the particle that has the cursor.
+    SharedCellSteps series_steps(const TraceOptions& options, double sign) const;
+
     Vec3 velocity(const Vec3& p, double t) const {
         if (!go_to(p, false))
             return Vec3(0.0);
         const bool pyramid = place_.geometry().pyramid();
-        const Components v = now_.at(pyramid, place_.local());
+        const Fit& fit = fit_[here_];
+        const Components v = fit.now.at(pyramid, place_.local());
         if (!field_.velocity1)
             return v.vector();
         const double part = (t - field_.time0) / field_.interval;
-        return (v + change_.at(pyramid, place_.local()) * part).vector();
+        return (v + fit.change.at(pyramid, place_.local()) * part).vector();
     }
 
     Vec3 derivative(const Vec3& p, double t, const Vec3& w) const {
@@ -84,9 +96,10 @@ class CellSamplerCursor {
         if (!go_to(p, false))
             return result;
         const bool pyramid = place_.geometry().pyramid();
-        auto slope = now_.slopes(pyramid, place_.local());
+        const Fit& fit = fit_[here_];
+        auto slope = fit.now.slopes(pyramid, place_.local());
         if (field_.velocity1) {
-            const auto change = change_.slopes(pyramid, place_.local());
+            const auto change = fit.change.slopes(pyramid, place_.local());
             const double part = (t - field_.time0) / field_.interval;
             for (std::size_t i = 0; i < 3; ++i)
                 slope[i] = slope[i] + change[i] * part;
@@ -101,11 +114,28 @@ class CellSamplerCursor {
     /// The path of a particle that is at `p`, inside, at field time `t`. @param sign  +1 downstream, -1 upstream
     CellPath path(const Vec3& p, double t, double sign, bool frozen) const {
         go_to(p, true);
-        CellVelocity velocity{&now_, nullptr, 0.0, 0.0};
+        const Fit& fit = fit_[here_];
+        CellVelocity velocity{&fit.now, nullptr, 0.0, 0.0};
         if (field_.velocity1)
-            velocity = {&now_, &change_, (t - field_.time0) / field_.interval,
+            velocity = {&fit.now, &fit.change, (t - field_.time0) / field_.interval,
                         frozen ? 0.0 : sign / field_.interval};
         return cell_path(place_.geometry(), velocity, p, place_.local(), sign);
+    }
+
+    /// How far the particle at `p`, inside, goes in a time t >= 0, if it stays in its cell and the field is linear there and steady: by
+    /// the closed form. Nothing where it is not. @param sign  +1 downstream, -1 upstream
+    std::optional<Vec3>
+    linear_way(const Vec3& p, double at, double sign, bool frozen, double t) const {
+        if ((field_.velocity1 && !frozen) || !go_to(p, true) ||
+            place_.geometry().shape() != CellShape::Tetrahedron)
+            return std::nullopt;
+        glm::dmat3 slope;
+        for (int axis = 0; axis < 3; ++axis) {
+            Vec3 unit(0.0);
+            unit[axis] = sign;
+            slope[axis] = derivative(p, at, unit);
+        }
+        return core::linear_way(slope, sign * velocity(p, at), t);
     }
 
     /// Says that the particle is at `p` now, and may go on from there.
@@ -123,13 +153,26 @@ class CellSamplerCursor {
     const CellCursor& place() const { return place_; }
 
   private:
+    /// A cell's velocity.
+    struct Fit {
+        std::uint32_t cell = CellCursor::nowhere;
+        CellPolynomial now;
+        CellPolynomial change;
+    };
+
     /// Returns false where there is no velocity at all.
     bool go_to(const Vec3& p, bool stays) const {
         place_.locate(p, stays, [&](std::uint32_t cell) { return field_.usable(cell); });
-        if (place_.cell() == fitted_)
-            return fitted_ != CellCursor::nowhere;
-        fitted_ = place_.cell();
-        const MeshCell& cell = field_.domain->mesh.cells[fitted_];
+        if (place_.cell() == CellCursor::nowhere)
+            return false;
+        if (place_.cell() == fit_[here_].cell)
+            return true;
+        here_ = 1 - here_;
+        if (place_.cell() == fit_[here_].cell)
+            return true;
+        Fit& fit = fit_[here_];
+        fit.cell = place_.cell();
+        const MeshCell& cell = field_.domain->mesh.cells[fit.cell];
         const auto node = [&](const float* velocity) {
             return [&cell, velocity](std::size_t i) {
                 const float* v = velocity + 3 * std::size_t{cell.node[i]};
@@ -139,20 +182,19 @@ class CellSamplerCursor {
                 return value;
             };
         };
-        now_.fit(cell.shape, node(field_.velocity0));
+        fit.now.fit(cell.shape, node(field_.velocity0));
         if (field_.velocity1) {
-            change_.fit(cell.shape, node(field_.velocity1));
+            fit.change.fit(cell.shape, node(field_.velocity1));
             for (std::size_t i = 0; i < 8; ++i)
-                change_.c[i] = change_.c[i] - now_.c[i];
+                fit.change.c[i] = fit.change.c[i] - fit.now.c[i];
         }
         return true;
     }
 
     CellSampler field_;
     mutable CellCursor place_;
-    mutable std::uint32_t fitted_ = CellCursor::nowhere; ///< the cell of the polynomials
-    mutable CellPolynomial now_;
-    mutable CellPolynomial change_;
+    mutable std::array<Fit, 2> fit_; ///< of the last two cells: particles near a face go to and fro
+    mutable std::size_t here_ = 0;   ///< that of the present cell
 };
 
 inline CellSamplerCursor CellSampler::cursor() const {

@@ -18,6 +18,7 @@ namespace wakesurf::core {
 class CellSampling {
   public:
     static constexpr bool has_smooth = false;
+    static constexpr bool prefers_series = true;
 
     /// Cost: that of CellDomain.
     explicit CellSampling(const CellMesh& mesh) : domain_(mesh) {}

@@ -68,6 +68,12 @@ inline bool inside_cell(CellShape shape, const Vec3& u) {
     return low >= -e && std::max(std::max(u.x, u.y), u.z) <= 1.0 + e;
 }
 
+/// True for a point that is in this cell alone of all that share faces: farther from each face than any tolerance. False for NaN.
+inline bool well_inside_cell(CellShape shape, const Vec3& u) {
+    const auto beyond = beyond_faces(shape, u);
+    return finite(u) && *std::max_element(beyond.begin(), beyond.end()) < -1e3 * face_tolerance;
+}
+
 /// A point of the cell near `u`; `u` itself where it is inside. What is not a number counts as 0.
 inline Vec3 clamp_to_cell(CellShape shape, Vec3 u) {
     for (int axis = 0; axis < 3; ++axis)

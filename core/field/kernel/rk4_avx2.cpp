@@ -23,9 +23,11 @@ struct Avx2Lanes {
 
         void store(float* to) const { _mm_storeu_ps(to, v); }
 
-        float sum3() const {
-            const __m128 xy = _mm_add_ss(v, _mm_movehdup_ps(v));
-            return _mm_cvtss_f32(_mm_add_ss(xy, _mm_movehl_ps(v, v)));
+        /// Elements from `N` of this and the next one together.
+        template <int N>
+        Quad from(Quad next) const {
+            return {_mm_castsi128_ps(
+                _mm_alignr_epi8(_mm_castps_si128(next.v), _mm_castps_si128(v), 4 * N))};
         }
 
         Wide widen() const;
@@ -37,35 +39,84 @@ struct Avx2Lanes {
         friend Quad operator*(Quad a, Quad b) { return {_mm_mul_ps(a.v, b.v)}; }
     };
 
-    struct Row {
+    struct Floats {
         __m256 v;
 
-        static Row load(const float* from) { return {_mm256_loadu_ps(from)}; }
+        static Floats load(const float* from) { return {_mm256_loadu_ps(from)}; }
 
-        static Row all(float value) { return {_mm256_set1_ps(value)}; }
+        static Floats all(float value) { return {_mm256_set1_ps(value)}; }
 
-        static Row twice(Quad q) { return {_mm256_set_m128(q.v, q.v)}; }
+        static Floats both(Quad low, Quad high) { return {_mm256_set_m128(high.v, low.v)}; }
+
+        static Floats twice(Quad q) { return both(q, q); }
+
+        static Floats twice_of(float x, float y, float z) {
+            return {_mm256_setr_ps(x, y, z, 0.0f, x, y, z, 0.0f)};
+        }
 
         void store(float* to) const { _mm256_storeu_ps(to, v); }
 
-        Quad first() const { return {_mm256_castps256_ps128(v)}; }
+        Quad low() const { return {_mm256_castps256_ps128(v)}; }
 
-        Quad second() const {
-            const __m128i low = _mm_castps_si128(_mm256_castps256_ps128(v));
-            const __m128i high = _mm_castps_si128(_mm256_extractf128_ps(v, 1));
-            return {_mm_castsi128_ps(_mm_alignr_epi8(high, low, 12))};
+        Quad high() const { return {_mm256_extractf128_ps(v, 1)}; }
+
+        /// The second node of a row.
+        Quad second() const { return low().template from<3>(high()); }
+
+        /// First nodes of two rows, and second ones.
+        static Floats firsts(Floats a, Floats b) {
+            return {_mm256_permute2f128_ps(a.v, b.v, 0x20)};
         }
 
+        static Floats seconds(Floats a, Floats b) {
+            const __m256 rest = _mm256_permute2f128_ps(a.v, b.v, 0x31);
+            return {_mm256_castsi256_ps(_mm256_alignr_epi8(
+                _mm256_castps_si256(rest), _mm256_castps_si256(firsts(a, b).v), 12))};
+        }
+
+        Floats low_twice() const { return {_mm256_permute2f128_ps(v, v, 0x00)}; }
+
+        Floats high_twice() const { return {_mm256_permute2f128_ps(v, v, 0x11)}; }
+
         template <std::size_t I>
-        Row each() const {
+        Floats each() const {
             return {_mm256_permute_ps(v, static_cast<int>(I * 0x55))};
         }
 
-        friend Row operator+(Row a, Row b) { return {_mm256_add_ps(a.v, b.v)}; }
+        /// x, y and z of eight vectors.
+        static void components(const float (*from)[4], Floats (&to)[3]) {
+            const auto pair = [&](std::size_t i) {
+                return _mm256_set_m128(_mm_load_ps(from[i + 4]), _mm_load_ps(from[i]));
+            };
+            const __m256 a = pair(0), b = pair(1), c = pair(2), d = pair(3);
+            const __m256 ab = _mm256_unpacklo_ps(a, b); // x x y y
+            const __m256 cd = _mm256_unpacklo_ps(c, d);
+            to[0].v = _mm256_shuffle_ps(ab, cd, 0x44);
+            to[1].v = _mm256_shuffle_ps(ab, cd, 0xee);
+            to[2].v = _mm256_shuffle_ps(_mm256_unpackhi_ps(a, b), _mm256_unpackhi_ps(c, d), 0x44);
+        }
 
-        friend Row operator-(Row a, Row b) { return {_mm256_sub_ps(a.v, b.v)}; }
+        static Floats min(Floats a, Floats b) { return {_mm256_min_ps(a.v, b.v)}; }
 
-        friend Row operator*(Row a, Row b) { return {_mm256_mul_ps(a.v, b.v)}; }
+        static Floats max(Floats a, Floats b) { return {_mm256_max_ps(a.v, b.v)}; }
+
+        Floats floor() const { return {_mm256_floor_ps(v)}; }
+
+        /// Bits of the elements where a > b.
+        static unsigned above(Floats a, Floats b) {
+            return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_GT_OQ)));
+        }
+
+        static Floats where_zero(Floats test, Floats a, Floats b) {
+            return {
+                _mm256_blendv_ps(b.v, a.v, _mm256_cmp_ps(test.v, _mm256_setzero_ps(), _CMP_EQ_OQ))};
+        }
+
+        friend Floats operator+(Floats a, Floats b) { return {_mm256_add_ps(a.v, b.v)}; }
+
+        friend Floats operator-(Floats a, Floats b) { return {_mm256_sub_ps(a.v, b.v)}; }
+
+        friend Floats operator*(Floats a, Floats b) { return {_mm256_mul_ps(a.v, b.v)}; }
     };
 
     struct Wide {
@@ -79,21 +130,23 @@ struct Avx2Lanes {
 
         static Wide max(Wide a, Wide b) { return {_mm256_max_pd(a.v, b.v)}; }
 
-        static bool between(Wide low, Wide x, Wide high) {
-            const __m256d above = _mm256_cmp_pd(low.v, x.v, _CMP_LE_OQ);
-            const __m256d below = _mm256_cmp_pd(x.v, high.v, _CMP_LE_OQ);
-            return (_mm256_movemask_pd(_mm256_and_pd(above, below)) & 7) == 7;
+        /// Bits of the elements where a <= b.
+        static unsigned not_above(Wide a, Wide b) {
+            return static_cast<unsigned>(_mm256_movemask_pd(_mm256_cmp_pd(a.v, b.v, _CMP_LE_OQ)));
         }
 
         void store(double* to) const { _mm256_storeu_pd(to, v); }
 
-        Wide truncated(std::int64_t (&index)[3]) const {
-            const __m128i cell = _mm256_cvttpd_epi32(v);
-            const auto xy = static_cast<std::uint64_t>(_mm_cvtsi128_si64(cell));
-            index[0] = static_cast<std::int64_t>(xy & 0xffffffffu);
-            index[1] = static_cast<std::int64_t>(xy >> 32);
-            index[2] = _mm_extract_epi32(cell, 2);
-            return {_mm256_cvtepi32_pd(cell)};
+        Wide truncated() const {
+            return {_mm256_round_pd(v, _MM_FROUND_TO_ZERO | _MM_FROUND_NO_EXC)};
+        }
+
+        /// Of integers below 2^51 in size: added to 3 * 2^51, they are the last bits of the sum.
+        void integers(std::int64_t* to) const {
+            const __m256d base = _mm256_set1_pd(6755399441055744.0);
+            const __m256i bits = _mm256_sub_epi64(_mm256_castpd_si256(_mm256_add_pd(v, base)),
+                                                  _mm256_castpd_si256(base));
+            _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), bits);
         }
 
         Quad narrow() const { return {_mm256_cvtpd_ps(v)}; }
@@ -103,9 +156,11 @@ struct Avx2Lanes {
         friend Wide operator-(Wide a, Wide b) { return {_mm256_sub_pd(a.v, b.v)}; }
 
         friend Wide operator*(Wide a, Wide b) { return {_mm256_mul_pd(a.v, b.v)}; }
+
+        friend Wide operator/(Wide a, Wide b) { return {_mm256_div_pd(a.v, b.v)}; }
     };
 
-    static Row narrow(const double* from) {
+    static Floats narrow(const double* from) {
         return {_mm256_set_m128(_mm256_cvtpd_ps(_mm256_loadu_pd(from + 4)),
                                 _mm256_cvtpd_ps(_mm256_loadu_pd(from)))};
     }

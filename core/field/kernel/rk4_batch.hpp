@@ -1,4 +1,4 @@
-// What a batch kernel works on: a pair of time-steps and up to 16 particles, for one RK4 step each. Plain data, because
+// What a batch kernel works on: time-steps and up to 16 particles, for one RK4 step each. Plain data, because
 // one of the kernels is compiled for newer processors: an inline function of a shared header that it emitted could
 // replace everybody's (one definition rule) and crash the older ones.
 #pragma once
@@ -14,60 +14,59 @@ enum class Simd : std::uint8_t {
     Portable, ///< what every processor offers
 };
 
-/// Two time-steps of a uniform grid. Vectors have a fourth, idle component.
+/// Time-steps of a uniform grid. Vectors are x, y, z.
 struct StoredPair {
     const float* velocity0;
     const float* velocity1;   ///< null: frozen at the first
     const std::uint8_t* cell; ///< CellMask, by lowest node; null: no obstacle
+
+    /// Cubic in space and, unless frozen, in time; a neighbour that the series does not have may be any time-step, of share 0.
+    /// REQUIRES: at least four nodes on each axis, no velocity that is no number.
+    bool smooth;
+    const float* before;
+    const float* after;
+    const std::uint8_t* near_solid; ///< by a cell's lowest node: linear in space; null: no obstacle
+
     double time0;
     double per_interval; ///< 1 / time between the two
-    alignas(32) double origin[4];
-    alignas(32) double per_spacing[4];
-    alignas(32) double last[4];      ///< index of the last node on each axis
-    alignas(32) double last_cell[4]; ///< of the last cell
-    alignas(32) double low[4];       ///< the domain, as Box::contains compares
-    alignas(32) double high[4];
-    std::int64_t row;   ///< nodes between neighbours in y
-    std::int64_t slice; ///< nodes between neighbours in z
-    float stagnation2;  ///< a slower particle (speed squared) may stand still
+    double origin[3];
+    double per_spacing[3];
+    double last[3];      ///< index of the last node on each axis
+    double last_cell[3]; ///< of the last cell
+    double low[3];       ///< the domain, as Box::contains compares
+    double high[3];
+    double stride[3];  ///< nodes between neighbours on each axis
+    float stagnation2; ///< a slower particle (speed squared) may stand still
 };
 
 /// Particles that take a step together, stage by stage: while one waits for its samples another computes (one at
-/// a time is 1.5-1.8 times slower: docs/measurements.md, The limit of the kernel).
+/// a time is 1.5-1.8 times slower: docs/measurements.md, The limit of the kernel). One array a coordinate: what is
+/// no load from the field is computed for 4 or 8 particles at once. Lanes beyond `count` hold any numbers.
 struct Rk4Batch {
     static constexpr std::size_t most = 16;
 
     std::size_t count = 0;
 
     // A particle between steps, in double so that accuracy does not drift.
-    alignas(32) double position[most][4];
+    alignas(32) double position[3][most] = {};
     alignas(32) double tangent[most][8]; ///< along_s and along_t, four each
-    double start[most];                  ///< time at its first step
-    double dt[most];
-    double taken[most]; ///< steps
+    alignas(32) double start[most] = {}; ///< time at its first step
+    alignas(32) double dt[most] = {};
+    alignas(32) double taken[most] = {}; ///< steps
+    alignas(32) double steps[most] = {}; ///< to take
 
-    // What the kernel says.
-    alignas(32) double next[most][4];
+    /// Smooth: shares of the four time-steps at the step's start, middle and end.
+    alignas(32) float share[3][4][most] = {};
+
+    // What the kernel says. Bits of lanes.
+    alignas(32) double next[3][most];
     alignas(32) double next_tangent[most][8];
-    bool slow[most];    ///< may stand still
-    bool outside[most]; ///< next is outside the domain, or in a cell with a solid node
-
-    // The kernel's own: what passes from stage to stage.
-    alignas(32) double cell_position[most][4]; ///< position in cells
-    alignas(32) float fraction[most][4];       ///< in the cell
-    alignas(32) float scale[most][4];          ///< velocity to cells a step
-    alignas(32) float increment[most][4];      ///< from `position` to the stage, in cells
-    alignas(32) float sum[most][4];            ///< of the stages' velocities
-    alignas(32) float tangent0[most][8];
-    alignas(32) float tangent_increment[most][8];
-    alignas(32) float tangent_sum[most][8];
-    float step[most];       ///< dt
-    float earlier[3][most]; ///< share of the first time-step at the start, middle and end
-    float later[3][most];   ///< share of the second
-    std::int64_t node[most];
+    std::uint32_t slow = 0;    ///< may stand still
+    std::uint32_t outside = 0; ///< next is outside the domain, or in a cell with a solid node
+    std::uint32_t last = 0;    ///< this step is the last to take
 };
 
-/// One step of every particle: fills next, slow and outside.
+/// One step of every particle: fills next, slow, outside and last.
 using Rk4Kernel = void (*)(const StoredPair&, Rk4Batch&, bool tangents);
 
 void rk4_portable(const StoredPair& field, Rk4Batch& batch, bool tangents);

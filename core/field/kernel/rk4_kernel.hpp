@@ -1,186 +1,174 @@
-// One RK4 step of a batch of particles through stored data, trilinear in space and linear in time, written once for
-// vectors of any make: `Lanes` offers Row (8 floats: a row of two nodes), Quad (4 floats: one vector) and Wide (4
-// doubles). Every operation is the same IEEE operation in the same order whatever the make, so all give the same bits.
-// Layout and batching: measured best of 14 (docs/measurements.md, The limit of the kernel): velocity as in the file, an x-pair of nodes a load.
+// One RK4 step of a batch of particles through stored data, written once for vectors of any make: `Lanes` offers Floats (8 floats: a
+// row of two nodes, or one number of 8 particles), Quad (4 floats: one vector) and Wide (4 doubles). Every operation is the same IEEE
+// operation in the same order whatever the make, so all give the same bits. What samples the field is a class of its own.
 #pragma once
 
-#include "core/field/kernel/rk4_batch.hpp"
+#include "core/field/kernel/cubic_sampling.hpp"
+#include "core/field/kernel/linear_sampling.hpp"
 
 namespace wakesurf::core {
 
-template <class Lanes, bool Unsteady, bool Tangents>
+template <class Lanes, class Sampling, bool Tangents>
 class Rk4KernelOf {
-    using Row = typename Lanes::Row;
+    using Floats = typename Lanes::Floats;
     using Quad = typename Lanes::Quad;
     using Wide = typename Lanes::Wide;
+    static constexpr std::size_t most = Rk4Batch::most;
 
   public:
     static void step(const StoredPair& field, Rk4Batch& batch) {
-        begin(field, batch);
-        stage<0>(field, batch);
-        stage<1>(field, batch);
-        stage<2>(field, batch);
-        stage<3>(field, batch);
-        finish(field, batch);
+        Rk4KernelOf kernel(field, batch);
+        kernel.begin();
+        kernel.template stage<0>();
+        kernel.template stage<1>();
+        kernel.template stage<2>();
+        kernel.template stage<3>();
+        kernel.finish();
     }
 
   private:
-    static void begin(const StoredPair& field, Rk4Batch& batch) {
-        for (std::size_t i = 0; i < batch.count; ++i) {
-            const double time = batch.start[i] + batch.taken[i] * batch.dt[i];
-            const double blend = (time - field.time0) * field.per_interval;
-            const double change = batch.dt[i] * field.per_interval;
-            batch.later[0][i] = static_cast<float>(blend);
-            batch.later[1][i] = static_cast<float>(blend + 0.5 * change);
-            batch.later[2][i] = static_cast<float>(blend + change);
-            for (int at = 0; at < 3; ++at)
-                batch.earlier[at][i] = 1.0f - batch.later[at][i];
-            batch.step[i] = static_cast<float>(batch.dt[i]);
+    Rk4KernelOf(const StoredPair& field, Rk4Batch& batch)
+        : field_(field), batch_(batch), end_((batch.count + 7) / 8 * 8) {}
+
+    void begin() {
+        batch_.slow = batch_.outside = batch_.last = 0;
+        sampling_.begin(field_, batch_, end_);
+        places_.begin(field_, batch_.position, end_);
+        for (std::size_t g = 0; g < end_; g += 4) {
+            const Wide dt = Wide::load(batch_.dt + g);
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                (Wide::all(field_.per_spacing[axis]) * dt).narrow().store(scale_[axis] + g);
         }
-        const Wide per_spacing = Wide::load(field.per_spacing);
-        const Wide origin = Wide::load(field.origin);
-        for (std::size_t i = 0; i < batch.count; ++i) {
-            const Wide cells = (Wide::load(batch.position[i]) - origin) * per_spacing;
-            cells.store(batch.cell_position[i]);
-            (per_spacing * Wide::all(batch.dt[i])).narrow().store(batch.scale[i]);
-            locate(field, batch, i, cells);
-            if constexpr (Tangents)
-                Lanes::narrow(batch.tangent[i]).store(batch.tangent0[i]);
-        }
-    }
-
-    /// Outside points get the nearest border cell and fractions clamped to it; so does NaN, which Wide::max replaces.
-    static void locate(const StoredPair& field, Rk4Batch& batch, std::size_t i, const Wide& cells) {
-        const Wide x = Wide::min(Wide::max(cells, Wide::all(0.0)), Wide::load(field.last));
-        std::int64_t index[3];
-        const Wide cell = Wide::min(x, Wide::load(field.last_cell)).truncated(index);
-        (x - cell).narrow().store(batch.fraction[i]);
-        batch.node[i] = index[0] + index[1] * field.row + index[2] * field.slice;
-    }
-
-    /// Velocity, and its slopes along the cell's axes where tangents are carried.
-    struct Sample {
-        Quad value, along_x, along_y, along_z;
-    };
-
-    static Row
-    row(const StoredPair& field, std::int64_t node, const Row& earlier, const Row& later) {
-        if constexpr (Unsteady)
-            return Row::load(field.velocity0 + 3 * node) * earlier +
-                   Row::load(field.velocity1 + 3 * node) * later;
-        else
-            return Row::load(field.velocity0 + 3 * node);
-    }
-
-    static Sample sample(const StoredPair& field, const Rk4Batch& batch, std::size_t i, int time) {
-        const Row later = Row::all(batch.later[time][i]);
-        const Row earlier = Row::all(batch.earlier[time][i]);
-        const std::int64_t node = batch.node[i];
-        const Row r00 = row(field, node, earlier, later);
-        const Row r10 = row(field, node + field.row, earlier, later);
-        const Row r01 = row(field, node + field.slice, earlier, later);
-        const Row r11 = row(field, node + field.slice + field.row, earlier, later);
-        const Row fy = Row::all(batch.fraction[i][1]);
-        const Row fz = Row::all(batch.fraction[i][2]);
-        const Quad fx = Quad::all(batch.fraction[i][0]);
-        const Row y0 = r10 - r00;
-        const Row y1 = r11 - r01;
-        const Row low = r00 + fy * y0;
-        const Row along_z = r01 + fy * y1 - low;
-        const Row whole = low + fz * along_z;
-        const Quad first = whole.first();
-        const Quad along_x = whole.second() - first;
-        Sample result;
-        result.value = first + fx * along_x;
+        for (std::size_t g = 0; g < end_; g += 8)
+            places_.stay(g, [&](const auto& cell, const auto& fraction) {
+                sampling_.place(field_, places_, g, cell, fraction);
+            });
         if constexpr (Tangents) {
-            const Row along_y = y0 + fz * (y1 - y0);
-            result.along_x = along_x;
-            result.along_y = along_y.first() + fx * (along_y.second() - along_y.first());
-            result.along_z = along_z.first() + fx * (along_z.second() - along_z.first());
+            per_spacing_ = Floats::twice_of(static_cast<float>(field_.per_spacing[0]),
+                                            static_cast<float>(field_.per_spacing[1]),
+                                            static_cast<float>(field_.per_spacing[2]));
+            for (std::size_t i = 0; i < batch_.count; ++i)
+                Lanes::narrow(batch_.tangent[i]).store(tangent_[i]);
         }
-        return result;
-    }
-
-    /// (grad v) w for both tangents, w in length units.
-    static Row derivative(const StoredPair& field, const Sample& at, const Row& w) {
-        const Quad per_spacing = Wide::load(field.per_spacing).narrow();
-        const Row cells = w * Row::twice(per_spacing);
-        return Row::twice(at.along_x) * cells.template each<0>() +
-               Row::twice(at.along_y) * cells.template each<1>() +
-               Row::twice(at.along_z) * cells.template each<2>();
     }
 
     template <int Stage>
-    static void stage(const StoredPair& field, Rk4Batch& batch) {
+    void stage() {
         constexpr float weight = Stage == 0 || Stage == 3 ? 1.0f : 2.0f;
         constexpr float reach = Stage == 2 ? 1.0f : 0.5f; // of the next stage
-        constexpr int time = (Stage + 1) / 2;
-        if constexpr (Stage > 0)
-            for (std::size_t i = 0; i < batch.count; ++i)
-                locate(field, batch, i,
-                       Wide::load(batch.cell_position[i]) + Quad::load(batch.increment[i]).widen());
-        for (std::size_t i = 0; i < batch.count; ++i) {
-            const Sample at = sample(field, batch, i, time);
+        const auto sampling = sampling_.stage(field_, batch_, (Stage + 1) / 2);
+        const std::size_t count = batch_.count;
+        for (std::size_t i = 0; i < count; ++i) {
+            const KernelSample<Lanes> at = sampling.sample(i);
+            at.value.store(value_[i]);
+            if constexpr (Tangents)
+                carry<Stage>(i, at, weight, reach);
+        }
+        for (std::size_t g = 0; g < end_; g += 8) {
+            Floats v[3];
+            Floats::components(&value_[g], v);
             if constexpr (Stage == 0)
-                at.value.store(batch.sum[i]);
-            else
-                (Quad::load(batch.sum[i]) + Quad::all(weight) * at.value).store(batch.sum[i]);
-            if constexpr (Stage < 3)
-                (at.value * (Quad::all(reach) * Quad::load(batch.scale[i])))
-                    .store(batch.increment[i]);
-            if constexpr (Stage == 0)
-                batch.slow[i] = !((at.value * at.value).sum3() > field.stagnation2);
-            if constexpr (Tangents) {
-                Row w = Row::load(batch.tangent0[i]);
-                if constexpr (Stage > 0)
-                    w = w + Row::load(batch.tangent_increment[i]);
-                const Row change = derivative(field, at, w);
+                batch_.slow |= (~Floats::above(v[0] * v[0] + v[1] * v[1] + v[2] * v[2],
+                                               Floats::all(field_.stagnation2)) &
+                                0xffu)
+                               << g;
+            Floats by[3];
+            for (std::size_t axis = 0; axis < 3; ++axis) {
                 if constexpr (Stage == 0)
-                    change.store(batch.tangent_sum[i]);
+                    v[axis].store(sum_[axis] + g);
                 else
-                    (Row::load(batch.tangent_sum[i]) + Row::all(weight) * change)
-                        .store(batch.tangent_sum[i]);
-                if constexpr (Stage < 3)
-                    (change * Row::all(reach * batch.step[i])).store(batch.tangent_increment[i]);
+                    (Floats::load(sum_[axis] + g) + Floats::all(weight) * v[axis])
+                        .store(sum_[axis] + g);
+                by[axis] = v[axis] * (Floats::all(reach) * Floats::load(scale_[axis] + g));
             }
+            if constexpr (Stage < 3)
+                places_.move(g, by, [&](const auto& cell, const auto& fraction) {
+                    sampling_.place(field_, places_, g, cell, fraction);
+                });
         }
     }
 
-    static void finish(const StoredPair& field, Rk4Batch& batch) {
-        const Wide low = Wide::load(field.low);
-        const Wide high = Wide::load(field.high);
-        for (std::size_t i = 0; i < batch.count; ++i) {
-            const Wide sixth = Wide::all(batch.dt[i] / 6.0);
-            const Wide next =
-                Wide::load(batch.position[i]) + sixth * Quad::load(batch.sum[i]).widen();
-            next.store(batch.next[i]);
-            batch.outside[i] = !Wide::between(low, next, high);
-            if constexpr (Tangents)
-                for (std::size_t w = 0; w < 8; w += 4)
-                    (Wide::load(batch.tangent[i] + w) +
-                     sixth * Quad::load(batch.tangent_sum[i] + w).widen())
-                        .store(batch.next_tangent[i] + w);
-        }
-        if (field.cell == nullptr)
-            return;
-        const Wide origin = Wide::load(field.origin);
-        const Wide per_spacing = Wide::load(field.per_spacing);
-        for (std::size_t i = 0; i < batch.count; ++i) {
-            locate(field, batch, i, (Wide::load(batch.next[i]) - origin) * per_spacing);
-            if (field.cell[batch.node[i]] != 0)
-                batch.outside[i] = true;
-        }
+    /// Both tangents w of a particle: w' = (grad v) w, w in length units.
+    template <int Stage>
+    void carry(std::size_t i, const KernelSample<Lanes>& at, float weight, float reach) {
+        Floats w = Floats::load(tangent_[i]);
+        if constexpr (Stage > 0)
+            w = w + Floats::load(tangent_increment_[i]);
+        const Floats cells = w * per_spacing_;
+        const Floats change = Floats::twice(at.along_x) * cells.template each<0>() +
+                              at.along_yz.low_twice() * cells.template each<1>() +
+                              at.along_yz.high_twice() * cells.template each<2>();
+        if constexpr (Stage == 0)
+            change.store(tangent_sum_[i]);
+        else
+            (Floats::load(tangent_sum_[i]) + Floats::all(weight) * change).store(tangent_sum_[i]);
+        if constexpr (Stage < 3)
+            (change * Floats::all(reach * static_cast<float>(batch_.dt[i])))
+                .store(tangent_increment_[i]);
     }
+
+    void finish() {
+        for (std::size_t g = 0; g < end_; g += 4) {
+            const Wide sixth = Wide::load(batch_.dt + g) / Wide::all(6.0);
+            unsigned inside = 0xfu;
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const Wide next = Wide::load(batch_.position[axis] + g) +
+                                  sixth * Quad::load(sum_[axis] + g).widen();
+                next.store(batch_.next[axis] + g);
+                inside &= Wide::not_above(Wide::all(field_.low[axis]), next) &
+                          Wide::not_above(next, Wide::all(field_.high[axis]));
+            }
+            batch_.outside |= (~inside & 0xfu) << g;
+            const Wide taken = Wide::load(batch_.taken + g) + Wide::all(1.0);
+            batch_.last |= Wide::not_above(Wide::load(batch_.steps + g), taken) << g;
+        }
+        if constexpr (Tangents)
+            for (std::size_t i = 0; i < batch_.count; ++i) {
+                const Wide sixth = Wide::all(batch_.dt[i] / 6.0);
+                for (std::size_t w = 0; w < 8; w += 4)
+                    (Wide::load(batch_.tangent[i] + w) +
+                     sixth * Quad::load(tangent_sum_[i] + w).widen())
+                        .store(batch_.next_tangent[i] + w);
+            }
+        if (field_.cell == nullptr)
+            return;
+        places_.begin(field_, batch_.next, end_);
+        for (std::size_t i = 0; i < batch_.count; ++i)
+            if (field_.cell[static_cast<std::int64_t>(places_.first_node(i))] != 0)
+                batch_.outside |= 1u << i;
+    }
+
+    const StoredPair& field_;
+    Rk4Batch& batch_;
+    std::size_t end_; ///< lanes computed
+    BatchPlaces<Lanes> places_;
+    Sampling sampling_;
+    alignas(32) float scale_[3][most]; ///< velocity to cells a step
+    alignas(32) float sum_[3][most];   ///< of the stages' velocities
+    alignas(32) float value_[most][4] = {};
+    alignas(32) float tangent_[Tangents ? most : 1][8];
+    alignas(32) float tangent_increment_[Tangents ? most : 1][8];
+    alignas(32) float tangent_sum_[Tangents ? most : 1][8];
+    Floats per_spacing_;
 };
+
+template <class Lanes, bool Tangents>
+void rk4_step_with(const StoredPair& field, Rk4Batch& batch) {
+    const bool unsteady = field.velocity1 != nullptr;
+    if (field.smooth)
+        unsteady
+            ? Rk4KernelOf<Lanes, CubicSampling<Lanes, 4, Tangents>, Tangents>::step(field, batch)
+            : Rk4KernelOf<Lanes, CubicSampling<Lanes, 1, Tangents>, Tangents>::step(field, batch);
+    else
+        unsteady ? Rk4KernelOf<Lanes, LinearSampling<Lanes, true, Tangents>, Tangents>::step(field,
+                                                                                             batch)
+                 : Rk4KernelOf<Lanes, LinearSampling<Lanes, false, Tangents>, Tangents>::step(
+                       field, batch);
+}
 
 template <class Lanes>
 void rk4_step(const StoredPair& field, Rk4Batch& batch, bool tangents) {
-    if (field.velocity1 != nullptr)
-        tangents ? Rk4KernelOf<Lanes, true, true>::step(field, batch)
-                 : Rk4KernelOf<Lanes, true, false>::step(field, batch);
-    else
-        tangents ? Rk4KernelOf<Lanes, false, true>::step(field, batch)
-                 : Rk4KernelOf<Lanes, false, false>::step(field, batch);
+    tangents ? rk4_step_with<Lanes, true>(field, batch) : rk4_step_with<Lanes, false>(field, batch);
 }
 
 } // namespace wakesurf::core

@@ -48,28 +48,85 @@ struct PortableLanes {
     struct Wide;
 
     struct Quad : Array<Quad, float, 4> {
-        float sum3() const { return at[0] + at[1] + at[2]; }
+        /// Elements from `N` of this and the next one together.
+        template <std::size_t N>
+        Quad from(const Quad& next) const {
+            return each_of(
+                [&](std::size_t i) { return i + N < 4 ? at[i + N] : next.at[i + N - 4]; });
+        }
 
         Wide widen() const {
             return Wide::each_of([&](std::size_t i) { return double{at[i]}; });
         }
     };
 
-    struct Row : Array<Row, float, 8> {
-        static Row twice(const Quad& q) {
-            return each_of([&](std::size_t i) { return q.at[i % 4]; });
+    struct Floats : Array<Floats, float, 8> {
+        static Floats both(const Quad& low, const Quad& high) {
+            return each_of([&](std::size_t i) { return i < 4 ? low.at[i] : high.at[i - 4]; });
         }
 
-        Quad first() const { return Quad::load(at); }
+        static Floats twice(const Quad& q) { return both(q, q); }
 
-        Quad second() const {
-            return Quad::each_of([&](std::size_t i) { return at[3 + i]; });
+        static Floats twice_of(float x, float y, float z) {
+            return {{{x, y, z, 0.0f, x, y, z, 0.0f}}};
         }
+
+        Quad low() const { return Quad::load(at); }
+
+        Quad high() const { return Quad::load(at + 4); }
+
+        /// The second node of a row.
+        Quad second() const { return Quad::load(at + 3); }
+
+        /// First nodes of two rows, and second ones.
+        static Floats firsts(const Floats& a, const Floats& b) { return both(a.low(), b.low()); }
+
+        static Floats seconds(const Floats& a, const Floats& b) {
+            return both(a.second(), b.second());
+        }
+
+        Floats low_twice() const { return twice(low()); }
+
+        Floats high_twice() const { return twice(high()); }
 
         /// Component `I` of either half, all over that half.
         template <std::size_t I>
-        Row each() const {
+        Floats each() const {
             return each_of([&](std::size_t i) { return at[i / 4 * 4 + I]; });
+        }
+
+        /// x, y and z of eight vectors.
+        static void components(const float (*from)[4], Floats (&to)[3]) {
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                to[axis] = each_of([&](std::size_t i) { return from[i][axis]; });
+        }
+
+        static Floats min(const Floats& a, const Floats& b) {
+            return each_of([&](std::size_t i) { return a.at[i] < b.at[i] ? a.at[i] : b.at[i]; });
+        }
+
+        static Floats max(const Floats& a, const Floats& b) {
+            return each_of([&](std::size_t i) { return a.at[i] > b.at[i] ? a.at[i] : b.at[i]; });
+        }
+
+        /// Of what an integer holds.
+        Floats floor() const {
+            return each_of([&](std::size_t i) {
+                const auto towards_zero = static_cast<float>(static_cast<std::int32_t>(at[i]));
+                return towards_zero > at[i] ? towards_zero - 1.0f : towards_zero;
+            });
+        }
+
+        /// Bits of the elements where a > b.
+        static unsigned above(const Floats& a, const Floats& b) {
+            unsigned bits = 0;
+            for (std::size_t i = 0; i < 8; ++i)
+                bits |= (a.at[i] > b.at[i] ? 1u : 0u) << i;
+            return bits;
+        }
+
+        static Floats where_zero(const Floats& test, const Floats& a, const Floats& b) {
+            return each_of([&](std::size_t i) { return test.at[i] == 0.0f ? a.at[i] : b.at[i]; });
         }
     };
 
@@ -82,28 +139,36 @@ struct PortableLanes {
             return each_of([&](std::size_t i) { return a.at[i] > b.at[i] ? a.at[i] : b.at[i]; });
         }
 
-        static bool between(const Wide& low, const Wide& x, const Wide& high) {
-            bool all = true;
-            for (std::size_t i = 0; i < 3; ++i)
-                all = all && low.at[i] <= x.at[i] && x.at[i] <= high.at[i];
-            return all;
+        /// Bits of the elements where a <= b.
+        static unsigned not_above(const Wide& a, const Wide& b) {
+            unsigned bits = 0;
+            for (std::size_t i = 0; i < 4; ++i)
+                bits |= (a.at[i] <= b.at[i] ? 1u : 0u) << i;
+            return bits;
         }
 
-        Wide truncated(std::int64_t (&index)[3]) const {
-            for (std::size_t i = 0; i < 3; ++i)
-                index[i] = static_cast<std::int32_t>(at[i]);
+        Wide truncated() const {
             return each_of([&](std::size_t i) {
-                return static_cast<double>(static_cast<std::int32_t>(at[i]));
+                return static_cast<double>(static_cast<std::int64_t>(at[i]));
             });
+        }
+
+        void integers(std::int64_t* to) const {
+            for (std::size_t i = 0; i < 4; ++i)
+                to[i] = static_cast<std::int64_t>(at[i]);
         }
 
         Quad narrow() const {
             return Quad::each_of([&](std::size_t i) { return static_cast<float>(at[i]); });
         }
+
+        friend Wide operator/(const Wide& a, const Wide& b) {
+            return each_of([&](std::size_t i) { return a.at[i] / b.at[i]; });
+        }
     };
 
-    static Row narrow(const double* from) {
-        return Row::each_of([&](std::size_t i) { return static_cast<float>(from[i]); });
+    static Floats narrow(const double* from) {
+        return Floats::each_of([&](std::size_t i) { return static_cast<float>(from[i]); });
     }
 };
 

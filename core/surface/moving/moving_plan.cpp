@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace wakesurf::core {
@@ -56,15 +57,18 @@ MovingPlan make_plan(const Flow& flow, const MovingRequest& request, double sepa
     rules.reconnect = p.reconnect;
     rules.obstacle = flow.obstacle();
     rules.max_quads = p.max_quads;
-    // Steps of a fixed part of a cell are several times faster, but of second order where stored data have a kink.
+    // Steps of a fixed part of a cell are several times faster on uniform grids. On meshes of cells a wake was cut without end with them
+    // (core/README.md, How a mesh of cells is sampled).
+    const bool series = p.accuracy == Accuracy::Exact || flow.prefers_series();
     AdvanceOptions carry;
-    carry.method = p.accuracy == Accuracy::Exact ? AdvanceOptions::Method::Dopri5
-                                                 : AdvanceOptions::Method::Rk4;
+    carry.method = series ? AdvanceOptions::Method::Dopri5 : AdvanceOptions::Method::Rk4;
     carry.tolerance = trace_tolerance(p.accuracy);
     carry.longest_step = flow.finest_spacing();
     carry.stagnation_speed = p.stagnation_speed * request.largest_speed;
     carry.smooth = p.interpolation == Interpolation::Smooth;
-    std::vector<double> places = seed_places(origin, flow, columns, rules.tear_size * separation);
+    std::vector<double> places = seed_places(
+        origin, flow, columns,
+        p.refine == Refine::On ? rules.tear_size * separation : std::numeric_limits<double>::max());
     return {request,
             std::move(origin),
             std::move(columns),
@@ -85,7 +89,9 @@ double least_separation(const MovingRequest& request) {
 
 double seeds_at(const MovingRequest& request, double separation) {
     const Origin origin = origin_of(request.rake, request.parameters);
-    return seed_intervals(request.rake, origin.length(), separation, request.parameters.separation);
+    const auto intervals =
+        request.parameters.refine == Refine::On ? seed_intervals : grid_intervals;
+    return intervals(request.rake, origin.length(), separation, request.parameters.separation);
 }
 
 BudgetSearch budget_search(const Flow& flow, const MovingRequest& request) {
@@ -94,8 +100,10 @@ BudgetSearch budget_search(const Flow& flow, const MovingRequest& request) {
                               ? origin.longest_across()
                               : std::min(request.travel(), glm::length(flow.domain().extent()));
     const double separation = least_separation(request);
-    const double unstretched =
-        std::max(1.0, origin.length() / separation) * std::max(1.0, across / separation);
+    const double wide = request.parameters.refine == Refine::On
+                            ? std::max(1.0, origin.length() / separation)
+                            : seeds_at(request, separation);
+    const double unstretched = wide * std::max(1.0, across / separation);
     return {separation, coarsest_separation(flow.domain()), unstretched,
             request.parameters.max_quads};
 }

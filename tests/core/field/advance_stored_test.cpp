@@ -82,9 +82,10 @@ Swarm everywhere(std::size_t count, double earliest, double latest) {
     return swarm;
 }
 
-AdvanceOptions in_steps_of(double step) {
+AdvanceOptions in_steps_of(double step, bool smooth = false) {
     AdvanceOptions options;
     options.step = step;
+    options.smooth = smooth;
     options.stagnation_speed = 0.02;
     return options;
 }
@@ -123,42 +124,47 @@ TEST(AdvanceStored, TheKernelsGiveTheSameBits) {
         GTEST_SKIP() << "this processor has one kernel only";
     const std::vector<std::vector<double>> series{{0.0}, {0.0, 0.3, 0.7, 1.0}};
     for (const std::vector<double>& times : series)
-        for (const bool tangents : {false, true})
-            for (const bool back : {false, true}) {
-                const auto best = stored(times, Simd::Best);
-                const auto portable = stored(times, Simd::Portable);
-                Swarm a = back ? everywhere(2000, 0.95, 0.4) : everywhere(2000, 0.05, 0.7);
-                Swarm b = a;
-                const double to = back ? 0.1 : 0.9;
-                ASSERT_TRUE(best->advance(a.particles(tangents), to, in_steps_of(0.013), {}));
-                ASSERT_TRUE(portable->advance(b.particles(tangents), to, in_steps_of(0.013), {}));
-                expect_same_bits(a, b);
-                EXPECT_GT(ended(a, CurveEnd::Running), 200u);
-                EXPECT_GT(ended(a, CurveEnd::Domain), 200u);
-                EXPECT_GT(ended(a, CurveEnd::Obstacle), 20u);
-            }
+        for (const int kind : {0, 1, 2, 3, 4, 5, 6, 7}) {
+            const bool tangents = (kind & 1) != 0;
+            const bool back = (kind & 2) != 0;
+            const AdvanceOptions options = in_steps_of(0.013, (kind & 4) != 0);
+            const auto best = stored(times, Simd::Best);
+            const auto portable = stored(times, Simd::Portable);
+            Swarm a = back ? everywhere(2000, 0.95, 0.4) : everywhere(2000, 0.05, 0.7);
+            Swarm b = a;
+            const double to = back ? 0.1 : 0.9;
+            ASSERT_TRUE(best->advance(a.particles(tangents), to, options, {}));
+            ASSERT_TRUE(portable->advance(b.particles(tangents), to, options, {}));
+            expect_same_bits(a, b);
+            EXPECT_GT(ended(a, CurveEnd::Running), 200u);
+            EXPECT_GT(ended(a, CurveEnd::Domain), 200u);
+            EXPECT_GT(ended(a, CurveEnd::Obstacle), 20u);
+        }
 }
 
 TEST(AdvanceStored, AParticleDoesNotDependOnThoseItTravelsWithNorOnThreads) {
     const auto flow = stored({0.0, 0.3, 0.7, 1.0}, Simd::Best);
     const Swarm start = everywhere(700, 0.05, 0.7);
-    Swarm together = start;
-    ASSERT_TRUE(flow->advance(together.particles(true), 0.9, in_steps_of(0.02), {}));
-    Swarm alone;
-    for (std::size_t i = 0; i < start.position.size(); ++i) {
-        Swarm one = start.only(i);
-        ASSERT_TRUE(flow->advance(one.particles(true), 0.9, in_steps_of(0.02), {}));
-        alone.position.push_back(one.position[0]);
-        alone.along_s.push_back(one.along_s[0]);
-        alone.along_t.push_back(one.along_t[0]);
-        alone.time.push_back(one.time[0]);
-        alone.end.push_back(one.end[0]);
+    for (const bool smooth : {false, true}) {
+        const AdvanceOptions options = in_steps_of(0.02, smooth);
+        Swarm together = start;
+        ASSERT_TRUE(flow->advance(together.particles(true), 0.9, options, {}));
+        Swarm alone;
+        for (std::size_t i = 0; i < start.position.size(); ++i) {
+            Swarm one = start.only(i);
+            ASSERT_TRUE(flow->advance(one.particles(true), 0.9, options, {}));
+            alone.position.push_back(one.position[0]);
+            alone.along_s.push_back(one.along_s[0]);
+            alone.along_t.push_back(one.along_t[0]);
+            alone.time.push_back(one.time[0]);
+            alone.end.push_back(one.end[0]);
+        }
+        expect_same_bits(together, alone);
+        const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+        Swarm serial = start;
+        ASSERT_TRUE(flow->advance(serial.particles(true), 0.9, options, {}));
+        expect_same_bits(together, serial);
     }
-    expect_same_bits(together, alone);
-    const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
-    Swarm serial = start;
-    ASSERT_TRUE(flow->advance(serial.particles(true), 0.9, in_steps_of(0.02), {}));
-    expect_same_bits(together, serial);
 }
 
 TEST(AdvanceStored, AgreesWithTheStepsInDouble) {
@@ -192,6 +198,74 @@ TEST(AdvanceStored, AgreesWithTheStepsInDouble) {
         EXPECT_LT(tangent[tangent.size() * 95 / 100], 1e-5);
         EXPECT_LT(tangent.back(), 3.0 / 0.1 * 0.013 / 3.0);
     }
+}
+
+TEST(AdvanceStored, TheSmoothFieldAgreesWithTheStepsInDouble) {
+    const SolidMask mask = ball();
+    const CellMask cells(grid.dimensions, mask);
+    const CellMask round_cells = CellMask::round_cells(grid.dimensions, mask);
+    const SampledSource source(grid, {0.0, 0.3, 0.7, 1.0, 1.6}, swirling, mask);
+    std::vector<std::shared_ptr<const TimeStep>> steps;
+    for (std::size_t i = 0; i < source.times().size(); ++i)
+        steps.push_back(source.load(i, {}).value());
+    for (const std::size_t k : {0u, 1u, 3u}) { // at the ends of the series a time-step is missing
+        const double from = source.times()[k];
+        const double to = source.times()[k + 1];
+        CubicSampler field{{&grid, &cells, &mask, steps[k]->velocity().data(),
+                            steps[k + 1]->velocity().data(), from, to - from}};
+        if (k > 0) {
+            field.before = steps[k - 1]->velocity().data();
+            field.time_before = steps[k - 1]->time;
+        }
+        if (k + 2 < steps.size()) {
+            field.after = steps[k + 2]->velocity().data();
+            field.time_after = steps[k + 2]->time;
+        }
+        CubicSampler in_batches = field;
+        in_batches.round_cells = &round_cells;
+        ASSERT_TRUE(kernel_samples(in_batches));
+        Swarm exact = everywhere(2000, from, to);
+        Swarm fast = exact;
+        ASSERT_TRUE(advance_particles(field, exact.particles(true), to, 1, in_steps_of(0.013), {}));
+        ASSERT_TRUE(advance_stored(in_batches, choose_rk4_kernel(Simd::Best), fast.particles(true),
+                                   to, 1, in_steps_of(0.013), {}));
+        std::vector<double> tangent;
+        for (std::size_t i = 0; i < exact.position.size(); ++i) {
+            EXPECT_EQ(exact.end[i], fast.end[i]) << i;
+            EXPECT_LT(glm::length((exact.position[i] - fast.position[i]) / grid.spacing), 4e-5)
+                << i;
+            tangent.push_back(glm::length(exact.along_s[i] - fast.along_s[i]) +
+                              glm::length(exact.along_t[i] - fast.along_t[i]));
+        }
+        std::sort(tangent.begin(), tangent.end());
+        EXPECT_LT(tangent[tangent.size() * 95 / 100], 1e-5);
+    }
+}
+
+TEST(AdvanceStored, OfACellAndThoseRoundItOneSolidNodeMakesTheFieldLinear) {
+    const SolidMask mask = ball();
+    const CellMask round = CellMask::round_cells(grid.dimensions, mask);
+    const auto& n = grid.dimensions;
+    const auto node = [&](std::size_t x, std::size_t y, std::size_t z) {
+        return (z * n[1] + y) * n[0] + x;
+    };
+    std::size_t near = 0;
+    for (std::size_t z = 0; z + 1 < n[2]; ++z)
+        for (std::size_t y = 0; y + 1 < n[1]; ++y)
+            for (std::size_t x = 0; x + 1 < n[0]; ++x) {
+                bool fluid = true;
+                for (std::size_t c = z - std::min<std::size_t>(z, 1);
+                     c < std::min<std::size_t>(z + 3, n[2]); ++c)
+                    for (std::size_t b = y - std::min<std::size_t>(y, 1);
+                         b < std::min<std::size_t>(y + 3, n[1]); ++b)
+                        for (std::size_t a = x - std::min<std::size_t>(x, 1);
+                             a < std::min<std::size_t>(x + 3, n[0]); ++a)
+                            fluid = fluid && mask.fluid[node(a, b, c)] != 0;
+                ASSERT_EQ(round.state(node(x, y, z)) == CellMask::Fluid, fluid)
+                    << x << " " << y << " " << z;
+                near += fluid ? 0 : 1;
+            }
+    EXPECT_GT(near, 100u);
 }
 
 TEST(AdvanceStored, StandingParticlesEndWithStagnationWhereTheyAre) {

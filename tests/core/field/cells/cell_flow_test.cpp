@@ -1,4 +1,5 @@
 // Particles and curves through meshes of cells, beside closed forms.
+#include "core/surface/moving/moving_surface.hpp"
 #include "tests/support/meshed_source.hpp"
 
 #include <gtest/gtest.h>
@@ -115,6 +116,75 @@ TEST(CellFlow, IsTheSameToTheBitOnAnyNumberOfThreads) {
         EXPECT_EQ(position, expected);
         EXPECT_EQ(ends, expected_ends);
     }
+}
+
+TEST(CellFlow, WhatAParticleIsToldDoesNotDependOnThoseBeforeIt) {
+    const auto flow = meshed_flow(refined(10, wavy), {0.0, 1.0}, [](const Vec3& p, double t) {
+        return Vec3(0.2 + 0.3 * std::sin(5.0 * p.y + t), 0.3 * std::cos(7.0 * p.x - t), 0.1);
+    });
+    // Neighbours in a row, as on a surface, and among them places on faces, at nodes and outside.
+    std::vector<Vec3> start;
+    for (int i = 0; i < 400; ++i) {
+        Vec3 p(0.02 + 0.0024 * i, 0.3 + 0.1 * std::sin(0.05 * i), 0.4);
+        if (i % 9 == 4)
+            p = wavy(glm::round(10.0 * p) / 10.0);
+        if (i % 31 == 7)
+            p.y = -0.2;
+        start.push_back(p);
+    }
+    const auto carried = [&](std::vector<Vec3> position) {
+        std::vector<Vec3> s(position.size(), Vec3(1, 0, 0)), t(position.size(), Vec3(0, 1, 0));
+        std::vector<double> time(position.size(), 0.0);
+        std::vector<CurveEnd> end(position.size(), CurveEnd::Running);
+        AdvanceOptions advance;
+        advance.step = 0.02;
+        EXPECT_TRUE(flow->advance({position, s, t, time, end}, 0.1, advance, {}));
+        std::vector<Vec3> velocity(position.size());
+        EXPECT_TRUE(flow->sample(position, time, velocity, {}));
+        for (const auto* more : {&s, &t, &velocity})
+            position.insert(position.end(), more->begin(), more->end());
+        return position;
+    };
+    const std::vector<Vec3> together = carried(start);
+    for (std::size_t i = 0; i < start.size(); ++i) {
+        const std::vector<Vec3> alone = carried({start[i]});
+        for (std::size_t part = 0; part < alone.size(); ++part)
+            ASSERT_EQ(alone[part], together[part * start.size() + i]) << i << " " << part;
+    }
+}
+
+TEST(CellFlow, TheVerticesOfABalancedSurfaceLieWhereItsParticlesGoThroughCellsOfAllSizes) {
+    const auto flow = meshed_flow(refined(8, wavy), {0.0, 1.0, 2.0}, [](const Vec3& p, double t) {
+        return Vec3(0.3 + 0.2 * std::sin(6.0 * p.y + t), 0.25 * std::cos(5.0 * p.x - t),
+                    0.1 * std::sin(4.0 * p.x));
+    });
+    const Rake rake{Rake::Kind::Line, {{0.1, 0.3, 0.5}, {0.1, 0.7, 0.5}}, 8};
+    SurfaceParameters p;
+    p.kind = SurfaceKind::Streak;
+    p.to = 1.5;
+    p.separation = 0.05;
+    const SteadyClock clock;
+    auto surface = MovingSurface::start(*flow, rake, p, {}, clock);
+    ASSERT_TRUE(surface);
+    ASSERT_TRUE(surface->advance_to(p.to, {}));
+    const MaterialVertices& v = surface->state().mesh.vertices;
+    std::vector<Vec3> there, exact;
+    std::vector<double> time;
+    for (VertexId i = 0; i < v.slots(); ++i)
+        if (v.role[i] == VertexRole::Free && v.end[i] == CurveEnd::Running && !v.approximated[i]) {
+            there.push_back(v.position[i]);
+            exact.push_back(glm::mix(rake.points[0], rake.points[1], v.s[i]));
+            time.push_back(v.t[i]);
+        }
+    ASSERT_GT(there.size(), 50u);
+    std::vector<CurveEnd> end(exact.size(), CurveEnd::Running);
+    AdvanceOptions options;
+    options.method = AdvanceOptions::Method::Dopri5;
+    options.tolerance = 1e-9;
+    options.longest_step = flow->finest_spacing();
+    ASSERT_TRUE(flow->advance({exact, {}, {}, time, end}, p.to, options, {}));
+    for (std::size_t i = 0; i < exact.size(); ++i)
+        EXPECT_LT(glm::length(there[i] - exact[i]), 2e-5) << i;
 }
 
 TEST(CellFlow, AParticleThatMeetsAGapEndsThereLikeAtTheDomainsEnd) {

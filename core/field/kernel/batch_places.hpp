@@ -1,0 +1,107 @@
+// Where the particles of a batch are, in cells of the grid: in double at the start of a step, and from there in float, as far as the
+// stages of the step reach. Eight particles at once.
+#pragma once
+
+#include "core/field/kernel/rk4_batch.hpp"
+
+namespace wakesurf::core {
+
+template <class Lanes>
+class BatchPlaces {
+    using Floats = typename Lanes::Floats;
+    using Wide = typename Lanes::Wide;
+
+  public:
+    /// Takes the places of lanes 0 to `end`, a multiple of 8. Outside points get the nearest border cell and fractions clamped to it;
+    /// so does NaN, which Wide::max replaces.
+    void
+    begin(const StoredPair& field, const double (&position)[3][Rk4Batch::most], std::size_t end) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            last_[axis] = static_cast<float>(field.last[axis]);
+            last_cell_[axis] = static_cast<float>(field.last_cell[axis]);
+        }
+        const Wide zero = Wide::all(0.0);
+        for (std::size_t g = 0; g < end; g += 4) {
+            Wide node = zero;
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const Wide cells =
+                    (Wide::load(position[axis] + g) - Wide::all(field.origin[axis])) *
+                    Wide::all(field.per_spacing[axis]);
+                const Wide x = Wide::min(Wide::max(cells, zero), Wide::all(field.last[axis]));
+                const Wide cell = Wide::min(x, Wide::all(field.last_cell[axis])).truncated();
+                (cells - cell).narrow().store(start_[axis] + g);
+                cell.narrow().store(cell_[axis] + g);
+                node = node + cell * Wide::all(field.stride[axis]);
+            }
+            node.store(node_ + g);
+        }
+    }
+
+    /// Calls `place(cell, fraction)` for the places `by` cells from where lanes `g` to g + 8 began; cells count from the first one's.
+    template <class Place>
+    void move(std::size_t g, const Floats (&by)[3], const Place& place) const {
+        Floats cell[3];
+        Floats fraction[3];
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const Floats first = Floats::load(cell_[axis] + g);
+            const Floats last = Floats::all(last_[axis]) - first;
+            const Floats last_cell = Floats::all(last_cell_[axis]) - first;
+            const Floats x = Floats::min(
+                Floats::max(Floats::load(start_[axis] + g) + by[axis], Floats::all(0.0f) - first),
+                last);
+            cell[axis] = Floats::min(x.floor(), last_cell);
+            fraction[axis] = x - cell[axis];
+        }
+        place(cell, fraction);
+    }
+
+    /// The same where they began.
+    template <class Place>
+    void stay(std::size_t g, const Place& place) const {
+        const Floats none = Floats::all(0.0f);
+        const Floats cell[3] = {none, none, none};
+        Floats fraction[3];
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            fraction[axis] =
+                Floats::min(Floats::max(Floats::load(start_[axis] + g), none), Floats::all(1.0f));
+        place(cell, fraction);
+    }
+
+    /// Lowest nodes of cells counted from the first ones.
+    void nodes(const StoredPair& field,
+               std::size_t g,
+               const Floats (&cell)[3],
+               std::int64_t* node) const {
+        Wide low = Wide::load(node_ + g);
+        Wide high = Wide::load(node_ + g + 4);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const Wide stride = Wide::all(field.stride[axis]);
+            low = low + cell[axis].low().widen() * stride;
+            high = high + cell[axis].high().widen() * stride;
+        }
+        low.integers(node);
+        high.integers(node + 4);
+    }
+
+    /// Cells to the last one on an axis, from those at `cell`.
+    Floats to_last_cell(std::size_t axis, const Floats& cell) const {
+        return Floats::all(last_cell_[axis]) - cell;
+    }
+
+    /// Of the first ones.
+    Floats first_cell(std::size_t axis, std::size_t g) const {
+        return Floats::load(cell_[axis] + g);
+    }
+
+    double first_node(std::size_t lane) const { return node_[lane]; }
+
+  private:
+    alignas(
+        32) float start_[3][Rk4Batch::most]; ///< from the first cell; outside the domain beyond it
+    alignas(32) float cell_[3][Rk4Batch::most];
+    alignas(32) double node_[Rk4Batch::most];
+    float last_[3];
+    float last_cell_[3];
+};
+
+} // namespace wakesurf::core

@@ -1,0 +1,219 @@
+// Velocities of a batch's particles as CubicSampler has them: Catmull-Rom in space over 4^3 nodes, trilinear near obstacles, and four
+// time-steps. A row of four nodes is twelve floats, which two loads take. Twin: linear_sampling.hpp.
+#pragma once
+
+#include "core/field/kernel/linear_sampling.hpp"
+
+namespace wakesurf::core {
+
+/// @tparam Times  4 time-steps, or 1 for a frozen field
+template <class Lanes, std::size_t Times, bool Tangents>
+class CubicSampling {
+    using Floats = typename Lanes::Floats;
+    using Quad = typename Lanes::Quad;
+    static constexpr std::size_t most = Rk4Batch::most;
+
+    /// Of four neighbouring nodes.
+    struct Shares {
+        Floats node[4];
+    };
+
+    /// Velocities at the four nodes of a row.
+    struct Nodes {
+        Floats first; ///< and second, and two components of the third
+        Quad rest;
+
+        static Nodes none() { return {Floats::all(0.0f), Quad::all(0.0f)}; }
+
+        static Nodes load(const float* from) { return {Floats::load(from), Quad::load(from + 8)}; }
+
+        void add(float share, const Nodes& other) {
+            const Floats shares = Floats::all(share);
+            first = first + shares * other.first;
+            rest = rest + shares.low() * other.rest;
+        }
+    };
+
+  public:
+    void begin(const StoredPair&, const Rk4Batch&, std::size_t) {}
+
+    void place(const StoredPair& field,
+               const BatchPlaces<Lanes>& places,
+               std::size_t g,
+               const Floats (&cell)[3],
+               const Floats (&fraction)[3]) {
+        const Floats none = Floats::all(0.0f);
+        const Floats one = Floats::all(1.0f);
+        Floats linear = none; // 1: near an obstacle
+        if (field.near_solid != nullptr) {
+            places.nodes(field, g, cell, node_ + g);
+            float near[8];
+            for (std::size_t i = 0; i < 8; ++i)
+                near[i] = field.near_solid[node_[g + i]] != 0 ? 1.0f : 0.0f;
+            linear = Floats::load(near);
+        }
+        Floats begin[3];
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const Floats at = places.first_cell(axis, g) + cell[axis];
+            const Floats to_last = places.to_last_cell(axis, at);
+            // Where a node is missing the four begin one later or earlier, and it has no share.
+            begin[axis] = cell[axis] - one + Floats::where_zero(at, one, none) -
+                          Floats::where_zero(to_last, one, none);
+            const Floats f = fraction[axis];
+            const Floats half = Floats::all(0.5f);
+            Shares value{f * (f * (one - half * f) - half),
+                         one + f * f * (Floats::all(1.5f) * f - Floats::all(2.5f)),
+                         f * (half + f * (Floats::all(2.0f) - Floats::all(1.5f) * f)),
+                         f * f * (half * f - half)};
+            const Shares straight{none, one - f, f, none};
+            shared(value, straight, linear, at, to_last, value_[axis], g);
+            if constexpr (Tangents) {
+                const Shares slope{f * (Floats::all(2.0f) - Floats::all(1.5f) * f) - half,
+                                   f * (Floats::all(4.5f) * f - Floats::all(5.0f)),
+                                   half + f * (Floats::all(4.0f) - Floats::all(4.5f) * f),
+                                   f * (Floats::all(1.5f) * f - one)};
+                shared(slope, {none, none - one, one, none}, linear, at, to_last, slope_[axis], g);
+            }
+        }
+        places.nodes(field, g, begin, node_ + g);
+        if constexpr (!Tangents)
+            for (std::size_t z = 0; z < 4; ++z)
+                for (std::size_t y = 0; y < 4; ++y)
+                    (Floats::load(value_[1][y] + g) * Floats::load(value_[2][z] + g))
+                        .store(row_share_[4 * z + y] + g);
+    }
+
+    /// As LinearSampling::Stage.
+    class Stage {
+      public:
+        KernelSample<Lanes> sample(std::size_t i) const {
+            const std::int64_t at = 3 * of_->node_[i];
+            const auto& value = of_->value_;
+            const auto& slope = of_->slope_;
+            const std::int64_t rows[4] = {0, row_[1], row_[2], row_[3]};
+            const float* slice[Times];
+            for (std::size_t t = 0; t < Times; ++t)
+                slice[t] = step_[t] + at;
+            const auto next_slice = [&] {
+                for (std::size_t t = 0; t < Times; ++t)
+                    slice[t] += slice_;
+            };
+            if constexpr (Tangents) {
+                Nodes total = Nodes::none(), along_y = Nodes::none(), along_z = Nodes::none();
+                for (std::size_t z = 0; z < 4; ++z) {
+                    Nodes in_slice = Nodes::none(), across = Nodes::none();
+#pragma GCC unroll 4
+                    for (std::size_t y = 0; y < 4; ++y) {
+                        const Nodes now = at_time(
+                            i, [&](std::size_t t) { return Nodes::load(slice[t] + rows[y]); });
+                        in_slice.add(value[1][y][i], now);
+                        across.add(slope[1][y][i], now);
+                    }
+                    next_slice();
+                    total.add(value[2][z][i], in_slice);
+                    along_y.add(value[2][z][i], across);
+                    along_z.add(slope[2][z][i], in_slice);
+                }
+                return {sum(total, value[0], i), sum(total, slope[0], i),
+                        Floats::both(sum(along_y, value[0], i), sum(along_z, value[0], i))};
+            } else {
+                Nodes total[Times];
+                for (std::size_t t = 0; t < Times; ++t)
+                    total[t] = Nodes::none();
+                for (std::size_t z = 0; z < 4; ++z) {
+#pragma GCC unroll 4
+                    for (std::size_t y = 0; y < 4; ++y) {
+                        const float share = of_->row_share_[4 * z + y][i];
+#pragma GCC unroll 4
+                        for (std::size_t t = 0; t < Times; ++t)
+                            total[t].add(share, Nodes::load(slice[t] + rows[y]));
+                    }
+                    next_slice();
+                }
+                const Nodes now = at_time(i, [&](std::size_t t) { return total[t]; });
+                KernelSample<Lanes> result;
+                result.value = sum(now, value[0], i);
+                return result;
+            }
+        }
+
+      private:
+        friend CubicSampling;
+
+        template <class Step>
+        Nodes at_time(std::size_t i, const Step& step) const {
+            if constexpr (Times == 1) {
+                return step(0);
+            } else {
+                Nodes now = Nodes::none();
+#pragma GCC unroll 4
+                for (std::size_t t = 0; t < Times; ++t)
+                    now.add(share_[t][i], step(t));
+                return now;
+            }
+        }
+
+        const CubicSampling* of_;
+        const float (*share_)[most]; ///< of the time-steps
+        const float* step_[Times];
+        std::int64_t row_[4]; ///< floats from a slice's first row
+        std::int64_t slice_;  ///< from a slice to the next
+    };
+
+    Stage stage(const StoredPair& field, const Rk4Batch& batch, std::size_t time) const {
+        Stage stage;
+        stage.of_ = this;
+        stage.share_ = batch.share[time];
+        if constexpr (Times == 1) {
+            stage.step_[0] = field.velocity0;
+        } else {
+            stage.step_[0] = field.before;
+            stage.step_[1] = field.velocity0;
+            stage.step_[2] = field.velocity1;
+            stage.step_[3] = field.after;
+        }
+        for (std::int64_t k = 0; k < 4; ++k)
+            stage.row_[k] = 3 * k * static_cast<std::int64_t>(field.stride[1]);
+        stage.slice_ = 3 * static_cast<std::int64_t>(field.stride[2]);
+        return stage;
+    }
+
+  private:
+    /// Stores a row's shares: the straight ones where `linear` is not 0; where a node is missing the field goes on linearly, so that it is
+    /// twice its neighbour less the next.
+    static void shared(const Shares& cubic,
+                       const Shares& straight,
+                       const Floats& linear,
+                       const Floats& at,
+                       const Floats& to_last,
+                       float (&to)[4][most],
+                       std::size_t g) {
+        const Floats none = Floats::all(0.0f);
+        const Floats two = Floats::all(2.0f);
+        Floats w[4];
+        for (std::size_t k = 0; k < 4; ++k)
+            w[k] = Floats::where_zero(linear, cubic.node[k], straight.node[k]);
+        const Shares first{w[1] + two * w[0], w[2] - w[0], w[3], none};
+        const Shares last{none, w[0], w[1] - w[3], w[2] + two * w[3]};
+        for (std::size_t k = 0; k < 4; ++k)
+            Floats::where_zero(at, first.node[k], Floats::where_zero(to_last, last.node[k], w[k]))
+                .store(to[k] + g);
+    }
+
+    static Quad sum(const Nodes& nodes, const float (&share)[4][most], std::size_t i) {
+        const Quad high = nodes.first.high();
+        return (Quad::all(share[0][i]) * nodes.first.low() +
+                Quad::all(share[1][i]) * nodes.first.second()) +
+               (Quad::all(share[2][i]) * high.template from<2>(nodes.rest) +
+                Quad::all(share[3][i]) * nodes.rest.template from<1>(nodes.rest));
+    }
+
+    alignas(32) float value_[3][4][most]; ///< shares along each axis
+    alignas(32) float slope_[3][4][most]; ///< in the slope
+    alignas(
+        32) float row_share_[16]
+                            [most]; ///< of the rows in the value, those of the first slice first
+    alignas(32) std::int64_t node_[most];
+};
+
+} // namespace wakesurf::core

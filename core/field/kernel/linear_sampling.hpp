@@ -1,0 +1,120 @@
+// Velocities of a batch's particles, trilinear in space and linear in time: velocity as in the file, an x-pair of nodes a load, which
+// is the best of 14 layouts (docs/measurements.md, The limit of the kernel). Twin: cubic_sampling.hpp.
+#pragma once
+
+#include "core/field/kernel/batch_places.hpp"
+
+namespace wakesurf::core {
+
+/// Velocity, and its slopes along the cell's axes where tangents are carried: those in y and z side by side.
+template <class Lanes>
+struct KernelSample {
+    typename Lanes::Quad value, along_x;
+    typename Lanes::Floats along_yz;
+};
+
+template <class Lanes, bool Unsteady, bool Tangents>
+class LinearSampling {
+    using Floats = typename Lanes::Floats;
+    using Quad = typename Lanes::Quad;
+    using Wide = typename Lanes::Wide;
+
+  public:
+    /// For a step of lanes 0 to `end`.
+    void begin(const StoredPair& field, const Rk4Batch& batch, std::size_t end) {
+        if constexpr (Unsteady)
+            for (std::size_t g = 0; g < end; g += 4) {
+                const Wide dt = Wide::load(batch.dt + g);
+                const Wide time = Wide::load(batch.start + g) + Wide::load(batch.taken + g) * dt;
+                const Wide per_interval = Wide::all(field.per_interval);
+                const Wide blend = (time - Wide::all(field.time0)) * per_interval;
+                const Wide change = dt * per_interval;
+                const Quad later[3] = {blend.narrow(), (blend + Wide::all(0.5) * change).narrow(),
+                                       (blend + change).narrow()};
+                for (std::size_t at = 0; at < 3; ++at) {
+                    later[at].store(later_[at] + g);
+                    (Quad::all(1.0f) - later[at]).store(earlier_[at] + g);
+                }
+            }
+    }
+
+    /// The places of lanes `g` to g + 8 at the next stage.
+    void place(const StoredPair& field,
+               const BatchPlaces<Lanes>& places,
+               std::size_t g,
+               const Floats (&cell)[3],
+               const Floats (&fraction)[3]) {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            fraction[axis].store(fraction_[axis] + g);
+        places.nodes(field, g, cell, node_ + g);
+    }
+
+    /// What a stage's samples are taken with, by value: kept in registers while particles are written.
+    class Stage {
+      public:
+        KernelSample<Lanes> sample(std::size_t i) const {
+            const std::int64_t at = 3 * of_->node_[i];
+            const Floats earlier = Floats::all(of_->earlier_[time_][i]);
+            const Floats later = Floats::all(of_->later_[time_][i]);
+            const auto row = [&](std::int64_t node) {
+                if constexpr (Unsteady)
+                    return Floats::load(velocity0_ + node) * earlier +
+                           Floats::load(velocity1_ + node) * later;
+                else
+                    return Floats::load(velocity0_ + node);
+            };
+            const Floats r00 = row(at);
+            const Floats r10 = row(at + y_);
+            const Floats r01 = row(at + z_);
+            const Floats r11 = row(at + yz_);
+            const Floats fx = Floats::all(of_->fraction_[0][i]);
+            const Floats fy = Floats::all(of_->fraction_[1][i]);
+            const Floats fz = Floats::all(of_->fraction_[2][i]);
+            const Floats y0 = r10 - r00;
+            const Floats y1 = r11 - r01;
+            const Floats low = r00 + fy * y0;
+            const Floats along_z = r01 + fy * y1 - low;
+            const Floats whole = low + fz * along_z;
+            const Quad first = whole.low();
+            const Quad along_x = whole.second() - first;
+            KernelSample<Lanes> result;
+            result.value = first + fx.low() * along_x;
+            if constexpr (Tangents) {
+                const Floats along_y = y0 + fz * (y1 - y0);
+                const Floats near = Floats::firsts(along_y, along_z);
+                result.along_x = along_x;
+                result.along_yz = near + fx * (Floats::seconds(along_y, along_z) - near);
+            }
+            return result;
+        }
+
+      private:
+        friend LinearSampling;
+        const LinearSampling* of_;
+        const float* velocity0_;
+        const float* velocity1_;
+        std::int64_t y_, z_, yz_; ///< floats between rows
+        std::size_t time_;
+    };
+
+    /// @param time  0: at the step's start, 1: middle, 2: end
+    Stage stage(const StoredPair& field, const Rk4Batch&, std::size_t time) const {
+        Stage stage;
+        stage.of_ = this;
+        stage.velocity0_ = field.velocity0;
+        stage.velocity1_ = field.velocity1;
+        stage.y_ = 3 * static_cast<std::int64_t>(field.stride[1]);
+        stage.z_ = 3 * static_cast<std::int64_t>(field.stride[2]);
+        stage.yz_ = stage.y_ + stage.z_;
+        stage.time_ = time;
+        return stage;
+    }
+
+  private:
+    alignas(32) float fraction_[3][Rk4Batch::most];
+    alignas(32) float earlier_[3][Rk4Batch::most]; ///< share of the first time-step
+    alignas(32) float later_[3][Rk4Batch::most];   ///< of the second
+    alignas(32) std::int64_t node_[Rk4Batch::most];
+};
+
+} // namespace wakesurf::core
