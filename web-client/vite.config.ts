@@ -1,18 +1,25 @@
 // The build: relative URLs throughout, so that the page also works behind a proxy with a prefix.
-import { readFileSync } from 'node:fs';
+import { readdirSync, readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { defineConfig, type Plugin } from 'vite';
 import { thirdPartyNotices } from './tools/third_party_notices.ts';
 
-/** The client for Python lies beside the page, so that someone who copies a script from it can fetch what the script needs. */
+const python = fileURLToPath(new URL('../protocol/python/', import.meta.url));
+
+/** The client for Python lies beside the page as one file, so that someone who copies a script from it can fetch what the script needs. */
 const pythonClient: Plugin = {
     name: 'python-client',
     apply: 'build',
     generateBundle() {
-        for (const fileName of ['wakesurf.py', 'wakesurf_frames.py']) {
-            const file = fileURLToPath(new URL(`../protocol/python/${fileName}`, import.meta.url));
-            this.emitFile({ type: 'asset', fileName, source: readFileSync(file) });
-        }
+        const modules = readdirSync(`${python}wakesurf`, { recursive: true, encoding: 'utf8' }).filter((name) =>
+            name.endsWith('.py'),
+        );
+        const text = (name: string): string => readFileSync(`${python}wakesurf/${name}`, 'utf8');
+        const sources = Object.fromEntries(modules.sort().map((name) => [name.slice(0, -'.py'.length), text(name)]));
+        const template = readFileSync(`${python}one_file.py`, 'utf8');
+        // What JSON calls an object of strings, Python calls a dictionary.
+        const source = template.replace('_SOURCES = {}', () => `_SOURCES = ${JSON.stringify(sources, null, 1)}`);
+        this.emitFile({ type: 'asset', fileName: 'wakesurf.py', source });
     },
 };
 

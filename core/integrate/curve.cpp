@@ -64,6 +64,18 @@ CurvePoint Curve::at_arc(double arc) const {
     return point_in(*this, index, theta_at_arc(steps[index], std::max(arc, 0.0)));
 }
 
+CurvePoint Curve::at_time(double time) const {
+    if (steps.empty() || std::abs(time) >= std::abs(last.time))
+        return last;
+    const auto after =
+        std::upper_bound(steps.begin(), steps.end(), std::abs(time),
+                         [](double t, const CurveStep& step) { return t < std::abs(step.time); });
+    const std::size_t index =
+        after == steps.begin() ? 0 : static_cast<std::size_t>(after - steps.begin()) - 1;
+    return point_in(*this, index,
+                    std::clamp((time - steps[index].time) / steps[index].dt, 0.0, 1.0));
+}
+
 CurvePoint CurveReader::at_arc(double arc) {
     const std::vector<CurveStep>& steps = curve_.steps;
     if (steps.empty() || arc >= curve_.last.arc)

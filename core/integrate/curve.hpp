@@ -70,6 +70,9 @@ struct Curve {
 
     /// The point at an arc length from the seed, 0..last.arc. Cost: O(log steps).
     CurvePoint at_arc(double arc) const;
+
+    /// The point so long after the release, 0..last.time, negative upstream. Cost: O(log steps).
+    CurvePoint at_time(double time) const;
 };
 
 /// Adds a step. False: there is no memory for it, and tracing should end.

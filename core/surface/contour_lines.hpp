@@ -4,6 +4,7 @@
 
 #include "core/surface/quad_complex.hpp"
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -14,6 +15,14 @@ struct ContourLine {
     bool closed = false;
     std::vector<Vec3>
         points; ///< at least two, no two neighbours the same; a closed line does not repeat its first
+    std::vector<double> carried{}; ///< ContourOptions::carried at each of them
+};
+
+struct ContourOptions {
+    /// The parameter is that of a closed rake, 0 to below 1: beside its last column lies its first.
+    bool wraps = false;
+    std::span<const double>
+        carried{}; ///< one entry a vertex: what the lines' points have of it; or empty
 };
 
 /// Lines along which `parameter` (mesh.s or mesh.t) takes each of `values`; they run from cell side to cell side, linear in
@@ -21,9 +30,18 @@ struct ContourLine {
 /// REQUIRES: parameter has one entry a vertex.
 std::vector<ContourLine> contour_lines(const QuadComplex& mesh,
                                        std::span<const double> parameter,
-                                       std::span<const double> values);
+                                       std::span<const double> values,
+                                       const ContourOptions& options = {});
 
-/// `count` values evenly spaced between the smallest and the largest of a parameter, both left out.
-std::vector<double> evenly_spaced(std::span<const double> parameter, std::size_t count);
+/// `count` values evenly spaced between the smallest and the largest of a parameter, both left out; of one that wraps, round.
+std::vector<double>
+evenly_spaced(std::span<const double> parameter, std::size_t count, bool wraps = false);
+
+/// A parameter at the vertices of one cell's outline, without a jump where it wraps.
+std::array<double, 8>
+outline_values(const CellPolygon& outline, std::span<const double> parameter, bool wraps);
+
+/// From the first point to the last one: without the side that closes a closed line.
+double length_of(const ContourLine& line);
 
 } // namespace wakesurf::core

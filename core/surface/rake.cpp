@@ -11,25 +11,8 @@ namespace wakesurf::core {
 
 namespace {
 
-/// A circle as a polygon fine enough that its sagitta is 1e-5 of the radius.
-std::vector<Vec3> rim(const Vec3& centre, const Vec3& a, const Vec3& b) {
-    const Vec3 u = a - centre;
-    const Vec3 w = b - centre;
-    const Vec3 across = w - u * (glm::dot(w, u) / glm::dot(u, u));
-    const Vec3 v = across * (glm::length(u) / glm::length(across));
-    constexpr int pieces = 720;
-    std::vector<Vec3> points;
-    for (int i = 0; i < pieces; ++i) {
-        const double angle = 2.0 * std::numbers::pi * i / pieces;
-        points.push_back(centre + std::cos(angle) * u + std::sin(angle) * v);
-    }
-    points.push_back(points.front());
-    return points;
-}
-
-std::vector<Vec3> outline(const Rake& rake) {
-    return rake.kind == Rake::Kind::Circle ? rim(rake.points[0], rake.points[1], rake.points[2])
-                                           : rake.points;
+Circle circle_of(const Rake& rake) {
+    return {rake.points[0], rake.points[1], rake.points[2]};
 }
 
 /// Part of a segment inside a box as parameters in 0..1 (Liang and Barsky 1984); empty when lo > hi.
@@ -69,12 +52,27 @@ Error outside(const std::vector<Vec3>& points, const Box& domain) {
     return {Error::Code::OutOfDomain, text.str(), hint.str()};
 }
 
+Result<ClippedRake> clip_circle(Rake rake, const Box& domain) {
+    const Circle circle = circle_of(rake);
+    const auto arc = longest_arc_inside(circle, domain);
+    if (!arc) {
+        std::vector<Vec3> points;
+        for (int i = 0; i < 64; ++i)
+            points.push_back(circle.at(i / 64.0));
+        return tl::unexpected(outside(points, domain));
+    }
+    rake.arc = *arc;
+    return ClippedRake{rake, !rake.closed()};
+}
+
 } // namespace
 
 Result<ClippedRake> clip_rake(const Rake& rake, const Box& domain) {
     if (auto sound = check_rake(rake); !sound)
         return tl::unexpected(sound.error());
-    const std::vector<Vec3> points = outline(rake);
+    if (rake.kind == Rake::Kind::Circle)
+        return clip_circle(rake, domain);
+    const std::vector<Vec3>& points = rake.points;
     if (std::all_of(points.begin(), points.end(),
                     [&](const Vec3& p) { return domain.contains(p); }))
         return ClippedRake{rake, false};
@@ -116,15 +114,22 @@ Result<ClippedRake> clip_rake(const Rake& rake, const Box& domain) {
     return ClippedRake{{kind, std::move(best), rake.seeds}, true};
 }
 
-SeedingCurve::SeedingCurve(const Rake& rake)
-    : points_(outline(rake)), arc_{0.0}, round_(rake.closed()) {
+SeedingCurve::SeedingCurve(const Rake& rake) {
+    if (rake.kind == Rake::Kind::Circle) {
+        round_ = circle_of(rake);
+        part_ = rake.arc;
+        round_length_ = 2.0 * std::numbers::pi * round_->radius() * (part_[1] - part_[0]);
+        return;
+    }
+    points_ = rake.points;
+    arc_ = {0.0};
     for (std::size_t i = 1; i < points_.size(); ++i)
         arc_.push_back(arc_.back() + glm::length(points_[i] - points_[i - 1]));
 }
 
 std::vector<double> SeedingCurve::corners() const {
     std::vector<double> found;
-    for (std::size_t i = 1; !round_ && i + 1 < points_.size(); ++i)
+    for (std::size_t i = 1; i + 1 < points_.size(); ++i)
         found.push_back(arc_[i] / length());
     return found;
 }
@@ -135,6 +140,8 @@ std::size_t SeedingCurve::piece(double s) const {
 }
 
 Vec3 SeedingCurve::at(double s) const {
+    if (round_)
+        return round_->at(turn(std::clamp(s, 0.0, 1.0)));
     const std::size_t i = std::min(piece(s), points_.size() - 2);
     const double along = (s * length() - arc_[i]) / (arc_[i + 1] - arc_[i]);
     if (s >= 1.0)
@@ -143,16 +150,23 @@ Vec3 SeedingCurve::at(double s) const {
 }
 
 Vec3 SeedingCurve::tangent(double s) const {
+    if (round_)
+        return round_->tangent(turn(s)) * (part_[1] - part_[0]);
     const std::size_t i = std::min(piece(s), points_.size() - 2);
     return (points_[i + 1] - points_[i]) * (length() / (arc_[i + 1] - arc_[i]));
 }
 
-double seed_intervals(const Rake& rake, double length, double separation, double requested) {
+double grid_intervals(const Rake& rake, double length, double separation, double requested) {
     double asked = rake.closed() ? rake.seeds : rake.seeds - 1.0;
     if (separation > requested)
         asked = std::min(asked, std::ceil(4.0 * length / separation));
     const double fewest = rake.closed() ? 3.0 : 1.0;
-    return std::max({fewest, asked, std::ceil(length / separation - 1e-9)});
+    return std::max(fewest, asked);
+}
+
+double seed_intervals(const Rake& rake, double length, double separation, double requested) {
+    return std::max(grid_intervals(rake, length, separation, requested),
+                    std::ceil(length / separation - 1e-9));
 }
 
 std::vector<double> seed_parameters(const std::vector<double>& corners, double intervals) {

@@ -3,9 +3,11 @@
 
 #include "core/base/box.hpp"
 #include "core/base/result.hpp"
+#include "core/surface/circle.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace wakesurf::core {
@@ -16,9 +18,10 @@ struct Rake {
     std::vector<Vec3>
         points; ///< line: 2; polyline: 2 or more; circle: centre and two points of the rim
     std::uint32_t seeds = 32;
+    Arc arc{0.0, 1.0}; ///< circle: the part of it that releases, all of it unless clip_rake cut it
 
-    /// A circle's seeding curve returns to its start, so its surface has no side edges.
-    bool closed() const { return kind == Kind::Circle; }
+    /// A whole circle's seeding curve returns to its start, so its surface has no side edges.
+    bool closed() const { return kind == Kind::Circle && arc == Arc{0.0, 1.0}; }
 
     bool operator==(const Rake&) const = default;
 };
@@ -28,7 +31,8 @@ struct ClippedRake {
     bool clipped = false; ///< part of the rake was outside and has been cut away
 };
 
-/// Keeps the part of a rake inside the domain. Error: InvalidArgument (too few or coinciding points, non-finite
+/// Keeps the part of a rake inside the domain: the longest, if there are several. Of a circle that is an arc of the same circle,
+/// whatever arc of it the rake had. Error: InvalidArgument (too few or coinciding points, non-finite
 /// coordinates, fewer than 2 seeds), OutOfDomain with the distance when nothing is inside.
 Result<ClippedRake> clip_rake(const Rake& rake, const Box& domain);
 
@@ -38,25 +42,33 @@ class SeedingCurve {
     explicit SeedingCurve(const Rake& rake);
     Vec3 at(double s) const;
 
-    /// dc/ds, constant on each straight piece.
+    /// dc/ds; constant on each straight piece.
     Vec3 tangent(double s) const;
 
-    double length() const { return arc_.back(); }
+    double length() const { return round_ ? round_length_ : arc_.back(); }
 
-    /// Seed parameters, between 0 and 1, where the curve turns sharply; a circle has none.
+    /// Seed parameters, between 0 and 1, where the curve turns sharply; a circle, and an arc of one, has none.
     std::vector<double> corners() const;
 
   private:
     std::size_t piece(double s) const;
-    std::vector<Vec3> points_;
-    std::vector<double> arc_;
-    bool round_; ///< a circle: its pieces stand for a smooth curve
+
+    double turn(double s) const { return part_[0] + s * (part_[1] - part_[0]); }
+
+    std::vector<Vec3> points_; ///< of a polyline
+    std::vector<double> arc_;  ///< length up to each of them
+    std::optional<Circle> round_;
+    Arc part_{0.0, 1.0};
+    double round_length_ = 0.0;
 };
 
 /// Into how many intervals seeds part a seeding curve of `length`: no longer than `separation`, and as many as the rake asks for.
 /// Where the quad budget has raised the separation above the one `requested`, the rake's seeds give way: they are no closer than a
 /// quarter of it.
 double seed_intervals(const Rake& rake, double length, double separation, double requested);
+
+/// The same of a surface whose grid stays as it is: what the rake asks for, however far apart.
+double grid_intervals(const Rake& rake, double length, double separation, double requested);
 
 /// Seed parameters from 0 to below 1: about `intervals` even steps, and every corner (ascending) a seed, so that the surface
 /// starts at the rake's own shape.

@@ -1,6 +1,7 @@
 #include "core/surface/surface_builder.hpp"
 
 #include "core/surface/budget_search.hpp"
+#include "core/surface/columns/fixed_sheet.hpp"
 #include "core/surface/columns/sheet_mesh.hpp"
 #include "core/surface/emptiness.hpp"
 #include "core/surface/moving/moving_builder.hpp"
@@ -114,12 +115,7 @@ void count_columns(const Sheet& sheet, SurfaceStatistics& statistics) {
         const Curve& curve = column->curve;
         statistics.steps = std::max<std::uint64_t>(statistics.steps, curve.steps.size());
         statistics.vertex_steps += curve.attempts;
-        auto& ended = statistics.terminated;
-        ended.domain += curve.end == CurveEnd::Domain;
-        ended.time += curve.end == CurveEnd::Time;
-        ended.obstacle += curve.end == CurveEnd::Obstacle;
-        ended.stagnation += curve.end == CurveEnd::Stagnation;
-        ended.budget += curve.end == CurveEnd::Budget;
+        statistics.terminated.add(curve.end);
     }
 }
 
@@ -198,6 +194,26 @@ Result<Bare> build_within_budget(const Flow& flow,
     return cannot_be_coarser(p.max_quads, search.coarsest());
 }
 
+/// Its grid stays as it begins.
+Result<Bare> build_fixed(const Flow& flow,
+                         const Rake& rake,
+                         const SurfaceParameters& p,
+                         const Clock& clock,
+                         const std::stop_token& stop,
+                         const WorkPart& work) {
+    const auto speed = largest_speed(flow, rake, p.from, stop);
+    if (!speed)
+        return tl::unexpected(speed.error());
+    auto directions = sheet_options(flow, rake, p, p.separation, *speed);
+    if (!directions)
+        return tl::unexpected(directions.error());
+    for (SheetOptions& each : *directions)
+        each.trace.memory = work.memory();
+    return fixed_sheet(flow, rake, *directions, clock, stop, work).map([](FixedSheet&& made) {
+        return Bare{std::move(made.mesh), std::move(made.statistics)};
+    });
+}
+
 Result<Surface> build_whole(const Flow& flow,
                             const Rake& rake,
                             SurfaceParameters parameters,
@@ -210,7 +226,8 @@ Result<Surface> build_whole(const Flow& flow,
     if (parameters.kind == SurfaceKind::Streak || parameters.kind == SurfaceKind::Time)
         return build_moving_surface(flow, rake, parameters, stop, clock, work);
     // What its vertices carry takes about as long as the sheets.
-    auto built = build_within_budget(flow, rake, parameters, clock, stop, work.part(0, 2));
+    const auto build = parameters.refine == Refine::On ? build_within_budget : build_fixed;
+    auto built = build(flow, rake, parameters, clock, stop, work.part(0, 2));
     if (!built)
         return tl::unexpected(built.error());
 

@@ -16,6 +16,11 @@ enum class Accuracy { Fast, Balanced, Exact };
 /// every grid has it. Smooth: cubic in space and time, of a uniform grid. Closed forms are not interpolated.
 enum class Interpolation { Linear, Smooth };
 
+/// On: quads are cut, joined and reconnected, and torn at obstacles, so that the mesh follows the surface. Off: the grid that the rake
+/// begins with stays as it is, as in von Funck, Weinkauf, Theisel, Seidel, Smoke Surfaces, 2008; quads with a particle that has ended
+/// are left out.
+enum class Refine { On, Off };
+
 struct SurfaceParameters {
     SurfaceKind kind = SurfaceKind::Stream;
     double from =
@@ -39,6 +44,8 @@ struct SurfaceParameters {
     /// crosses the domain, one of a millionth of its speed moves a fifteenth of a step of the 2^16 a side on which positions travel:
     /// ending it cannot be seen. 0: only what does not move at all
     double stagnation_speed = 1e-6;
+    Refine refine =
+        Refine::On; ///< off: `merge`, `angle` and `separation` across the flow count for nothing
     bool reconnect =
         true; ///< false: shear is met by cutting cells alone, to measure what reconnecting them gains
     std::uint64_t max_quads = 1'000'000;

@@ -1,6 +1,7 @@
 // What building a surface took and gave: the shape of `--stats` and `surface.stats`.
 #pragma once
 
+#include "core/integrate/curve.hpp"
 #include "core/surface/surface_parameters.hpp"
 
 #include <cstdint>
@@ -34,6 +35,14 @@ struct SurfaceStatistics {
     /// Particles released from the rake's seeds, by what ended them; of a surface that moves, those of all its rows.
     struct Terminated {
         std::uint64_t domain = 0, time = 0, obstacle = 0, stagnation = 0, budget = 0;
+
+        void add(CurveEnd end) {
+            domain += end == CurveEnd::Domain;
+            time += end == CurveEnd::Time;
+            obstacle += end == CurveEnd::Obstacle;
+            stagnation += end == CurveEnd::Stagnation;
+            budget += end == CurveEnd::Budget;
+        }
     };
 
     struct Seconds {

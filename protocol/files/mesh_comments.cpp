@@ -30,8 +30,12 @@ std::vector<std::string> mesh_comments(const MeshMetadata& metadata) {
     std::vector<std::string> lines{
         "wakesurf " + printable(metadata.version), "kind " + std::string(name(metadata.kind)),
         "dataset " + printable(metadata.dataset), "rake " + points_text(metadata.rake)};
+    if (tells_kind(metadata.rake_kind))
+        lines.push_back("rakeKind " + std::string(name(metadata.rake_kind)));
     if (!metadata.rake2.empty())
         lines.push_back("rake2 " + points_text(metadata.rake2));
+    if (tells_kind(metadata.rake2_kind))
+        lines.push_back("rake2Kind " + std::string(name(metadata.rake2_kind)));
     if (metadata.sweep)
         lines.push_back("sweep " + points_text({*metadata.sweep}));
     lines.push_back("from " + number_text(metadata.from));
@@ -41,6 +45,8 @@ std::vector<std::string> mesh_comments(const MeshMetadata& metadata) {
     if (metadata.release_until)
         lines.push_back("releaseUntil " + number_text(*metadata.release_until));
     lines.push_back("separation " + number_text(metadata.separation));
+    if (!metadata.stopped.empty())
+        lines.push_back("stopped " + printable(metadata.stopped));
     return lines;
 }
 

@@ -33,8 +33,14 @@ tinygltf::Value extras(const MeshMetadata& metadata, const std::vector<MeshAttri
                       {"from", Value(metadata.from)},
                       {"to", Value(metadata.to)},
                       {"separation", Value(metadata.separation)}};
+    if (tells_kind(metadata.rake_kind))
+        out["rakeKind"] = Value(std::string(name(metadata.rake_kind)));
     if (!metadata.rake2.empty())
         out["rake2"] = numbers(metadata.rake2);
+    if (tells_kind(metadata.rake2_kind))
+        out["rake2Kind"] = Value(std::string(name(metadata.rake2_kind)));
+    if (!metadata.stopped.empty())
+        out["stopped"] = Value(metadata.stopped);
     if (metadata.sweep)
         out["sweep"] = numbers({*metadata.sweep}).Get(0);
     if (metadata.time)

@@ -14,6 +14,8 @@ namespace wakesurf::protocol {
 struct MeshMetadata {
     core::SurfaceKind kind = core::SurfaceKind::Stream;
     std::vector<core::Vec3> rake{}; ///< the rake's points
+    core::Rake::Kind rake_kind =
+        core::Rake::Kind::Line; ///< told where the points alone do not say it
     double from = 0.0;
     double to = 0.0;
     double separation = 0.0;
@@ -21,9 +23,16 @@ struct MeshMetadata {
     std::string version;                   ///< of wakesurf
     std::optional<double> release_until{}; ///< these three only where the surface has them
     std::vector<core::Vec3> rake2{};
+    core::Rake::Kind rake2_kind = core::Rake::Kind::Line;
     std::optional<core::Vec3> sweep{};
     std::optional<double> time{}; ///< at which it is shown, where that is not its end
+    std::string stopped{};        ///< why it is not what was asked for; usually empty
 };
+
+/// Three points of a circle would be taken for a polyline.
+inline bool tells_kind(core::Rake::Kind kind) {
+    return kind == core::Rake::Kind::Circle || kind == core::Rake::Kind::Points;
+}
 
 /// Further vertex arrays by name, each with one value a vertex.
 using MeshScalars = std::map<std::string, std::vector<float>>;

@@ -1,9 +1,10 @@
-// The lines on a surface, instead of its cells, as a file of polylines: timelines, and the streamlines, pathlines or streaklines that the
-// surface consists of (core/surface/contour_lines.hpp).
+// What is on a surface, instead of its cells, as a file: timelines, the streamlines, pathlines or streaklines that the surface consists of,
+// ribbons along them, arrows (core/surface/contour_lines.hpp, even_lines.hpp, surface_cutouts.hpp).
 #pragma once
 
 #include "core/base/result.hpp"
 #include "core/surface/contour_lines.hpp"
+#include "core/surface/surface_cutouts.hpp"
 #include "core/surface/surface_parameters.hpp"
 #include "protocol/files/mesh_file.hpp"
 
@@ -14,15 +15,19 @@
 
 namespace wakesurf::protocol {
 
-/// At so many values, evenly spaced between the ends of the surface.
 struct LinesWanted {
     enum class Along : std::uint8_t {
         Release, ///< timelines: particles of one age
         Seed     ///< what particles of one seed form
     };
+    enum class Form : std::uint8_t { Lines, Ribbons, Arrows };
 
     Along along = Along::Release;
+    /// So many, at values evenly spaced between the ends of the surface; 0: by the distance between them.
     std::uint32_t values = 0;
+    Form form = Form::Lines;
+    double spacing = 0.0; ///< length on the surface from one to the next
+    double width = 0.0;   ///< length: of ribbons, and of arrows' heads
 
     bool operator==(const LinesWanted&) const = default;
 };
@@ -30,16 +35,25 @@ struct LinesWanted {
 inline constexpr std::uint32_t most_line_values = 1000;
 
 /// `timelines:N`, or the lines that a kind of surface consists of: `streamlines:N`, `pathlines:N` or `streaklines:N`; N from 1 to
-/// most_line_values. Error: InvalidArgument, naming what the kind has.
+/// most_line_values, or `every=D`, the distance between them. The same with ribbons, which take `,width=W`; and `arrows:every=D,width=W` of stream
+/// and path surfaces. Error: InvalidArgument, naming what the kind has.
 core::Result<LinesWanted> read_lines(std::string_view text, core::SurfaceKind kind);
 
-/// Error: NotFound where there is no such line.
-core::Result<std::vector<core::ContourLine>> surface_lines(const core::QuadComplex& mesh,
-                                                           const LinesWanted& wanted);
+/// Lines, or what has been cut out of the surface.
+struct SurfaceLines {
+    std::vector<core::ContourLine> lines;
+    core::Cutouts cutouts;
+};
 
-/// A .vtp (lines; the value of s or t for each) or an .obj (`l`). Same input, same bytes. Error: Unsupported for another format.
+/// @param closed  the surface comes from a closed rake
+/// Error: NotFound where there is nothing of the kind, OverLimit where there would be too many lines.
+core::Result<SurfaceLines>
+surface_lines(const core::QuadComplex& mesh, const LinesWanted& wanted, bool closed = false);
+
+/// A .vtp (lines or polygons; the value of s or t for each) or an .obj (`l`, `f`). Same input, same bytes. Error: Unsupported for another
+/// format.
 core::Result<std::string> lines_file(MeshFormat format,
-                                     const std::vector<core::ContourLine>& lines,
+                                     const SurfaceLines& lines,
                                      const LinesWanted& wanted,
                                      const MeshMetadata& metadata);
 

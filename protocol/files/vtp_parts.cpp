@@ -69,8 +69,12 @@ void field_data(std::string& xml, const MeshMetadata& metadata) {
     xml += "<FieldData>\n";
     field_text(xml, "kind", name(metadata.kind));
     field_points(xml, "rake", metadata.rake);
+    if (tells_kind(metadata.rake_kind))
+        field_text(xml, "rakeKind", name(metadata.rake_kind));
     if (!metadata.rake2.empty())
         field_points(xml, "rake2", metadata.rake2);
+    if (tells_kind(metadata.rake2_kind))
+        field_text(xml, "rake2Kind", name(metadata.rake2_kind));
     if (metadata.sweep)
         field_points(xml, "sweep", std::span(&*metadata.sweep, 1));
     field_numbers(xml, "from", std::span(&metadata.from, 1));
@@ -82,6 +86,8 @@ void field_data(std::string& xml, const MeshMetadata& metadata) {
     field_numbers(xml, "separation", std::span(&metadata.separation, 1));
     field_text(xml, "dataset", metadata.dataset);
     field_text(xml, "version", metadata.version);
+    if (!metadata.stopped.empty())
+        field_text(xml, "stopped", metadata.stopped);
     xml += "</FieldData>\n";
 }
 

@@ -10,7 +10,7 @@ std::filesystem::path this_program() {
 core::Result<std::filesystem::path> bundled_simulation() {
     const std::filesystem::path bin = this_program().parent_path();
     for (const char* place :
-         {"../../../data/sqcyl/sqcyl.pvd", "../share/wakesurf/data/sqcyl/sqcyl.pvd"})
+         {"../share/wakesurf/data/sqcyl/sqcyl.pvd", "../../../data/sqcyl/sqcyl.pvd"})
         if (std::error_code ignored; std::filesystem::exists(bin / place, ignored))
             return std::filesystem::weakly_canonical(bin / place);
     return core::fail(core::Error::Code::NotFound,

@@ -10,7 +10,8 @@ namespace wakesurf::server {
 /// The running program's file.
 std::filesystem::path this_program();
 
-/// The bundled simulation's .pvd: beside the sources of a build tree, or under share/wakesurf of an installation.
+/// The bundled simulation's .pvd: under share/wakesurf of an installation, or beside the sources of a build tree. The first wins, because
+/// what lies three folders above an installed program is not ours.
 /// Error: NotFound.
 core::Result<std::filesystem::path> bundled_simulation();
 

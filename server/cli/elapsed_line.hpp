@@ -1,5 +1,5 @@
-// Progress of work that takes its time: a line with the seconds gone, and the part done if it is counted, on a terminal; one plain line
-// otherwise.
+// Progress of work that takes its time: a line with the seconds gone, and the part done and how long the rest may take if it is counted,
+// on a terminal; one plain line otherwise.
 #pragma once
 
 #include "core/base/work_done.hpp"

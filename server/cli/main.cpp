@@ -1,12 +1,16 @@
 // The program `wakesurf`: parses the command line and hands over to one command.
+#include "server/base/manual_page.hpp"
 #include "server/base/memory_size.hpp"
 #include "server/cli/bench_command.hpp"
+#include "server/cli/built_commit.hpp"
 #include "server/cli/failure.hpp"
 #include "server/cli/generate_command.hpp"
 #include "server/cli/import_command.hpp"
 #include "server/cli/info_command.hpp"
+#include "server/cli/manual_chapters.hpp"
 #include "server/cli/serve_command.hpp"
 #include "server/cli/sessions_command.hpp"
+#include "server/cli/shell_completion.hpp"
 #include "server/cli/state_command.hpp"
 #include "server/cli/surface_command.hpp"
 #include "server/cli/version_text.hpp"
@@ -16,6 +20,8 @@
 #include <cstdio>
 #include <exception>
 #include <functional>
+#include <string>
+#include <utility>
 
 namespace {
 
@@ -48,10 +54,21 @@ void add_import_options(CLI::App& command, ImportOptions& options) {
     add_source_options(command, options.taken);
 }
 
+/// For who makes packages: prints what it makes of the declarations, and ends.
+void add_hidden(CLI::App& app, const char* option, std::function<std::string()> text) {
+    app.add_flag_callback(option,
+                          [text = std::move(text)] { throw CLI::CallForVersion(text(), 0); })
+        ->group("");
+}
+
 int run(int argc, char** argv) {
     CLI::App app{"Integral surfaces of unsteady flow, interactively.", "wakesurf"};
-    app.set_version_flag("--version", version_text());
+    app.set_version_flag("--version", version_text(built_commit()));
     app.require_subcommand(1);
+    add_hidden(app, "--man-page", [&] {
+        return manual_page(app, {version_number(), manual_chapters()});
+    });
+    add_hidden(app, "--bash-completion", [&] { return bash_completion(app); });
     std::function<int()> chosen;
     const auto command = [&](const char* name, const char* about, std::function<int()> action) {
         CLI::App* added = app.add_subcommand(name, about);

@@ -1,5 +1,8 @@
 #include "server/cli/rake_text.hpp"
 
+#include "core/surface/rake_check.hpp"
+#include "protocol/api/generated/names.hpp"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -42,8 +45,10 @@ core::Result<core::Vec3> parse_vector(std::string_view text, const std::string& 
     return *point;
 }
 
-core::Result<core::Rake>
-parse_rake(std::string_view text, std::uint32_t seeds, const std::string& option) {
+core::Result<core::Rake> parse_rake(std::string_view text,
+                                    std::uint32_t seeds,
+                                    const std::string& option,
+                                    std::string_view kind) {
     core::Rake rake{.kind = core::Rake::Kind::Line, .points = {}, .seeds = seeds};
     for (auto start = text.find_first_not_of(blanks); start != std::string_view::npos;) {
         const auto stop = std::min(text.find_first_of(blanks, start), text.size());
@@ -56,8 +61,17 @@ parse_rake(std::string_view text, std::uint32_t seeds, const std::string& option
     if (rake.points.size() < 2)
         return core::fail(invalid, option + ": fewer than two points",
                           "as in " + option + " \"0,0,0 0,0,1\"");
-    if (rake.points.size() > 2)
-        rake.kind = core::Rake::Kind::Polyline;
+    if (kind.empty()) {
+        if (rake.points.size() > 2)
+            rake.kind = core::Rake::Kind::Polyline;
+        return rake;
+    }
+    const auto known = protocol::rake_kind(kind);
+    if (!known)
+        return core::fail(invalid, option + "-kind must be line, polyline, circle or points");
+    rake.kind = *known;
+    if (auto sound = core::check_rake(rake); !sound)
+        return core::fail(invalid, option + ": " + sound.error().message, sound.error().hint);
     return rake;
 }
 

@@ -1,6 +1,7 @@
 #include "server/cli/surface_command.hpp"
 
 #include "core/base/machine_memory.hpp"
+#include "core/surface/budget_search.hpp"
 #include "core/surface/surface_builder.hpp"
 #include "core/surface/surface_request.hpp"
 #include "core/surface/vertex_times.hpp"
@@ -16,7 +17,9 @@
 #include "server/cli/elapsed_line.hpp"
 #include "server/cli/failure.hpp"
 #include "server/cli/stop_on_signal.hpp"
+#include "server/cli/surface_passes.hpp"
 #include "server/cli/surface_request.hpp"
+#include "server/cli/time_limit.hpp"
 #include "server/cli/whole_file.hpp"
 #include "server/metrics/process_account.hpp"
 
@@ -54,14 +57,15 @@ open(const SurfaceOptions& options, const core::MemoryAccount& account, std::sto
     return open_dataset(*argument, open, show, stop);
 }
 
-core::Result<core::Surface> build(const LoadedDataset& dataset,
-                                  const SurfaceRequest& request,
-                                  int threads,
-                                  core::WorkMemory& memory,
-                                  std::stop_token stop) {
+/// One pass: a surface of these parameters.
+core::Result<BuiltSurface> build(const LoadedDataset& dataset,
+                                 const core::Rake& rake,
+                                 const core::SurfaceParameters& parameters,
+                                 int threads,
+                                 const core::MemoryAccount& account,
+                                 const std::stop_token& stop) {
     core::WorkDone work;
-    const ElapsedLine progress("building a " +
-                                   std::string(protocol::name(request.parameters.kind)) +
+    const ElapsedLine progress("building a " + std::string(protocol::name(parameters.kind)) +
                                    " surface of " + dataset.info.name,
                                &work);
     const int used = threads > 0 ? threads : static_cast<int>(std::thread::hardware_concurrency());
@@ -69,10 +73,15 @@ core::Result<core::Surface> build(const LoadedDataset& dataset,
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(used));
     tbb::task_arena arena(used);
-    return arena.execute([&] {
-        return core::build_surface(*dataset.flow, request.rake, request.parameters, stop,
-                                   core::SteadyClock{}, {&work, &memory});
-    });
+    auto memory = std::make_shared<core::WorkMemory>(account, stop);
+    return arena
+        .execute([&] {
+            return core::build_surface(*dataset.flow, rake, parameters, stop, core::SteadyClock{},
+                                       {&work, memory.get()});
+        })
+        .map([&](core::Surface&& surface) {
+            return BuiltSurface{std::move(surface), memory};
+        });
 }
 
 core::Result<std::string> file_of(protocol::MeshFormat format,
@@ -84,9 +93,10 @@ core::Result<std::string> file_of(protocol::MeshFormat format,
     if (!request.lines)
         return protocol::mesh_file(format, surface.mesh, metadata, scalars,
                                    draco ? protocol::GlbCoding::Draco : protocol::GlbCoding::Plain);
-    return protocol::surface_lines(surface.mesh, *request.lines).and_then([&](const auto& lines) {
-        return protocol::lines_file(format, lines, *request.lines, metadata);
-    });
+    return protocol::surface_lines(surface.mesh, *request.lines, request.rake.closed())
+        .and_then([&](const auto& lines) {
+            return protocol::lines_file(format, lines, *request.lines, metadata);
+        });
 }
 
 core::Result<void> write(const SurfaceOptions& options,
@@ -94,19 +104,24 @@ core::Result<void> write(const SurfaceOptions& options,
                          const core::DatasetInfo& info,
                          const core::Surface& surface,
                          const protocol::MeshScalars& scalars,
-                         double processor_seconds) {
-    const protocol::MeshMetadata metadata{.kind = request.parameters.kind,
-                                          .rake = request.rake.points,
-                                          .from = request.parameters.from,
-                                          .to = request.parameters.to,
-                                          .separation = surface.statistics.separation,
-                                          .dataset = info.dataset,
-                                          .version = WAKESURF_VERSION,
-                                          .release_until = request.parameters.release_until,
-                                          .rake2 = request.parameters.rake2
-                                                       ? request.parameters.rake2->points
-                                                       : std::vector<core::Vec3>{},
-                                          .sweep = request.parameters.sweep};
+                         double processor_seconds,
+                         bool cut_short) {
+    const protocol::MeshMetadata metadata{
+        .kind = request.parameters.kind,
+        .rake = request.rake.points,
+        .rake_kind = request.rake.kind,
+        .from = request.parameters.from,
+        .to = request.parameters.to,
+        .separation = surface.statistics.separation,
+        .dataset = info.dataset,
+        .version = WAKESURF_VERSION,
+        .release_until = request.parameters.release_until,
+        .rake2 =
+            request.parameters.rake2 ? request.parameters.rake2->points : std::vector<core::Vec3>{},
+        .rake2_kind =
+            request.parameters.rake2 ? request.parameters.rake2->kind : core::Rake::Kind::Line,
+        .sweep = request.parameters.sweep,
+        .stopped = surface.statistics.stopped};
     // Checked before the work began; the name has one of the extensions.
     const auto format =
         protocol::mesh_format(std::filesystem::path(options.output).extension().string().substr(1));
@@ -118,6 +133,8 @@ core::Result<void> write(const SurfaceOptions& options,
         return written;
     auto statistics = protocol::statistics_json(surface.statistics, core::peak_resident_memory());
     statistics["seconds"]["processor"] = processor_seconds;
+    if (cut_short)
+        statistics["reason"] = "timeLimit";
     return write_whole_file(options.stats, protocol::json_text(statistics, 2) + "\n");
 }
 
@@ -179,13 +196,17 @@ core::Result<void> begin_with_suggestion(SurfaceRequest& request,
 }
 
 /// What differs from what was asked for, on standard error. Error: there is nothing to see, for a reason that can be cured.
-core::Result<void> tell(const core::SurfaceStatistics& statistics) {
+core::Result<void> tell(const core::SurfaceStatistics& statistics, bool cut_short) {
     if (statistics.empty && !statistics.empty->natural())
         return core::fail(core::Error::Code::InvalidArgument, statistics.empty->message,
                           statistics.empty->hint);
     if (statistics.empty)
         fmt::print(stderr, "wakesurf: the surface is empty: {}; {}\n", statistics.empty->message,
                    statistics.empty->hint);
+    if (cut_short) { // which is why it is coarser, or lacks particles
+        fmt::print(stderr, "wakesurf: not finished: {}; raise --seconds\n", statistics.stopped);
+        return {};
+    }
     if (statistics.coarsened())
         fmt::print(
             stderr,
@@ -207,54 +228,76 @@ core::Result<void> tell(const core::SurfaceStatistics& statistics) {
     return {};
 }
 
-core::Result<void>
-make(const SurfaceOptions& options, SurfaceRequest request, std::stop_token stop) {
-    const ProcessAccount process(options.memory);
-    const auto dataset = open(options, process.account(), stop);
-    if (!dataset)
-        return tl::unexpected(dataset.error());
+/// What the options leave open, from the data, and what only the data can refuse.
+core::Result<void> complete(SurfaceRequest& request,
+                            const SurfaceOptions& options,
+                            const LoadedDataset& dataset,
+                            const std::stop_token& stop) {
     if (options.rake.empty())
-        if (auto begun = begin_with_suggestion(request, options, *dataset, stop); !begun)
+        if (auto begun = begin_with_suggestion(request, options, dataset, stop); !begun)
             return begun;
-    if (auto chosen = choose_times(request, dataset->info.times); !chosen)
+    if (auto chosen = choose_times(request, dataset.info.times); !chosen)
         return chosen;
-    if (auto there = core::check_interpolation(*dataset->flow, request.parameters.interpolation);
+    if (auto there = core::check_interpolation(*dataset.flow, request.parameters.interpolation);
         !there)
         return tl::unexpected(as_option(there.error()));
     if (request.parameters.separation == 0.0)
-        request.parameters.separation = dataset->info.finest_spacing;
-    if (auto shows = core::check_separation(*dataset->flow, request.parameters.separation); !shows)
+        request.parameters.separation = dataset.info.finest_spacing;
+    if (auto shows = core::check_separation(*dataset.flow, request.parameters.separation); !shows)
         return shows;
-    if (auto inside = clip_rakes(request, dataset->flow->domain()); !inside)
+    if (auto inside = clip_rakes(request, dataset.flow->domain()); !inside)
         return inside;
-    if (auto known = check_fields(*dataset, options.fields); !known)
-        return known;
-    core::WorkMemory memory(process.account(), stop);
+    return check_fields(dataset, options.fields);
+}
+
+core::Error nothing_yet(const core::Error& error, const TimeLimit& limit) {
+    return limit.over() ? nothing_within(limit) : error;
+}
+
+/// @param limit  of opening the data and building; what is there is written without one
+core::Result<void> make(const SurfaceOptions& options,
+                        SurfaceRequest request,
+                        const TimeLimit& limit,
+                        const std::stop_token& stop) {
+    const ProcessAccount process(options.memory);
+    const auto dataset = open(options, process.account(), limit.token());
+    if (!dataset)
+        return tl::unexpected(nothing_yet(dataset.error(), limit));
+    if (auto whole = complete(request, options, *dataset, limit.token()); !whole)
+        return tl::unexpected(nothing_yet(whole.error(), limit));
     const std::clock_t began = std::clock();
-    const auto surface = build(*dataset, request, options.threads, memory, stop);
-    if (!surface)
-        return tl::unexpected(as_option(surface.error()));
+    const auto built =
+        build_within(limit, request.parameters, core::coarsest_separation(dataset->flow->domain()),
+                     [&](const auto& parameters) {
+                         return build(*dataset, request.rake, parameters, options.threads,
+                                      process.account(), limit.token());
+                     });
+    if (!built)
+        return tl::unexpected(as_option(built.error()));
     if (stop.stop_requested())
         return core::fail(core::Error::Code::Cancelled, "stopped, nothing was written");
+    const core::Surface& surface = built->surface;
     const double processor_seconds =
         static_cast<double>(std::clock() - began) / static_cast<double>(CLOCKS_PER_SEC);
-    if (auto shown = tell(surface->statistics); !shown)
+    if (auto shown = tell(surface.statistics, built->cut_short); !shown)
         return shown;
-    if (!memory.grow(surface->mesh.vertices() * file_bytes))
+    core::WorkMemory memory(process.account(), stop);
+    if (!memory.grow(surface.mesh.vertices() * file_bytes))
         return tl::unexpected(memory.refusal("the surface's file"));
     const auto scalars =
-        surface_scalars(*dataset, surface->mesh, core::vertex_times(*surface, request.parameters),
+        surface_scalars(*dataset, surface.mesh, core::vertex_times(surface, request.parameters),
                         options.fields, stop);
     if (!scalars)
         return tl::unexpected(scalars.error());
-    if (auto written =
-            write(options, request, dataset->info, *surface, *scalars, processor_seconds);
+    if (auto written = write(options, request, dataset->info, surface, *scalars, processor_seconds,
+                             built->cut_short);
         !written)
         return written;
-    const auto& statistics = surface->statistics;
-    fmt::print("{}: {}{} quads, {} vertices, {:.2f} s\n", options.output,
+    const auto& statistics = surface.statistics;
+    fmt::print("{}: {}{} quads, {} vertices, {:.2f} s{}\n", options.output,
                request.lines ? options.lines + " of a surface of " : "", statistics.quads,
-               statistics.vertices, statistics.seconds.total);
+               statistics.vertices, statistics.seconds.total,
+               built->cut_short ? ", not finished" : "");
     return {};
 }
 
@@ -269,6 +312,11 @@ void add_surface_options(CLI::App& command, SurfaceOptions& options) {
         "--rake", options.rake,
         "\"x,y,z x,y,z ...\": a line, or a polyline (default: chosen by the data, with "
         "the times and the separation)");
+    command.add_option(
+        "--rake-kind", options.rake_kind,
+        "What the points of --rake are: line: 2; polyline and points: 2 or more; circle: the "
+        "centre and two points on the rim (default: line or polyline, by their number)");
+    command.add_option("--rake2-kind", options.rake2_kind, "The same of --rake2");
     command.add_option("--seeds", options.seeds, "Initial number of seeds on the rake")
         ->check(CLI::Range(protocol::limits::seeds_least, protocol::limits::seeds_most))
         ->capture_default_str();
@@ -294,6 +342,16 @@ void add_surface_options(CLI::App& command, SurfaceOptions& options) {
         ->transform(as_memory_size());
     command.add_option("--threads", options.threads, "Number of threads (default: one per core)")
         ->check(CLI::Range(1, 1024));
+    command
+        .add_option("--seconds", options.seconds,
+                    "Time limit by the clock: the finest surface there is by then is written, and "
+                    "marked as not finished")
+        ->check([](const std::string& text) -> std::string {
+            double seconds = 0.0;
+            return CLI::detail::lexical_cast(text, seconds) && seconds > 0.0
+                       ? std::string()
+                       : text + " is not a number of seconds above 0";
+        });
     command.add_option("--store", options.store,
                        "Folder for imported data (default: ~/.cache/wakesurf)");
     add_source_options(command, options.taken);
@@ -305,8 +363,10 @@ void add_surface_options(CLI::App& command, SurfaceOptions& options) {
         "Compress .glb files with Draco; --no-draco is for readers without it, such as ParaView");
     command.add_option(
         "--lines", options.lines,
-        "Write N lines instead of the mesh (.vtp, .obj): timelines:N, or streamlines:N, "
-        "pathlines:N or streaklines:N, which the kind of surface consists of");
+        "Write lines instead of the mesh (.vtp, .obj): timelines:N, or streamlines:N, "
+        "pathlines:N or streaklines:N, which the kind of surface consists of; for N also every=D, "
+        "the distance between them. timeribbons:N,width=W and so on: ribbons of that width in the "
+        "surface; arrows:every=D,width=W: arrows along the flow, of stream and path surfaces");
     command.add_option("--stats", options.stats, "JSON file to write statistics to");
 }
 
@@ -317,7 +377,8 @@ int run_surface(const SurfaceOptions& options) {
         return request.error().code == core::Error::Code::InvalidArgument ? wrong_usage : status;
     }
     const StopOnSignal signals;
-    const auto made = make(options, *std::move(request), signals.token());
+    const TimeLimit limit(options.seconds, signals.token());
+    const auto made = make(options, *std::move(request), limit, signals.token());
     if (made)
         return 0;
     // Which times make sense is known only with the dataset.

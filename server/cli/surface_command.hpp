@@ -19,6 +19,8 @@ namespace wakesurf::server {
 struct SurfaceOptions {
     std::string dataset;
     std::string rake;
+    std::string rake_kind;  ///< empty: by the number of its points
+    std::string rake2_kind; ///< likewise
     std::uint32_t seeds = 32;
     /// What surface.set takes as well, by its parameters' names, as it was written; empty: left out.
     std::map<std::string, std::string> asked;
@@ -26,6 +28,7 @@ struct SurfaceOptions {
     std::uint64_t max_quads = protocol::limits::quads_default;
     std::uint64_t memory = 0; ///< 0: by the machine and the control group
     int threads = 0;          ///< 0: one a core
+    double seconds = 0.0; ///< of the wall clock, after which what is there is written; 0: no limit
     std::string output;
     bool draco = true; ///< in .glb files
     std::string lines; ///< which lines are written instead of the mesh; empty: the mesh

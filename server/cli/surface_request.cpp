@@ -128,14 +128,21 @@ core::Result<SurfaceRequest> check_surface_options(const SurfaceOptions& options
     request.from = asked->from;
     if (given(options, "to"))
         request.to = request.parameters.to;
+    if (options.rake.empty() && !options.rake_kind.empty())
+        return core::fail(Code::InvalidArgument, "--rake-kind is of --rake, which is left out",
+                          "give both or neither");
+    if (!asked->rake2 && !options.rake2_kind.empty())
+        return core::fail(Code::InvalidArgument, "--rake2-kind is of --rake2, which is left out",
+                          "give both or neither");
     if (!options.rake.empty()) {
-        auto rake = parse_rake(options.rake, options.seeds);
+        auto rake = parse_rake(options.rake, options.seeds, "--rake", options.rake_kind);
         if (!rake)
             return tl::unexpected(rake.error());
         request.rake = *std::move(rake);
     }
     if (asked->rake2) {
-        auto second = parse_rake(options.asked.at("rake2"), options.seeds, "--rake2");
+        auto second =
+            parse_rake(options.asked.at("rake2"), options.seeds, "--rake2", options.rake2_kind);
         if (!second)
             return tl::unexpected(second.error());
         request.parameters.rake2 = *std::move(second);

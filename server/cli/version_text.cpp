@@ -10,14 +10,19 @@
 
 namespace wakesurf::server {
 
-std::string version_text() {
+std::string_view version_number() {
+    return WAKESURF_VERSION;
+}
+
+std::string version_text(std::string_view commit) {
     return fmt::format("wakesurf {}\n"
+                       "commit {}\n"
                        "API level {}\n"
                        "store format {}\n"
                        "journal schema {}\n"
                        "session file {}\n"
                        "mesh frame {}",
-                       WAKESURF_VERSION, protocol::api_level, store::store_format_version,
+                       version_number(), commit, protocol::api_level, store::store_format_version,
                        state_layout, protocol::session_file_version, protocol::frame_version);
 }
 

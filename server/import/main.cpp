@@ -2,6 +2,7 @@
 // hurts no one else.
 #include "protocol/api/dataset_json.hpp"
 #include "protocol/api/json_text.hpp"
+#include "server/base/manual_page.hpp"
 #include "server/base/memory_size.hpp"
 #include "server/base/source_options.hpp"
 #include "server/import/conversion.hpp"
@@ -23,6 +24,7 @@
 #include <array>
 #include <cstdio>
 #include <limits>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -128,6 +130,10 @@ void add_bounds(CLI::App& app, server::ImportBounds& bounds) {
         ->transform(server::as_memory_size());
 }
 
+constexpr std::string_view manual_chapters = ".SH EXIT STATUS\n0 done, 1 failed, 2 wrong usage.\n"
+                                             ".SH SEE ALSO\n\\fBwakesurf\\fR(1), whose command "
+                                             "\\fBimport\\fR starts this program\n";
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -162,6 +168,12 @@ int main(int argc, char** argv) {
                  "show on standard error what the file libraries print");
     auto* describe = app.add_flag("--describe", describe_only,
                                   "print a description of SOURCE as JSON; write nothing");
+    app.add_flag_callback("--man-page",
+                          [&app] {
+                              throw CLI::CallForVersion(
+                                  server::manual_page(app, {WAKESURF_VERSION, manual_chapters}), 0);
+                          })
+        ->group(""); // for who makes packages
     try {
         app.parse(argc, argv);
         if (folder->count() == describe->count())

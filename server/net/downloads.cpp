@@ -98,6 +98,7 @@ protocol::MeshMetadata metadata_of(const SurfaceJob& job,
     const core::SurfaceParameters& p = job.parameters;
     protocol::MeshMetadata out{.kind = p.kind,
                                .rake = job.rake.points,
+                               .rake_kind = job.rake.kind,
                                .from = p.from,
                                .to = p.to,
                                .separation = statistics.separation,
@@ -106,8 +107,10 @@ protocol::MeshMetadata metadata_of(const SurfaceJob& job,
                                .release_until = p.release_until,
                                .sweep = p.sweep,
                                .time = time};
-    if (p.rake2)
+    if (p.rake2) {
         out.rake2 = p.rake2->points;
+        out.rake2_kind = p.rake2->kind;
+    }
     return out;
 }
 
@@ -149,9 +152,10 @@ struct FileJob {
             return tl::unexpected(taken.error());
         const auto metadata = metadata_of(surface, shown->statistics, *dataset, time);
         if (lines)
-            return protocol::surface_lines(shown->mesh, *lines).and_then([&](const auto& found) {
-                return protocol::lines_file(request.format, found, *lines, metadata);
-            });
+            return protocol::surface_lines(shown->mesh, *lines, surface.rake.closed())
+                .and_then([&](const auto& found) {
+                    return protocol::lines_file(request.format, found, *lines, metadata);
+                });
         const auto scalars = surface_scalars(*dataset, shown->mesh, shown->times, fields, stop);
         if (!scalars)
             return tl::unexpected(scalars.error());

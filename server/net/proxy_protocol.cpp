@@ -13,7 +13,7 @@ using Is = ProxyHeader::Is;
 
 constexpr std::string_view text_begin = "PROXY ";
 constexpr std::size_t longest_text = 107; ///< with its line's end
-constexpr std::string_view signature("\r\n\r\n\0\r\nQUIT\n", 12);
+constexpr std::string_view binary_begin("\r\n\r\n\0\r\nQUIT\n", 12);
 constexpr std::size_t fixed = 16; ///< bytes of version 2 before the addresses
 
 bool may_become(std::string_view bytes, std::string_view begin) {
@@ -83,12 +83,12 @@ ProxyHeader parse_binary(std::string_view bytes) {
 } // namespace
 
 ProxyHeader parse_proxy_header(std::string_view bytes) {
-    for (const std::string_view begin : {text_begin, signature}) {
+    for (const std::string_view begin : {text_begin, binary_begin}) {
         if (!may_become(bytes, begin))
             continue;
         if (bytes.size() < begin.size())
             return {Is::Partial, 0, {}};
-        return begin == signature ? parse_binary(bytes) : parse_text(bytes);
+        return begin == binary_begin ? parse_binary(bytes) : parse_text(bytes);
     }
     return {};
 }

@@ -98,7 +98,7 @@ HttpResponse StaticFiles::respond(const HttpRequest& request) const {
 fs::path find_web_client() {
     std::error_code error;
     const fs::path here = this_program().parent_path();
-    for (const char* place : {"../../../web-client/dist", "../share/wakesurf/web"})
+    for (const char* place : {"../share/wakesurf/web", "../../../web-client/dist"})
         if (const fs::path folder = (here / place).lexically_normal();
             fs::exists(folder / "index.html", error))
             return folder;

@@ -210,6 +210,8 @@ core::Result<RakeChange> Session::set_rake(const protocol::RakeSetting& setting,
     }
     record.colour = setting.colour.value_or(record.colour);
     record.shape = std::move(clipped->rake);
+    record.shape.arc =
+        core::Rake{}.arc; // a circle is kept whole: each of its surfaces has its own part of it
     record.clipped = clipped->clipped;
     if (!setting.name.empty() || record.name.empty())
         record.name = setting.name.empty() ? record.rake : setting.name;

@@ -21,7 +21,7 @@ using core::fail;
 
 namespace {
 
-constexpr int look = 2000; ///< ms between two looks whether the socket is still there
+constexpr int socket_look = 2000; ///< ms between two looks whether the socket is still there
 constexpr int patience = 5000;
 constexpr int longest_hold = 60'000;
 constexpr const char* socket_name = "serving.sock";
@@ -127,7 +127,7 @@ void StateDesk::work() {
         const Descriptor asker(::accept4(listener.get(), nullptr, nullptr, SOCK_CLOEXEC));
         if (asker.get() >= 0)
             serve(asker.get());
-    } while (wait_for(listener.get(), look));
+    } while (wait_for(listener.get(), socket_look));
 }
 
 void StateDesk::serve(int asker) const {

@@ -89,6 +89,7 @@ describe('the kinds of surface', () => {
         expect(stream.to).toBeLessThan(16);
         const streak = await edited(() => page.getByRole('radio', { name: 'Streak' }).check());
         expect(streak).toMatchObject({ kind: 'streak', direction: 'backward', from: 16, to: 8.5 });
+        await page.getByText(/^Shown at 8.5 now, no longer at 16:/).waitFor();
         await page.getByText('t = 8.5', { exact: true }).waitFor();
         await screenshot(page, 'streak-backward');
         await page.reload();

@@ -83,6 +83,7 @@ describe('/openrpc.json', () => {
             default: false,
             accuracy: 'balanced',
             interpolation: 'linear',
+            refine: 'on',
             merge: 0.35,
             angle: 20,
             stagnationSpeed: 1e-6,

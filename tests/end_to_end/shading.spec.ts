@@ -74,7 +74,8 @@ const inBytes = (colour: Colour): number[] => colour.map((c) => 255 * c);
 
 describe('flat sheets', () => {
     let opened: { session: string; surfaces: string[] };
-    const times = [0.6, 1.2, 2.2];
+    // Where stretching changes a colour by more than the 2 it may be off and the 3 it has to show: 6.5 at the least.
+    const times = [0.9, 1.4, 2.2];
 
     beforeAll(async () => {
         opened = await flow.session(sheets);

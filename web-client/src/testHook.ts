@@ -1,5 +1,5 @@
-// `window.wakesurf`: facts about what is on the screen, for tests and for people with a console. It
-// reads; the only things it sets are the camera's place.
+// `window.wakesurf`: facts about what is on the screen and pictures of it, for tests, for programs that drive the page and for
+// people with a console. It reads; the only things it sets are the camera's place and what figures are to show.
 import type { Vec3 } from './protocol/messages.ts';
 import type { FlowScene } from './scene/scene.ts';
 import type { ScreenPoint, ScreenSize } from './scene/base/view.ts';
@@ -8,6 +8,7 @@ import type { SurfaceVertex } from './scene/surface/surfaceMesh.ts';
 import type { Handle } from './scene/rake/rakeHandles.ts';
 import type { DrawnRake } from './scene/rake/drawnRake.ts';
 import type { Figure } from './session/out/figure.ts';
+import { type ScriptedSetting, scriptedPicture, unfinished } from './session/out/scriptedPicture.ts';
 import type { AppState, DisplayedSurface } from './state/appState.ts';
 import type { LatencyLog, LatencySample } from './state/latency.ts';
 
@@ -50,6 +51,10 @@ export interface TestHook {
     pixelsAt(points: ScreenPoint[], exact?: boolean): [number, number, number][];
     /** RGBA of a figure as it would be saved, with tiles of this many pixels a side. */
     figure(size: ScreenSize, tileSide: number): Uint8ClampedArray;
+    /** Why the picture is not whole, see scriptedPicture.ts. */
+    unfinished(time: number | null): string;
+    /** A PNG as an address of data. */
+    picture(setting: ScriptedSetting): string;
     loseContext(): void;
     restoreContext(): void;
 }
@@ -172,6 +177,8 @@ export function installTestHook({ state, scene, latency, canvas, figure }: TestH
             const drawn = figure.draw({ width, height }, 'Caption', undefined, tileSide);
             return drawn.getContext('2d')!.getImageData(0, 0, width, height).data;
         },
+        unfinished: (time) => unfinished(state, time),
+        picture: (setting) => scriptedPicture(figure, setting),
         loseContext: () => {
             contextLoss = scene.renderer.getContext().getExtension('WEBGL_lose_context');
             contextLoss?.loseContext();

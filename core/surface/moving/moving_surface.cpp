@@ -3,6 +3,7 @@
 #include "core/integrate/advance_particle.hpp"
 #include "core/surface/budget_search.hpp"
 #include "core/surface/moving/cell_shape.hpp"
+#include "core/surface/moving/fixed_topology.hpp"
 #include "core/surface/moving/release.hpp"
 #include "core/surface/moving/snapshot.hpp"
 #include "core/surface/surface_request.hpp"
@@ -226,12 +227,20 @@ MovingSurface::start_coarser(double until, const std::stop_token& stop, const Wo
 Result<bool> MovingSurface::refine(const AdvanceOptions& carry,
                                    const std::stop_token& stop,
                                    const WorkPart& work) {
+    if (!refines()) {
+        leave_out_dead(state_.mesh);
+        return state_.mesh.quads.live() <= state_.plan->rules.max_quads;
+    }
     RefinementRules rules = state_.plan->rules;
     rules.separation = state_.separation;
     Refinement refinement(*flow_, state_.plan->origin, rules, carry, refinement_memory_);
     const auto within = refinement.run(state_.mesh, stop, work);
     state_.separation = refinement.rules().separation;
     return within;
+}
+
+bool MovingSurface::refines() const {
+    return state_.plan->request.parameters.refine == Refine::On;
 }
 
 /// Velocity at every vertex now; the rake's particles leave along it.
@@ -271,6 +280,8 @@ double MovingSurface::step_length(double to) const {
     if (!(driving > 0.0))
         return left;
     const double row = row_spacing * state_.separation / driving;
+    if (!refines()) // nothing is interpolated between what has moved
+        return std::min(left, row);
     const auto slots = state_.mesh.quads.slots();
     const double shortest = 0.1 * state_.separation;
     const double growth = tbb::parallel_reduce(

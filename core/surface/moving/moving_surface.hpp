@@ -104,6 +104,7 @@ class MovingSurface {
     Result<void> sample_velocity(const std::stop_token& stop);
     double step_length(double to) const;
     bool carries_tangents() const;
+    bool refines() const;
 
     const Flow* flow_;
     const Clock* clock_;

@@ -117,6 +117,24 @@ std::optional<core::Interpolation> interpolation(std::string_view word) {
     return std::nullopt;
 }
 
+std::string_view name(core::Refine value) {
+    switch (value) {
+    case core::Refine::On:
+        return "on";
+    case core::Refine::Off:
+        return "off";
+    }
+    return {};
+}
+
+std::optional<core::Refine> refine(std::string_view word) {
+    if (word == "on")
+        return core::Refine::On;
+    if (word == "off")
+        return core::Refine::Off;
+    return std::nullopt;
+}
+
 std::string_view name(core::Emptiness::Reason value) {
     switch (value) {
     case core::Emptiness::Reason::InBody:

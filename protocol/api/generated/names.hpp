@@ -15,6 +15,7 @@ std::string_view name(core::SurfaceKind value);
 std::string_view name(core::Direction value);
 std::string_view name(core::Accuracy value);
 std::string_view name(core::Interpolation value);
+std::string_view name(core::Refine value);
 std::string_view name(core::Emptiness::Reason value);
 
 // Nothing for any other word.
@@ -23,6 +24,7 @@ std::optional<core::SurfaceKind> surface_kind(std::string_view word);
 std::optional<core::Direction> direction(std::string_view word);
 std::optional<core::Accuracy> accuracy(std::string_view word);
 std::optional<core::Interpolation> interpolation(std::string_view word);
+std::optional<core::Refine> refine(std::string_view word);
 std::optional<core::Emptiness::Reason> empty_reason(std::string_view word);
 
 } // namespace wakesurf::protocol

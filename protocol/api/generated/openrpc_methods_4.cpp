@@ -119,6 +119,7 @@ const std::string_view methods_4 = R"json({
          "maxQuads": 1000000,
          "merge": 0.35,
          "rake": "r1",
+         "refine": "on",
          "separation": 0.1,
          "stagnationSpeed": 1e-06,
          "surface": "s1",

@@ -224,11 +224,11 @@ const std::string_view methods_5 = R"json({
   {
    "name": "points",
    "required": true,
-   "description": "where the rake lies; parts outside the domain are cut off",
+   "description": "where the rake lies; parts outside the domain are cut off, and a circle releases from its longest arc inside",
    "schema": {
     "type": "array",
     "maxItems": 1024,
-    "description": "where the rake lies; parts outside the domain are cut off",
+    "description": "where the rake lies; parts outside the domain are cut off, and a circle releases from its longest arc inside",
     "x-unit": "the dataset's unit of length",
     "items": {
      "type": "array",
@@ -311,7 +311,7 @@ const std::string_view methods_5 = R"json({
     "rake": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the rake"},
     "rev": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "counts the edits of a record"},
     "seq": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "`seq` of the session after the edit"},
-    "clipped": {"type": "boolean", "description": "true: a part was outside the domain and was cut off"},
+    "clipped": {"type": "boolean", "description": "true: a part was outside the domain and was cut off; a circle's points stay"},
     "points": {
      "type": "array",
      "description": "the points, clipped to the domain",

@@ -205,6 +205,14 @@ const std::string_view methods_6 = R"json({
     "default": "linear",
     "description": "of stored velocity. linear: between the nodes of a cell and in time, as ParaView shows it; smooth: cubic in space and time, for uniform grids only, see `smooth` of dataset.describe"}},
   {
+   "name": "refine",
+   "required": false,
+   "description": "whether quads are cut, joined and reconnected, and torn at obstacles. off: the grid that the rake begins with stays as it is, with a column a seed, as in smoke surfaces; `merge` and `angle` then count for nothing, and `separation` only along the flow. Quads with a particle that has ended are left out",
+   "schema": {
+    "enum": ["on", "off"],
+    "default": "on",
+    "description": "whether quads are cut, joined and reconnected, and torn at obstacles. off: the grid that the rake begins with stays as it is, with a column a seed, as in smoke surfaces; `merge` and `angle` then count for nothing, and `separation` only along the flow. Quads with a particle that has ended are left out"}},
+  {
    "name": "releaseUntil",
    "required": false,
    "description": "time at which the release stops; if left out, `to`",

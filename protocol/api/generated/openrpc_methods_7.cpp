@@ -165,6 +165,7 @@ const std::string_view methods_7 = R"json({
        "maxQuads": 1000000,
        "merge": 0.35,
        "rake": "r1",
+       "refine": "on",
        "rev": 1,
        "separation": 0.1,
        "stagnationSpeed": 1e-06,

@@ -258,7 +258,7 @@ const std::string_view schemas_2 = R"json("SessionName": {
   "points": {
    "type": "array",
    "maxItems": 1024,
-   "description": "where the rake lies; parts outside the domain are cut off",
+   "description": "where the rake lies; parts outside the domain are cut off, and a circle releases from its longest arc inside",
    "x-unit": "the dataset's unit of length",
    "items": {
     "type": "array",
@@ -282,7 +282,7 @@ const std::string_view schemas_2 = R"json("SessionName": {
   "points": {
    "type": "array",
    "maxItems": 1024,
-   "description": "where the rake lies; parts outside the domain are cut off",
+   "description": "where the rake lies; parts outside the domain are cut off, and a circle releases from its longest arc inside",
    "x-unit": "the dataset's unit of length",
    "items": {
     "type": "array",
@@ -295,7 +295,7 @@ const std::string_view schemas_2 = R"json("SessionName": {
   "name": {"type": "string", "maxLength": 120, "description": "display name"},
   "colour": {"type": "string", "pattern": "^#[0-9a-fA-F]{6}$", "description": "#rrggbb"},
   "author": {"type": "string", "maxLength": 120, "description": "name of the one who made it"},
-  "clipped": {"type": "boolean", "description": "true: a part was outside the domain and was cut off"},
+  "clipped": {"type": "boolean", "description": "true: a part was outside the domain and was cut off; a circle's points stay"},
   "dragging": {"type": "boolean", "description": "true: someone holds the lease at the moment"},
   "leasedBy": {"type": "string", "description": "id of the participant who holds the lease; only present while someone does"}},
  "required": ["rake", "rev", "kind", "points", "seeds", "name", "colour", "author", "clipped", "dragging"],
@@ -327,6 +327,10 @@ const std::string_view schemas_2 = R"json("SessionName": {
    "enum": ["linear", "smooth"],
    "default": "linear",
    "description": "of stored velocity. linear: between the nodes of a cell and in time, as ParaView shows it; smooth: cubic in space and time, for uniform grids only, see `smooth` of dataset.describe"},
+  "refine": {
+   "enum": ["on", "off"],
+   "default": "on",
+   "description": "whether quads are cut, joined and reconnected, and torn at obstacles. off: the grid that the rake begins with stays as it is, with a column a seed, as in smoke surfaces; `merge` and `angle` then count for nothing, and `separation` only along the flow. Quads with a particle that has ended are left out"},
   "to": {
    "type": "number",
    "minimum": -3.4028234663852886e+38,

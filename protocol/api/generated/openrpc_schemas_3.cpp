@@ -25,6 +25,10 @@ const std::string_view schemas_3 = R"json("Surface": {
    "enum": ["linear", "smooth"],
    "default": "linear",
    "description": "of stored velocity. linear: between the nodes of a cell and in time, as ParaView shows it; smooth: cubic in space and time, for uniform grids only, see `smooth` of dataset.describe"},
+  "refine": {
+   "enum": ["on", "off"],
+   "default": "on",
+   "description": "whether quads are cut, joined and reconnected, and torn at obstacles. off: the grid that the rake begins with stays as it is, with a column a seed, as in smoke surfaces; `merge` and `angle` then count for nothing, and `separation` only along the flow. Quads with a particle that has ended are left out"},
   "to": {
    "type": "number",
    "minimum": -3.4028234663852886e+38,
@@ -90,6 +94,7 @@ const std::string_view schemas_3 = R"json("Surface": {
   "kind",
   "accuracy",
   "interpolation",
+  "refine",
   "to",
   "merge",
   "angle",

@@ -28,7 +28,7 @@ struct RakeRecord {
     std::string colour;
     /// name of the one who made it
     std::string author;
-    /// true: a part was outside the domain and was cut off
+    /// true: a part was outside the domain and was cut off; a circle's points stay
     bool clipped = false;
     /// true: someone holds the lease at the moment
     bool dragging = false;

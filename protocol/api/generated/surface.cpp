@@ -33,6 +33,10 @@ void read(CheckedJson& in, SurfaceRecord& out) {
         out.parameters.interpolation = *found;
     else
         in.fault("interpolation", "must be linear or smooth");
+    if (const auto found = refine(in.text_or("refine", "on")))
+        out.parameters.refine = *found;
+    else
+        in.fault("refine", "must be on or off");
     out.parameters.to = in.number("to", -3.4028234663852886e+38, 3.4028234663852886e+38);
     out.parameters.release_until =
         in.number_if("releaseUntil", -3.4028234663852886e+38, 3.4028234663852886e+38);
@@ -71,6 +75,7 @@ nlohmann::json kept_json(const SurfaceRecord& record) {
     out["kind"] = name(record.parameters.kind);
     out["accuracy"] = name(record.parameters.accuracy);
     out["interpolation"] = name(record.parameters.interpolation);
+    out["refine"] = name(record.parameters.refine);
     out["to"] = record.parameters.to;
     if (record.parameters.release_until)
         out["releaseUntil"] = *record.parameters.release_until;
@@ -117,6 +122,10 @@ void read(CheckedJson& in, SurfaceSetting& out) {
         out.parameters.interpolation = *found;
     else
         in.fault("interpolation", "must be linear or smooth");
+    if (const auto found = refine(in.text_or("refine", "on")))
+        out.parameters.refine = *found;
+    else
+        in.fault("refine", "must be on or off");
     out.parameters.release_until =
         in.number_if("releaseUntil", -3.4028234663852886e+38, 3.4028234663852886e+38);
     out.parameters.sweep = in.point_if("sweep");

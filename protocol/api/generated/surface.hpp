@@ -29,8 +29,8 @@ struct SurfaceRecord {
     std::optional<std::string> rake2;
     /// an id from dataset.list
     std::string dataset;
-    /// kind, accuracy, interpolation, to, releaseUntil, sweep, merge, angle, stagnationSpeed,
-    /// maxQuads, from, direction, separation
+    /// kind, accuracy, interpolation, refine, to, releaseUntil, sweep, merge, angle,
+    /// stagnationSpeed, maxQuads, from, direction, separation
     core::SurfaceParameters parameters;
     /// additional attributes of the vertices, in frames and exports: scalar fields of the dataset,
     /// its velocity (the magnitude), `deformation`, `approximated`, `error`, `vorticity` (its
@@ -63,7 +63,7 @@ struct SurfaceSetting {
     std::optional<std::string> rake2;
     /// an id from dataset.list
     std::string dataset;
-    /// kind, to, direction, accuracy, interpolation, releaseUntil, sweep, merge, angle,
+    /// kind, to, direction, accuracy, interpolation, refine, releaseUntil, sweep, merge, angle,
     /// stagnationSpeed, maxQuads, separation
     core::SurfaceParameters parameters;
     /// where the surface starts: the (first) release; for stream surfaces, the time at which the

@@ -44,6 +44,12 @@ inline constexpr SurfaceOption surface_options[]{
      "ParaView shows it; smooth: cubic in space and time, for uniform grids only, see `smooth` of "
      "dataset.describe",
      "linear", false},
+    {"--refine", "refine", "text",
+     "on or off: whether quads are cut, joined and reconnected, and torn at obstacles. off: the "
+     "grid that the rake begins with stays as it is, with a column a seed, as in smoke surfaces; "
+     "--merge and --angle then count for nothing, and --separation only along the flow. Quads with "
+     "a particle that has ended are left out",
+     "on", false},
     {"--release-until", "releaseUntil", "number",
      "Streak: time at which the release stops; if left out, --to (the dataset's unit of time)", "",
      false},

@@ -12,7 +12,7 @@ from .typescript_table import Tables
 
 ROOT = os.path.dirname(os.path.dirname(FOLDER))
 CPP = "protocol/api/generated"
-CLIENT = "protocol/python/wakesurf.py"
+PYTHON = "protocol/python/wakesurf/generated"
 TYPESCRIPT = "web-client/src/protocol/generated"
 
 
@@ -66,7 +66,7 @@ def make(api):
     out = {f"{CPP}/{name}": text for name, text in formatted_cpp(cpp_table.files(api, Cpp(api))).items()}
     out.update({f"{TYPESCRIPT}/{name}": text for name, text in formatted_typescript(Tables(api).files()).items()})
     out["docs/api.md"] = markdown.text(api)
-    out[CLIENT] = Python(api).text(kept(CLIENT))
+    out.update({f"{PYTHON}/{name}": text for name, text in Python(api).files().items()})
     return out
 
 
@@ -81,9 +81,10 @@ def kept(path):
 def left_over(made):
     """Files in folders of ours that nothing makes any more."""
     found = []
-    for folder in (CPP, TYPESCRIPT):
-        full = os.path.join(ROOT, folder)
-        found += [f"{folder}/{name}" for name in sorted(os.listdir(full))] if os.path.isdir(full) else []
+    for folder in (CPP, TYPESCRIPT, PYTHON):
+        for at, folders, names in os.walk(os.path.join(ROOT, folder)):
+            folders[:] = sorted(each for each in folders if each != "__pycache__")
+            found += [os.path.relpath(os.path.join(at, name), ROOT) for name in sorted(names)]
     return [path for path in found if path not in made]
 
 

@@ -8,31 +8,31 @@ namespace {
 
 using Key = std::pair<std::string, std::string>;
 
-Key id_of(const protocol::RakeRecord& record) {
+Key log_key(const protocol::RakeRecord& record) {
     return {"rake", record.rake};
 }
 
-Key id_of(const protocol::SurfaceRecord& record) {
+Key log_key(const protocol::SurfaceRecord& record) {
     return {"surface", record.surface};
 }
 
-Key id_of(const protocol::BookmarkRecord& record) {
+Key log_key(const protocol::BookmarkRecord& record) {
     return {"bookmark", record.bookmark};
 }
 
-Key id_of(const protocol::AnnotationRecord& record) {
+Key log_key(const protocol::AnnotationRecord& record) {
     return {"annotation", record.annotation};
 }
 
-Key id_of(const protocol::ClockRecord&) {
+Key log_key(const protocol::ClockRecord&) {
     return {"clock", ""};
 }
 
-Key id_of(const SessionName& record) {
+Key log_key(const SessionName& record) {
     return {"session", record.session};
 }
 
-Key id_of(const DeletedRecord& record) {
+Key log_key(const DeletedRecord& record) {
     return {std::string(record.type), record.id};
 }
 
@@ -49,7 +49,7 @@ void ChangeLog::add(std::uint64_t seq, std::span<const Patch> patches) {
     seq_ = seq;
     for (std::size_t i = 0; i < patches.size(); ++i) {
         const Place place{seq, i};
-        Key key = std::visit([](const auto& each) { return id_of(each); }, patches[i]);
+        Key key = std::visit([](const auto& each) { return log_key(each); }, patches[i]);
         const auto [known, fresh] = newest_.try_emplace(std::move(key), place);
         if (!fresh)
             changes_.erase(std::exchange(known->second, place));
@@ -58,7 +58,7 @@ void ChangeLog::add(std::uint64_t seq, std::span<const Patch> patches) {
     while (changes_.size() > limits::changes) {
         const auto first = changes_.begin();
         oldest_ = first->first.first;
-        newest_.erase(std::visit([](const auto& each) { return id_of(each); }, first->second));
+        newest_.erase(std::visit([](const auto& each) { return log_key(each); }, first->second));
         changes_.erase(first);
     }
 }

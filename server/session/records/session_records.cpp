@@ -16,19 +16,19 @@ char letter(RecordType type) {
     return id_letters[static_cast<std::size_t>(type)];
 }
 
-const std::string& id_of(const protocol::RakeRecord& record) {
+const std::string& record_id(const protocol::RakeRecord& record) {
     return record.rake;
 }
 
-const std::string& id_of(const protocol::SurfaceRecord& record) {
+const std::string& record_id(const protocol::SurfaceRecord& record) {
     return record.surface;
 }
 
-const std::string& id_of(const protocol::BookmarkRecord& record) {
+const std::string& record_id(const protocol::BookmarkRecord& record) {
     return record.bookmark;
 }
 
-const std::string& id_of(const protocol::AnnotationRecord& record) {
+const std::string& record_id(const protocol::AnnotationRecord& record) {
     return record.annotation;
 }
 
@@ -83,7 +83,7 @@ std::size_t most_records(RecordType type) {
 
 RecordKey key_of(const Record& record) {
     return {static_cast<RecordType>(record.index()),
-            std::visit([](const auto& each) { return id_of(each); }, record)};
+            std::visit([](const auto& each) { return record_id(each); }, record)};
 }
 
 std::uint64_t rev_of(const Record& record) {
@@ -162,7 +162,7 @@ void SessionRecords::put(const Record& record) {
     std::visit(
         [this](const auto& each) {
             using R = std::decay_t<decltype(each)>;
-            std::get<Table<R>>(tables_)[id_of(each)] = each;
+            std::get<Table<R>>(tables_)[record_id(each)] = each;
         },
         record);
 }

@@ -95,7 +95,9 @@ export class FlatSheets {
 
 /** Waits until so many surfaces are drawn at their finest. */
 export async function finalSheets(page: Page, count: number): Promise<void> {
+    // With all pixels: while things move there are fewer, and a place is up to 1.4 of these beside the middle of its pixel.
     const isFinal = (wanted: number): boolean =>
-        window.wakesurf?.allDisplayed.filter(({ phase }) => phase === 'final').length === wanted;
+        window.wakesurf?.pixelRatio === 1 &&
+        window.wakesurf.allDisplayed.filter(({ phase }) => phase === 'final').length === wanted;
     await page.waitForFunction(isFinal, count, { timeout: 60_000 });
 }

@@ -7,7 +7,7 @@ import { launchBrowser } from './browser_page.ts';
  * Chromium without the windows, bars and menus around the page, which the other one draws too. Putting the page together costs a
  * software GPU more than the processor: a third of all time of the tests.
  */
-const shell = { executable: '/usr/bin/chromium-headless-shell', flags: ['--disable-gpu-compositing'] };
+export const shell = { executable: '/usr/bin/chromium-headless-shell', flags: ['--disable-gpu-compositing'] };
 
 let launched: Promise<Browser> | null = null;
 

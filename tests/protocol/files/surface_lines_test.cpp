@@ -36,11 +36,11 @@ TEST(SurfaceLines, OfOneSeedAreTheCirclesThatParticlesGoOn) {
         ASSERT_TRUE(wanted) << wanted.error().message;
         const auto lines = surface_lines(round_a_vortex(kind), *wanted);
         ASSERT_TRUE(lines) << lines.error().message;
-        ASSERT_EQ(lines->size(), 3u) << text;
+        ASSERT_EQ(lines->lines.size(), 3u) << text;
         for (std::size_t i = 0; i < 3; ++i) {
             const double radius = 0.5 + 0.25 * static_cast<double>(i + 1);
-            ASSERT_GT((*lines)[i].points.size(), 20u);
-            for (const core::Vec3& p : (*lines)[i].points)
+            ASSERT_GT(lines->lines[i].points.size(), 20u);
+            for (const core::Vec3& p : lines->lines[i].points)
                 EXPECT_NEAR(std::hypot(p.x, p.y), radius, 2e-3) << text;
         }
     }
@@ -50,15 +50,15 @@ TEST(SurfaceLines, OfOneAgeRunFromTheInnermostParticleToTheOutermost) {
     const auto lines =
         surface_lines(round_a_vortex(SurfaceKind::Path), {LinesWanted::Along::Release, 2});
     ASSERT_TRUE(lines) << lines.error().message;
-    ASSERT_EQ(lines->size(), 2u);
-    for (const core::ContourLine& line : *lines) {
+    ASSERT_EQ(lines->lines.size(), 2u);
+    for (const core::ContourLine& line : lines->lines) {
         const auto radius = [](const core::Vec3& p) { return std::hypot(p.x, p.y); };
         const double first = radius(line.points.front()), last = radius(line.points.back());
         EXPECT_NEAR(std::min(first, last), 0.5, 1e-3);
         EXPECT_NEAR(std::max(first, last), 1.5, 1e-3);
     }
-    EXPECT_NEAR((*lines)[0].value, 1.0, 1e-12);
-    EXPECT_NEAR((*lines)[1].value, 2.0, 1e-12);
+    EXPECT_NEAR(lines->lines[0].value, 1.0, 1e-12);
+    EXPECT_NEAR(lines->lines[1].value, 2.0, 1e-12);
 }
 
 TEST(SurfaceLines, AreNamedAsTheKindOfSurfaceHasThem) {
@@ -66,7 +66,9 @@ TEST(SurfaceLines, AreNamedAsTheKindOfSurfaceHasThem) {
               (LinesWanted{LinesWanted::Along::Release, 8}));
     const auto wrong = read_lines("streaklines:8", SurfaceKind::Path);
     ASSERT_FALSE(wrong);
-    EXPECT_EQ(wrong.error().hint, "as in timelines:8 or pathlines:8");
+    EXPECT_EQ(wrong.error().hint,
+              "as in timelines:8, pathlines:every=0.5, pathribbons:every=0.5,width=0.1 or "
+              "arrows:every=0.5,width=0.1");
     EXPECT_FALSE(read_lines("timelines:8", SurfaceKind::Time)); // all of it is one age
 }
 
@@ -75,13 +77,17 @@ TEST(SurfaceLines, RefuseANumberThatIsNone) {
                              "timelines:-3", "timelines:3x", "timelines:99999999999", ":", ""})
         EXPECT_FALSE(read_lines(text, SurfaceKind::Streak)) << text;
     EXPECT_TRUE(read_lines("timelines:1000", SurfaceKind::Streak));
+    const auto wide = read_lines("timeribbons:every=0.1,width=0.2", SurfaceKind::Streak);
+    ASSERT_FALSE(wide);
+    EXPECT_EQ(wide.error().message,
+              "the width of timeribbons is larger than the distance between them");
+    EXPECT_TRUE(read_lines("timeribbons:every=0.2,width=0.2", SurfaceKind::Streak));
 }
 
 TEST(SurfaceLines, OfAVtpEndWhereTheirOffsetsSayAndCloseWhenTheyAreClosed) {
-    const std::vector<core::ContourLine> lines{
-        {0.25, false, {{0, 0, 0}, {1, 0, 0}}},
-        {0.75, true, {{0, 0, 1}, {1, 0, 1}, {1, 1, 1}}},
-    };
+    SurfaceLines lines;
+    lines.lines = {{0.25, false, {{0, 0, 0}, {1, 0, 0}}},
+                   {0.75, true, {{0, 0, 1}, {1, 0, 1}, {1, 1, 1}}}};
     const auto file = lines_file(MeshFormat::Vtp, lines, {LinesWanted::Along::Seed, 2},
                                  {.dataset = "d", .version = {}});
     ASSERT_TRUE(file);
@@ -94,6 +100,59 @@ TEST(SurfaceLines, OfAVtpEndWhereTheirOffsetsSayAndCloseWhenTheyAreClosed) {
     ASSERT_TRUE(text);
     EXPECT_NE(text->find("l 1 2\no s=0.75\n"), std::string::npos) << *text;
     EXPECT_NE(text->find("l 3 4 5 3\n"), std::string::npos) << *text;
+}
+
+TEST(SurfaceLines, TakeMeasuresInLengthsInEitherOrder) {
+    using Along = LinesWanted::Along;
+    using Form = LinesWanted::Form;
+    const auto read = [](const char* text, SurfaceKind kind = SurfaceKind::Stream) {
+        return read_lines(text, kind);
+    };
+    EXPECT_EQ(read("streamlines:every=0.5"), (LinesWanted{Along::Seed, 0, Form::Lines, 0.5, 0.0}));
+    EXPECT_EQ(read("timeribbons:8,width=0.1"),
+              (LinesWanted{Along::Release, 8, Form::Ribbons, 0.0, 0.1}));
+    EXPECT_EQ(read("streamribbons:width=0.1,every=2"),
+              (LinesWanted{Along::Seed, 0, Form::Ribbons, 2.0, 0.1}));
+    EXPECT_EQ(read("arrows:every=1,width=0.25"),
+              (LinesWanted{Along::Seed, 0, Form::Arrows, 1.0, 0.25}));
+    EXPECT_TRUE(read("streakribbons:every=1,width=0.1", SurfaceKind::Streak));
+    for (const char* text :
+         {"streamlines:every=0", "streamlines:every=-1", "streamlines:every=nan",
+          "streamlines:every=inf", "streamlines:8,width=0.1", "streamlines:8,every=1",
+          "streamlines:every=1,every=2", "timeribbons:8", "timeribbons:width=0.1",
+          "arrows:8,width=0.1", "arrows:every=1", "streakribbons:8,width=0.1", "ribbons:8,width=1"})
+        EXPECT_FALSE(read(text)) << text;
+    const auto streak = read("arrows:every=1,width=0.1", SurfaceKind::Streak);
+    ASSERT_FALSE(streak);
+    EXPECT_EQ(streak.error().message, "a streak surface has no arrows");
+}
+
+TEST(SurfaceLines, RibbonsAndArrowsArePolygonsOfTheFile) {
+    const core::QuadComplex mesh = round_a_vortex(SurfaceKind::Stream);
+    for (const char* text : {"streamribbons:every=0.4,width=0.05", "timeribbons:3,width=0.05",
+                             "arrows:every=0.4,width=0.05"}) {
+        const auto wanted = read_lines(text, SurfaceKind::Stream).value();
+        const auto cut = surface_lines(mesh, wanted);
+        ASSERT_TRUE(cut) << cut.error().message;
+        const std::size_t polygons = cut->cutouts.ends.size();
+        EXPECT_GT(polygons, 20u) << text;
+        const auto file =
+            lines_file(MeshFormat::Vtp, *cut, wanted, {.dataset = "d", .version = {}});
+        ASSERT_TRUE(file);
+        EXPECT_NE(file->find("NumberOfPolys=\"" + std::to_string(polygons) + "\""),
+                  std::string::npos);
+        EXPECT_EQ(array_of<std::int64_t>(*file, "Int64", "offsets").size(), polygons);
+        const auto obj =
+            lines_file(MeshFormat::Obj, *cut, wanted, {.dataset = "d", .version = {}}).value();
+        std::size_t faces = 0;
+        for (auto at = obj.find("\nf "); at != std::string::npos; at = obj.find("\nf ", at + 1))
+            ++faces;
+        EXPECT_EQ(faces, polygons);
+    }
+    const auto none =
+        surface_lines(mesh, read_lines("arrows:every=9,width=3", SurfaceKind::Stream).value());
+    ASSERT_FALSE(none);
+    EXPECT_EQ(none.error().message, "there is no room for them on this surface");
 }
 
 TEST(SurfaceLines, HaveNoPlaceInFormatsOfFaces) {

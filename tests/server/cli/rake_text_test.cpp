@@ -28,6 +28,25 @@ TEST(RakeText, RefusesWhatIsNoPointAndSaysWhich) {
     EXPECT_EQ(parse_rake("0,0,0", 2, "--rake2").error().message, "--rake2: fewer than two points");
 }
 
+TEST(RakeText, TheKindSaysWhatThePointsAre) {
+    const std::string three = "0,0,0 1,0,0 0,1,0";
+    EXPECT_EQ(parse_rake(three, 2, "--rake", "circle")->kind, core::Rake::Kind::Circle);
+    EXPECT_EQ(parse_rake(three, 2, "--rake", "points")->kind, core::Rake::Kind::Points);
+    EXPECT_EQ(parse_rake(three, 2, "--rake", "polyline")->kind, core::Rake::Kind::Polyline);
+    EXPECT_EQ(parse_rake("0,0,0 1,0,0", 2, "--rake", "polyline")->kind, core::Rake::Kind::Polyline);
+    const auto complaint = [](const char* text, const char* kind) {
+        const auto rake = parse_rake(text, 2, "--rake", kind);
+        return rake ? std::string() : rake.error().message;
+    };
+    EXPECT_EQ(complaint("0,0,0 1,0,0", "circle"),
+              "--rake: a circle rake needs a centre and 2 points of its rim");
+    EXPECT_EQ(complaint("0,0,0 1,0,0 2,0,0", "circle"),
+              "--rake: a circle rake's centre and rim points lie on one line");
+    EXPECT_EQ(complaint("0,0,0 1,0,0 2,0,0", "line"), "--rake: a line rake needs exactly 2 points");
+    EXPECT_EQ(complaint("0,0,0 1,0,0", "ring"),
+              "--rake-kind must be line, polyline, circle or points");
+}
+
 TEST(RakeText, AVectorIsOnePoint) {
     EXPECT_EQ(parse_vector("1,-2,3e1", "--sweep"), core::Vec3(1, -2, 30));
     for (const auto* text : {"", "1,2", "1,2,3 4,5,6", "1,2,inf"}) {

@@ -281,6 +281,67 @@ TEST_F(SurfaceCommand, AnswersWrongUsageToWhatAnotherKindOfSurfaceHas) {
     refuses({"--kind", "streak", "--release-until", "0"}, 2, "--release-until");
 }
 
+TEST_F(SurfaceCommand, ReleasesFromATrueCircle) {
+    ASSERT_EQ(run({"--rake", "0.1,0.2,-1 0.9,0.2,-1 0.1,1,-1", "--rake-kind", "circle", "-o",
+                   file("out.ply")})
+                  .exit_status,
+              0);
+    const auto mesh = tests::read_ply(bytes("out.ply"));
+    EXPECT_EQ(mesh.about.at("rakeKind"), "circle");
+    std::size_t on_rim = 0;
+    for (std::size_t v = 0; v < mesh.points.size(); ++v)
+        if (mesh.arrays.at("t")[v] == 0.0) {
+            EXPECT_NEAR(glm::length(mesh.points[v] - core::Vec3(0.1, 0.2, -1)), 0.8, 4e-16);
+            ++on_rim;
+        }
+    EXPECT_GE(on_rim, 51u); // 2 pi 0.8 / 0.1
+}
+
+TEST_F(SurfaceCommand, RefusesARakeKindThatDoesNotFit) {
+    refuses({"--rake-kind", "circle"}, 2, "--rake: a circle rake needs a centre");
+    refuses({"--rake-kind", "ring"}, 2, "--rake-kind must be line, polyline, circle or points");
+    refuses({"--rake2-kind", "line"}, 2, "--rake2-kind is of --rake2");
+    refuses({"--seconds", "0"}, 2, "--seconds");
+    refuses({"--seconds", "soon"}, 2, "--seconds");
+}
+
+TEST_F(SurfaceCommand, WritesTheSameSurfaceWithATimeLimitThatSufficesAsWithoutOne) {
+    for (const auto* kind : {"stream", "path", "streak"}) {
+        ASSERT_EQ(run({"--kind", kind}).exit_status, 0);
+        const auto without = bytes("out.vtp");
+        const auto within =
+            run({"--kind", kind, "--seconds", "600", "--stats", file("stats.json")});
+        ASSERT_EQ(within.exit_status, 0) << within.errors;
+        EXPECT_TRUE(bytes("out.vtp") == without) << kind;
+        EXPECT_FALSE(nlohmann::json::parse(bytes("stats.json")).contains("reason"));
+    }
+}
+
+TEST_F(SurfaceCommand, WritesWhatIsThereWhenTheTimeIsOverAndMarksIt) {
+    dataset_ = "flow:abc";
+    const auto began = std::chrono::steady_clock::now();
+    const auto outcome =
+        run({"--rake", "-9,0,0 9,0,0", "--to", "5", "--separation", "0.002", "--max-quads",
+             "50000000", "--seconds", "2", "--stats", file("stats.json"), "-o", file("out.ply")});
+    EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(20));
+    EXPECT_EQ(outcome.exit_status, 0) << outcome.errors;
+    EXPECT_NE(outcome.errors.find("not finished: the time limit of 2 s was reached"),
+              std::string::npos)
+        << outcome.errors;
+    const auto stats = nlohmann::json::parse(bytes("stats.json"));
+    EXPECT_EQ(stats["reason"], "timeLimit");
+    EXPECT_EQ(stats["requestedSeparation"], 0.002);
+    EXPECT_GT(stats["separation"], 0.002);
+    EXPECT_TRUE(stats["stopped"].get<std::string>().starts_with("the time limit of 2 s"));
+    const auto mesh = tests::read_ply(bytes("out.ply"));
+    EXPECT_GT(mesh.faces.size(), 100u);
+    EXPECT_TRUE(mesh.about.at("stopped").starts_with("the time limit of 2 s"));
+}
+
+TEST_F(SurfaceCommand, NothingThereWhenTheTimeIsOverIsAnError) {
+    refuses({"--seconds", "1e-6"}, 1, "--seconds: nothing was there yet after 1e-06 s");
+}
+
 TEST_F(SurfaceCommand, KeepsTheOldFileWhenTheNewOneCannotBeMade) {
     ASSERT_EQ(run({}).exit_status, 0);
     const auto before = bytes("out.vtp");

@@ -46,10 +46,12 @@ std::string first_match(const std::string& text, const std::string& pattern) {
 } // namespace
 
 TEST(Version, NamesTheProgramTheApiAndEveryFormat) {
-    const std::string text = server::version_text();
+    const std::string text = server::version_text("0123456789ab");
     const auto has = [&](const std::string& line) {
         EXPECT_NE(("\n" + text + "\n").find("\n" + line + "\n"), std::string::npos) << text;
     };
+    has("wakesurf " + std::string(server::version_number()));
+    has("commit 0123456789ab");
     has("API level " + std::to_string(protocol::api_level));
     has("store format " + std::to_string(store::store_format_version));
     has("journal schema " + std::to_string(server::state_layout));
@@ -57,15 +59,18 @@ TEST(Version, NamesTheProgramTheApiAndEveryFormat) {
     has("mesh frame " + std::to_string(protocol::frame_version));
 }
 
-TEST(Version, IsPrintedByTheProgram) {
-    EXPECT_EQ(printed_by(server_program() + " --version"), server::version_text() + "\n");
+TEST(Version, IsPrintedByTheProgramWithItsCommit) {
+    const std::string printed = printed_by(server_program() + " --version");
+    const std::string commit =
+        first_match(printed, "\ncommit ([0-9a-f]{12}( with changes)?|unknown)\n");
+    EXPECT_NE(commit, "") << printed;
+    EXPECT_EQ(printed, server::version_text(commit) + "\n");
 }
 
 TEST(Version, IsTheSameInTheBuildTheChangeLogAndTheCitation) {
     const std::string version =
         first_match(text_of("CMakeLists.txt"), R"(VERSION (\d+\.\d+\.\d+))");
-    EXPECT_EQ(server::version_text().substr(0, server::version_text().find('\n')),
-              "wakesurf " + version);
+    EXPECT_EQ(server::version_number(), version);
     EXPECT_EQ(first_match(text_of("CHANGELOG.md"), R"(\n## (\d+\.\d+\.\d+))"), version);
     EXPECT_EQ(first_match(text_of("CITATION.cff"), R"(\nversion: (\S+))"), version);
 }

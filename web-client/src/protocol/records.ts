@@ -22,7 +22,7 @@ export type { Camera as CameraPlace, Participant, PresenceUpdateParams as Presen
 export type { RakeKind } from './generated/rake.ts';
 export type { Snapshot as SessionSnapshot } from './generated/session.ts';
 export type { Lattice as LatticeDescription, Role } from './generated/shared.ts';
-export type { Accuracy, Direction, Interpolation, SurfaceKind } from './generated/surface.ts';
+export type { Accuracy, Direction, Interpolation, Refine, SurfaceKind } from './generated/surface.ts';
 export { isVec3, type Vec3 } from './vec3.ts';
 
 /** Why something failed, as records and notifications carry it. */

@@ -18,7 +18,10 @@ export interface RakeRecord {
      * rim
      */
     kind: RakeKind;
-    /** where the rake lies; parts outside the domain are cut off (the dataset's unit of length) */
+    /**
+     * where the rake lies; parts outside the domain are cut off, and a circle releases from its longest arc inside
+     * (the dataset's unit of length)
+     */
     points: Vec3[];
     /** number of seeds on the rake */
     seeds: number;
@@ -28,7 +31,7 @@ export interface RakeRecord {
     colour: string;
     /** name of the one who made it */
     author: string;
-    /** true: a part was outside the domain and was cut off */
+    /** true: a part was outside the domain and was cut off; a circle's points stay */
     clipped: boolean;
     /** true: someone holds the lease at the moment */
     dragging: boolean;
@@ -71,7 +74,10 @@ export interface RakeSetParams {
      * rim
      */
     kind: RakeKind;
-    /** where the rake lies; parts outside the domain are cut off (the dataset's unit of length) */
+    /**
+     * where the rake lies; parts outside the domain are cut off, and a circle releases from its longest arc inside
+     * (the dataset's unit of length)
+     */
     points: Vec3[];
     /** number of seeds on the rake */
     seeds: number;
@@ -105,7 +111,7 @@ export interface RakeSetResult {
     rev: number;
     /** `seq` of the session after the edit */
     seq: number;
-    /** true: a part was outside the domain and was cut off */
+    /** true: a part was outside the domain and was cut off; a circle's points stay */
     clipped: boolean;
     /** the points, clipped to the domain */
     points: Vec3[];

@@ -28,6 +28,15 @@ export const interpolations = ['linear', 'smooth'] as const;
 export type Interpolation = (typeof interpolations)[number];
 export const interpolationCheck = oneOf(interpolations);
 
+/**
+ * whether quads are cut, joined and reconnected, and torn at obstacles. off: the grid that the rake begins with stays
+ * as it is, with a column a seed, as in smoke surfaces; `merge` and `angle` then count for nothing, and `separation`
+ * only along the flow. Quads with a particle that has ended are left out
+ */
+export const refines = ['on', 'off'] as const;
+export type Refine = (typeof refines)[number];
+export const refineCheck = oneOf(refines);
+
 /** A surface as the session keeps it: its parameters, not its mesh. */
 export interface SurfaceRecord {
     /** id of the surface */
@@ -54,6 +63,12 @@ export interface SurfaceRecord {
      * space and time, for uniform grids only, see `smooth` of dataset.describe
      */
     interpolation: Interpolation;
+    /**
+     * whether quads are cut, joined and reconnected, and torn at obstacles. off: the grid that the rake begins with
+     * stays as it is, with a column a seed, as in smoke surfaces; `merge` and `angle` then count for nothing, and
+     * `separation` only along the flow. Quads with a particle that has ended are left out
+     */
+    refine: Refine;
     /**
      * where the surface ends: before `from`, time runs backward. A stream surface is followed for `to` - `from`, and
      * `to` need not lie in the data; for the others it must (the dataset's unit of time)
@@ -103,6 +118,7 @@ export const surfaceRecordCheck = members<SurfaceRecord>({
     kind: surfaceKindCheck,
     accuracy: accuracyCheck,
     interpolation: interpolationCheck,
+    refine: refineCheck,
     to: number,
     releaseUntil: optional(number),
     sweep: optional(point),
@@ -169,6 +185,12 @@ export interface SurfaceSetParams {
      * space and time, for uniform grids only, see `smooth` of dataset.describe
      */
     interpolation?: Interpolation;
+    /**
+     * whether quads are cut, joined and reconnected, and torn at obstacles. off: the grid that the rake begins with
+     * stays as it is, with a column a seed, as in smoke surfaces; `merge` and `angle` then count for nothing, and
+     * `separation` only along the flow. Quads with a particle that has ended are left out
+     */
+    refine?: Refine;
     /** time at which the release stops; if left out, `to` (the dataset's unit of time) */
     releaseUntil?: number;
     /** the patch is the rake swept along this vector (the dataset's unit of length) */
@@ -216,6 +238,7 @@ export const surfaceAskedNames = [
     'direction',
     'accuracy',
     'interpolation',
+    'refine',
     'releaseUntil',
     'sweep',
     'merge',
@@ -230,6 +253,7 @@ export const surfaceAskedNames = [
 export const surfaceDefaults = {
     accuracy: 'balanced' as Accuracy,
     interpolation: 'linear' as Interpolation,
+    refine: 'on' as Refine,
     merge: 0.35,
     angle: 20,
     stagnationSpeed: 1e-6,

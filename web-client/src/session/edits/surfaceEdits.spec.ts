@@ -84,6 +84,22 @@ describe('a change of a surface that cannot be as it is', () => {
         expect(made.told).toEqual(['surface s1']);
     });
 
+    it('is still said not to be applied when the surface is computed anew for another rake, until the controls change', async () => {
+        const made = bench();
+        made.edits.changeSurface({ separation: 0.5 });
+        made.edits.flush();
+        await made.refuse(refusal);
+        const told = (change: object): void => {
+            const rest = [...made.state.surfaces.value.values()].filter(({ surface }) => surface !== 's1');
+            made.records([...made.state.rakes.value.values()], [surfaceOf('s1', { rake: 'r1', ...change }), ...rest]);
+        };
+        told({ rev: 2, epoch: 9 });
+        expect(made.edits.remark.value).toBe('Not applied: there is no room');
+        told({ rev: 3, epoch: 10, separation: 0.3 });
+        expect(made.edits.intent.value?.separation).toBe(0.3);
+        expect(made.edits.remark.value).toBeNull();
+    });
+
     it('stays where a newer one is on its way, and is forgotten where that is taken', async () => {
         const made = bench();
         for (const separation of [0.5, 0.4]) {

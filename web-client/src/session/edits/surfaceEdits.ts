@@ -99,7 +99,7 @@ export class SurfaceEdits {
         const another = this.intentOf !== (record?.surface ?? '');
         this.intentOf = record?.surface ?? '';
         if (record === undefined) this.takeOver(null);
-        else if (another) this.takeOver(record);
+        else if (another) this.takeOver(record, true);
         else if (record === this.taken || one?.window.busy === true) return;
         // The record that the answer spoke of is still on its way.
         else if (one !== undefined && one.answeredRev > record.rev) return;
@@ -129,10 +129,13 @@ export class SurfaceEdits {
         if (gone.length > 0) this.options.onChange();
     }
 
-    private takeOver(record: SurfaceRecord | null): void {
+    private takeOver(record: SurfaceRecord | null, another = false): void {
         this.taken = record;
+        const intent = record === null ? null : intentOf(record);
+        // As when the rake has moved: what was said of the controls is still true.
+        if (JSON.stringify(intent) === JSON.stringify(this.intent.value) && !another) return;
         batch(() => {
-            this.intent.value = record === null ? null : intentOf(record);
+            this.intent.value = intent;
             this.remark.value = null;
         });
     }
@@ -180,6 +183,6 @@ export class SurfaceEdits {
         const record = this.options.state.surface.value;
         if (record?.surface !== id) return;
         this.takeOver(record);
-        if (why !== null) this.remark.value = `Not applied: ${why}`;
+        this.remark.value = why === null ? null : `Not applied: ${why}`;
     }
 }

@@ -90,7 +90,7 @@ describe('fulfils', () => {
         const changes: Partial<SurfaceRecord>[] = [
             ...[{ merge: 0.1 }, { angle: 5 }, { stagnationSpeed: 0 }, { maxQuads: 7 }, { rake: 'r9' }, { dataset: 'another' }],
             ...[{ separation: 0.5 }, { fields: ['p'] }, { accuracy: 'exact' as const }, { sweep: undefined, rake2: 'r2' }],
-            { interpolation: 'smooth' as const },
+            ...[{ interpolation: 'smooth' as const }, { refine: 'off' as const }],
         ];
         for (const change of changes) expect(fulfils({ ...patch, ...change }, setting), JSON.stringify(change)).toBe(false);
         expect(fulfils({ ...patch, rev: 9, epoch: 9 }, setting)).toBe(true);

@@ -4,6 +4,7 @@ import type {
     DatasetDescription,
     Direction,
     Interpolation,
+    Refine,
     SurfaceKind,
     SurfaceRecord,
     SurfaceSetting,
@@ -26,6 +27,8 @@ export interface SurfaceIntent {
     direction: Direction;
     accuracy: Accuracy;
     interpolation: Interpolation;
+    /** Off: a grid that stays as the rake begins it. */
+    refine: Refine;
     /** What is carried along for colouring, beside the speed. */
     fields: readonly string[];
     /** How long a streak surface is released for; null: until it is shown. */
@@ -36,12 +39,12 @@ export interface SurfaceIntent {
 }
 
 export function intentOf(record: SurfaceRecord): SurfaceIntent {
-    const { kind, from, to, separation, direction, accuracy, interpolation, fields } = record;
+    const { kind, from, to, separation, direction, accuracy, interpolation, refine, fields } = record;
     const { maxQuads, merge, angle } = record;
     const { releaseUntil, sweep = null, rake2 = null } = record;
     const released = releaseUntil === undefined ? null : Math.abs(releaseUntil - from);
     const length = Math.abs(to - from);
-    const mesh = { separation, maxQuads, merge, angle };
+    const mesh = { separation, refine, maxQuads, merge, angle };
     return { kind, from, length, ...mesh, direction, accuracy, interpolation, fields, released, sweep, rake2 };
 }
 
@@ -62,12 +65,13 @@ export function settingOf(
     times: readonly number[],
     steady: boolean,
 ): SurfaceSetting | null {
-    const { kind, from, separation, maxQuads, merge, angle, direction, accuracy, interpolation, fields } = intent;
+    const { kind, from, direction, accuracy, interpolation, fields } = intent;
+    const { separation, refine, maxQuads, merge, angle } = intent;
     if (!(followed(intent, times, steady) > 0)) return null;
     const to = endOf(intent, times, steady);
     const shown = { from, to, releaseUntil: releaseEnd(intent, to - from) };
     const field = { accuracy, interpolation, fields: [...fields] };
-    const mesh = { separation, maxQuads, merge, angle };
+    const mesh = { separation, refine, maxQuads, merge, angle };
     const wanted = { kind, ...mesh, direction, ...field, ...shown, ...secondCurve(intent) };
     return { ...askedOf({ ...record, ...wanted }), surface: record.surface };
 }

@@ -1,4 +1,4 @@
-// A script for Python that does what a panel shows, with the client that the server gives away (protocol/python/wakesurf.py).
+// A script for Python that does what a panel shows, with the client that the server gives away (protocol/python).
 import { type CallStep, KeptId, type MeshStep, nounOf, ofSession, type ScriptPlace, type ScriptStep } from './scriptStep.ts';
 
 const head = (server: string): string[] => [
@@ -46,7 +46,9 @@ function idiom(method: string, params: ReadonlyMap<string, unknown>): string | n
         case 'surface.set': {
             if (params.has('surface') || !params.has('rake')) return null;
             const named = [`dataset=${written('dataset')}`, `from_=${written('from')}`, `to=${written('to')}`];
-            const others = rest('rake', 'kind', 'dataset', 'from', 'to');
+            const others = [...params]
+                .filter(([name]) => !['rake', 'kind', 'dataset', 'from', 'to'].includes(name))
+                .map(([name, value]) => keywordArgument([snake(name), value]));
             return `session.surface(${[written('rake'), written('kind'), ...named, ...others].join(', ')})`;
         }
         case 'time.set':
@@ -63,6 +65,11 @@ function idiom(method: string, params: ReadonlyMap<string, unknown>): string | n
         default:
             return null;
     }
+}
+
+/** As Python spells it: maxQuads -> max_quads. */
+function snake(name: string): string {
+    return name.replace(/(?<=[a-z0-9])[A-Z]/g, (letter) => `_${letter.toLowerCase()}`);
 }
 
 function download({ mesh, surface }: MeshStep): string[] {

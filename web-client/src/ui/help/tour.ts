@@ -7,6 +7,7 @@ import { keep, recall } from '../../state/browserMemory.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
+import { isInFrame } from '../view/room.ts';
 import { type TourFacts, type TourStart, tourStart, tourSteps } from './tourSteps.ts';
 
 const kept = 'tour';
@@ -65,7 +66,7 @@ export class Tour extends SignalElement {
     override connectedCallback(): void {
         super.connectedCallback();
         const { view } = this.model;
-        if (recall(kept) === null && view.tourStep.value === null) view.tourStep.value = 0;
+        if (recall(kept) === null && view.tourStep.value === null && !isInFrame()) view.tourStep.value = 0;
     }
 
     override render(): TemplateResult | typeof nothing {

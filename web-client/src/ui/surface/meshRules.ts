@@ -55,7 +55,7 @@ export class MeshRules extends SignalElement {
                 justify-content: space-between;
                 margin-top: 6px;
             }
-            input {
+            input[type='number'] {
                 width: 9em;
             }
         `,
@@ -67,8 +67,20 @@ export class MeshRules extends SignalElement {
         return html`<details id="mesh-rules">
             <summary>Mesh</summary>
             ${rules.map((each) => this.field(each, intent))}
+            <label
+                class="row"
+                for="refine"
+                title="Off: the grid that the rake begins with stays as it is, with a column a seed, as in smoke surfaces"
+            >
+                <span>Refine the grid</span>
+                <input id="refine" type="checkbox" .checked=${live(intent.refine === 'on')} @change=${this.refineChanged} />
+            </label>
         </details>`;
     }
+
+    private readonly refineChanged = (event: Event): void => {
+        this.model.edits.changeSurface({ refine: (event.target as HTMLInputElement).checked ? 'on' : 'off' });
+    };
 
     private field({ rule, words, title, step }: (typeof rules)[number], intent: SurfaceIntent): TemplateResult {
         const [least, most] = surfaceSetRanges[rule];

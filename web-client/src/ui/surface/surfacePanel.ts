@@ -208,9 +208,7 @@ export class SurfacePanel extends SignalElement {
                 </label>
                 ${this.choice('direction', 'Direction', directionChoices(intent), intent.direction, (direction) => ({ direction }))}
                 ${this.cutBack(intent, dataset)}
-                <p class="quiet" id="surface-remark" role="status" ?hidden=${edits.remark.value === null}>
-                    ${edits.remark.value}
-                </p>
+                <p class="quiet" id="surface-remark" role="status" ?hidden=${edits.remark.value === null}>${edits.remark.value}</p>
                 ${this.choice('accuracy', 'Accuracy', accuracies, intent.accuracy, (accuracy) => ({ accuracy }))}
                 ${dataset.smooth ? this.interpolation(intent) : nothing}
                 <wakesurf-mesh-rules .model=${this.model}></wakesurf-mesh-rules>

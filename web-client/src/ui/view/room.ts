@@ -5,9 +5,14 @@ import type { ViewState } from '../../state/viewState.ts';
 const kept = 'panel';
 const folded = 'folded';
 
-/** As it was when this browser was here last. */
+/** Whether another page shows this one in a frame, as a notebook does, where there is little room. */
+export function isInFrame(): boolean {
+    return globalThis.top !== globalThis.self;
+}
+
+/** As it was when this browser was here last; at first folded in a frame. */
 export function recallPanel(view: Pick<ViewState, 'panelFolded'>): void {
-    view.panelFolded.value = recall(kept) === folded;
+    view.panelFolded.value = (recall(kept) ?? (isInFrame() ? folded : '')) === folded;
 }
 
 export function togglePanel({ panelFolded }: Pick<ViewState, 'panelFolded'>): void {

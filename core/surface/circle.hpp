@@ -1,0 +1,33 @@
+// The circle of a rake of that kind, by its angle, and the longest arc of it inside a box.
+#pragma once
+
+#include "core/base/box.hpp"
+
+#include <array>
+#include <optional>
+
+namespace wakesurf::core {
+
+struct Circle {
+    Vec3 centre;
+    Vec3 u, v; ///< radii to where it begins and a quarter of a turn further on
+
+    /// Begins at `first`; `other` says which way it turns. REQUIRES: the three points do not lie on one line.
+    Circle(const Vec3& centre, const Vec3& first, const Vec3& other);
+
+    /// @param turn  0..1, once round; every point at the radius but for rounding
+    Vec3 at(double turn) const;
+
+    /// Change of the place a turn.
+    Vec3 tangent(double turn) const;
+
+    double radius() const { return glm::length(u); }
+};
+
+/// From which turn to which; the second is above 1 where the arc goes past the circle's beginning. {0, 1}: all of it.
+using Arc = std::array<double, 2>;
+
+/// The longest part of a circle inside a box, its ends in it as well. Nothing: no part.
+std::optional<Arc> longest_arc_inside(const Circle& circle, const Box& box);
+
+} // namespace wakesurf::core

@@ -1,0 +1,43 @@
+#include "server/cli/manual_chapters.hpp"
+
+namespace wakesurf::server {
+
+std::string_view manual_chapters() {
+    return R"roff(.SH ENVIRONMENT
+.TP
+\fBWAKESURF_DATASET\fR, \fBWAKESURF_LISTEN\fR, \fBWAKESURF_STORE\fR, \fBWAKESURF_STATE\fR, \fBWAKESURF_TOKEN_FILE\fR
+Defaults of what \fBwakesurf serve\fR takes by the option of that name.
+.TP
+\fBWAKESURF_URL\fR
+Address of the server that \fBwakesurf sessions\fR and scripts talk to.
+.SH FILES
+.TP
+\fI~/.cache/wakesurf\fR
+Imported data, unless \fB\-\-store\fR says otherwise. It can be deleted: it is made again from the simulation's files.
+.TP
+\fI../share/wakesurf/web\fR, \fI../share/wakesurf/data\fR
+The page and the bundled simulation, as seen from the program.
+.TP
+\fI../share/wakesurf/python\fR
+The client for scripts.
+.SH EXIT STATUS
+0 done, 1 failed, 2 wrong usage. What was wrong is on standard error, with what to do about it.
+.SH EXAMPLES
+.TP
+The bundled simulation, in the browser: open the address that it prints
+\fBwakesurf serve\fR
+.TP
+Own data, with sessions that outlive the server
+\fBwakesurf serve case.foam \-\-state ~/.local/state/wakesurf\fR
+.TP
+From a laptop, where the server runs on another machine
+\fBssh \-L 8080:localhost:8080 that.machine\fR
+.TP
+One surface to a file, without a server
+\fBwakesurf surface case.foam \-\-kind streak \-o surface.vtp\fR
+.SH SEE ALSO
+\fBwakesurf\-import\fR(1), \fBparaview\fR(1)
+)roff";
+}
+
+} // namespace wakesurf::server

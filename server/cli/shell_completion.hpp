@@ -1,0 +1,15 @@
+// What bash completes after `wakesurf`, made from the same declarations as --help.
+#pragma once
+
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace wakesurf::server {
+
+/// A script for bash-completion's folder: commands, options, the words that an option takes, else files.
+std::string bash_completion(const CLI::App& program);
+
+} // namespace wakesurf::server

@@ -1,0 +1,47 @@
+// Pictures for a program that drives this page, as the client for Python does: whether all that the session shows is on the screen, and
+// the picture as a PNG.
+import type { FigureBackground } from '../../scene/capture.ts';
+import type { AppState } from '../../state/appState.ts';
+import type { Figure } from './figure.ts';
+import { isShownAt } from './film.ts';
+
+export interface ScriptedSetting {
+    width: number;
+    height: number;
+    background: FigureBackground;
+    bar: boolean;
+    axes: boolean;
+    rake: boolean;
+    caption: string | null;
+}
+
+/** Why the picture is not whole; empty where it is. Begins with `!` where it never will be. `time`: of the clock, null: as it is. */
+export function unfinished(state: AppState, time: number | null): string {
+    const stage = state.stage.value;
+    if (stage !== 'running') {
+        return stage === 'failed' || stage === 'gone' || stage === 'ended' ? `!the page has ${stage}` : stage;
+    }
+    for (const { surface, kind, from, to } of state.surfaces.value.values()) {
+        const failure = state.surfaceErrors.value.get(surface);
+        if (failure !== undefined) return `!${surface}: ${failure.text}`;
+        if (state.hiddenSurfaces.value.has(surface)) continue;
+        const displayed = state.displayed.value.get(surface);
+        if (displayed === undefined || displayed.epoch < (state.requestedEpochs.value.get(surface) ?? 0)) {
+            return `${surface} is not there`;
+        }
+        if (displayed.phase !== 'final') return `${surface} is ${displayed.phase}`;
+        if (time !== null && kind !== 'stream' && !isShownAt({ from, to }, displayed.time, time)) {
+            return `${surface} is shown at ${displayed.time}`;
+        }
+    }
+    return '';
+}
+
+/** As an address of data. Error: in words. */
+export function scriptedPicture(figure: Figure, setting: ScriptedSetting): string {
+    const { width, height, background, caption } = setting;
+    figure.bar.value = setting.bar;
+    figure.axes.value = setting.axes;
+    figure.rake.value = setting.rake;
+    return figure.draw({ width, height }, caption, background).toDataURL('image/png');
+}
