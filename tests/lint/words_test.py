@@ -24,14 +24,12 @@ COLOR = re.compile(r"\b\w*[cC]olor\w*\b")
 # Types named by a word with a home: the word, and the product's files that may declare one.
 HOMES = {
     "Turn": ("server/compute/fair_queue.hpp",),
-    "Lane": ("server/compute/quick_lanes.hpp", "server/compute/long_lanes.hpp",
-             "core/field/advance_stored.cpp"),
+    "Lane": ("server/compute/quick_lanes.hpp", "server/compute/long_lanes.hpp"),
     "Place": ("server/net/admission.hpp", "server/net/downloads.hpp", "server/compute/budgets.hpp",
               "server/compute/history_budget.hpp", "server/session/records/change_log.hpp", "core/field/cells/box_tree.hpp"),
     "Places": ("protocol/wire/wire_match.hpp",),
     "History": ("server/session/records/history.hpp",),
     "Cell": ("core/surface/quad_complex.hpp",),
-    "Sample": ("core/field/kernel/rk4_kernel.hpp",),
 }
 DECLARED = re.compile(r"^[ \t]*(?:struct|class|enum class|enum|using)[ \t]+(\w+)(?=[ \t]*(?:\{|;|:|=|final\b|$))", re.MULTILINE)
 

@@ -1,4 +1,4 @@
-"""protocol/python/wakesurf.py against the real server."""
+"""protocol/python/wakesurf against the real server."""
 import os
 import tempfile
 import threading
@@ -35,7 +35,7 @@ class ClientTest(unittest.TestCase):
 
     def long_surface(self):
         rake = self.session.rake(line=[(-9, 0, 0), (9, 0.1, 0)], seeds=256)
-        return self.session.surface(rake, "stream", dataset="abc", to=200, separation=0.01, maxQuads=4_000_000)
+        return self.session.surface(rake, "stream", dataset="abc", to=200, separation=0.01, max_quads=4_000_000)
 
     # Finding the server.
 
@@ -123,7 +123,7 @@ class ClientTest(unittest.TestCase):
 
     def test_parameters_have_the_spelling_of_python_and_that_of_the_api(self):
         self.assertEqual(self.surface(max_quads=5000).record()["maxQuads"], 5000)
-        surface = self.surface(maxQuads=6000)
+        surface = self.surface(max_quads=6000)
         surface.set(max_quads=7000)
         self.assertEqual(surface.record()["maxQuads"], 7000)
         with self.assertRaises(wakesurf.InvalidParameters):
@@ -298,9 +298,31 @@ class ClientTest(unittest.TestCase):
             surface.wait(1.5, progress=told.append)
         self.assertLess(time.monotonic() - begin, 10)
         self.assertGreaterEqual(len(told), 1)
-        self.assertFalse(told[0]["complete"])
+        self.assertTrue(all(each.share is None or 0 <= each.share < 1 for each in told))
+        self.assertFalse([each.state for each in told if each.state][0]["complete"])
         self.assertIsInstance(raised.exception, TimeoutError)
         surface.delete()
+
+    def test_a_bar_of_tqdm_is_moved_to_its_end(self):
+        class Bar:
+            n, total, moves = 0, 50, []
+
+            def refresh(self):
+                self.moves.append(self.n)
+
+        bar = Bar()
+        self.surface(separation=0.01).wait(progress=bar)
+        self.assertEqual(bar.n, 50)
+        self.assertEqual(bar.moves, sorted(bar.moves))
+
+    def test_what_is_used_in_a_with_is_gone_afterwards(self):
+        with self.session.rake(line=LINE, seeds=9) as rake:
+            with self.session.surface(rake, "stream", dataset="lamb-oseen", to=2) as surface:
+                surface.wait()
+        self.assertEqual((self.session.rakes(), self.session.surfaces()), ([], []))
+        rake = self.session.rake(line=LINE)
+        with rake:
+            rake.delete()
 
     def test_undo_and_redo(self):
         rake = self.session.rake(line=LINE, seeds=9)

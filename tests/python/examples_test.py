@@ -23,12 +23,12 @@ def text_of(name):
 
 def fenced(name):
     """The blocks of a document that begin with the import of the client."""
-    blocks = re.findall(r"^```\w*\n(.*?)^```$", text_of(name), re.S | re.M)
+    blocks = re.findall(r"^```[\w ]*\n(.*?)^```$", text_of(name), re.S | re.M)
     return [block for block in blocks if "from wakesurf import" in block]
 
 
 def docstring_example():
-    lines = ast.get_docstring(ast.parse(text_of("protocol/python/wakesurf.py"))).split("\n")
+    lines = ast.get_docstring(ast.parse(text_of("protocol/python/wakesurf/__init__.py"))).split("\n")
     first = next(i for i, line in enumerate(lines) if line.startswith("    "))
     last = next(i for i in range(first, len(lines)) if lines[i] and not lines[i].startswith("    "))
     return textwrap.dedent("\n".join(lines[first:last]))
@@ -49,13 +49,16 @@ class ExamplesTest(unittest.TestCase):
     def run_example(self, code):
         """What it prints, and the files it leaves, with their first bytes."""
         self.assertEqual(code.count(ADDRESS), 1, code)
+        return self.run_plain(code.replace(ADDRESS, self.server.url))
+
+    def run_plain(self, code):
         printed = io.StringIO()
         here = os.getcwd()
         with tempfile.TemporaryDirectory() as folder:
             try:
                 os.chdir(folder)
                 with contextlib.redirect_stdout(printed):
-                    exec(compile(code.replace(ADDRESS, self.server.url), "example", "exec"), {})
+                    exec(compile(code, "example", "exec"), {})
             finally:
                 os.chdir(here)
             files = {}
@@ -81,16 +84,33 @@ class ExamplesTest(unittest.TestCase):
         printed, _ = self.run_example(block)
         self.assertGreater(float(printed), 0)
 
-    def test_the_command_line_of_the_first_page(self):
-        (line,) = re.findall(r"^build/release/bin/(wakesurf surface .*)$", text_of("README.md"), re.M)
+    def test_those_of_the_clients_page(self):
+        blocks = re.findall(r"^```python\n(.*?)^```$", text_of("protocol/python/README.md"), re.S | re.M)
+        self.assertEqual(len(blocks), 3)
+        printed, _ = self.run_example(blocks[0])
+        self.assertGreater(float(printed.split()[1]), 0)
+        os.environ["WAKESURF"] = BINARY
+        try:
+            self.assertGreater(int(self.run_plain(blocks[1])[0]), 100)
+            study = self.run_plain(blocks[2])[0].strip().split("\n")
+        finally:
+            del os.environ["WAKESURF"]
+        self.assertEqual(len(study), 4)
+        self.assertIn("'separation': 0.05, 'accuracy': 'exact'", study[3])
+
+    def test_the_command_lines_of_the_first_page(self):
+        lines = re.findall(r"^build/release/bin/(wakesurf surface .*)$", text_of("README.md"), re.M)
+        self.assertEqual(len(lines), 2)
         with tempfile.TemporaryDirectory() as folder:
             os.symlink(os.path.join(ROOT, "data"), os.path.join(folder, "data"))
-            ran = subprocess.run([BINARY, *shlex.split(line)[1:], "--store", os.path.join(folder, "store")], cwd=folder,
-                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=120)
-            self.assertEqual(ran.returncode, 0, ran.stderr)
-            with open(os.path.join(folder, "surface.vtp"), "rb") as file:
-                mesh = wakesurf.Mesh.from_vtp(file.read())
-        self.assertIn(f" {len(mesh.polygons)} quads", ran.stdout)
+            for words in map(shlex.split, lines):
+                ran = subprocess.run([BINARY, *words[1:], "--store", os.path.join(folder, "store")], cwd=folder,
+                                     stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=120)
+                self.assertEqual(ran.returncode, 0, ran.stderr)
+                with open(os.path.join(folder, words[words.index("-o") + 1]), "rb") as file:
+                    mesh = wakesurf.Mesh.from_vtp(file.read())
+                self.assertGreater(len(mesh.polygons), 100)
+                self.assertIn(f" {len(mesh.polygons)} quads", ran.stdout)
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""protocol/python/wakesurf_frames.py: the golden frames that the C++ and the TypeScript decoders read too, and damage."""
+"""protocol/python/wakesurf/frames.py: the golden frames that the C++ and the TypeScript decoders read too, and damage."""
 import json
 import os
 import random
@@ -9,8 +9,8 @@ import zlib
 import numpy as np
 
 from real_server import BINARY, ROOT
-import wakesurf_frames
-from wakesurf_frames import FrameError, MeshDecoder
+from wakesurf import frames
+from wakesurf.frames import FrameError, MeshDecoder
 
 FIXTURES = os.path.join(ROOT, "protocol/wire/fixtures")
 LIBRARY = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(BINARY))), "lib/libwakesurf_draco.so")
@@ -35,7 +35,7 @@ def sealed(frame):
 class FramesTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.draco = wakesurf_frames.Draco(LIBRARY)
+        cls.draco = frames.Draco(LIBRARY)
         with open(os.path.join(FIXTURES, "golden.json"), encoding="utf-8") as file:
             cls.golden = json.load(file)
 
@@ -53,7 +53,7 @@ class FramesTest(unittest.TestCase):
                 states = self.states(name)
                 self.assertEqual([state.header.seq for state in states], expected["seqs"])
                 self.assertEqual([state.sum() for state in states], expected["stateSums"])
-                self.assertEqual([wakesurf_frames.word_sum(state.change) for state in states], expected["changeSums"])
+                self.assertEqual([frames.word_sum(state.change) for state in states], expected["changeSums"])
                 last = states[-1]
                 self.assertEqual((len(last.nodes), len(last.cells)), (expected["vertices"], expected["cells"]))
                 if len(last.nodes):
@@ -100,15 +100,15 @@ class FramesTest(unittest.TestCase):
         self.assertGreater(refused, 250)
 
     def test_a_lost_frame_is_noticed_and_a_keyframe_heals(self):
-        frames = golden_frames("growing")
+        growing = golden_frames("growing")
         decoder = self.decoder()
-        decoder.fold(frames[0])
+        decoder.fold(growing[0])
         with self.assertRaises(FrameError):
-            decoder.fold(frames[2])
+            decoder.fold(growing[2])
         with self.assertRaises(FrameError):
-            decoder.fold(frames[1])
-        self.assertIsNotNone(decoder.fold(frames[0]))
-        self.assertIsNotNone(decoder.fold(frames[1]))
+            decoder.fold(growing[1])
+        self.assertIsNotNone(decoder.fold(growing[0]))
+        self.assertIsNotNone(decoder.fold(growing[1]))
 
     def test_frames_of_another_version_say_what_to_do(self):
         frame = bytearray(golden_frames("sheet")[0])
@@ -118,7 +118,7 @@ class FramesTest(unittest.TestCase):
 
     def test_without_its_library_it_says_which_one_is_missing(self):
         with self.assertRaisesRegex(OSError, "libwakesurf_draco.so.*WAKESURF_DRACO"):
-            wakesurf_frames.Draco("/nowhere/libwakesurf_draco.so")
+            frames.Draco("/nowhere/libwakesurf_draco.so")
 
 
 if __name__ == "__main__":

@@ -17,7 +17,12 @@ class InstallTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory()
-        cls.prefix = os.path.join(cls.folder.name, "prefix")
+        # Three folders below one that looks like the sources: an installed program must not look there.
+        cls.prefix = os.path.join(cls.folder.name, "usr/local")
+        for decoy in ("data/sqcyl/sqcyl.pvd", "web-client/dist/index.html"):
+            os.makedirs(os.path.join(cls.folder.name, os.path.dirname(decoy)))
+            with open(os.path.join(cls.folder.name, decoy), "w", encoding="utf-8") as file:
+                file.write("not ours")
         tree = os.path.dirname(os.path.dirname(os.path.abspath(BINARY)))
         subprocess.run(["cmake", "--install", tree, "--component", "program", "--prefix", cls.prefix], check=True,
                        stdout=subprocess.DEVNULL)
@@ -27,7 +32,7 @@ class InstallTest(unittest.TestCase):
         cls.folder.cleanup()
 
     def test_it_has_the_licences(self):
-        for name in ("LICENSE", "THIRD_PARTY.txt"):
+        for name in ("LICENSE", "THIRD_PARTY.txt", "CHANGELOG.md"):
             with open(os.path.join(ROOT, name), encoding="utf-8") as file:
                 expected = file.read()
             with open(os.path.join(self.prefix, "share/doc/wakesurf", name), encoding="utf-8") as file:
@@ -37,7 +42,18 @@ class InstallTest(unittest.TestCase):
         self.assertEqual(sorted(os.listdir(self.prefix)), ["bin", "lib", "share"])
         self.assertEqual(sorted(os.listdir(os.path.join(self.prefix, "bin"))), ["wakesurf", "wakesurf-import"])
         libraries = [name for _, _, names in os.walk(os.path.join(self.prefix, "lib")) for name in names]
-        self.assertEqual(libraries, ["libwakesurf_draco.so"])  # what the Python client decodes live frames with
+        self.assertEqual(sorted(libraries), ["libwakesurf_draco.so",  # what the Python client decodes live frames with
+                                             "wakesurf.service"])
+
+    def text_of(self, path):
+        with open(os.path.join(self.prefix, path), encoding="utf-8") as file:
+            return file.read()
+
+    def test_it_has_manual_pages_completion_and_a_unit_that_names_where_it_is(self):
+        for page in ("wakesurf", "wakesurf-import"):
+            self.assertTrue(self.text_of(f"share/man/man1/{page}.1").startswith(".TH WAKESURF"), page)
+        self.assertIn("complete -o default -F _wakesurf wakesurf", self.text_of("share/bash-completion/completions/wakesurf"))
+        self.assertIn(f"\nExecStart={self.prefix}/bin/wakesurf serve ", self.text_of("lib/systemd/system/wakesurf.service"))
 
     def test_without_arguments_it_serves_the_bundled_simulation_and_its_page(self):
         page = os.path.join(self.prefix, "share/wakesurf/web")

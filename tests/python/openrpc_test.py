@@ -9,6 +9,7 @@ from jsonschema import Draft7Validator, RefResolver
 from openrpc_rules import faults, resolve
 from real_server import RealServer
 import wakesurf
+from wakesurf.plain import NULL
 
 GENERIC = {"type": "object"}
 PIXEL = ("iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg==")
@@ -88,7 +89,7 @@ class OpenRpcTest(unittest.TestCase):
                 self.assertFalse(each["required"], f"{name} {each['name']}")
         self.called.add(name)
         try:
-            result = socket.call(name, **parameters)
+            result = socket.call(name, **{key: NULL if value is None else value for key, value in parameters.items()})
         except wakesurf.WakesurfError as problem:
             documented = [resolve(self.document, each["$ref"])["code"] for each in method["errors"]]
             self.assertIn(problem.code, documented, f"{name}: {problem}")
@@ -100,7 +101,7 @@ class OpenRpcTest(unittest.TestCase):
 
     def test_every_method_keeps_its_word(self):
         self.called = set()
-        with wakesurf._Socket(self.client, 30) as host, wakesurf._Socket(self.client, 30) as other:
+        with wakesurf.Connection(self.client, 30) as host, wakesurf.Connection(self.client, 30) as other:
             def ask(name, /, **parameters):
                 return self.ask(host, name, **parameters)
 

@@ -1,5 +1,5 @@
-"""Decodes the binary messages of wakesurf: the live meshes of a surface, as numpy arrays. wakesurf.py uses it for
-`Surface.live`; by itself it needs only numpy, and for Draco the library libwakesurf_draco that wakesurf's build makes.
+"""Decodes the binary messages of wakesurf: the live meshes of a surface, as numpy arrays, for `Surface.live`. It needs numpy, and for
+Draco the library libwakesurf_draco that wakesurf's build makes.
 
     decoder = MeshDecoder()
     for message in binary_messages:
@@ -17,9 +17,12 @@ import os
 import struct
 import zlib
 from dataclasses import dataclass, field
-from typing import Any, Dict, List, Optional, Sequence, Tuple
+from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple
 
 import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[Any]
 
 __all__ = ["Draco", "FrameError", "Header", "MeshDecoder", "State", "read_header", "word_sum"]
 
@@ -92,7 +95,7 @@ class Draco:
         self._decode.argtypes = [ctypes.c_char_p, ctypes.c_size_t, ctypes.c_uint32, ctypes.c_uint32,
                                  ctypes.POINTER(ctypes.c_uint8), ctypes.POINTER(ctypes.c_int32)]
 
-    def decode(self, block: bytes, points: int, components: Sequence[int]) -> List[np.ndarray]:
+    def decode(self, block: bytes, points: int, components: Sequence[int]) -> List[Array]:
         """An array (points, components) a channel. Error: FrameError."""
         values = np.empty(points * sum(components), np.int32)
         status = self._decode(block, len(block), points, len(components), (ctypes.c_uint8 * len(components))(*components),
@@ -145,7 +148,7 @@ class _Numbers:
     def left(self) -> int:
         return len(self._all) - self._at
 
-    def take(self, count: int) -> np.ndarray:
+    def take(self, count: int) -> Array:
         if count > self.left:
             raise FrameError("a mesh update holds too few numbers")
         self._at += count
@@ -157,11 +160,11 @@ class _Numbers:
             raise FrameError(f"a mesh update holds {value} where at most {most} may stand")
         return value
 
-    def signed(self, count: int) -> np.ndarray:
+    def signed(self, count: int) -> Array:
         codes = self.take(count)
         return (codes >> 1) ^ -(codes & 1)
 
-    def runs(self, over: int) -> np.ndarray:
+    def runs(self, over: int) -> Array:
         """Which of `over` things are taken, ascending."""
         pairs = self.take(2 * self.next(over)).reshape(-1, 2)
         ends = np.cumsum(pairs.sum(axis=1))
@@ -173,7 +176,7 @@ class _Numbers:
         return np.flatnonzero(np.cumsum(taken)[:-1])
 
 
-def word_sum(words: np.ndarray) -> int:
+def word_sum(words: Array) -> int:
     """State checksum: the sum of a list of 32 bit words."""
     words = np.ascontiguousarray(words).ravel().astype(np.int64).astype(np.uint32)
 
@@ -195,21 +198,23 @@ class State:
 
     header: Header
     ranges: List[Tuple[float, float]] = field(default_factory=list)
-    nodes: np.ndarray = field(default_factory=lambda: np.empty((0, 3), np.int64))
-    change: np.ndarray = field(default_factory=lambda: np.empty((0, 3), np.int64))
-    codes: List[np.ndarray] = field(default_factory=list)
-    cells: np.ndarray = field(default_factory=lambda: np.empty((0, 8), np.int64))
+    nodes: Array = field(default_factory=lambda: np.empty((0, 3), np.int64))
+    change: Array = field(default_factory=lambda: np.empty((0, 3), np.int64))
+    codes: List[Array] = field(default_factory=list)
+    cells: Array = field(default_factory=lambda: np.empty((0, 8), np.int64))
 
-    def points(self, lattice: Dict[str, Any]) -> np.ndarray:
+    def points(self, lattice: Mapping[str, Any]) -> Array:
         """(n, 3) positions; the lattice as `surface.subscribe` or `dataset.describe` tell it."""
-        return np.asarray(lattice["origin"]) + lattice["step"] * self.nodes
+        points: Array = np.asarray(lattice["origin"]) + lattice["step"] * self.nodes
+        return points
 
-    def attribute(self, index: int) -> np.ndarray:
+    def attribute(self, index: int) -> Array:
         """(n,) values."""
         lo, hi = self.ranges[index]
-        return lo + (hi - lo) * self.codes[index] / 65535
+        values: Array = lo + (hi - lo) * self.codes[index] / 65535
+        return values
 
-    def polygons(self) -> Tuple[np.ndarray, np.ndarray]:
+    def polygons(self) -> Tuple[Array, Array]:
         """The cells' vertices one cell after the other, and where each cell begins and the last one ends."""
         outlines = self.cells[:, _OUTLINE]
         ends = np.cumsum((outlines >= 0).sum(axis=1))
@@ -256,7 +261,7 @@ class MeshDecoder:
             raise FrameError(f"a frame of subscription {h.subscription} came to {newest.subscription}")
         if h.index > 0:
             same = self._header and {**vars(self._header), "index": h.index} == vars(h)
-            fits = same and h.index == self._header.index + 1
+            fits = same and self._header is not None and h.index == self._header.index + 1
         elif h.key:
             fits = not newest or (h.epoch, h.seq) >= (newest.epoch, newest.seq)
         else:
@@ -273,6 +278,7 @@ class MeshDecoder:
                 raise FrameError("a mesh update has an attribute without a range")
             before = State(h, [(float(lo), float(hi)) for lo, hi in bounds], codes=[_NO_BLOCKS] * h.attributes)
         else:
+            assert self.state is not None  # _check_order has seen it
             before = self.state
         after, moved, old = _edited(before, h, numbers)
         _Points(self._draco_library, after, old, moved).read(numbers)
@@ -285,7 +291,7 @@ class MeshDecoder:
         return self._draco
 
 
-def _edited(before: State, h: Header, numbers: _Numbers) -> Tuple[State, np.ndarray, State]:
+def _edited(before: State, h: Header, numbers: _Numbers) -> Tuple[State, Array, State]:
     """Topology. The new state, its points as before and 0 where they are new; who has moved; what stays of the old state."""
     gone = numbers.runs(len(before.nodes))
     added = numbers.next(_MOST)
@@ -314,7 +320,7 @@ def _edited(before: State, h: Header, numbers: _Numbers) -> Tuple[State, np.ndar
     return after, moved, old
 
 
-def _new_cells(numbers: _Numbers, old: np.ndarray, added: int, stay: int, vertices: int) -> np.ndarray:
+def _new_cells(numbers: _Numbers, old: Array, added: int, stay: int, vertices: int) -> Array:
     """The replaced cells, which were `old`, then the added ones."""
     mids = numbers.take(len(old) + added)
     was = np.concatenate([old, np.full((added, 8), -1)])
@@ -337,7 +343,7 @@ def _new_cells(numbers: _Numbers, old: np.ndarray, added: int, stay: int, vertic
 class _Neighbours:
     """Of each vertex, -1 where there is none: a, b, p, n, o."""
 
-    def __init__(self, cells: np.ndarray, vertices: int):
+    def __init__(self, cells: Array, vertices: int):
         self.a, self.b, self.p, self.n, self.o = (np.full(vertices, -1) for _ in range(5))
         corners, mids = cells[:, :4], cells[:, 4:]
         after = np.roll(corners, -1, axis=1)
@@ -368,7 +374,7 @@ class _Neighbours:
 class _Points:
     """Points: fills in a new state from what stayed of the old one."""
 
-    def __init__(self, draco: Any, after: State, old: State, moved: np.ndarray):
+    def __init__(self, draco: Any, after: State, old: State, moved: Array):
         self._draco, self._after, self._old, self._moved = draco, after, old, moved
         self._near = _Neighbours(after.cells, len(after.nodes)).lists()
 
@@ -413,7 +419,7 @@ class _Points:
         return count, codings, residuals, rest[size:]
 
     def _fill(self, kind: int, channel: Tuple[Any, ...], coding: Tuple[int, int], coded: List[int],
-              residuals: np.ndarray) -> None:
+              residuals: Array) -> None:
         """One channel of a block, in plain Python: each vertex needs those before it."""
         name, index, first, last = channel
         predictor, step = coding
@@ -444,10 +450,11 @@ def _moves(near: Tuple[List[int], ...], predictor: int, x: List[int], before: Li
     def d(v: int) -> int:
         return x[v] - before[v]
 
-    changes = (lambda v: h[v],
-               lambda v: (d(a[v]) + d(b[v])) >> 1,
-               lambda v: h[v] + ((d(a[v]) - h[a[v]] + d(b[v]) - h[b[v]]) >> 1),
-               lambda v: d(p[v]) + d(n[v]) - d(o[v]) if o[v] >= 0 else (d(a[v]) + d(b[v])) >> 1)
+    changes: Sequence[Callable[[int], int]] = (
+        lambda v: h[v],
+        lambda v: (d(a[v]) + d(b[v])) >> 1,
+        lambda v: h[v] + ((d(a[v]) - h[a[v]] + d(b[v]) - h[b[v]]) >> 1),
+        lambda v: d(p[v]) + d(n[v]) - d(o[v]) if o[v] >= 0 else (d(a[v]) + d(b[v])) >> 1)
     change = changes[predictor]
     return lambda v: before[v] + (change(v) if a[v] >= 0 else h[v])
 
@@ -460,10 +467,12 @@ def _additions(near: Tuple[List[int], ...], predictor: int, x: List[int], before
     def corner(p: int, q: int, o: int) -> int:
         return x[p] + x[q] - x[o] if o >= 0 else (x[p] + x[q]) >> 1
 
-    formula = (lambda v: x[a[v]],
-               lambda v: x[b[v]],
-               lambda v: corner(a[v], a[v], a[a[v]]),
-               lambda v: corner(p[v], n[v], o[v]) if p[v] >= 0 else x[a[v]],
-               lambda v: corner(a[v], b[v], -1),
-               lambda v: before[b[v]] if b[v] < stay else x[a[v]])[predictor]
+    formulas: Sequence[Callable[[int], int]] = (
+        lambda v: x[a[v]],
+        lambda v: x[b[v]],
+        lambda v: corner(a[v], a[v], a[a[v]]),
+        lambda v: corner(p[v], n[v], o[v]) if p[v] >= 0 else x[a[v]],
+        lambda v: corner(a[v], b[v], -1),
+        lambda v: before[b[v]] if b[v] < stay else x[a[v]])
+    formula = formulas[predictor]
     return lambda v: formula(v) if a[v] >= 0 else x[v - 1] if v > 0 else 0

@@ -1,0 +1,137 @@
+"""A Chromium without a window, driven over a pipe: no port is open that others on this machine could use."""
+from __future__ import annotations
+
+import base64
+import fcntl
+import itertools
+import json
+import os
+import select
+import shutil
+import subprocess
+import tempfile
+import time as clock
+from typing import Any, Dict, List, Optional
+
+from .errors import BrowserMissing, PictureFailed, WaitTimeout
+from .plain import Json
+
+_NAMES = ("chromium-headless-shell", "chromium", "chromium-browser", "google-chrome", "chrome")
+_FLAGS = ("--headless=new", "--remote-debugging-pipe", "--no-first-run", "--disable-background-networking", "--disable-component-update",
+          "--disable-sync", "--disable-quic", "--force-color-profile=srgb", "--hide-scrollbars", "--use-angle=swiftshader",
+          "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist", "about:blank")
+_SOME = 1 << 20
+
+
+def find_browser() -> str:
+    """$WAKESURF_CHROMIUM, else the first that there is. Error: BrowserMissing."""
+    named = os.environ.get("WAKESURF_CHROMIUM")
+    for name in (named,) if named else _NAMES:
+        found = shutil.which(name)
+        if found:
+            return found
+    raise BrowserMissing(f"{named!r} is no program" if named else "pictures need Chromium, which is not on this machine",
+                         kind="browserMissing", hint="Debian: chromium or chromium-headless-shell; or name one in $WAKESURF_CHROMIUM")
+
+
+class Chrome:
+    """One page in a browser of its own, with a profile that is removed at the end."""
+
+    def __init__(self, address: str, size: "tuple[int, int]") -> None:
+        self._profile = tempfile.mkdtemp(prefix="wakesurf-chromium-")
+        (its_in, self._out), (self._in, its_out) = os.pipe(), os.pipe()
+        at = [fcntl.fcntl(each, fcntl.F_DUPFD_CLOEXEC, 10) for each in (its_in, its_out)]
+
+        def as_it_wants_them() -> None:
+            os.dup2(at[0], 3)
+            os.dup2(at[1], 4)
+
+        flags: List[str] = [*_FLAGS, f"--user-data-dir={self._profile}"]
+        if os.geteuid() == 0:  # it refuses its sandbox to root
+            flags.append("--no-sandbox")
+        try:
+            self._process = subprocess.Popen([find_browser(), *flags], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                                             stderr=subprocess.DEVNULL, close_fds=False, preexec_fn=as_it_wants_them)
+        except BaseException:
+            shutil.rmtree(self._profile, ignore_errors=True)
+            raise
+        finally:
+            for each in (its_in, its_out, *at):
+                os.close(each)
+        self._numbers, self._text, self._target = itertools.count(1), b"", ""
+        try:
+            self._open(address, size)
+        except BaseException:
+            self.close()
+            raise
+
+    def _open(self, address: str, size: "tuple[int, int]") -> None:
+        target = self.ask("Target.createTarget", {"url": "about:blank"})["targetId"]
+        self._target = self.ask("Target.attachToTarget", {"targetId": target, "flatten": True})["sessionId"]
+        self.ask("Emulation.setDeviceMetricsOverride", {"width": size[0], "height": size[1], "deviceScaleFactor": 1, "mobile": False})
+        self.ask("Emulation.setEmulatedMedia", {"features": [{"name": "prefers-reduced-motion", "value": "reduce"}]})
+        # Someone who has never been here is shown a tour.
+        self.ask("Page.addScriptToEvaluateOnNewDocument",
+                 {"source": "if (origin !== 'null') localStorage.setItem('wakesurf.tour', 'done');"})
+        moved = self.ask("Page.navigate", {"url": address})
+        if "errorText" in moved:
+            raise PictureFailed(f"the page does not open: {moved['errorText']}", hint="is the server running, with its page (--web)?")
+
+    def close(self) -> None:
+        """Ends the browser and removes its profile."""
+        for each in (self._out, self._in):
+            os.close(each)
+        self._process.terminate()
+        try:
+            self._process.wait(10)
+        except subprocess.TimeoutExpired:
+            self._process.kill()
+            self._process.wait()
+        shutil.rmtree(self._profile, ignore_errors=True)
+
+    def ask(self, method: str, parameters: Optional[Json] = None, timeout: float = 60.0) -> Json:
+        """A command of the DevTools protocol. Error: PictureFailed, WaitTimeout."""
+        number = next(self._numbers)
+        message: Dict[str, Any] = {"id": number, "method": method, "params": parameters or {}}
+        if self._target:
+            message["sessionId"] = self._target
+        end = clock.monotonic() + timeout
+        try:
+            rest = json.dumps(message).encode() + b"\0"
+            while rest:
+                rest = rest[os.write(self._out, rest):]
+            while True:
+                answer = self._message(end)
+                if answer.get("id") == number:
+                    break
+        except OSError as problem:
+            raise PictureFailed(f"the browser has ended: {problem}") from None
+        if "error" in answer:
+            raise PictureFailed(f"{method}: {answer['error'].get('message', '')}")
+        result: Json = answer["result"]
+        return result
+
+    def _message(self, end: float) -> Json:
+        while b"\0" not in self._text:
+            if not select.select([self._in], [], [], max(0.0, end - clock.monotonic()))[0]:
+                raise WaitTimeout("the browser does not answer")
+            some = os.read(self._in, _SOME)
+            if not some:
+                raise PictureFailed("the browser has ended", hint="does `chromium --headless` start here?")
+            self._text += some
+        message, self._text = self._text.split(b"\0", 1)
+        found: Json = json.loads(message)
+        return found
+
+    def value(self, code: str, timeout: float = 60.0) -> Any:
+        """What an expression is in the page; of a promise, what it becomes. Error: PictureFailed with what it threw."""
+        answer = self.ask("Runtime.evaluate", {"expression": code, "awaitPromise": True, "returnByValue": True}, timeout)
+        if "exceptionDetails" in answer:
+            thrown = answer["exceptionDetails"]
+            words = thrown.get("exception", {}).get("description") or thrown.get("text", "")
+            raise PictureFailed(str(words).split("\n")[0])
+        return answer["result"].get("value")
+
+    def screenshot(self) -> bytes:
+        """The page as it is, as PNG."""
+        return base64.b64decode(self.ask("Page.captureScreenshot", {"format": "png"})["data"])

@@ -1,0 +1,245 @@
+"""A server, over HTTP with the standard library."""
+from __future__ import annotations
+
+import itertools
+import json
+import os
+import ssl
+import time as clock
+import urllib.error
+import urllib.parse
+import urllib.request
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any, Dict, Iterable, Iterator, List, Mapping, Optional, Sequence, Tuple, Union, cast
+
+import numpy as np
+
+from .errors import InvalidParameters, ServerFault, Unreachable, error_of
+from .generated.methods import Methods
+from .generated.records import CacheStatus, Dataset, DatasetEntry, DatasetSuggestResult, ServerInfoResult
+from .mesh import Array
+from .names import Helpful, named
+from .plain import Json, Points, given, plain, slices
+from .session import Session
+
+if TYPE_CHECKING:
+    from .serve import Server
+
+
+class Client(Helpful):
+    """A server. `url` is its address, with or without `#token=...` behind it; left out, `$WAKESURF_URL` or
+    http://127.0.0.1:8080. The token: `token`, else the one in `url`, else `$WAKESURF_TOKEN`.
+
+    `timeout`: seconds without an answer after which a call fails with `Unreachable`. `tls`: an `ssl.SSLContext` for a
+    certificate that the system does not know. `api` has every method of the server, with its parameters.
+
+    >>> client = wakesurf.Client(url)
+    >>> client.info()["name"]
+    'wakesurf'
+    >>> client.api.dataset.describe(dataset="tornado")["steady"]
+    False
+    """
+
+    def __init__(self, url: Optional[str] = None, token: Optional[str] = None, timeout: float = 60.0,
+                 tls: Optional[ssl.SSLContext] = None) -> None:
+        url = url or os.environ.get("WAKESURF_URL") or "http://127.0.0.1:8080"
+        if "://" not in url:
+            url = "http://" + url
+        parts = urllib.parse.urlsplit(url)
+        words = urllib.parse.parse_qs(parts.fragment)
+        self.url = urllib.parse.urlunsplit((parts.scheme, parts.netloc, parts.path.rstrip("/"), "", ""))
+        self.timeout = timeout
+        self._token = token or words.get("token", [""])[0] or os.environ.get("WAKESURF_TOKEN", "")
+        self._session = words.get("session", ["main"])[0]
+        self._tls = tls
+        handlers: List[urllib.request.BaseHandler] = [urllib.request.HTTPSHandler(context=tls)] if tls else []
+        if parts.hostname in ("127.0.0.1", "localhost", "::1"):
+            handlers.append(urllib.request.ProxyHandler({}))
+        self._opener = urllib.request.build_opener(*handlers)
+        self._ids = itertools.count(1)
+        self._velocities: Dict[str, str] = {}
+        self.api = Methods(self.call)
+        self.server: Optional[Server] = None  # the one that `serve` started for it
+
+    def __enter__(self) -> Client:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """Nothing is held open between calls."""
+
+    def __repr__(self) -> str:
+        return f"Client({self.url!r})"
+
+    def _request(self, path: str, body: Optional[bytes] = None, headers: Optional[Dict[str, str]] = None,
+                 timeout: Optional[float] = None) -> Tuple[int, Mapping[str, str], bytes]:
+        request = urllib.request.Request(self.url + path, data=body, headers=dict(headers or {}))
+        if self._token:
+            request.add_header("Authorization", "Bearer " + self._token)
+        if body is not None:
+            request.add_header("Content-Type", "application/json")
+        try:
+            with self._opener.open(request, timeout=timeout or self.timeout) as reply:
+                return reply.status, dict(reply.headers), reply.read()
+        except urllib.error.HTTPError as refusal:
+            with refusal:
+                return refusal.code, dict(refusal.headers), refusal.read()
+        except (OSError, urllib.error.URLError) as problem:
+            reason = getattr(problem, "reason", problem)
+            raise Unreachable(f"no answer from {self.url}: {reason}", hint="is the server running?") from None
+
+    def _rpc(self, message: Any, timeout: Optional[float] = None) -> Any:
+        status, _, body = self._request("/rpc", json.dumps(message).encode(), timeout=timeout)
+        if status == 204:
+            return None
+        try:
+            answer = json.loads(body)
+        except ValueError:
+            raise ServerFault(f"HTTP status {status} and no JSON", hint="is this a wakesurf server?") from None
+        if status != 200:
+            raise error_of(answer["error"])
+        return answer
+
+    def call(self, method: str, _timeout: Optional[float] = None, /, **parameters: Any) -> Any:
+        """Any method of the server, by its name; parameters that are None are left out. Waits and asks again, up to
+        five times, where the server says that calls come too fast."""
+        request = {"jsonrpc": "2.0", "id": next(self._ids), "method": method,
+                   "params": given(parameters)}
+        for attempt in range(6):
+            answer = self._rpc(request, _timeout)
+            if "error" not in answer:
+                return answer["result"]
+            problem = error_of(answer["error"])
+            if attempt == 5 or "retryAfterMs" not in problem.data:
+                raise problem
+            clock.sleep(min(problem.data["retryAfterMs"], 5000) / 1000)
+        raise AssertionError("the last attempt returns or raises")
+
+    def batch(self, calls: Iterable[Tuple[str, Json]]) -> List[Any]:
+        """Several calls in one message. Results in order; a call that failed has its error as a value."""
+        requests = [{"jsonrpc": "2.0", "id": next(self._ids), "method": method,
+                     "params": {name: plain(value, name) for name, value in parameters.items()}}
+                    for method, parameters in calls]
+        if not requests:
+            return []
+        answers = self._rpc(requests)
+        if isinstance(answers, dict):
+            raise error_of(answers["error"])
+        by_id = {answer["id"]: answer for answer in answers}
+        return [by_id[each["id"]]["result"] if "result" in by_id[each["id"]] else error_of(by_id[each["id"]]["error"])
+                for each in requests]
+
+    def info(self) -> ServerInfoResult:
+        """Name, version, capabilities and limits of the server."""
+        return self.api.server.info()
+
+    def datasets(self) -> List[DatasetEntry]:
+        """What there is to look at: {dataset, name, state, ...} each.
+
+        >>> [each["dataset"] for each in client.datasets()]
+        ['tornado']
+        """
+        return self.api.dataset.list()["datasets"]
+
+    @property
+    def dataset(self) -> str:
+        """The id of the dataset, where the server has one alone. Error: InvalidParameters where it has several, or none.
+
+        >>> client.dataset
+        'tornado'
+        """
+        ids = [each["dataset"] for each in self.datasets()]
+        if len(ids) != 1:
+            raise InvalidParameters(f"the server has {len(ids)} datasets", -32602, "invalidParameters",
+                                    "name one of " + ", ".join(ids) if ids else "give one to the server")
+        return ids[0]
+
+    def describe(self, dataset: str) -> Dataset:
+        """Grid, bounds, times and fields of a dataset."""
+        return self.api.dataset.describe(dataset=dataset)
+
+    def suggest(self, dataset: str) -> DatasetSuggestResult:
+        """A rake and the parameters of surfaces to begin with in a dataset, and why they were chosen."""
+        return self.api.dataset.suggest(dataset=dataset)
+
+    def cache(self, dataset: str) -> CacheStatus:
+        """Which of its time-steps are in the server's memory."""
+        return self.api.cache.status(dataset=dataset)
+
+    @named
+    def probe(self, dataset: str, points: Points, time: float, fields: Optional[Sequence[str]] = None) -> Dict[str, Array]:
+        """Fields at points, (n,) or (n, 3) each, NaN outside of the fluid; `inside` says which points are in it. Many
+        points are asked for in several calls, as a message has at most 64 KiB: some 1,000 points each.
+
+        >>> found = client.probe("tornado", [(0.5, 0.5, 0.5), (9, 9, 9)], time=0)
+        >>> found["inside"], found["velocity"].shape
+        (array([ True, False]), (2, 3))
+        """
+        parts = [self._probe(dataset, part, time, fields) for part in slices(plain(list(points), "points"))]
+        return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
+
+    def _probe(self, dataset: str, points: Sequence[Sequence[float]], time: float,
+               fields: Optional[Sequence[str]]) -> Dict[str, Array]:
+        answer = self.api.probe.sample(dataset=dataset, points=points, time=time, fields=fields)
+        out: Dict[str, Array] = {}
+        for name, values in cast(Mapping[str, Any], answer["values"]).items():
+            vector = any(isinstance(value, list) for value in values) or (
+                all(value is None for value in values) and name == self._velocity(dataset))
+            missing: Any = [np.nan] * 3 if vector else np.nan
+            found = np.array([missing if value is None else value for value in values], dtype=float)
+            out[name] = found.reshape(-1, 3) if vector else found
+        out["inside"] = np.array(answer["inside"], dtype=bool)
+        return out
+
+    def _velocity(self, dataset: str) -> str:
+        """Of a part that lies outside as a whole, nothing else tells that it is a vector."""
+        if dataset not in self._velocities:
+            self._velocities[dataset] = self.describe(dataset)["velocity"]
+        return self._velocities[dataset]
+
+    def sessions(self, trash: bool = False) -> List[Session]:
+        """Those this token lets in, or those in the trash. `Session.about` of each says what it is called, who was in it,
+        when it was last used and what it has."""
+        return [Session(self, each["session"], each)
+                for each in self.call("session.list", trash=trash or None)["sessions"]]
+
+    def session(self, session: Optional[str] = None) -> Session:
+        """The session with this id; left out, the one in the address, else `main`. Error: NotFound."""
+        found = Session(self, session or self._session)
+        found.state()
+        return found
+
+    def create_session(self, name: str = "") -> Session:
+        """A new, empty one; `Session.about["remaining"]` says how many more there may be. Give it a name: the server may
+        give up one without a name that no one ever edits. Error: OverLimit."""
+        made = self.call("session.create", name=name)
+        return Session(self, made["session"], made)
+
+    def import_session(self, path: Union[str, os.PathLike[str]], name: str = "") -> Session:
+        """A new session of a file that `Session.export` wrote, here or on another server. `Session.about["notes"]` are
+        sentences about datasets that are not here, or are other ones. Error: InvalidParameters, OverLimit."""
+        with open(path, "rb") as file:
+            body = file.read()
+        status, _, answer = self._request("/api/v1/sessions", body)
+        made = json.loads(answer)
+        if status != 200:
+            raise error_of(made["error"])
+        session = Session(self, made["session"], made)
+        if name:
+            session.rename(name)
+        return session
+
+    @contextmanager
+    def scratch(self, name: str = "scratch") -> Iterator[Session]:
+        """A session of its own for as long as the block runs; then it is gone for good, with all that was made in it.
+
+        >>> with client.scratch() as session:
+        ...     rake = session.rake(line=[(0.4, 0.4, 0.1), (0.6, 0.6, 0.1)], seeds=8)
+        >>> client.session(session.id)
+        Traceback (most recent call last):
+        wakesurf.errors.NotFound: ...
+        """
+        session = self.create_session(name)
+        try:
+            yield session
+        finally:
+            session.discard()

@@ -1,0 +1,145 @@
+"""One WebSocket: calls, what the server tells meanwhile, and mesh frames."""
+from __future__ import annotations
+
+import collections
+import itertools
+import json
+import struct
+from typing import TYPE_CHECKING, Any, Deque, Optional, Union
+
+from .errors import Unauthenticated, Unreachable, WaitTimeout, WakesurfError, error_of
+from .generated.methods import Methods
+from .generated.records import Joined
+from .notification import Notification, notification_of
+from .plain import Json, given
+
+if TYPE_CHECKING:
+    from .client import Client
+
+
+class Connection:
+    """A WebSocket with its own `api`, where those methods work too that need one. `timeout`: seconds without any message after
+    which waiting for one fails. Use it in a `with`."""
+
+    def __init__(self, client: Client, timeout: Optional[float]) -> None:
+        try:
+            import websocket
+        except ImportError:
+            raise ImportError("this needs the package websocket-client (Debian: python3-websocket)") from None
+        self._module, self._timeout = websocket, timeout
+        address = client.url.replace("http", "ws", 1) + "/ws"
+        headers = ["Authorization: Bearer " + client._token] if client._token else []
+        try:
+            self._socket = websocket.create_connection(
+                address, timeout=timeout, header=headers, subprotocols=["wakesurf.v1"], suppress_origin=True,
+                http_no_proxy=["127.0.0.1", "localhost"], sslopt={"context": client._tls} if client._tls else None)
+        except websocket.WebSocketBadStatusException as refusal:
+            kind = Unauthenticated if refusal.status_code == 401 else WakesurfError
+            raise kind(f"the server refused the WebSocket with status {refusal.status_code}") from None
+        except (OSError, websocket.WebSocketException) as problem:
+            raise Unreachable(f"no WebSocket at {address}: {problem}") from None
+        self._ids = itertools.count(1)
+        self._frames: Deque[bytes] = collections.deque()
+        self._told: Deque[Notification] = collections.deque()
+        self.api = Methods(self.call)
+
+    def __enter__(self) -> Connection:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Ends it; whoever waits for a message in another thread gets Unreachable."""
+        self._socket.close()
+
+    def hang_up(self) -> None:
+        """Ends it from another thread than the one that waits for messages."""
+        self._socket.abort()
+
+    def join(self, session: str, name: str) -> Joined:
+        """Enters a session: from now on its changes are told."""
+        joined: Joined = self.call("session.join", session=session, name=name)
+        return joined
+
+    def call(self, method: str, _timeout: Optional[float] = None, /, **parameters: Any) -> Any:
+        """Any method by its name. What the server tells meanwhile is kept for `told` and `frame`."""
+        wanted = next(self._ids)
+        self._send({"jsonrpc": "2.0", "id": wanted, "method": method, "params": given(parameters)})
+        while True:
+            answer = self._receive()
+            if isinstance(answer, dict) and answer.get("id") == wanted and "method" not in answer:
+                if "error" in answer:
+                    raise error_of(answer["error"])
+                return answer["result"]
+
+    def start(self, method: str, /, **parameters: Any) -> int:
+        """Sends a call without waiting for its answer; its number is for `answer`."""
+        number = next(self._ids)
+        self._send({"jsonrpc": "2.0", "id": number, "method": method, "params": given(parameters)})
+        return number
+
+    def answer_or_told(self, number: int) -> Union[Json, Notification]:
+        """The next notification, or the answer to a call that was started: an object with `result`. Error: the call's."""
+        while not self._told:
+            message = self._receive()
+            if isinstance(message, dict) and message.get("id") == number and "method" not in message:
+                if "error" in message:
+                    raise error_of(message["error"])
+                return message
+        return self._told.popleft()
+
+    def notify(self, method: str, /, **parameters: Any) -> None:
+        """Sends a call that has no answer."""
+        self._send({"jsonrpc": "2.0", "method": method, "params": given(parameters)})
+
+    def told(self) -> Notification:
+        """The next thing that the server tells. Mesh frames on the way are kept."""
+        while not self._told:
+            self._receive()
+        return self._told.popleft()
+
+    def frame(self) -> bytes:
+        """The next mesh frame. What the server tells on the way is dropped."""
+        while not self._frames:
+            self._receive()
+            self._told.clear()
+        return self._frames.popleft()
+
+    def _send(self, message: Json) -> None:
+        try:
+            self._socket.send(json.dumps(message))
+        except (OSError, self._module.WebSocketException) as problem:
+            raise Unreachable(f"the connection broke: {problem}") from None
+
+    def _receive(self) -> Union[Json, bytes, None]:
+        """One message, put where it belongs; answers and frames are returned too."""
+        try:
+            message = self._socket.recv()
+        except self._module.WebSocketTimeoutException:
+            raise WaitTimeout(f"nothing has come for {self._timeout} s") from None
+        except (OSError, ValueError, self._module.WebSocketException) as problem:
+            raise Unreachable(f"the connection broke: {problem}") from None
+        if message == "" or message == b"":
+            raise Unreachable("the server has closed the connection")
+        if isinstance(message, bytes):
+            self._frames.append(message)
+            return message
+        answer: Json = json.loads(message)
+        if "method" in answer:
+            self._told.append(notification_of(answer["method"], answer.get("params") or {}))
+        return answer
+
+
+def header_of(frame: bytes) -> Optional[Json]:
+    """What a mesh frame says about its update, see Frame in protocol/wire/FORMAT.md; None for what is none."""
+    if len(frame) < 48 or frame[:2] != b"WS":
+        return None
+    if frame[2] != 4:
+        raise WakesurfError(f"the server sends mesh frames of version {frame[2]}, this client reads version 4",
+                            hint="use the client that came with the server")
+    number, epoch, seq, index, count, phase = struct.unpack_from("<3I2HB", frame, 4)
+    vertices, cells, when, state_sum = struct.unpack_from("<2IdI", frame, 24)
+    return {"subscription": number, "epoch": epoch, "seq": seq,
+            "phase": dict(enumerate(("coarse", "refined", "final", "live"))).get(phase, "live"), "vertices": vertices,
+            "cells": cells, "state_sum": state_sum, "time": when, "last": index + 1 == count}

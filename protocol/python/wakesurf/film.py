@@ -1,0 +1,63 @@
+"""A film: a picture for each time, as PNG files or, by ffmpeg, as one .mp4 or .webm."""
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import tempfile
+from typing import TYPE_CHECKING, List, Optional, Sequence, Tuple, Union
+
+from .errors import PictureFailed
+from .picture import Painter
+from .progress import Report, Told
+from .view import Look
+
+if TYPE_CHECKING:
+    from .session import Background, Session
+
+_CODECS = {".mp4": ["-c:v", "libx264", "-crf", "18", "-pix_fmt", "yuv420p", "-movflags", "+faststart"],
+           ".webm": ["-c:v", "libvpx-vp9", "-crf", "24", "-b:v", "0"]}
+
+
+def film(session: Session, path: Union[str, os.PathLike[str]], times: Sequence[float], size: Tuple[int, int], *, fps: float,
+         view: Optional[Look], background: Background, bar: bool, axes: bool, rakes: bool, caption: Optional[str],
+         progress: Optional[Told], timeout: float) -> List[str]:
+    """See `Session.film`."""
+    path = os.fspath(path)
+    codec = _CODECS.get(os.path.splitext(path)[1].lower())
+    if os.path.splitext(path)[1] and codec is None:
+        raise ValueError(f"{path!r} is neither a folder nor one of {', '.join(_CODECS)}")
+    if codec and not shutil.which("ffmpeg"):
+        raise PictureFailed("films as one file need ffmpeg, which is not on this machine",
+                            hint="Debian: ffmpeg; or give a folder, for a series of PNG files")
+    if codec:
+        size = (size[0] // 2 * 2, size[1] // 2 * 2)  # half the colours of a row and of a column
+        with tempfile.TemporaryDirectory(prefix="wakesurf-film-") as folder:
+            frames(session, folder, times, size, view, background, bar, axes, rakes, caption, Report.to(progress), timeout)
+            _encode(folder, path, fps, codec)
+        return [path]
+    os.makedirs(path, exist_ok=True)
+    return frames(session, path, times, size, view, background, bar, axes, rakes, caption, Report.to(progress), timeout)
+
+
+def frames(session: Session, folder: str, times: Sequence[float], size: Tuple[int, int], view: Optional[Look],
+           background: Background, bar: bool, axes: bool, rakes: bool, caption: Optional[str], report: Report,
+           timeout: float) -> List[str]:
+    """frame_0000.png and so on."""
+    files: List[str] = []
+    with Painter(session, size, timeout=timeout, own_time=True, view=view) as painter:
+        for i, time in enumerate(times):
+            report.share(i / len(times), f"t = {float(time):g}")
+            words = None if caption is None else caption.format(time=float(time), frame=i)
+            file = os.path.join(folder, f"frame_{i:04}.png")
+            painter.picture(file, size, time=float(time), background=background, bar=bar, axes=axes, rakes=rakes, caption=words)
+            files.append(file)
+    report.done("drawn")
+    return files
+
+
+def _encode(folder: str, path: str, fps: float, codec: Sequence[str]) -> None:
+    command = ["ffmpeg", "-loglevel", "error", "-y", "-framerate", f"{fps:g}", "-i", os.path.join(folder, "frame_%04d.png"), *codec, path]
+    done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        raise PictureFailed(f"ffmpeg has failed: {done.stderr.strip()[-500:]}")

@@ -1,0 +1,166 @@
+"""A surface as numpy arrays, and the .vtp files that it comes in."""
+from __future__ import annotations
+
+import base64
+import itertools
+import struct
+import xml.etree.ElementTree
+import zlib
+from dataclasses import dataclass
+from typing import Any, Dict, Iterable, List, Tuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .plain import Json
+
+Array = NDArray[Any]
+
+
+@dataclass
+class Mesh:
+    """A surface as arrays: `points` (n, 3), and cell i's vertices `connectivity[offsets[i]:offsets[i + 1]]`. By name, as
+    in `mesh["speed"]`, the arrays at the vertices: s, t, speed, velocity (n, 3), deformation, component, approximated
+    and the scalar fields asked for. `about`: kind, dataset, rake, from, to, separation, version; `time` where it is not
+    shown at its end.
+
+    >>> mesh = surface.mesh()
+    >>> mesh.points.shape == (len(mesh["speed"]), 3)
+    True
+    """
+
+    points: Array
+    connectivity: Array
+    offsets: Array
+    arrays: Dict[str, Array]
+    about: Json
+
+    def __getitem__(self, name: str) -> Array:
+        return self.arrays[name]
+
+    def __repr__(self) -> str:
+        return f"Mesh({len(self.points)} points, {len(self.offsets) - 1} cells, {', '.join(self.arrays)})"
+
+    @property
+    def polygons(self) -> List[Array]:
+        """Vertices of each cell: 4 corners and the hanging nodes of its sides, in order."""
+        return np.split(self.connectivity, self.offsets[1:-1]) if len(self.offsets) > 1 else []
+
+    @property
+    def quads(self) -> Array:
+        """(m, 4): the cells without hanging nodes."""
+        return self._of_size(4)
+
+    def quads_and_triangles(self) -> Tuple[Array, Array]:
+        """(m, 4) and (k, 3): the cells without hanging nodes, and the others cut into triangles. No gaps open between them.
+
+        >>> quads, triangles = mesh.quads_and_triangles()
+        >>> np.isclose(mesh.areas(quads).sum() + mesh.areas(triangles).sum(), mesh.areas(mesh.triangles()).sum(), rtol=1e-3)
+        True
+        """
+        return self.quads, self._fans([size for size in np.unique(np.diff(self.offsets)) if size != 4])
+
+    def areas(self, cells: Array) -> Array:
+        """(m,) of quads or triangles, in the dataset's unit of length squared; a bent quad counts as its two triangles."""
+        corners = [self.points[cells[:, i]] for i in range(cells.shape[1])]
+        halves = [np.cross(corners[i] - corners[0], corners[i + 1] - corners[0]) for i in range(1, len(corners) - 1)]
+        total: Array = np.sum([np.linalg.norm(each, axis=1) / 2 for each in halves], axis=0)
+        return total
+
+    def normals(self) -> Array:
+        """(n, 3) unit normals at the vertices, of the triangles around each by their area; zero where there are none."""
+        triangles = self.triangles()
+        a, b, c = (self.points[triangles[:, i]] for i in range(3))
+        sums = np.zeros_like(self.points)
+        np.add.at(sums, triangles, np.cross(b - a, c - a)[:, None, :])
+        lengths = np.linalg.norm(sums, axis=1, keepdims=True)
+        unit: Array = np.divide(sums, lengths, out=np.zeros_like(sums), where=lengths > 0)
+        return unit
+
+    def _of_size(self, size: int) -> Array:
+        starts = self.offsets[:-1][np.diff(self.offsets) == size]
+        cells: Array = self.connectivity[starts[:, None] + np.arange(size)]
+        return cells
+
+    def triangles(self) -> Array:
+        """(k, 3): each cell cut into a fan, round the vertex that makes the flattest triangle least flat. Neighbours
+        share edges, so no gaps open at hanging nodes."""
+        return self._fans(np.unique(np.diff(self.offsets)))
+
+    def _fans(self, sizes: Iterable[int]) -> Array:
+        parts: List[Array] = [np.empty((0, 3), dtype=np.int64)]
+        for size in sizes:
+            cells = self._of_size(int(size))
+            fans = np.stack([np.stack([np.roll(cells, -first, axis=1)[:, [0, k, k + 1]]
+                                       for k in range(1, size - 1)], axis=1) for first in range(size)], axis=1)
+            best = self._fatness(fans).min(axis=2).argmax(axis=1)
+            parts.append(fans[np.arange(len(cells)), best].reshape(-1, 3))
+        return np.concatenate(parts)
+
+    def _fatness(self, triangles: Array) -> Array:
+        a, b, c = (self.points[triangles[..., i]] for i in range(3))
+        area = np.linalg.norm(np.cross(b - a, c - a), axis=-1)
+        sides = ((b - a) ** 2).sum(-1) + ((c - b) ** 2).sum(-1) + ((a - c) ** 2).sum(-1)
+        fatness: Array = area / np.maximum(sides, np.finfo(float).tiny)
+        return fatness
+
+    # For others, see convert.py.
+
+    def to_vtk(self) -> Any:
+        """A vtkPolyData with all arrays. Needs VTK (Debian: python3-vtk9; pip: vtk), or ParaView's Python."""
+        from .convert import to_vtk
+        return to_vtk(self)
+
+    def to_pyvista(self) -> Any:
+        """A pyvista.PolyData with all arrays. Needs pyvista."""
+        from .convert import to_pyvista
+        return to_pyvista(self)
+
+    def to_meshio(self) -> Any:
+        """A meshio.Mesh of quads and triangles with all arrays, for the formats that meshio writes. Needs meshio."""
+        from .convert import to_meshio
+        return to_meshio(self)
+
+    def to_dataframe(self) -> Any:
+        """A pandas.DataFrame with a row a vertex: x, y, z, and a column for each array, three for a vector. Needs pandas.
+
+        >>> list(mesh.to_dataframe().columns)[:5]
+        ['x', 'y', 'z', 's', 't']
+        """
+        from .convert import to_dataframe
+        return to_dataframe(self)
+
+    @staticmethod
+    def from_vtp(data: bytes) -> "Mesh":
+        """Reads the .vtp files wakesurf writes (inline, compressed), also those of the command line."""
+        root = xml.etree.ElementTree.fromstring(data)
+        if root.get("compressor") != "vtkZLibDataCompressor" or root.get("header_type") != "UInt64":
+            raise ValueError("this .vtp was not written by this version of wakesurf: read it with VTK")
+        types = {"Float64": "<f8", "Float32": "<f4", "Int64": "<i8", "UInt32": "<u4", "UInt8": "u1"}
+        arrays: Dict[str, Array] = {}
+        about: Json = {}
+        for node in root.iter("DataArray"):
+            name, width = node.get("Name", ""), int(node.get("NumberOfComponents", "1"))
+            if node.get("format") == "ascii":
+                words = (node.text or "").split()
+                if node.get("type") == "String":
+                    about[name] = bytes(int(word) for word in words[:-1]).decode()
+                else:
+                    numbers = np.array(words, dtype=float)
+                    name = "time" if name == "TimeValue" else name
+                    about[name] = numbers.reshape(-1, width) if width > 1 else float(numbers[0])
+                continue
+            values = np.frombuffer(_inline(node.text or ""), np.dtype(types[node.get("type", "")]))
+            arrays[name] = values.reshape(-1, width) if width > 1 else values
+        offsets = np.concatenate([[0], arrays.pop("offsets")]).astype(np.int64)
+        return Mesh(arrays.pop("Points"), arrays.pop("connectivity"), offsets, arrays, about)
+
+
+def _inline(text: str) -> bytes:
+    """The bytes of an array in a .vtp: how many blocks there are and how long they are, then the blocks."""
+    (blocks,) = struct.unpack("<Q", base64.b64decode(text[:12])[:8])
+    header_text = (8 * (3 + blocks) + 2) // 3 * 4
+    sizes = struct.unpack(f"<{3 + blocks}Q", base64.b64decode(text[:header_text]))[3:]
+    packed = memoryview(base64.b64decode(text[header_text:]))
+    ends = list(itertools.accumulate(sizes, initial=0))
+    return b"".join(zlib.decompress(packed[first:last]) for first, last in zip(ends, ends[1:]))

@@ -1,0 +1,64 @@
+"""Wrong names of parameters and of methods: what may have been meant."""
+from __future__ import annotations
+
+import difflib
+import functools
+import inspect
+import re
+import warnings
+from typing import TYPE_CHECKING, Any, Callable, Iterable, Optional, TypeVar
+
+from .errors import UnknownParameter
+
+Function = TypeVar("Function", bound=Callable[..., Any])
+
+
+def snake(name: str) -> str:
+    """maxQuads -> max_quads"""
+    return re.sub(r"(?<=[a-z0-9])[A-Z]", lambda m: "_" + m[0].lower(), name).lower()
+
+
+def meant(name: str, known: Iterable[str]) -> Optional[str]:
+    """The known name that is most like it, if one is.
+
+    >>> meant("maxQuads", ["max_quads", "merge"]), meant("seperation", ["separation"]), meant("colour", ["to"])
+    ('max_quads', 'separation', None)
+    """
+    names = list(known)
+    for each in (snake(name), snake(name) + "_", name + "_"):
+        if each in names:
+            return each
+    return next(iter(difflib.get_close_matches(snake(name), names, 1, 0.6)), None)
+
+
+def named(function: Function) -> Function:
+    """A function that tells which parameter may be meant where a name is wrong. Names as the server spells them, as maxQuads, are
+    taken with a warning."""
+    known = [name for name, each in inspect.signature(function).parameters.items()
+             if name != "self" and each.kind is not inspect.Parameter.VAR_KEYWORD]
+
+    @functools.wraps(function)
+    def called(*arguments: Any, **parameters: Any) -> Any:
+        for name in [each for each in parameters if each not in known]:
+            right = meant(name, known)
+            if right is None or right.rstrip("_") != snake(name):
+                hint = f"did you mean `{right}`?" if right else "there are " + ", ".join(known)
+                raise UnknownParameter(f"{function.__name__} has no parameter `{name}`", -32602, "invalidParameters", hint)
+            if right in parameters:
+                raise UnknownParameter(f"`{right}` is given twice, once as `{name}`", -32602, "invalidParameters", "give it once")
+            warnings.warn(f"`{name}` of {function.__name__} is spelt `{right}` in Python: did you mean that? It is taken for it "
+                          "until version 0.3", DeprecationWarning, stacklevel=2)
+            parameters[right] = parameters.pop(name)
+        return function(*arguments, **parameters)
+
+    return called  # type: ignore[return-value]
+
+
+class Helpful:
+    """Objects whose AttributeError tells which name may be meant."""
+
+    if not TYPE_CHECKING:  # or every name would do for a type checker
+
+        def __getattr__(self, name: str) -> Any:
+            right = None if name.startswith("_") else meant(name, [each for each in dir(self) if not each.startswith("_")])
+            raise AttributeError(f"{type(self).__name__} has no `{name}`" + (f": did you mean `{right}`?" if right else ""))

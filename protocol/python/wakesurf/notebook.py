@@ -1,0 +1,125 @@
+"""The live page in a notebook, or a picture of it where the page cannot be.
+
+A server shows its page only in frames of origins that it was told (`--frame-origin`). `serve` asks for the notebook's own, which it finds in
+what Jupyter writes down for its kernels; to a server that runs already, its operator gives the option. The page logs in with a cookie
+that browsers give only to pages of the same site, so the frame takes the name by which the notebook was opened, localhost or 127.0.0.1.
+
+Behind jupyter-server-proxy the page has the notebook's own origin: `session.show(proxy=True)`, or $WAKESURF_PROXY=1. On JupyterHub, which
+sets $JUPYTERHUB_SERVICE_PREFIX, that is the default.
+
+Tested in Debian's notebook 6.4 and tried by hand in JupyterLab 4.0. VS Code and jupyter-server-proxy are served by their documented
+interfaces and untested.
+"""
+from __future__ import annotations
+
+import base64
+import html
+import json
+import os
+import urllib.parse
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Dict, Optional, Union
+
+from .errors import WakesurfError
+from .frame_origin import in_notebook, notebook_address, notebook_origins
+from .picture import Picture
+
+if TYPE_CHECKING:
+    from .session import Session
+
+_LOCAL = ("127.0.0.1", "localhost", "::1")
+
+
+@dataclass(frozen=True)
+class Shown:
+    """What a notebook shows: a frame, or a picture, or words."""
+
+    address: str  # of the page, with its token
+    frame: bool
+    width: str
+    height: int
+    picture: Optional[Picture] = None
+    why: str = ""  # there is no frame
+
+    def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> Dict[str, Any]:
+        bundle: Dict[str, Any] = {"text/plain": repr(self), "text/html": self._repr_html_()}
+        if self.picture is not None:
+            bundle["image/png"] = base64.b64encode(self.picture.data).decode()
+            del bundle["text/html"]
+        return bundle
+
+    def __repr__(self) -> str:
+        return "wakesurf in a frame" if self.frame else f"wakesurf, not in a frame: {self.why}"
+
+    def _repr_html_(self) -> str:
+        if not self.frame:
+            return f"<p>wakesurf: {html.escape(self.why)}. <a href={_quoted(self.address)} target=\"_blank\">Open the page</a>.</p>"
+        parts = urllib.parse.urlsplit(self.address)
+        frame = (f"<iframe title=\"wakesurf\" width={_quoted(self.width)} height=\"{self.height}\" style=\"border:0\" "
+                 "allow=\"clipboard-write; fullscreen\"")
+        if parts.hostname not in _LOCAL or not parts.scheme:
+            return f"{frame} src={_quoted(self.address)}></iframe>"
+        # By the name by which the notebook was opened: another one would be another site, whose cookie browsers do not send.
+        name = "wakesurf-" + os.urandom(6).hex()
+        return (f"{frame} id=\"{name}\"></iframe><script>{{const address = new URL({_script(self.address)});"
+                "if (['localhost', '127.0.0.1'].includes(location.hostname)) address.hostname = location.hostname;"
+                f"document.getElementById(\"{name}\").src = address.href;}}</script>")
+
+
+def _script(text: str) -> str:
+    return json.dumps(text).replace("<", "\\u003c")
+
+
+def _quoted(text: str) -> str:
+    return '"' + html.escape(text) + '"'
+
+
+def show(session: Session, width: Union[int, str], height: int, *, proxy: Optional[bool], static: Optional[bool]) -> Shown:
+    """See `Session.show`. `static`: True, a picture in any case; left out, where the page cannot be in a frame."""
+    address = _address(session)
+    why = "a picture was asked for" if static else ""
+    if proxy or (proxy is None and _proxied()):
+        address = _through_proxy(address)
+    elif not static:
+        why = _why_no_frame(session)
+    if not why:
+        return Shown(address, True, str(width), height)
+    pixels = int(width) if isinstance(width, int) else 960
+    try:
+        return Shown(address, False, str(width), height, session.picture(size=(pixels, height)), why)
+    except WakesurfError as problem:
+        return Shown(address, False, str(width), height, None, f"{why}; and no picture: {problem}")
+
+
+def _address(session: Session) -> str:
+    words = {"session": session.id, "token": session.client._token}
+    return session.client.url + "/#" + urllib.parse.urlencode({name: value for name, value in words.items() if value})
+
+
+def _why_no_frame(session: Session) -> str:
+    """Nothing where the page may be in a frame of this notebook."""
+    status, headers, _ = session.client._request("/")
+    if status != 200:
+        return f"the server has no page (status {status})"
+    if not in_notebook():
+        return "this is no notebook"
+    names = {name.lower(): value for name, value in headers.items()}
+    policy = next((part for part in names.get("content-security-policy", "").split(";") if part.strip().startswith("frame-ancestors")), "")
+    if "x-frame-options" in names or not policy or "'none'" in policy:
+        where = " --frame-origin ".join(notebook_origins()) or "the notebook's origin, as http://localhost:8888"
+        return f"the server shows its page in no frame: start it with --frame-origin {where}"
+    origins = notebook_origins()
+    if origins and not any(each in policy.split() for each in origins):
+        return f"the server shows its page in frames of others than this notebook: start it with --frame-origin {origins[0]}"
+    return ""
+
+
+def _proxied() -> bool:
+    named = os.environ.get("WAKESURF_PROXY")
+    return named not in ("", "0") if named is not None else "JUPYTERHUB_SERVICE_PREFIX" in os.environ
+
+
+def _through_proxy(address: str) -> str:
+    parts = urllib.parse.urlsplit(address)
+    prefix = os.environ.get("JUPYTERHUB_SERVICE_PREFIX") or urllib.parse.urlsplit(notebook_address() or "/").path or "/"
+    return f"{prefix.rstrip('/')}/proxy/{parts.port}/#{parts.fragment}"

@@ -1,0 +1,67 @@
+"""Values of Python as JSON has them."""
+from __future__ import annotations
+
+import json
+import math
+from typing import TYPE_CHECKING, Any, Dict, Iterator, Mapping, Sequence, Union
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .generated.limits import MESSAGE_BYTES, PROBE_POINTS
+
+if TYPE_CHECKING:
+    Json = Dict[str, Any]
+    Point = Union[Sequence[float], NDArray[Any]]
+    Points = Union[Sequence[Point], NDArray[Any]]
+else:
+    Json = Point = Points = Any
+
+NULL: Any = object()  # a parameter that is null, not left out
+_PROBE_BYTES = MESSAGE_BYTES * 3 // 4  # of one call's points
+
+
+class HasId:
+    """Something of the server's that has an id; where a call wants the id, it may be given itself."""
+
+    id: str
+
+
+def plain(value: Any, where: str = "") -> Any:
+    """Arrays, records and tuples as JSON has them. Error: InvalidParameters for numbers JSON has not, saying `where`."""
+    if value is NULL:
+        return None
+    if isinstance(value, HasId):
+        return value.id
+    if isinstance(value, np.ndarray):
+        if value.dtype.kind != "f" or np.isfinite(value).all():
+            return value.tolist()
+        value = value.tolist()
+    if isinstance(value, np.generic):
+        value = value.item()
+    if isinstance(value, float) and not math.isfinite(value):
+        from .errors import InvalidParameters
+        raise InvalidParameters(f"`{where}` is {value}, which is no number to compute with", -32602, "invalidParameters",
+                                "give a finite number")
+    if isinstance(value, Mapping):
+        return {name: plain(each, f"{where}.{name}") for name, each in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [plain(each, f"{where}[{i}]") for i, each in enumerate(value)]
+    return value
+
+
+def given(parameters: Mapping[str, Any]) -> Json:
+    """Those that are not left out, as JSON has them."""
+    return {name: plain(value, name) for name, value in parameters.items() if value is not None}
+
+
+def slices(points: Sequence[Sequence[float]]) -> Iterator[Sequence[Sequence[float]]]:
+    """Parts that fit into one message each; one empty part of none."""
+    first = size = 0
+    for i, point in enumerate(points):
+        more = len(json.dumps(point)) + 2
+        if size + more > _PROBE_BYTES or i - first >= PROBE_POINTS:
+            yield points[first:i]
+            first, size = i, 0
+        size += more
+    yield points[first:]

@@ -1,0 +1,103 @@
+"""What a session has that has an id and a revision, and rakes."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, List, Literal, Optional, Sequence, Tuple, TypeVar
+
+import numpy as np
+
+from .errors import NotFound
+from .generated.records import RakeSetResult
+from .mesh import Array
+from .names import Helpful, named
+from .plain import HasId, Json, Points
+
+if TYPE_CHECKING:
+    from .session import Session
+
+Own = TypeVar("Own", bound="Record")
+RakeKind = Literal["line", "polyline", "circle", "points"]
+
+
+class Record(HasId, Helpful):
+    """Something of a session that has an id and a revision."""
+
+    noun = ""
+
+    def __init__(self, session: Session, id: str) -> None:
+        self.session, self.id = session, id
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({self.id!r})"
+
+    def record(self) -> Json:
+        """As it is now. Error: NotFound."""
+        for each in self.session.call(self.noun + ".list")[self.noun + "s"]:
+            if each[self.noun] == self.id:
+                return dict(each)
+        raise NotFound(f"there is no {self.noun} {self.id}", -32004, "notFound")
+
+    def __enter__(self: Own) -> Own:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """Deletes it, unless it is gone already: `with session.surface(...) as surface:` leaves nothing behind."""
+        try:
+            self.delete()
+        except NotFound:
+            pass
+
+    def delete(self) -> None:
+        """Takes it away, for everyone."""
+        self.session.call(self.noun + ".delete", **{self.noun: self.id})
+
+    def _change(self, members: Sequence[str], changes: Json, if_rev: Optional[int]) -> Any:
+        """Setters take whole records, so that a repeated edit does no harm."""
+        record = self.record()
+        whole = {name: record[name] for name in members if name in record}
+        whole.update(changes)
+        return self.session.call(self.noun + ".set", **{self.noun: self.id}, **whole, ifRev=if_rev)
+
+
+class Rake(Record):
+    """Where particles are released."""
+
+    noun = "rake"
+
+    @named
+    def set(self, line: Optional[Points] = None, polyline: Optional[Points] = None, circle: Optional[Points] = None,
+            points: Optional[Points] = None, seeds: Optional[int] = None, name: Optional[str] = None,
+            colour: Optional[str] = None, if_rev: Optional[int] = None) -> RakeSetResult:
+        """Changes what is given; the surfaces on it are computed again, unless only name or colour change.
+        {rev, clipped, points, surfaces, ...}
+
+        >>> rake.set(seeds=12)["clipped"]
+        False
+        """
+        given = (("seeds", seeds), ("name", name), ("colour", colour))
+        changes: Json = {key: value for key, value in given if value is not None}
+        if any(each is not None for each in (line, polyline, circle, points)):
+            changes["kind"], changes["points"] = one_of(line=line, polyline=polyline, circle=circle, points=points)
+        result: RakeSetResult = self._change(("kind", "points", "seeds", "name", "colour"), changes, if_rev)
+        return result
+
+    @property
+    def colour(self) -> str:
+        """#rrggbb"""
+        return str(self.record()["colour"])
+
+    @property
+    def points(self) -> Array:
+        """(n, 3), as cut to the domain."""
+        return np.array(self.record()["points"], dtype=float)
+
+    @property
+    def clipped(self) -> bool:
+        return bool(self.record()["clipped"])
+
+
+def one_of(**choices: Optional[Points]) -> Tuple[RakeKind, List[List[float]]]:
+    given = [(kind, points) for kind, points in choices.items() if points is not None]
+    if len(given) != 1:
+        raise ValueError("give one of " + ", ".join(choices))
+    kind: Any = given[0][0]
+    return kind, [list(point) for point in given[0][1]]

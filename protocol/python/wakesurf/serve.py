@@ -1,0 +1,151 @@
+"""Starting a server from a script: the installed program, on a free port, until the block ends."""
+from __future__ import annotations
+
+import atexit
+import os
+import selectors
+import shutil
+import subprocess
+import tempfile
+import time as clock
+from typing import IO, List, Optional, Sequence, Union
+
+from .client import Client
+from .errors import ServerFailed, ServerMissing, WakesurfError
+from .frame_origin import notebook_origins
+from .progress import Report, Told
+from .session import Session
+
+HOW = ("install the Debian package wakesurf, or compile it (./run in a clone); then put `wakesurf` into PATH, name it in $WAKESURF, or "
+       "give binary=. To a server that runs elsewhere, in a container as well: wakesurf.Client(address)")
+_LAST_WORDS = 2000  # characters of the log in an error
+
+Path = Union[str, "os.PathLike[str]"]
+
+
+def find_server(binary: Optional[Path] = None) -> str:
+    """The program: `binary`, else $WAKESURF, else the one in PATH. Error: ServerMissing, which says how to get it."""
+    named = os.fspath(binary) if binary else os.environ.get("WAKESURF", "")
+    found = shutil.which(named or "wakesurf")
+    if found is None:
+        where = f"{named!r} is no program" if named else "there is no program `wakesurf` on this machine"
+        raise ServerMissing(where, kind="serverMissing", hint=HOW)
+    return found
+
+
+class Server:
+    """A server that runs until `stop`, or until Python ends. `url` is its address with the token; `session` is its session `main`.
+    In a `with` it gives that session and stops at the end."""
+
+    def __init__(self, command: Sequence[str], timeout: float) -> None:
+        self._log: IO[bytes] = tempfile.TemporaryFile()
+        environment = {name: value for name, value in os.environ.items() if name not in ("WAKESURF_LISTEN", "WAKESURF_TOKEN_FILE")}
+        self.process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=self._log,
+                                        env=environment, start_new_session=True)
+        atexit.register(self.stop)
+        try:
+            self.url = self._address(timeout)
+            self.client = Client(self.url)
+            self.client.server = self
+            self.session = self.client.session()
+        except BaseException:
+            self.stop()
+            raise
+
+    def __enter__(self) -> Session:
+        return self.session
+
+    def __exit__(self, *_: object) -> None:
+        self.stop()
+
+    def __repr__(self) -> str:
+        return f"Server({self.url.split('#')[0]!r})"
+
+    @property
+    def running(self) -> bool:
+        return self.process.poll() is None
+
+    def stop(self, timeout: float = 20.0) -> None:
+        """Ends the server; nothing happens where it has ended."""
+        atexit.unregister(self.stop)
+        if self.running:
+            self.process.terminate()
+            try:
+                self.process.wait(timeout)
+            except subprocess.TimeoutExpired:
+                self.process.kill()
+                self.process.wait()
+        if self.process.stdout:
+            self.process.stdout.close()
+        self._log.close()
+
+    def log(self) -> str:
+        """What it has said so far."""
+        self._log.seek(0)
+        return self._log.read().decode(errors="replace")
+
+    def _address(self, timeout: float) -> str:
+        """From the first line that it prints, which comes when it answers."""
+        assert self.process.stdout is not None
+        end, text = clock.monotonic() + timeout, b""
+        with selectors.DefaultSelector() as selector:
+            selector.register(self.process.stdout, selectors.EVENT_READ)
+            while b"\n" not in text:
+                if not selector.select(max(0.0, end - clock.monotonic())):
+                    raise ServerFailed(f"the server has not started within {timeout:g} s: {self._last_words()}")
+                some = os.read(self.process.stdout.fileno(), 4096)
+                if not some:
+                    self.process.wait()
+                    raise ServerFailed(f"the server has ended with status {self.process.returncode}: {self._last_words()}")
+                text += some
+        return next(word for word in text.decode().split() if "://" in word)
+
+    def _last_words(self) -> str:
+        return self.log().strip()[-_LAST_WORDS:] or "it said nothing"
+
+
+def serve(*datasets: Path, binary: Optional[Path] = None, store: Optional[Path] = None, state: Optional[Path] = None,
+          memory: Optional[str] = None, threads: Optional[int] = None, frame_origins: Optional[Sequence[str]] = None,
+          options: Sequence[str] = (), wait: bool = True, progress: Optional[Told] = None, timeout: float = 60.0) -> Server:
+    """Starts a server for these datasets: files or folders of simulation results, stores, or built-in flows as "flow:tornado"; none:
+    the bundled simulation.
+
+    `binary`: the program; left out, $WAKESURF or the one in PATH. `store`: folder for imported data. `state`: folder for sessions;
+    left out, they end with the server. `memory`, `threads`: what it may use. `frame_origins`: whose pages may show its page in a
+    frame; left out, those of the notebook that this runs in. `options`: more of `wakesurf serve --help`. `wait`: until all data
+    are imported; `progress` is told how far that is. `timeout`: seconds until it has to answer.
+
+    >>> with wakesurf.serve("flow:tornado") as session:
+    ...     print(session.suggested("stream").wait()["complete"])
+    True
+
+    Error: ServerMissing, where there is no program; ServerFailed, with what it said; DatasetError.
+    """
+    command: List[str] = [find_server(binary), "serve", *(os.fspath(each) for each in datasets), "--listen", "127.0.0.1:0"]
+    for name, value in (("--store", store), ("--state", state), ("--memory", memory), ("--threads", threads)):
+        if value is not None:
+            command += [name, os.fspath(value) if isinstance(value, os.PathLike) else str(value)]
+    for origin in notebook_origins() if frame_origins is None else frame_origins:
+        command += ["--frame-origin", origin]
+    server = Server([*command, *options], timeout)
+    if wait:
+        try:
+            _wait_for_data(server.client, Report.to(progress))
+        except BaseException:
+            server.stop()
+            raise
+    return server
+
+
+def _wait_for_data(client: Client, report: Report) -> None:
+    datasets = client.datasets()
+    for i, entry in enumerate(datasets):
+        while entry["state"] == "importing":
+            share = (i + entry.get("progress", 0.0)) / len(datasets)
+            report.share(share, f"importing {entry['name']}")
+            entry = client.api.dataset.open(dataset=entry["dataset"], timeout_ms=500 if report.wanted else 30_000)
+        if entry["state"] == "failed":
+            problem = entry.get("error", {})
+            raise WakesurfError(f"{entry['name']} cannot be read: {problem.get('message', '')}", problem.get("code", 0),
+                                problem.get("kind", ""), problem.get("hint", ""))
+    report.done("imported")

@@ -1,0 +1,272 @@
+"""A session: rakes and surfaces that several people and scripts look at and edit together."""
+from __future__ import annotations
+
+import html
+import json
+import os
+import urllib.parse
+from typing import TYPE_CHECKING, Any, AsyncIterator, Generator, Iterator, List, Literal, Mapping, Optional, Sequence, Tuple, Union
+
+from .api_call import LEFT_OUT, LeftOut
+from .errors import InvalidParameters, NotFound, error_of
+from .generated.methods import Methods
+from .generated.records import (ClockAnswer, HistoryRedoResult, HistoryUndoResult, SessionStateResult)
+from .generated.surfaces import SurfaceMaker
+from .names import Helpful, named
+from .notification import Notification
+from .plain import HasId, Json, Points
+from .record import Rake, one_of
+from .surface import Surface
+
+if TYPE_CHECKING:
+    from .client import Client
+    from .connection import Connection
+    from .notebook import Shown
+    from .picture import Painter, Picture
+    from .progress import Told
+    from .study import Case
+    from .view import Look
+
+Role = Literal["viewer", "editor", "host"]
+Kind = Literal["stream", "path", "streak", "time"]
+Background = Literal["shown", "white", "clear"]
+
+
+class Session(SurfaceMaker[Surface], HasId, Helpful):
+    """Rakes and surfaces that several people and scripts look at and edit together. Edits are seen by all at once. `api` has
+    every method of the server, in this session.
+
+    >>> session.api.bookmark.set(name="here", view={})["bookmark"]
+    'b1'
+    >>> session.set_tme(1)
+    Traceback (most recent call last):
+    AttributeError: Session has no `set_tme`: did you mean `set_time`?
+    """
+
+    def __init__(self, client: Client, id: str, about: Optional[Mapping[str, Any]] = None) -> None:
+        self.client, self.id = client, id
+        self.about: Json = dict(about or {})  # what the call told that gave this object: see session.list
+        self.api = Methods(client.call, id)
+
+    def __repr__(self) -> str:
+        return f"Session({self.id!r})"
+
+    def call(self, method: str, _timeout: Optional[float] = None, /, **parameters: Any) -> Any:
+        """Any method on this session's records."""
+        return self.client.call(method, _timeout, **{"session": self.id, **parameters})
+
+    @property
+    def dataset(self) -> str:
+        """The id of the dataset, where the server has one alone, as after `serve("case.foam")`."""
+        return self.client.dataset
+
+    def state(self) -> SessionStateResult:
+        """Every record, and who is here."""
+        return self.api.session.state()
+
+    def rename(self, name: str) -> None:
+        """Another name, for everyone."""
+        self.about.update(self.api.session.rename(name=name))
+
+    def delete(self, forever: bool = False) -> None:
+        """Moves the session to the trash, where it can be restored for 30 days (`about["deletedUntil"]`); `forever`: out
+        of the trash for good. `main` cannot be deleted. Error: NotFound, NotPermitted."""
+        self.about.update(self.api.session.delete(forever=forever or None))
+
+    def discard(self) -> None:
+        """Deletes the session for good, past the trash. Nothing happens where it is gone already."""
+        for forever in (False, True):
+            try:
+                self.delete(forever)
+            except NotFound:
+                pass
+
+    def restore(self) -> None:
+        """Out of the trash, as it was. Error: NotFound, OverLimit."""
+        self.about.update(self.api.session.restore())
+
+    def export(self, path: Union[str, os.PathLike[str]]) -> str:
+        """Writes the session as one file: records, notes, views, and the names and fingerprints of its datasets.
+        `Client.import_session` makes a session of it again. Returns the path."""
+        status, _, body = self.client._request(f"/api/v1/sessions/{urllib.parse.quote(self.id, safe='')}/session.json")
+        if status != 200:
+            raise error_of(json.loads(body)["error"])
+        with open(path, "wb") as file:
+            file.write(body)
+        return os.fspath(path)
+
+    def thumbnail(self) -> Optional[bytes]:
+        """The picture (PNG, JPEG or WebP) that a page sent of it; None where there is none."""
+        status, _, body = self.client._request(f"/api/v1/sessions/{urllib.parse.quote(self.id, safe='')}/thumbnail")
+        if status == 200:
+            return body
+        problem = error_of(json.loads(body)["error"])
+        if isinstance(problem, NotFound) and self.state():
+            return None
+        raise problem
+
+    def fork(self, name: str = "") -> Session:
+        """A new session with copies of the records."""
+        return Session(self.client, self.api.session.fork(name=name)["session"])
+
+    @named
+    def share(self, role: Role = "viewer", expires_in: Union[int, None, LeftOut] = LEFT_OUT) -> str:
+        """The address that lets others into this session, as viewer, editor or host, for `expires_in` seconds; None: until
+        it is taken back; left out: a week, or as long as the link you came by. Anyone who has it is in: treat it as a password.
+        """
+        return self.client.url + "/" + self.api.session.share(role=role, expires_in=expires_in)["link"]
+
+    @named
+    def rake(self, line: Optional[Points] = None, polyline: Optional[Points] = None, circle: Optional[Points] = None,
+             points: Optional[Points] = None, seeds: int = 32, name: str = "", colour: Optional[str] = None) -> Rake:
+        """Makes a rake; give one of `line` (2 points), `polyline` (2 or more), `circle` (centre and two points of the
+        rim) and `points`. What is outside of the domain is cut away, see `Rake.clipped`. `colour` is "#rrggbb"; without,
+        it gets one that few others have.
+
+        >>> rake = session.rake(line=[(0.4, 0.4, 0.1), (0.6, 0.6, 0.1)], seeds=24)
+        >>> rake.points.shape, rake.clipped
+        ((2, 3), False)
+        """
+        kind, where = one_of(line=line, polyline=polyline, circle=circle, points=points)
+        return Rake(self, self.api.rake.set(kind=kind, points=where, seeds=seeds, name=name, colour=colour)["rake"])
+
+    def rakes(self) -> List[Rake]:
+        """All of them."""
+        return [Rake(self, each["rake"]) for each in self.api.rake.list()["rakes"]]
+
+    def _made(self, given: Json) -> Surface:
+        return Surface(self, self.call("surface.set", **given)["surface"])
+
+    @named
+    def suggested(self, kind: Optional[Kind] = None, dataset: Optional[str] = None) -> Surface:
+        """A surface to begin with, on a rake of its own, as the server suggests them for this dataset.
+
+        >>> session.suggested("streak").wait()["kind"]
+        'streak'
+        """
+        dataset = dataset or self.dataset
+        found = self.client.suggest(dataset)
+        kinds = {each["kind"]: each for each in found["surfaces"]}
+        if not kinds or kind is not None and kind not in kinds:
+            raise InvalidParameters(f"the server suggests no {kind or ''} surface here", -32602, "invalidParameters", found["why"])
+        setting = dict(kinds[kind] if kind is not None else found["surfaces"][0])
+        rake = self.api.rake.set(**found["rake"])["rake"]
+        return self._made({"rake": rake, "dataset": dataset, **setting})
+
+    def surfaces(self) -> List[Surface]:
+        """All of them."""
+        return [Surface(self, each["surface"]) for each in self.api.surface.list()["surfaces"]]
+
+    def undo(self) -> HistoryUndoResult:
+        """Takes back the newest edit made with this token outside of any WebSocket: {undone, skipped, undo, redo}."""
+        return self.api.history.undo()
+
+    def redo(self) -> HistoryRedoResult:
+        """Repeats what was taken back last."""
+        return self.api.history.redo()
+
+    def set_time(self, time: Optional[float]) -> ClockAnswer:
+        """Sets the clock that everyone in the session shares; None: no time, surfaces are shown at their end.
+
+        >>> session.set_time(0.5)["clock"]["time"]
+        0.5
+        """
+        return self.api.time.set(time=time)
+
+    @named
+    def play(self, speed: Optional[float] = None, loop: Optional[bool] = None, from_: Optional[float] = None,
+             to: Optional[float] = None) -> ClockAnswer:
+        """Lets the clock run, as `time.play` does."""
+        return self.api.time.play(speed=speed, loop=loop, from_=from_, to=to)
+
+    def pause(self) -> ClockAnswer:
+        """Stops the clock."""
+        return self.api.time.pause()
+
+    # Listening, see watch.py.
+
+    def connect(self, name: str = "python", timeout: Optional[float] = 60.0) -> Connection:
+        """A WebSocket that has joined the session as `name`, for the methods that need one: `connection.api`."""
+        from .connection import Connection
+        connection = Connection(self.client, timeout)
+        connection.join(self.id, name)
+        return connection
+
+    def watch(self, name: str = "python", timeout: Optional[float] = None) -> Generator[Notification, None, None]:
+        """All that the server tells of this session, of people in it, of datasets and of the server, as it comes: objects of
+        `wakesurf.notifications`. Joins the session as `name` at once; close the generator to end it.
+        Error: WaitTimeout after `timeout` seconds without any; Unreachable.
+
+        >>> told = session.watch(timeout=30)
+        >>> rake = session.rake(line=[(0.4, 0.4, 0.1), (0.6, 0.6, 0.1)])
+        >>> news = next(each for each in told if isinstance(each, wakesurf.notifications.SessionPatched))
+        >>> news.patches[0]["type"], news.patches[0]["id"] == rake.id
+        ('rake', True)
+        >>> told.close()
+        """
+        from .watch import watch
+        return watch(self, name, timeout)
+
+    def watch_async(self, name: str = "python") -> AsyncIterator[Notification]:
+        """The same with asyncio: `async for news in session.watch_async(): ...`. Joins when the loop begins."""
+        from .watch import watch_async
+        return watch_async(self, name)
+
+    # Pictures, see picture.py and notebook.py.
+
+    @named
+    def picture(self, path: Union[str, os.PathLike[str], None] = None, size: Tuple[int, int] = (1600, 1000), *,
+                time: Optional[float] = None, view: Optional[Look] = None, background: Background = "shown",
+                bar: bool = True, axes: bool = True, rakes: bool = False, caption: Optional[str] = None,
+                timeout: float = 120.0) -> Picture:
+        """A picture of the session, drawn by its own page in a Chromium without a window, once all surfaces are complete.
+        `path`: where to write it as PNG. `time`: shown as it is then; for others nothing changes. `view`: where from, and how
+        surfaces look. Error: BrowserMissing, PictureFailed, WaitTimeout."""
+        from .picture import Painter
+        with Painter(self, size, timeout=timeout, own_time=time is not None, view=view) as painter:
+            return painter.picture(path, size, time=time, background=background, bar=bar, axes=axes, rakes=rakes, caption=caption)
+
+    @named
+    def film(self, path: Union[str, os.PathLike[str]], times: Sequence[float], size: Tuple[int, int] = (1280, 720), *,
+             fps: float = 25, view: Optional[Look] = None, background: Background = "shown", bar: bool = True,
+             axes: bool = True, rakes: bool = False, caption: Optional[str] = "t = {time:g}", progress: Optional[Told] = None,
+             timeout: float = 120.0) -> List[str]:
+        """A picture for each of `times`: a folder of PNG files, or an .mp4 or .webm where `path` says so and ffmpeg is there.
+        `caption` may use {time} and {frame}. It is drawn from a copy of the session, so that nobody's clock moves. Returns
+        the files."""
+        from .film import film
+        return film(self, path, times, size, fps=fps, view=view, background=background, bar=bar, axes=axes, rakes=rakes,
+                    caption=caption, progress=progress, timeout=timeout)
+
+    def painter(self, size: Tuple[int, int] = (1600, 1000), *, view: Optional[Look] = None, timeout: float = 120.0) -> Painter:
+        """For several pictures: `with session.painter() as painter: painter.picture(...)` starts the browser once."""
+        from .picture import Painter
+        return Painter(self, size, timeout=timeout, own_time=False, view=view)
+
+    def show(self, width: Union[int, str] = "100%", height: int = 600, *, proxy: Optional[bool] = None,
+             static: Optional[bool] = None) -> Shown:
+        """The live page in a notebook, or a picture of it where the page cannot be; see notebook.py."""
+        from .notebook import show
+        return show(self, width, height, proxy=proxy, static=static)
+
+    def _repr_html_(self) -> str:
+        state: Mapping[str, Any] = self.state()
+        rows = "".join(f"<tr><th>{name}</th><td>{len(state.get(name, []))}</td></tr>"
+                       for name in ("rakes", "surfaces", "bookmarks", "annotations"))
+        return f"<table><caption>session {html.escape(self.id)}: session.show() has its page</caption>{rows}</table>"
+
+    # Studies, see study.py.
+
+    def study(self, rake: Mapping[str, Any], vary: Mapping[str, Sequence[Any]], *, progress: Optional[Told] = None,
+              timeout: Optional[float] = None, **surface: Any) -> Iterator[Case]:
+        """A surface for each combination of what `vary` lists, one after the other, in a session of its own that is gone at the
+        end. `rake`: as `Session.rake` takes it; `surface`: what all of them share, as `Session.surface` takes it.
+
+        >>> line = {"line": [(0.4, 0.4, 0.1), (0.6, 0.6, 0.1)], "seeds": 12}
+        >>> for case in session.study(line, {"separation": [0.1, 0.05]}, kind="stream", dataset="tornado", to=2):
+        ...     print(case.parameters, case.statistics["quads"] > 50)
+        {'separation': 0.1} True
+        {'separation': 0.05} True
+        """
+        from .study import study
+        return study(self.client, rake, vary, surface, progress, timeout)

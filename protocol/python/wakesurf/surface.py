@@ -1,0 +1,238 @@
+"""A surface of a session: changing it, waiting for it, fetching its mesh, following it live."""
+from __future__ import annotations
+
+import json
+import os
+import time as clock
+import urllib.parse
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, Iterator, List, Mapping, Optional, Tuple, Union
+
+from .connection import header_of
+from .errors import WaitTimeout, error_of
+from .generated.records import Statistics, SurfaceSetResult, SurfaceSubscribeResult
+from .generated.surfaces import SETTABLE, SurfaceChanger
+from .mesh import Array, Mesh
+from .plain import Json, plain
+from .progress import Report, Told, Waiting
+from .record import Record
+
+if TYPE_CHECKING:
+    from .session import Session
+
+_FORMATS = (".vtp", ".glb", ".ply", ".obj", ".drc")
+
+
+class Surface(SurfaceChanger, Record):
+    """A surface that the server keeps up to date with its rake and its parameters. In a `with` it is deleted at the end.
+
+    >>> with session.surface(rake, "path", dataset="tornado", to=1, separation=0.1) as surface:
+    ...     surface.mesh().about["kind"]
+    'path'
+    """
+
+    noun = "surface"
+
+    def __init__(self, session: Session, id: str) -> None:
+        super().__init__(session, id)
+        self._kept: Optional[Tuple[str, Mesh]] = None
+
+    def _changed(self, changes: Json, if_rev: Optional[int]) -> SurfaceSetResult:
+        changes = {name: value for name, value in changes.items() if value is not None}
+        kept = set(SETTABLE)
+        if changes.keys() & {"from", "to"} and self.record()["direction"] != "both":
+            kept.discard("direction")
+        result: SurfaceSetResult = self._change(tuple(kept), changes, if_rev)
+        return result
+
+    def stats(self) -> Statistics:
+        """What the newest state is and took; `complete` says whether it is the final one."""
+        return self.session.api.surface.stats(surface=self.id)
+
+    def wait(self, timeout: Optional[float] = None, progress: Optional[Told] = None) -> Statistics:
+        """The statistics, once the surface is complete. `progress`: a function that is told `Progress`, or a bar of tqdm, see
+        progress.py. Error: WaitTimeout after `timeout` seconds; what computing it failed with.
+
+        >>> shares = []
+        >>> surface.wait(progress=lambda told: shares.append(told.share))["complete"], shares[-1]
+        (True, 1.0)
+        """
+        end = None if timeout is None else clock.monotonic() + timeout
+        report = Report.to(progress)
+        with Waiting(self.session, report) as waiting:
+            while True:
+                left = waiting.slice_ms if end is None else max(0, min(waiting.slice_ms, int(1000 * (end - clock.monotonic()))))
+                stats = waiting.ask(self.id, left)
+                if stats["complete"]:
+                    report.done("complete", stats)
+                    return stats
+                report.state(stats)
+                if end is not None and clock.monotonic() >= end:
+                    raise WaitTimeout(f"surface {self.id} is not complete after {timeout} s",
+                                      hint="wait again, or ask for less: a larger separation, fewer seeds")
+
+    def stop(self) -> bool:
+        """Ends what is being computed, for everyone; the newest state stays. False where nothing was."""
+        return self.session.api.surface.stop(surface=self.id)["stopped"]
+
+    def download(self, format: str = "ply", timeout: float = 600.0, *, time: Union[float, str, None] = None,
+                 draco: bool = True) -> bytes:
+        """The whole mesh as the bytes of a .vtp, .glb, .ply, .obj or .drc file, once it is computed: as the session shows
+        it, at the time of its clock. `time`: at another time instead, or "end". `draco=False`: a .glb for readers that
+        cannot decompress, as ParaView's, some 12 times as large."""
+        return self._fetch(format, None, timeout, time, draco)[1]
+
+    def _fetch(self, format: str, tag: Optional[str], timeout: float, time: Union[float, str, None],
+               draco: bool = True, lines: Optional[str] = None) -> Tuple[str, bytes]:
+        path = "/api/v1/sessions/{}/surfaces/{}/mesh.{}".format(
+            *(urllib.parse.quote(word, safe="") for word in (self.session.id, self.id, format)))
+        query = {} if time is None else {"time": time if isinstance(time, str) else repr(float(plain(time, "time")))}
+        if not draco:
+            query["draco"] = "false"
+        if lines:
+            query["lines"] = lines
+        if query:
+            path += "?" + urllib.parse.urlencode(query)
+        headers = {"If-None-Match": tag} if tag else {}
+        status, reply, body = self.session.client._request(path, None, headers, timeout)
+        if status not in (200, 304):
+            raise error_of(json.loads(body)["error"])
+        return reply.get("ETag", ""), body if status == 200 else b""
+
+    def export(self, path: Union[str, os.PathLike[str]], timeout: float = 600.0, *,
+               time: Union[float, str, None] = None, draco: bool = True) -> None:
+        """Writes the mesh to a file, in the format of its extension; nothing half-written is left behind. `time` and
+        `draco` as in `download`."""
+        path = os.fspath(path)
+        extension = os.path.splitext(path)[1]
+        if extension.lower() not in _FORMATS:
+            raise ValueError(f"{path!r} has no known extension: one of {', '.join(_FORMATS)}")
+        body = self.download(extension[1:].lower(), timeout, time=time, draco=draco)
+        part = path + ".part"
+        try:
+            with open(part, "wb") as file:
+                file.write(body)
+            os.replace(part, path)
+        finally:
+            if os.path.exists(part):
+                os.remove(part)
+
+    def mesh(self, timeout: float = 600.0, *, time: Union[float, str, None] = None) -> Mesh:
+        """The whole mesh as numpy arrays, once it is computed: as the session shows it, at the time of its clock, or at
+        `time`, or at its "end". Not fetched again while it is the same."""
+        tag, body = self._fetch("vtp", self._kept[0] if self._kept else None, timeout, time)
+        if body:
+            self._kept = (tag, Mesh.from_vtp(body))
+        assert self._kept is not None
+        return self._kept[1]
+
+    def lines(self, which: str, count: int = 16, timeout: float = 600.0, *, every: Optional[float] = None,
+              width: Optional[float] = None, time: Union[float, str, None] = None) -> List[Tuple[float, Array]]:
+        """Lines on the surface at `count` values, evenly spaced: "timelines", or "streamlines", "pathlines" or "streaklines",
+        which its kind consists of. With `every` they are so far apart on the surface instead. "timeribbons", "streamribbons"
+        and so on, and "arrows", are `width` wide polygons that lie in it; arrows take `every`. Of each line or polygon, the
+        value (the age of its particles, or the place of their seed on the rake, 0 to 1) and its points (n, 3); a closed
+        line ends at its first. `time` as in `mesh`."""
+        measures = str(count) if every is None else f"every={every!r}"
+        if width is not None:
+            measures += f",width={width!r}"
+        found = Mesh.from_vtp(self._fetch("vtp", None, timeout, time, lines=f"{which}:{measures}")[1])
+        (values,) = found.arrays.values()
+        return [(float(value), found.points[line]) for value, line in zip(values, found.polygons)]
+
+    @property
+    def points(self) -> Array:
+        """(n, 3) float64, as computed."""
+        return self.mesh().points
+
+    @property
+    def polygons(self) -> List[Array]:
+        """Vertices of each cell: 4 corners and the hanging nodes of its sides, in order."""
+        return self.mesh().polygons
+
+    def watch(self, name: str = "python", timeout: Optional[float] = 60.0) -> Iterator[Update]:
+        """Every state of the surface from now on, as it reaches the clients: first the present one, then one for each
+        change, coarse before final. Yields `Update`s, not meshes; see `Update.mesh`. Joins the session as `name` while it
+        runs; close the generator, or leave its loop, to end it. Error: WaitTimeout after `timeout` seconds without
+        any; Unreachable."""
+        for header, frames, _ in self._updates(name, timeout):
+            yield Update(self, bytes=sum(map(len, frames)), **header)
+
+    def live(self, name: str = "python", timeout: Optional[float] = 60.0) -> Iterator[Mesh]:
+        """The same as meshes: each state as it reaches the clients, on the dataset's lattice, with speed, s, t and the
+        surface's fields. `Mesh.about` tells epoch, seq, phase, time and whether it is `lossless`. Needs the
+        library libwakesurf_draco, which wakesurf's build makes (see frames.py). Cost: some 10 us a vertex that moves.
+        Error: as `watch`; ImportError or OSError without those."""
+        from .frames import Draco, MeshDecoder
+        decoder = MeshDecoder(Draco())
+        for header, frames, agreed in self._updates(name, timeout):
+            state = [decoder.fold(frame) for frame in frames][-1]
+            assert state is not None
+            names = agreed["attributes"]
+            if len(names) != len(state.codes):  # an edit has changed the fields
+                names = names[:3] + self.record()["fields"]
+            connectivity, offsets = state.polygons()
+            arrays = {each: state.attribute(i) for i, each in enumerate(names[:len(state.codes)])}
+            about = {**{each: header[each] for each in ("epoch", "seq", "phase", "time")}, "lossless": state.header.lossless}
+            yield Mesh(state.points(agreed["lattice"]), connectivity, offsets, arrays, about)
+
+    def _updates(self, name: str, timeout: Optional[float]) -> Iterator[Tuple[Json, List[bytes], SurfaceSubscribeResult]]:
+        """Whole updates: what their header says, their frames, and what was agreed with the subscription."""
+        with self.session.connect(name, timeout) as connection:
+            agreed = connection.api.surface.subscribe(surface=self.id)
+            frames: List[bytes] = []
+            while True:
+                frame = connection.frame()
+                header = header_of(frame)
+                if header is None or header.pop("subscription") != agreed["subscription"]:
+                    continue
+                frames.append(frame)
+                if header.pop("last"):
+                    connection.notify("frame.ack", subscription=agreed["subscription"], epoch=header["epoch"],
+                                      seq=header["seq"])
+                    yield header, frames, agreed
+                    frames = []
+
+    # For others: the mesh as their objects.
+
+    def to_vtk(self) -> Any:
+        """See `Mesh.to_vtk`."""
+        return self.mesh().to_vtk()
+
+    def to_pyvista(self) -> Any:
+        """See `Mesh.to_pyvista`."""
+        return self.mesh().to_pyvista()
+
+    def to_meshio(self) -> Any:
+        """See `Mesh.to_meshio`."""
+        return self.mesh().to_meshio()
+
+    def to_dataframe(self) -> Any:
+        """See `Mesh.to_dataframe`."""
+        return self.mesh().to_dataframe()
+
+    def _repr_html_(self) -> str:
+        stats: Mapping[str, Any] = self.stats()
+        rows = "".join(f"<tr><th>{name}</th><td>{stats[name]}</td></tr>"
+                       for name in ("kind", "complete", "quads", "vertices", "separation", "maxEdge"))
+        return f"<table><caption>surface {self.id}</caption>{rows}</table>"
+
+
+@dataclass(frozen=True)
+class Update:
+    """A state of a surface that has arrived, in `bytes` bytes. `phase` is coarse, refined, final or live; `state_sum` is the
+    checksum of what clients show; `time` is the simulation time shown, NaN where the server does not tell."""
+
+    surface: Surface = field(repr=False)
+    epoch: int
+    seq: int
+    phase: str
+    vertices: int
+    cells: int
+    state_sum: int
+    time: float
+    bytes: int
+
+    def mesh(self) -> Mesh:
+        """The surface's newest final mesh, which may be a later one than this update's."""
+        return self.surface.mesh()

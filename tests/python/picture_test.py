@@ -1,0 +1,113 @@
+"""Pictures and films from a script: the server's page in a Chromium without a window, and nothing of it left in the session."""
+import importlib.util
+import io
+import os
+import shutil
+import tempfile
+import unittest
+
+import numpy as np
+
+from real_server import ROOT, RealServer
+import wakesurf
+from wakesurf.chrome import find_browser
+
+LINE = [(0.4, 0.4, 0.1), (0.6, 0.6, 0.1)]
+BROWSER = shutil.which("chromium") or shutil.which("chromium-headless-shell")
+PAGE = os.path.join(ROOT, "web-client/dist/index.html")
+
+
+def pixels(data):
+    from PIL import Image
+    return np.asarray(Image.open(io.BytesIO(data)).convert("RGBA"), dtype=int)
+
+
+def coloured(image):
+    """How many pixels have a colour, and are no text or line."""
+    return int(((image[..., :3].max(axis=-1) - image[..., :3].min(axis=-1) > 60) & (image[..., 3] > 0)).sum())
+
+
+@unittest.skipUnless(BROWSER, "Chromium is not installed (Debian: chromium)")
+@unittest.skipUnless(os.path.exists(PAGE), "the page is not built (npm run build in web-client)")
+@unittest.skipUnless(importlib.util.find_spec("PIL"), "Pillow is not installed (Debian: python3-pil)")
+class PictureTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        server = RealServer("flow:tornado")
+        cls.addClassCleanup(server.stop)
+        cls.session = wakesurf.Client(server.url).session()
+        rake = cls.session.rake(line=LINE, seeds=16)
+        cls.surface = cls.session.surface(rake, "streak", dataset="tornado", from_=0, to=4, separation=0.05)
+        cls.surface.wait()
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.folder.cleanup)
+
+    def everything(self):
+        state = self.session.state()
+        client = self.session.client
+        return {name: state[name] for name in ("rakes", "surfaces", "bookmarks", "annotations", "clock")}, self.session.api.session.shares(), \
+            [each.id for each in client.sessions()], [each.id for each in client.sessions(trash=True)]
+
+    def test_has_the_size_the_looks_and_the_ground_that_were_asked_for(self):
+        before, path = self.everything(), os.path.join(self.folder.name, "a.png")
+        with self.session.painter((640, 400), view={"look": {"colour_by": "constant", "colour": "#ff0000"}}) as painter:
+            picture = painter.picture(path, (900, 600), background="clear", bar=False, axes=False)
+            plain = painter.picture(None, (900, 600), background="white", bar=True, axes=True, caption="t = 4")
+        with open(path, "rb") as file:
+            self.assertEqual(file.read(), picture.data)
+        image = pixels(picture.data)
+        self.assertEqual(image.shape, (600, 900, 4))
+        self.assertEqual(image[5, 5].tolist(), [0, 0, 0, 0])
+        shown = image[image[..., 3] == 255]
+        self.assertGreater(len(shown), 1000)
+        self.assertTrue((shown[:, 0] > 2 * shown[:, 1]).mean() > 0.95, "the surface is not red")
+        ground = pixels(plain.data)
+        self.assertEqual(ground[-5, 5].tolist(), [255, 255, 255, 255])
+        self.assertGreater((ground[..., :3].max(axis=-1) < 200).sum(), (image[..., 3] == 255).sum() * 0.1 + 200)
+        self.assertEqual(self.everything(), before)
+
+    def test_a_film_has_a_picture_for_each_time_while_the_clock_of_the_session_stands(self):
+        before, told = self.everything(), []
+        folder = os.path.join(self.folder.name, "film")
+        files = self.session.film(folder, [1, 2.5, 4], (320, 200), bar=False, axes=False, progress=told.append)
+        self.assertEqual([os.path.basename(each) for each in files], ["frame_0000.png", "frame_0001.png", "frame_0002.png"])
+        sizes = []
+        for file in files:
+            with open(file, "rb") as opened:
+                sizes.append(coloured(pixels(opened.read())))
+        self.assertTrue(0 < sizes[0] < sizes[1] < sizes[2], f"a streak surface grows: {sizes}")
+        self.assertEqual(told[-1].share, 1.0)
+        self.assertEqual(self.everything(), before)
+
+    @unittest.skipUnless(shutil.which("ffmpeg"), "ffmpeg is not installed")
+    def test_a_film_is_one_file_where_ffmpeg_is_there(self):
+        path = os.path.join(self.folder.name, "film.mp4")
+        self.assertEqual(self.session.film(path, [3, 4], (321, 201)), [path])
+        with open(path, "rb") as file:
+            self.assertEqual(file.read(12)[4:8], b"ftyp")
+
+    def test_says_what_is_missing_before_anything_is_begun(self):
+        before = self.everything()
+        os.environ["WAKESURF_CHROMIUM"] = "/nowhere/chromium"
+        try:
+            with self.assertRaisesRegex(wakesurf.BrowserMissing, "/nowhere/chromium.*Debian: chromium"):
+                self.session.picture()
+        finally:
+            del os.environ["WAKESURF_CHROMIUM"]
+        self.assertTrue(os.path.exists(find_browser()))
+        with self.assertRaisesRegex(wakesurf.UnknownParameter, "did you mean `colour_by`"):
+            self.session.picture(view={"look": {"color_by": "speed"}})
+        with self.assertRaisesRegex(ValueError, "neither a folder"):
+            self.session.film("film.avi", [1])
+        self.assertEqual(self.everything(), before)
+
+    def test_one_that_is_not_whole_in_time_is_an_error_that_says_what_is_missing(self):
+        with self.session.client.scratch() as other:
+            rake = other.rake(line=LINE, seeds=16)
+            other.surface(rake, "stream", dataset="tornado", to=400, separation=0.0005, max_quads=4_000_000)
+            with self.assertRaisesRegex(wakesurf.WakesurfError, "not whole after 4 s"):
+                other.picture(size=(320, 200), timeout=4)
+
+
+if __name__ == "__main__":
+    unittest.main()

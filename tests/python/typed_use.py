@@ -1,0 +1,38 @@
+"""A script as people write it, for mypy --strict (./check --only lint): its types are those of the client. It is not run."""
+from __future__ import annotations
+
+import asyncio
+from typing import List
+
+import numpy as np
+from typing_extensions import assert_type
+
+import wakesurf
+from wakesurf.notifications import Notification, SessionPatched
+from wakesurf.records import Dataset, RakeRecord, Statistics
+
+
+def study(session: wakesurf.Session) -> List[int]:
+    rake = session.rake(line=np.array([[0.4, 0.4, 0.1], [0.6, 0.6, 0.1]]), seeds=12)
+    assert_type(rake, wakesurf.Rake)
+    surface = session.surface(rake, "streak", dataset=session.dataset, to=2, max_quads=9000, fields=["vorticity"])
+    assert_type(surface, wakesurf.Surface)
+    assert_type(surface.wait(progress=lambda told: print(told.share)), Statistics)
+    assert_type(session.api.rake.list()["rakes"], List[RakeRecord])
+    assert_type(session.client.api.dataset.describe(dataset="tornado"), Dataset)
+    session.api.time.set(time=None)
+    session.picture("a.png", size=(3000, 2000), view={"camera": {"position": (1, 1, 1), "target": (0, 0, 0)}, "look": {"map": "turbo"}})
+    return [case.statistics["quads"] for case in session.study({"line": [(0, 0, 0), (1, 0, 0)]}, {"separation": [0.1, 0.05]},
+                                                              kind="path", dataset="tornado", to=1)]
+
+
+async def listen(session: wakesurf.Session) -> None:
+    async for news in session.watch_async():
+        assert_type(news, Notification)
+        if isinstance(news, SessionPatched):
+            print(news.patches[0]["op"], news.seq)
+
+
+with wakesurf.serve("flow:tornado") as mine:
+    print(study(mine))
+    asyncio.run(listen(mine))
