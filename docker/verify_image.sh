@@ -1,20 +1,8 @@
 # Sourced by docker/verify: tries `image` with podman. Wants `root`, `work`, `image`, `containers` and say().
 # shellcheck shell=bash disable=SC2154 # those come from docker/verify
 
-passed=0 failed=0
-# check WORDS COMMAND...: one line; of a failure also what it wrote.
-check() {
-    local words=$1
-    shift
-    if "$@" >"$work/check.log" 2>&1; then
-        passed=$((passed + 1))
-        say "  ok      $words"
-    else
-        failed=$((failed + 1))
-        say "  FAILED  $words"
-        tail -n 20 "$work/check.log" | sed 's/^/          /'
-    fi
-}
+# shellcheck source=docker/one_check.sh
+. "$root/docker/one_check.sh"
 
 # runc and these limits: crun does not start where control groups are of both versions, nor without the right to raise limits.
 podman_run() {
@@ -55,34 +43,17 @@ inside() { # NAME COMMAND...: a command of this machine on the container's netwo
     timeout 120 nsenter --target "$pid" --net "$@"
 }
 url_of() { podman logs "$1" 2>/dev/null | sed -n 's/^wakesurf: //p' | tail -n 1; }
-fails_saying() { # WORDS COMMAND...
-    local words=$1
-    shift
-    if "$@" >"$work/said" 2>&1; then
-        echo "it did not fail"
-        return 1
-    fi
-    cat "$work/said"
-    grep -q -- "$words" "$work/said"
-}
-prints() { # WORDS COMMAND...
-    local words=$1
-    shift
-    "$@" >"$work/said" 2>&1 || {
-        cat "$work/said"
-        return 1
-    }
-    cat "$work/said"
-    grep -q -- "$words" "$work/said"
-}
-not() { ! "$@"; }
-
 say "one command at a time"
 check "--version says the version" prints '^wakesurf [0-9]' podman_run --rm "${hardened[@]}" "$image" --version
 check "--help lists the commands" prints 'serve' podman_run --rm "${hardened[@]}" "$image" --help
 check "info of a built-in flow" prints 'analytic' podman_run --rm "${hardened[@]}" "$image" info flow:abc --json
 check "an unknown command is refused" fails_saying 'see --help' podman_run --rm "${hardened[@]}" "$image" nonsense
 check "an unknown dataset is named" fails_saying 'case.pvd' podman_run --rm "${hardened[@]}" "$image" /data/case.pvd
+check "it has at most 450 MB" test "$(podman image inspect --format '{{.Size}}' "$image")" -le 450000000
+say "          $(podman image inspect --format '{{.Size}}' "$image" | awk '{ printf "%.0f MB", $1 / 1e6 }')"
+check "--version names the commit" prints '^commit [0-9a-f]\{12\}' podman_run --rm "${hardened[@]}" "$image" --version
+check "it says whose the libraries are" podman_run --rm --entrypoint sh "$image" -c \
+    'ls /var/lib/dpkg/status.d | grep -q libvtk && ls /usr/share/doc/libvtk9*/copyright'
 for file in share/doc/wakesurf/LICENSE share/doc/wakesurf/THIRD_PARTY.txt share/wakesurf/web/index.html share/wakesurf/web/third-party-notices.txt; do
     check "it has $file" podman_run --rm --entrypoint test "$image" -s "/usr/local/$file"
 done

@@ -1,0 +1,124 @@
+#!/usr/bin/env python3
+"""The documents as a site: what is made is what docs/site/generate makes of it today, and the site builds without a dead link.
+
+Needs mkdocs-material for the second. Run it alone with: python3 tests/lint/site_test.py
+"""
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+sys.path.insert(0, os.path.join(ROOT, "docs", "site"))
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from documents_test import files, text_of  # noqa: E402
+from pages import errors, gallery, links, outputs, staging  # noqa: E402
+
+PICTURES = os.path.join(ROOT, "docs", "pictures")
+PICTURE_BYTES, FILM_BYTES = 60_000, 3_000_000
+
+
+class MadePages(unittest.TestCase):
+    maxDiff = None
+
+    def test_are_what_generate_makes(self):
+        for path, text in outputs.from_files().items():
+            with self.subTest(path):
+                self.assertEqual(outputs.kept(path), text, "run docs/site/generate")
+
+    def test_have_an_entry_for_every_kind_of_error(self):
+        page, api = text_of("docs/troubleshooting.md"), errors.api()
+        answers = errors.error_kinds(api)
+        kinds = [*answers, *errors.notice_kinds(api), *errors.empty_kinds(), *errors.client_kinds(answers)]
+        self.assertGreater(len(kinds), 35)
+        for kind in kinds:
+            with self.subTest(kind):
+                self.assertRegex(page, rf"(?m)^### {kind}$")
+
+    def test_refuse_a_kind_without_words_and_words_without_a_kind(self):
+        for there, words in ((["a", "b"], ["a"]), (["a"], ["a", "b"])):
+            with self.assertRaises(ValueError):
+                errors.differences(there, words, "errors")
+        self.assertIn("unsupported", errors.kinds_in_code())
+        self.assertIn("carefulStart", errors.notice_kinds(errors.api()))
+
+
+class Pictures(unittest.TestCase):
+    def test_of_the_gallery_are_there_and_no_others(self):
+        scenes = gallery.scenes()
+        self.assertGreaterEqual(len(scenes), 16)
+        film = gallery.read_json(gallery.SCENES)["film"]["name"] + ".png"
+        self.assertEqual(sorted(os.listdir(PICTURES)), sorted([*(f"{each['name']}.webp" for each in scenes), film]))
+
+    def test_are_small(self):
+        for name in os.listdir(PICTURES):
+            with self.subTest(name):
+                self.assertLessEqual(os.path.getsize(os.path.join(PICTURES, name)), PICTURE_BYTES if name.endswith(".webp") else FILM_BYTES)
+
+    def test_of_documents_have_words_for_those_who_cannot_see_them(self):
+        for path in files():
+            if path.endswith(".md"):
+                for words, target in re.findall(r"!\[([^\]]*)\]\(([^)]*)\)", text_of(path)):
+                    with self.subTest(path=path, target=target):
+                        self.assertGreater(len(words), 5)
+
+
+class Site(unittest.TestCase):
+    maxDiff = None
+
+    def test_has_every_document_of_the_repository(self):
+        there = {path for path in files() if path.endswith(".md")}
+        self.assertEqual(there - set(staging.settings_pages()), set())
+
+    @unittest.skipUnless(shutil.which("mkdocs"), "mkdocs-material is not installed")
+    def test_builds_without_warnings_dead_links_or_requests_to_other_servers(self):
+        with tempfile.TemporaryDirectory() as folder:
+            done = subprocess.run([sys.executable, os.path.join(ROOT, "docs", "site", "build"), os.path.join(folder, "site")],
+                                  capture_output=True, text=True, check=False)
+            self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
+
+    def test_pages_of_users_have_one_title_and_no_page_is_empty(self):
+        for path in files():
+            if path.startswith("docs/") and path.endswith(".md"):
+                prose = re.sub(r"^```.*?^```$", "", text_of(path), flags=re.S | re.M)
+                with self.subTest(path):
+                    self.assertEqual(len(re.findall(r"^# ", prose, re.M)), 1)
+                    self.assertGreater(len(prose.split()), 40)
+
+
+class TheLinkCheck(unittest.TestCase):
+    def faults(self, **pages):
+        with tempfile.TemporaryDirectory() as folder:
+            for name, text in pages.items():
+                with open(os.path.join(folder, name.replace("_", ".")), "w", encoding="utf-8") as file:
+                    file.write(text)
+            return links.faults(folder)
+
+    def test_finds_dead_links_missing_headings_and_foreign_requests(self):
+        bad = ['<a href="b.html">', '<a href="#no">', '<a href="c.html#no">', '<img src="https://x.org/a.png">', '<img src="no.png">',
+               '<script src="//x.org/a.js">', '<link rel="stylesheet" href="https://x.org/a.css">']
+        for text in bad:
+            with self.subTest(text):
+                self.assertEqual(len(self.faults(a_html=text, c_html='<p id="yes">')), 1)
+        self.assertEqual(len(self.faults(a_html="", b_css="a { background: url(https://x.org/a.png) }")), 1)
+
+    def test_lets_good_ones_pass(self):
+        good = ['<a href="c.html#yes">', '<a href="https://x.org">', '<a href="#here"><p id="here">', '<img src="data:image/png;base64,a">',
+                '<link rel="canonical" href="https://x.org/">']
+        for text in good:
+            with self.subTest(text):
+                self.assertEqual(self.faults(a_html=text, c_html='<p id="yes">'), [])
+
+
+class Staging(unittest.TestCase):
+    def test_writes_lists_and_tables_as_mkdocs_reads_them(self):
+        self.assertEqual(staging.rewritten("text:\n- a\n  more\n- b\n  - c\n"), "text:\n\n- a\n  more\n- b\n    - c\n")
+        self.assertEqual(staging.rewritten("text\n| a |\n|---|"), "text\n\n| a |\n|---|")
+        self.assertEqual(staging.rewritten("```sh run\n- a\n| b |\n```"), "```sh\n- a\n| b |\n```")
+
+
+if __name__ == "__main__":
+    unittest.main()
