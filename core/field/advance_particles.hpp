@@ -16,13 +16,13 @@
 
 namespace wakesurf::core {
 
-/// Calls `advance(begin, end)` for ranges of particles. Returns false if `stop` fired. Isolated: a thread that waits here
+/// Calls `advance(begin, end)` for ranges of particles, which are small: the few that are traced again have the longest ways. Returns false if `stop` fired. Isolated: a thread that waits here
 /// takes no work of another surface.
 template <class Advance>
 bool in_ranges(std::size_t count,
                const std::stop_token& stop,
                const Advance& advance,
-               std::size_t least = 256) {
+               std::size_t least = 16) {
     std::atomic<bool> whole{true};
     tbb::this_task_arena::isolate([&] {
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, least), [&](const auto& range) {
@@ -42,14 +42,15 @@ bool in_blocks(const Field& field,
                std::size_t count,
                const std::stop_token& stop,
                const Advance& advance,
-               std::size_t least = 256) {
+               std::size_t least = 16) {
     if constexpr (FieldWithCursor<Field>) {
-        constexpr std::size_t block = 64;
+        const std::size_t block = std::clamp<std::size_t>(count / 64, 4, 64);
         const auto some = [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i != end; ++i)
                 advance(field.cursor(), i * block, std::min((i + 1) * block, count));
         };
-        return in_ranges((count + block - 1) / block, stop, some, least / block);
+        return in_ranges((count + block - 1) / block, stop, some,
+                         std::max<std::size_t>(least / block, 1));
     } else {
         const auto some = [&](std::size_t begin, std::size_t end) { advance(field, begin, end); };
         return in_ranges(count, stop, some, least);
@@ -99,15 +100,15 @@ bool advance_particles(const Field& field,
     };
     if constexpr (FieldInSeries<Field>) {
         if (options.method == AdvanceOptions::Method::Dopri5) {
+            std::atomic<bool> whole{true};
             const auto block = [&](const auto& view, std::size_t begin, std::size_t end) {
-                const auto& slopes = cursor_of(field);
                 each(begin, end, [&](ParticleState& at) {
                     restart(view);
-                    restart(slopes);
-                    advance_in_series(view, slopes, at, to, options, p.tangents());
+                    if (!advance_in_series(view, at, to, options, p.tangents(), stop))
+                        whole = false;
                 });
             };
-            return in_blocks(field, p.count(), stop, block);
+            return in_blocks(field, p.count(), stop, block) && whole;
         }
     }
     return in_blocks(field, p.count(), stop,

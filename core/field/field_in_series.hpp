@@ -5,8 +5,10 @@
 #include "core/integrate/advance_curve.hpp"
 #include "core/integrate/advance_particle.hpp"
 
+#include <array>
 #include <cstddef>
-#include <limits>
+#include <stop_token>
+#include <utility>
 
 namespace wakesurf::core {
 
@@ -16,52 +18,85 @@ concept FieldInSeries = requires {
     &Field::series_steps;
 };
 
-/// A tangent carried along a step, w' = (grad v) w by the midpoint rule over either half.
-template <CarryingField Field>
-Vec3 carry_tangent(const Field& field, const CurveStep& step, double start, const Vec3& tangent) {
-    Vec3 w = tangent;
-    const double half = 0.5 * step.dt;
-    for (const double middle : {0.25, 0.75}) {
-        const Vec3 p(step.at(middle));
-        const double t = start + step.time + middle * step.dt;
-        w += half * field.derivative(p, t, w + 0.5 * half * field.derivative(p, t, w));
-    }
-    return w;
-}
+/// Steps that carry a particle's tangents with it, w' = (grad v) w by the midpoint rule over either half of a step, in the cell of its
+/// series: no point has to be found for them.
+template <class Steps>
+class CarryingSteps {
+  public:
+    CarryingSteps(Steps steps, Carried& carried) : steps_(std::move(steps)), carried_(carried) {}
 
-/// As advance_particle with Method::Dopri5.
-/// @param field  whose series are taken
-/// @param view   the same field, for the tangents' slopes
-template <FieldInSeries Field, CarryingField View>
-void advance_in_series(const Field& field,
-                       const View& view,
+    decltype(auto) field() const { return steps_.field(); }
+
+    PointStatus begin(Curve& curve) { return steps_.begin(curve); }
+
+    StepOutcome attempt(Curve& curve, double left, CurveStep& step) {
+        const StepOutcome outcome = steps_.attempt(curve, left, step);
+        if (outcome != StepOutcome::Taken)
+            return outcome;
+        const double half = 0.5 * step.dt;
+        const double start = curve.release + curve.last.time;
+        std::array w{carried_.along_s, carried_.along_t};
+        for (const double middle : {0.25, 0.75}) {
+            const auto slopes = [&] {
+                return steps_.derivatives(step, middle, start + middle * step.dt, w);
+            };
+            const std::array before = w;
+            const auto first = slopes();
+            for (std::size_t i = 0; i < 2; ++i)
+                w[i] += 0.5 * half * first[i];
+            const auto second = slopes();
+            for (std::size_t i = 0; i < 2; ++i)
+                w[i] = before[i] + half * second[i];
+        }
+        carried_.along_s = w[0];
+        carried_.along_t = w[1];
+        return outcome;
+    }
+
+    double inside_until(const CurveStep& step, PointStatus& met) const {
+        return steps_.inside_until(step, met);
+    }
+
+    bool arrive(const Curve& curve) { return steps_.arrive(curve); }
+
+    double difference() const { return steps_.difference(); }
+
+  private:
+    Steps steps_;
+    Carried& carried_;
+};
+
+/// As advance_particle with Method::Dopri5. Keeps nothing of the way. Returns false if `stop` fired: the particle is then on its way.
+template <FieldInSeries Field>
+bool advance_in_series(const Field& field,
                        ParticleState& at,
                        double to,
                        const AdvanceOptions& options,
-                       bool tangents) {
+                       bool tangents,
+                       const std::stop_token& stop = {}) {
     if (to == at.time || at.end != CurveEnd::Running)
-        return;
+        return true;
     TraceOptions trace;
     trace.tolerance = options.tolerance;
     trace.longest_step = options.longest_step;
     trace.stagnation_speed = options.stagnation_speed;
-    trace.most_steps = std::numeric_limits<std::size_t>::max();
+    trace.most_steps = options.most_steps;
     Curve way;
-    way.seed = at.carried.position;
+    way.last.position = way.seed = at.carried.position;
     way.release = at.time;
     way.duration = to - at.time;
-    (void)advance_curve(field.series_steps(trace, way.duration < 0.0 ? -1.0 : 1.0), way, trace,
-                        way.duration, {});
+    const auto go = [&](auto steps) {
+        return advance_steps(std::move(steps), way, trace, way.duration, stop,
+                             [](const CurveStep&) { return true; });
+    };
+    auto steps = field.series_steps(trace, way.duration < 0.0 ? -1.0 : 1.0);
+    const bool whole =
+        tangents ? go(CarryingSteps(std::move(steps), at.carried)) : go(std::move(steps));
     at.carried.position = way.last.position;
     const bool arrived = way.end == CurveEnd::Time;
     at.time = arrived ? to : way.release + way.last.time;
     at.end = arrived ? CurveEnd::Running : way.end;
-    if (!tangents)
-        return;
-    for (const CurveStep& step : way.steps) {
-        at.carried.along_s = carry_tangent(view, step, way.release, at.carried.along_s);
-        at.carried.along_t = carry_tangent(view, step, way.release, at.carried.along_t);
-    }
+    return whole;
 }
 
 } // namespace wakesurf::core

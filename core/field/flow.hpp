@@ -62,12 +62,15 @@ class Flow {
     /// True where `smooth` means something other than linear: of stored data on a uniform grid. The others are sampled the same with both.
     virtual bool has_smooth() const { return false; }
 
-    /// True where particles go by Taylor series (AdvanceOptions::Method::Dopri5) at no more cost than by RK4 and with smaller errors: in
-    /// meshes of cells, whose sizes differ.
-    virtual bool prefers_series() const { return false; }
+    /// True where RK4 carries many particles at a time, faster than the steps of controlled error of Method::Dopri5 but with errors that
+    /// have to be looked at: on uniform grids.
+    virtual bool steps_in_batches() const { return false; }
 
     /// True when parts of the domain are solid.
     virtual bool obstacle() const = 0;
+
+    /// False: no wall reaches into a box that begins in the fluid, so that all of it is fluid. Cheaper than a status where that is dear.
+    virtual bool may_have_wall(const Box&) const { return obstacle(); }
 
     /// What is solid, to look at, where the flow itself knows its shape; nothing of stored data, whose store has it.
     virtual WallGeometry walls() const { return {}; }

@@ -114,9 +114,16 @@ class IntervalFlow final : public Flow {
 
     bool has_smooth() const override { return Sampling::has_smooth; }
 
-    bool prefers_series() const override { return Sampling::prefers_series; }
+    bool steps_in_batches() const override { return Sampling::steps_in_batches; }
 
     bool obstacle() const override { return sampling_->obstacle(); }
+
+    bool may_have_wall(const Box& box) const override {
+        if constexpr (requires { sampling_->may_have_wall(box); })
+            return sampling_->may_have_wall(box);
+        else
+            return sampling_->obstacle();
+    }
 
     Result<void> sample(std::span<const Vec3> positions,
                         std::span<const double> times,

@@ -14,7 +14,7 @@ namespace wakesurf::core {
 class RectilinearSampling {
   public:
     static constexpr bool has_smooth = false;
-    static constexpr bool prefers_series = false;
+    static constexpr bool steps_in_batches = false;
 
     RectilinearSampling(const RectilinearGrid& grid, const SolidMask& mask);
 

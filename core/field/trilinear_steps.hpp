@@ -103,16 +103,25 @@ class TrilinearSteps {
         // A particle that grazes a face may cross it to and fro at once; it then goes on a little regardless. One that crawls
         // round in its cell does not do so for ever.
         const double crossing = cell_.finest() / speed;
-        t_ = std::max(exit_.time, 1e-5 * crossing);
+        const double shortest = 1e-5 * crossing;
+        t_ = std::max(exit_.time, shortest);
         t_ = t_ <= 1e3 * crossing ? t_ : 1e3 * crossing;
         t_ = std::min(t_, left);
         const auto shortened = series_step(path, cell_.lo(), cell_.size(), curve.last.arc,
-                                           options_.tolerance * speed, t_);
+                                           options_.tolerance * speed, t_, shortest);
         if (!shortened)
             return StepOutcome::Stagnation;
         step = *shortened;
         step.dt = sign_ * t_;
         return StepOutcome::Taken;
+    }
+
+    /// (grad v) w at theta of a step.
+    std::array<Vec3, 2> derivatives(const CurveStep& step,
+                                    double theta,
+                                    double time,
+                                    std::span<const Vec3, 2> w) const {
+        return field_.derivatives(Vec3(step.at(theta)), time, w);
     }
 
     double inside_until(const CurveStep& step, PointStatus& met) const {

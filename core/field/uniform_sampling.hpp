@@ -17,7 +17,7 @@ namespace wakesurf::core {
 class UniformSampling {
   public:
     static constexpr bool has_smooth = true;
-    static constexpr bool prefers_series = false;
+    static constexpr bool steps_in_batches = true;
 
     UniformSampling(const UniformGrid& grid, const SolidMask& mask, Simd simd);
 

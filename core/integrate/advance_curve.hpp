@@ -11,6 +11,7 @@
 #include <cmath>
 #include <concepts>
 #include <stop_token>
+#include <utility>
 
 namespace wakesurf::core {
 
@@ -95,9 +96,9 @@ inline CurveEnd end_at(PointStatus met) {
     return met == PointStatus::InObstacle ? CurveEnd::Obstacle : CurveEnd::Domain;
 }
 
-/// Adds the part of a step that is inside: what its stretch becomes, and where the curve ends now. Returns false where there is no memory.
+/// Takes the part of a step that is inside: what its stretch becomes, and where the curve ends now.
 template <CurveSteps Steps>
-bool take_step(
+void take_step(
     const Steps& steps, Curve& curve, CurveStep& step, double theta, const TraceOptions& options) {
     step.time = curve.last.time;
     step.stretch = curve.last.stretch;
@@ -110,20 +111,19 @@ bool take_step(
             options.frozen ? curve.release : curve.release + step.time + 0.5 * step.dt;
         curve.last.stretch = carry_stretch(steps.field(), step, middle, steps.difference());
     }
-    return keep_step(curve, step, options);
 }
 
-/// Advances until `until` (time since release, same sign as the duration).
-/// Returns false if `stop` fired or there is no memory. Thread safety: disjoint curves may be advanced concurrently.
+/// Goes on from `curve.last` until `until` (time since release, same sign as the duration).
+/// Returns false if `stop` fired or `keep` returned false. Thread safety: disjoint curves may be advanced concurrently.
 /// @param steps  of this curve, in the direction of its duration
-template <CurveSteps Steps>
-bool advance_curve(Steps steps,
+/// @param keep   keep(step) is called with each step that was taken; false: the curve cannot go on
+template <CurveSteps Steps, class Keep>
+bool advance_steps(Steps steps,
                    Curve& curve,
                    const TraceOptions& options,
                    double until,
-                   const std::stop_token& stop) {
-    if (curve.steps.empty())
-        curve.last = {curve.seed, 0.0, 0.0, curve.seed_tangent};
+                   const std::stop_token& stop,
+                   const Keep& keep) {
     if (const PointStatus status = steps.begin(curve); status != PointStatus::Inside)
         curve.end = end_at(status);
     CurveStep step;
@@ -136,6 +136,10 @@ bool advance_curve(Steps steps,
                 curve.end = CurveEnd::Time;
             return true;
         }
+        if (curve.attempts >= options.most_steps) {
+            curve.end = CurveEnd::Budget;
+            return true;
+        }
         const StepOutcome outcome = steps.attempt(curve, left, step);
         ++curve.attempts;
         if (outcome == StepOutcome::Stagnation)
@@ -144,7 +148,8 @@ bool advance_curve(Steps steps,
             continue;
         PointStatus met = PointStatus::Inside;
         const double theta = steps.inside_until(step, met);
-        if (!take_step(steps, curve, step, theta, options))
+        take_step(steps, curve, step, theta, options);
+        if (!keep(step))
             return false;
         if (theta < 1.0) {
             curve.end = end_at(met);
@@ -154,10 +159,21 @@ bool advance_curve(Steps steps,
             curve.last.time = until;
         if (!steps.arrive(curve))
             curve.end = CurveEnd::Domain;
-        else if (curve.attempts >= options.most_steps)
-            curve.end = CurveEnd::Budget;
     }
     return true;
+}
+
+/// The same from where the curve ends, or its seed, and the curve keeps its steps. Returns false also where there is no memory.
+template <CurveSteps Steps>
+bool advance_curve(Steps steps,
+                   Curve& curve,
+                   const TraceOptions& options,
+                   double until,
+                   const std::stop_token& stop) {
+    if (curve.steps.empty())
+        curve.last = {curve.seed, 0.0, 0.0, curve.seed_tangent};
+    return advance_steps(std::move(steps), curve, options, until, stop,
+                         [&](const CurveStep& step) { return keep_step(curve, step, options); });
 }
 
 } // namespace wakesurf::core

@@ -153,7 +153,11 @@ void advance_particle(const Field& field,
     const double sign = whole < 0.0 ? -1.0 : 1.0;
     double next = 0.0;
     Carried k1 = slope(at.carried, at.time);
-    while (at.end == CurveEnd::Running && at.time != to) {
+    for (std::size_t attempts = 0; at.end == CurveEnd::Running && at.time != to; ++attempts) {
+        if (attempts == options.most_steps) {
+            at.end = CurveEnd::Budget;
+            return;
+        }
         const double speed = glm::length(k1.position);
         if (!(speed > options.stagnation_speed)) {
             at.end = end_at_rest(field, at.carried.position);

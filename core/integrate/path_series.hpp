@@ -93,17 +93,19 @@ inline bool add_arc(CurveStep& step, double v0, double v_middle, double v1, doub
 /// The step along a series from its start, with dense output and without times. Shortens `t` until the series' error over it is allowed.
 /// Nothing: the particle stands still.
 /// @param lo, size  of the cell whose coordinates the series is in
+/// @param least  `t` is not shortened below this for an error, which the step then states
 inline std::optional<CurveStep> series_step(const PathSeries& path,
                                             const Vec3& lo,
                                             const Vec3& size,
                                             double arc,
                                             double allowed,
-                                            double& t) {
-    for (int i = 0; i < 20 && !surely_within(path, size, t, allowed); ++i) {
+                                            double& t,
+                                            double least) {
+    for (int i = 0; i < 20 && t > least && !surely_within(path, size, t, allowed); ++i) {
         const double error = series_error(path, size, t);
         if (error <= allowed)
             break;
-        t *= std::clamp(0.9 * std::pow(allowed / error, 0.2), 0.1, 0.95);
+        t = std::max(t * std::clamp(0.9 * std::pow(allowed / error, 0.2), 0.1, 0.95), least);
     }
     const auto speed_at = [&](double time) {
         return glm::length(Vec3(path.slope(0, time), path.slope(1, time), path.slope(2, time)) *

@@ -92,20 +92,24 @@ class CellSamplerCursor {
     }
 
     std::array<Vec3, 2> derivatives(const Vec3& p, double t, std::span<const Vec3> w) const {
+        return go_to(p, false) ? derivatives_here(place_.local(), t, w) : std::array<Vec3, 2>{};
+    }
+
+    /// The same at local coordinates of the present cell. REQUIRES: a velocity or a path has been asked for.
+    std::array<Vec3, 2>
+    derivatives_here(const Vec3& local, double t, std::span<const Vec3> w) const {
         std::array<Vec3, 2> result{};
-        if (!go_to(p, false))
-            return result;
         const bool pyramid = place_.geometry().pyramid();
         const Fit& fit = fit_[here_];
-        auto slope = fit.now.slopes(pyramid, place_.local());
+        auto slope = fit.now.slopes(pyramid, local);
         if (field_.velocity1) {
-            const auto change = fit.change.slopes(pyramid, place_.local());
+            const auto change = fit.change.slopes(pyramid, local);
             const double part = (t - field_.time0) / field_.interval;
             for (std::size_t i = 0; i < 3; ++i)
                 slope[i] = slope[i] + change[i] * part;
         }
         for (std::size_t i = 0; i < w.size(); ++i) {
-            const Vec3 u = place_.geometry().along(place_.local(), w[i]);
+            const Vec3 u = place_.geometry().along(local, w[i]);
             result[i] = (slope[0] * u.x + slope[1] * u.y + slope[2] * u.z).vector();
         }
         return result;

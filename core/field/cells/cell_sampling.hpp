@@ -18,7 +18,7 @@ namespace wakesurf::core {
 class CellSampling {
   public:
     static constexpr bool has_smooth = false;
-    static constexpr bool prefers_series = true;
+    static constexpr bool steps_in_batches = false;
 
     /// Cost: that of CellDomain.
     explicit CellSampling(const CellMesh& mesh) : domain_(mesh) {}
@@ -28,6 +28,8 @@ class CellSampling {
     NodeShares shares(const Vec3& position) const;
 
     bool obstacle() const { return !domain_.walls.empty(); }
+
+    bool may_have_wall(const Box& box) const { return domain_.walls.near(box); }
 
     bool advance(const Interval& interval,
                  const Particles& particles,

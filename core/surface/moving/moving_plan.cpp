@@ -52,16 +52,18 @@ MovingPlan make_plan(const Flow& flow, const MovingRequest& request, double sepa
     rules.tangents = p.accuracy == Accuracy::Balanced || p.deformation;
     rules.retrace = p.accuracy == Accuracy::Exact || flow.few_data(p.from, p.to);
     // Cuts below this showed the errors of fast surfaces, not their shape: 1.4 times the quads of balanced ones.
-    if (p.accuracy == Accuracy::Fast)
+    if (p.accuracy == Accuracy::Fast) {
         rules.finest = 0.25;
+        rules.trusted_error = 0.2;
+    }
     rules.reconnect = p.reconnect;
     rules.obstacle = flow.obstacle();
     rules.max_quads = p.max_quads;
-    // Steps of a fixed part of a cell are several times faster on uniform grids. On meshes of cells a wake was cut without end with them
-    // (core/README.md, How a mesh of cells is sampled).
-    const bool series = p.accuracy == Accuracy::Exact || flow.prefers_series();
+    // RK4 in steps of a part of a cell is several times faster where it goes in batches, on uniform grids. Its errors are looked at
+    // (step_errors.hpp), and who has too large a one is traced again.
+    const bool batches = p.accuracy != Accuracy::Exact && flow.steps_in_batches();
     AdvanceOptions carry;
-    carry.method = series ? AdvanceOptions::Method::Dopri5 : AdvanceOptions::Method::Rk4;
+    carry.method = batches ? AdvanceOptions::Method::Rk4 : AdvanceOptions::Method::Dopri5;
     carry.tolerance = trace_tolerance(p.accuracy);
     carry.longest_step = flow.finest_spacing();
     carry.stagnation_speed = p.stagnation_speed * request.largest_speed;

@@ -403,8 +403,23 @@ MovingSurface::carry(double to, const AdvanceOptions& options, const std::stop_t
     if (state_.plan->estimates && state_.steps % check_every == check_every - 1) {
         add_step_errors(mesh, state_.step_errors, state_.errors_until, carries_tangents());
         state_.errors_until = to;
+        if (auto traced = trace_doubtful(options, stop); !traced)
+            return tl::unexpected(traced.error());
     }
     return advanced->load;
+}
+
+/// Traces again the vertices whose errors have come to more than is trusted: in what the flow stretches and folds they grow, whether
+/// of interpolation or of steps.
+Result<void> MovingSurface::trace_doubtful(const AdvanceOptions& options,
+                                           const std::stop_token& stop) {
+    const RefinementRules& rules = state_.plan->rules;
+    if (!refines() || !rules.retrace || rules.policy == InsertionPolicy::Exact)
+        return {};
+    const std::vector<VertexId> doubtful =
+        vertices_beyond(state_.mesh, rules.trusted_error * state_.separation, carries_tangents());
+    return retrace(state_.mesh, state_.plan->origin, *flow_, doubtful, options, rules.tangents,
+                   stop);
 }
 
 Result<void> MovingSurface::advance_to(double to, std::stop_token stop, const WorkPart& work) {

@@ -101,6 +101,7 @@ class MovingSurface {
     Result<double> carry(double to, const AdvanceOptions& options, const std::stop_token& stop);
     Result<bool>
     refine(const AdvanceOptions& carry, const std::stop_token& stop, const WorkPart& work);
+    Result<void> trace_doubtful(const AdvanceOptions& options, const std::stop_token& stop);
     Result<void> sample_velocity(const std::stop_token& stop);
     double step_length(double to) const;
     bool carries_tangents() const;

@@ -74,49 +74,11 @@ Result<std::vector<MaterialPoint>> Origin::points(const Flow& flow,
     return points;
 }
 
-namespace {
-
-constexpr std::size_t looked_at = 16;  ///< one in so many is carried again
-constexpr double of_the_coarse = 0.25; ///< of the difference to twice the step
-
-/// The largest error of RK4 on the whole way of particles, known from one in a few that is carried again in steps twice as long: what is
-/// traced again may have been where no vertex has been.
-Result<double> largest_way_error(const Flow& flow,
-                                 double to,
-                                 std::span<const MaterialPoint> born,
-                                 std::span<const double> released,
-                                 const Particles& arrived,
-                                 AdvanceOptions options,
-                                 const std::stop_token& stop) {
-    if (options.method != AdvanceOptions::Method::Rk4)
-        return 0.0;
-    std::vector<Vec3> position;
-    std::vector<double> time;
-    std::vector<std::size_t> of;
-    for (std::size_t i = 0; i < born.size(); i += looked_at)
-        if (arrived.end[i] == CurveEnd::Running) {
-            position.push_back(born[i].carried.position);
-            time.push_back(released[i]);
-            of.push_back(i);
-        }
-    std::vector<CurveEnd> end(of.size(), CurveEnd::Running);
-    options.step *= 2.0;
-    if (auto carried = flow.advance({position, {}, {}, time, end}, to, options, stop); !carried)
-        return tl::unexpected(carried.error());
-    double largest = 0.0;
-    for (std::size_t i = 0; i < of.size(); ++i)
-        if (end[i] == CurveEnd::Running)
-            largest = std::max(largest, glm::length(position[i] - arrived.position[of[i]]));
-    return of_the_coarse * largest;
-}
-
-} // namespace
-
 Result<void> retrace(MovingMesh& mesh,
                      const Origin& origin,
                      const Flow& flow,
                      std::span<const VertexId> vertices,
-                     const AdvanceOptions& options,
+                     AdvanceOptions options,
                      bool tangents,
                      std::stop_token stop) {
     std::vector<double> s, t, time;
@@ -137,7 +99,7 @@ Result<void> retrace(MovingMesh& mesh,
         if (flow.status(point.carried.position) != PointStatus::Inside)
             end[position.size() - 1] = CurveEnd::Obstacle;
     }
-    const std::vector<double> released = time;
+    options.method = AdvanceOptions::Method::Dopri5;
     Particles particles{position, {}, {}, time, end};
     if (tangents) {
         particles.along_s = along_s;
@@ -145,17 +107,13 @@ Result<void> retrace(MovingMesh& mesh,
     }
     if (auto advanced = flow.advance(particles, mesh.time, options, stop); !advanced)
         return tl::unexpected(advanced.error());
-    const auto way_error =
-        largest_way_error(flow, mesh.time, *born, released, particles, options, stop);
-    if (!way_error)
-        return tl::unexpected(way_error.error());
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         const VertexId v = vertices[i];
         MaterialPoint point = (*born)[i];
         point.carried = {position[i], along_s[i], along_t[i]};
         point.place = mesh.vertices.place[v];
-        point.error.traced = mesh.vertices.error[v].traced;
-        point.error.traced.add({along_s[i], along_t[i]}, *way_error);
+        const double way = glm::length(position[i] - (*born)[i].carried.position);
+        point.error.traced.add({along_s[i], along_t[i]}, options.tolerance * way);
         mesh.vertices.set(v, point);
         mesh.vertices.time[v] = time[i];
         mesh.vertices.end[v] = end[i];

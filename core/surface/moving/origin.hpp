@@ -57,13 +57,13 @@ class Origin {
     bool smooth_ = false;
 };
 
-/// Traces vertices again from where they were released to the mesh's time; they are no longer approximated, and dead if
-/// they do not arrive. Error: what advancing reports.
+/// Traces vertices again from where they were released to the mesh's time, in steps of controlled error; they are no longer approximated,
+/// and dead if they do not arrive. Error: what advancing reports.
 Result<void> retrace(MovingMesh& mesh,
                      const Origin& origin,
                      const Flow& flow,
                      std::span<const VertexId> vertices,
-                     const AdvanceOptions& options,
+                     AdvanceOptions options,
                      bool tangents,
                      std::stop_token stop);
 

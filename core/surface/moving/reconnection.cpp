@@ -12,6 +12,7 @@ namespace {
 constexpr double glide_gain = 0.12; // of skew, for moving one edge
 constexpr double pair_gain = 0.25;  // of skew, for making two hanging nodes
 constexpr double pair_skew = 0.6;
+constexpr double trusted_sagitta = 0.05; // of an edge whose middle will be interpolated
 
 /// |cos| of the angle between a cross edge and the columns: 0 is square.
 double skew(const MovingMesh& mesh, VertexId left, VertexId right, const Vec3& along) {
@@ -81,7 +82,7 @@ std::optional<Reconnection> worthwhile_reconnection(const MovingMesh& mesh,
             continue;
         // Longer parameter gaps cost interpolation accuracy.
         if (rules.policy == InsertionPolicy::Hermite && !rules.retrace &&
-            !(relative_sagitta(mesh, left, right) < rules.trusted_sagitta))
+            !(relative_sagitta(mesh, left, right) < trusted_sagitta))
             continue;
         best = how;
         best_length = shifted;

@@ -3,12 +3,14 @@
 #include "core/surface/moving/cell_shape.hpp"
 #include "core/surface/moving/insertion_error.hpp"
 #include "core/surface/moving/reconnection.hpp"
+#include "core/surface/moving/surface_tangents.hpp"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace wakesurf::core {
@@ -85,6 +87,40 @@ void Refinement::find_normals(const MovingMesh& mesh) {
     });
 }
 
+/// Whether `made`, in the middle of a side, may be too far off to stay where it was interpolated.
+bool Refinement::trace_interpolated(MovingMesh& mesh,
+                                    VertexId made,
+                                    CellIndex index,
+                                    std::size_t side) {
+    if (!rules_.retrace)
+        return false;
+    MaterialVertices& vertices = mesh.vertices;
+    const Cell& cell = mesh.quads[index].cell;
+    const std::array corners{side, (side + 1) % 4};
+    std::array<SurfaceTangents, 2> at;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const VertexId end = cell.corner[corners[i]];
+        at[i] = rules_.tangents ? SurfaceTangents{vertices.along_s[end], vertices.along_t[end]}
+                                : tangents_in(mesh, cell, corners[i]);
+    }
+    const double trusted = rules_.trusted_error * rules_.separation;
+    const SurfaceTangents between{0.5 * (at[0].s + at[1].s), 0.5 * (at[0].t + at[1].t)};
+    if (!(vertices.error[made].placed.length(between) > trusted))
+        return false;
+    // A traced vertex between interpolated ones shows their error as a fold, which is cut, and so on. They are traced as well, unless
+    // they are much better than it was.
+    for (std::size_t i = 0; i < 2; ++i) {
+        const VertexId end = cell.corner[corners[i]];
+        if (vertices.approximated[end] != 0 &&
+            vertices.error[end].placed.length(at[i]) > 0.25 * trusted) {
+            vertices.approximated[end] = 0; // once
+            to_retrace_.push_back(end);
+            moved_ = true;
+        }
+    }
+    return true;
+}
+
 VertexId Refinement::insert(MovingMesh& mesh, CellIndex index, std::size_t side) {
     const Cell& cell = mesh.quads[index].cell;
     const VertexId a = cell.corner[side];
@@ -101,20 +137,14 @@ VertexId Refinement::insert(MovingMesh& mesh, CellIndex index, std::size_t side)
     }
     const VertexId v =
         vertices.add(mid.point, attached ? VertexRole::Attached : VertexRole::Free, mesh.time);
-    const bool doubtful = rules_.retrace && mid.bulge > rules_.trusted_sagitta;
-    if (!attached && !doubtful && rules_.policy != InsertionPolicy::Exact)
+    bool traced = rules_.policy == InsertionPolicy::Exact;
+    if (!traced && !attached) {
         add_insertion_error(mesh, v, index, side, rules_.policy);
-    if (rules_.policy == InsertionPolicy::Exact || doubtful) {
+        traced = trace_interpolated(mesh, v, index, side);
+    }
+    if (traced) {
         if (!attached)
             to_retrace_.push_back(v);
-        // A traced vertex between interpolated ones would show their error as a fold, which is cut, and so on: they
-        // are traced as well.
-        for (const VertexId end : {a, b})
-            if (doubtful && vertices.approximated[end] != 0) {
-                vertices.approximated[end] = 0;
-                to_retrace_.push_back(end);
-                moved_ = true;
-            }
     } else if (const PointStatus status = flow_.status(mid.point.carried.position);
                status != PointStatus::Inside) {
         vertices.end[v] = status == PointStatus::InObstacle ? CurveEnd::Obstacle : CurveEnd::Domain;

@@ -51,6 +51,7 @@ class Refinement {
     void reconnect_pass(MovingMesh& mesh, LocalOperations& operations);
     bool keep_budget(MovingMesh& mesh, LocalOperations& operations);
     VertexId insert(MovingMesh& mesh, CellIndex index, std::size_t side);
+    bool trace_interpolated(MovingMesh& mesh, VertexId made, CellIndex index, std::size_t side);
     void find_normals(const MovingMesh& mesh);
 
     const Flow& flow_;

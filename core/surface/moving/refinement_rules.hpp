@@ -24,9 +24,11 @@ struct RefinementRules {
     double least_t_at_wall = 0.0;
 
     InsertionPolicy policy = InsertionPolicy::Hermite;
-    /// Line and Hermite: bulge of an edge, over its length, beyond which its middle is traced again.
-    double trusted_sagitta = 0.05;
-    bool retrace = true;   ///< tracing again is possible; else reconnecting makes no such edges
+    /// Line and Hermite: a vertex that may be further off is traced again. Where interpolated vertices stood beside traced ones with larger
+    /// errors, the differences were folds that were cut, and so on: core/README.md, How a streak or time surface moves.
+    double trusted_error = 0.02;
+    bool retrace =
+        true; ///< tracing again is possible; else reconnecting makes no edges that want it
     bool tangents = true;  ///< transported tangents are there to look at
     bool obstacle = false; ///< edges may cross solid parts
     bool reconnect = true; ///< false only to measure what it gains

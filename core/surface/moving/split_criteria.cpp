@@ -53,6 +53,8 @@ bool beside_obstacle(const MovingMesh& mesh,
     const Vec3 centre =
         0.25 * (p[cell.corner[0]] + p[cell.corner[1]] + p[cell.corner[2]] + p[cell.corner[3]]);
     const double reach = 0.25 * rules.separation;
+    if (!flow.may_have_wall({centre - reach, centre + reach}))
+        return false;
     for (const Vec3& direction : directions)
         if (flow.status(centre + reach * direction) == PointStatus::InObstacle ||
             flow.status(centre - reach * direction) == PointStatus::InObstacle)
@@ -121,7 +123,11 @@ bool crosses_obstacle(const MovingMesh& mesh,
                       const Flow& flow) {
     if (!rules.obstacle || length <= 0.25 * rules.separation)
         return false;
-    const Vec3 middle = 0.5 * (mesh.vertices.position[a] + mesh.vertices.position[b]);
+    const Vec3& from = mesh.vertices.position[a];
+    const Vec3& to = mesh.vertices.position[b];
+    if (!flow.may_have_wall({glm::min(from, to), glm::max(from, to)}))
+        return false;
+    const Vec3 middle = 0.5 * (from + to);
     return flow.status(middle) == PointStatus::InObstacle &&
            !barely_inside(flow, middle, 0.15 * rules.separation);
 }

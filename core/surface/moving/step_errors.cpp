@@ -146,6 +146,19 @@ void add_step_errors(MovingMesh& mesh, const StepErrors& errors, double since, b
     });
 }
 
+std::vector<VertexId> vertices_beyond(const MovingMesh& mesh, double trusted, bool carried) {
+    const MeshTangents tangents(mesh, carried);
+    std::vector<std::uint8_t> beyond(mesh.vertices.slots(), 0);
+    for_each_moving(mesh, [&](VertexId i) {
+        beyond[i] = mesh.vertices.error[i].length(tangents.at(i)) > trusted;
+    });
+    std::vector<VertexId> found;
+    for (VertexId i = 0; i < beyond.size(); ++i)
+        if (beyond[i] != 0)
+            found.push_back(i);
+    return found;
+}
+
 std::vector<float>
 stated_errors(const MovingMesh& mesh, const StepErrors& errors, double since, bool carried) {
     const MeshTangents tangents(mesh, carried);

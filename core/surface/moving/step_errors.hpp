@@ -71,6 +71,9 @@ class StepSample {
 /// @param carried  the vertices carry their tangents
 void add_step_errors(MovingMesh& mesh, const StepErrors& errors, double since, bool carried);
 
+/// The moving vertices whose error has come to more than `trusted`, and would have less were they traced again.
+std::vector<VertexId> vertices_beyond(const MovingMesh& mesh, double trusted, bool carried);
+
 /// Length: what the error of every vertex slot has come to, with those of the steps since `since`.
 std::vector<float>
 stated_errors(const MovingMesh& mesh, const StepErrors& errors, double since, bool carried);
