@@ -10,6 +10,7 @@ import type { DrawnRake } from './scene/rake/drawnRake.ts';
 import type { Figure } from './session/out/figure.ts';
 import { type ScriptedSetting, scriptedPicture, unfinished } from './session/out/scriptedPicture.ts';
 import type { AppState, DisplayedSurface } from './state/appState.ts';
+import type { ViewState } from './state/viewState.ts';
 import type { LatencyLog, LatencySample } from './state/latency.ts';
 
 export interface TestHook {
@@ -67,13 +68,14 @@ declare global {
 
 export interface TestHookParts {
     state: AppState;
+    view: Pick<ViewState, 'lookOf'>;
     scene: FlowScene;
     latency: LatencyLog;
     canvas: HTMLCanvasElement;
     figure: Figure;
 }
 
-export function installTestHook({ state, scene, latency, canvas, figure }: TestHookParts): void {
+export function installTestHook({ state, view, scene, latency, canvas, figure }: TestHookParts): void {
     const active = (): string => state.activeSurface.value ?? '';
     const displayed = (): DisplayedSurface | undefined => state.displayed.value.get(active());
     const requested = (): number => state.requestedEpochs.value.get(active()) ?? 0;
@@ -177,7 +179,7 @@ export function installTestHook({ state, scene, latency, canvas, figure }: TestH
             const drawn = figure.draw({ width, height }, 'Caption', undefined, tileSide);
             return drawn.getContext('2d')!.getImageData(0, 0, width, height).data;
         },
-        unfinished: (time) => unfinished(state, time),
+        unfinished: (time) => unfinished(state, view, time),
         picture: (setting) => scriptedPicture(figure, setting),
         loseContext: () => {
             contextLoss = scene.renderer.getContext().getExtension('WEBGL_lose_context');
