@@ -57,7 +57,8 @@ describe('a streak surface', () => {
         await playsOn(begun, 20);
         await screenshot(page, 'playing');
         const later = await played();
-        expect(later.keys - begun.keys).toBeLessThanOrEqual(1);
+        // A page that cannot keep up is sent whole states in between.
+        expect(later.keys - begun.keys).toBeLessThan(later.deltas - begun.deltas);
         expect(later.time).not.toBe(begun.time);
         await page.getByRole('button', { name: 'Pause' }).click();
         await expectServersMesh(stand.server, page);
