@@ -46,6 +46,8 @@ export interface TestHook {
     pick(at: ScreenPoint): PickHit | null;
     /** What is seen round a position in the window, by pixels. */
     pickGrid(at: ScreenPoint, radiusPx: number): PickGrid;
+    /** What the painter has left of a surface, as links have it; null where nothing is painted, or too much. */
+    maskOf(surface: string): string | null;
     /** How the last picture shows what can be seen through. */
     readonly transparency: 'none' | 'blended' | 'exact';
     /** Draws and returns RGB at positions in the window; exact: with everything transparent in its order. */
@@ -162,6 +164,7 @@ export function installTestHook({ state, view, scene, latency, canvas, figure }:
             const grid = scene.pickGrid({ x: x - box.left, y: y - box.top }, radiusPx, {});
             return { ...grid, corner: { x: grid.corner.x + box.left, y: grid.corner.y + box.top } };
         },
+        maskOf: (surface) => scene.surfaces.maskCode(surface) ?? null,
         get transparency() {
             return scene.transparency;
         },
