@@ -1,9 +1,32 @@
-// Two projects: `unit` beside the sources, `browser` in tests/end_to_end against the real server.
+// Three projects: `unit` beside the sources; `browser` and `timing` in tests/end_to_end against the real server. What takes how long by
+// the clock is in `timing`, which ./check runs when nothing else runs.
 import { fileURLToPath } from 'node:url';
-import { defineConfig } from 'vitest/config';
+import { defineConfig, type TestProjectInlineConfiguration } from 'vitest/config';
 import { resolveFromWebClient } from './tools/resolve_from_web_client.js';
 
 const browserTests = fileURLToPath(new URL('../tests/end_to_end/', import.meta.url));
+const timingTests = '**/*.timing.spec.ts';
+
+function inBrowser(name: string, files: { include: string[]; exclude?: string[] }): TestProjectInlineConfiguration {
+    return {
+        plugins: [resolveFromWebClient(browserTests)],
+        server: { fs: { strict: false } },
+        test: {
+            name,
+            dir: browserTests,
+            ...files,
+            setupFiles: [`${browserTests}support/setup.ts`],
+            environment: 'node',
+            // All files have one browser (support/test_browser.ts).
+            isolate: false,
+            // One Chromium with software rendering saturates two cores: files run in turn.
+            fileParallelism: false,
+            testTimeout: 60_000,
+            hookTimeout: 120_000,
+            expect: { poll: { timeout: 15_000 } },
+        },
+    };
+}
 
 export default defineConfig({
     test: {
@@ -11,24 +34,8 @@ export default defineConfig({
             {
                 test: { name: 'unit', include: ['src/**/*.spec.ts'], environment: 'node' },
             },
-            {
-                plugins: [resolveFromWebClient(browserTests)],
-                server: { fs: { strict: false } },
-                test: {
-                    name: 'browser',
-                    dir: browserTests,
-                    include: ['**/*.spec.ts'],
-                    setupFiles: [`${browserTests}support/setup.ts`],
-                    environment: 'node',
-                    // All files have one browser (support/test_browser.ts).
-                    isolate: false,
-                    // One Chromium with software rendering saturates two cores: files run in turn.
-                    fileParallelism: false,
-                    testTimeout: 60_000,
-                    hookTimeout: 120_000,
-                    expect: { poll: { timeout: 15_000 } },
-                },
-            },
+            inBrowser('browser', { include: ['**/*.spec.ts'], exclude: [timingTests] }),
+            inBrowser('timing', { include: [timingTests] }),
         ],
     },
 });

@@ -21,7 +21,7 @@ async function records(page: Page): Promise<{ rake: RakeRecord; surface: Surface
 
 async function becomes<T>(read: () => Promise<T>, holds: (fact: T) => boolean): Promise<T> {
     let fact = await read();
-    await expect.poll(async () => holds((fact = await read())), { timeout: 20_000, interval: 40 }).toBe(true);
+    await expect.poll(async () => holds((fact = await read())), { timeout: 30_000, interval: 40 }).toBe(true);
     return fact;
 }
 

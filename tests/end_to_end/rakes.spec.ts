@@ -7,7 +7,6 @@ import { ask, finalSurface, newContext, openPage, screenshot } from './support/b
 import { Guest } from './support/guest.ts';
 import { dragHandle, takeHandle } from './support/rake_drag.ts';
 import { expectServersMesh } from './support/server_mesh.ts';
-import { takeScriptTimes, timeScripts } from './support/script_time.ts';
 import { useStand } from './support/stand.ts';
 
 const stand = useStand();
@@ -17,7 +16,6 @@ let session: string;
 
 beforeEach(async () => {
     context = await newContext(stand.browser, { width: 900, height: 560 });
-    await timeScripts(context);
     page = await openPage(context, await stand.server.newSession());
     await finalSurface(page);
     session = (await ask(page, (hook) => hook.session))!;
@@ -38,7 +36,7 @@ async function surfaces(): Promise<SurfaceRecord[]> {
 /** Asks the server until it says what is expected. */
 async function eventually<Fact>(ask: () => Promise<Fact>, holds: (fact: Fact) => boolean): Promise<Fact> {
     let fact = await ask();
-    await expect.poll(async () => holds((fact = await ask())), { timeout: 10_000, interval: 40 }).toBe(true);
+    await expect.poll(async () => holds((fact = await ask())), { timeout: 30_000, interval: 40 }).toBe(true);
     return fact;
 }
 
@@ -161,26 +159,6 @@ describe('a handle under the mouse', () => {
         const { points } = await recorded();
         for (const value of points[1]!) expect(value * 2).toBe(Math.round(value * 2));
         expect((await shown())[1]).toEqual(points[1]);
-    });
-
-    it('costs little script, also on a rake of very many points', async () => {
-        await takeScriptTimes(page);
-        await dragHandle(page, 'middle', 30, 10, 12);
-        const few = await takeScriptTimes(page);
-        const points = Array.from({ length: 900 }, (_, i) => [-2, Math.sin(i / 20), 1 + (4 * i) / 900] as Vec3);
-        const [{ rake }] = (await eventually(rakes, (each) => !each[0]!.dragging)) as [RakeRecord];
-        await stand.server.call('rake.set', { session, rake, kind: 'points', points, seeds: 100 });
-        await page.waitForFunction(() => window.wakesurf!.rakePoints.length === 900);
-        await finalSurface(page);
-        await screenshot(page, 'rake-of-points');
-        await takeScriptTimes(page);
-        await dragHandle(page, 'middle', 30, 10, 12);
-        const many = await takeScriptTimes(page);
-        for (const { moves } of [few, many]) {
-            expect(moves.length).toBeGreaterThan(8);
-            expect(moves[Math.floor(moves.length / 2)]).toBeLessThan(4);
-        }
-        expect((await recorded()).points).toHaveLength(900);
     });
 });
 

@@ -1,6 +1,7 @@
 // What one can do without a mouse in the picture, and for a picture with more room and less in it: hide, lock, fold, turn by keys.
 import type { Page } from 'playwright-core';
 import { beforeEach, describe, expect, it } from 'vitest';
+import { readFragment } from '../../web-client/src/session/view/urlState.ts';
 import { ask, screenshot } from './support/browser_page.ts';
 import { takeHandle } from './support/rake_drag.ts';
 import { useStand } from './support/stand.ts';
@@ -35,12 +36,21 @@ describe('a rake that is hidden', () => {
         await expect.poll(displayed).toBe(0);
         expect(await ask(page, (hook) => hook.phase)).toBe('hidden');
         const before = await sent();
-        await page.locator('#length').press('ArrowRight');
-        await page.waitForFunction(() => window.wakesurf!.requestedEpoch > 1);
+        const longer = async (): Promise<void> => {
+            const epoch = await ask(page, (hook) => hook.requestedEpoch);
+            await page.locator('#length').press('ArrowRight');
+            await page.waitForFunction((old) => window.wakesurf!.requestedEpoch > old, epoch);
+        };
+        await longer();
         await screenshot(page, 'hidden-rake');
-        await page.waitForFunction(() => location.hash.includes('state='));
-        await page.waitForTimeout(1000);
+        // The server has made the surface to its end, and has answered on the connection that it would have sent it by.
+        const session = await ask(page, (hook) => hook.session);
+        const { surfaces } = (await stand.server.call('surface.list', { session })) as { surfaces: { surface: string }[] };
+        await stand.server.call('surface.wait', { session, surface: surfaces[0]!.surface, timeoutMs: 20_000 });
+        await longer();
         expect(await sent()).toBe(before);
+        // The address follows within half a second.
+        await expect.poll(() => readFragment(new URL(page.url()).hash).state?.view.shown).toBeDefined();
         await page.reload();
         await page.waitForFunction(() => window.wakesurf?.phase === 'hidden');
         expect(await drawnRakes()).toEqual([]);

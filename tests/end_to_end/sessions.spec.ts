@@ -178,9 +178,7 @@ describe('a session that is deleted', () => {
         await banner.waitFor({ state: 'detached' });
         await finalSurface(other);
         // The one who has deleted it is back as well, by itself.
-        await page.waitForFunction((id) => window.wakesurf!.session === id && window.wakesurf!.stage === 'running', session, {
-            timeout: 10_000,
-        });
+        await page.waitForFunction((id) => window.wakesurf!.session === id && window.wakesurf!.stage === 'running', session);
         await page.context().close();
         await other.context().close();
     });

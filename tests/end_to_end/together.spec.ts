@@ -88,7 +88,7 @@ async function workerIsThrough(of: Page): Promise<void> {
 
 /** The page says why it has ended, keeps its picture, and does not even come back when the browser says that it is online again. */
 async function expectEnded(ended: Page, why: RegExp): Promise<void> {
-    await ended.getByText('Connection ended.').waitFor({ timeout: 5000 });
+    await ended.getByText('Connection ended.').waitFor();
     await ended.getByText(why).waitFor();
     expect(await ask(ended, (hook) => hook.connection)).toBe('ended');
     expect((await ask(ended, (hook) => hook.displayed?.cells)) ?? 0).toBeGreaterThan(100);

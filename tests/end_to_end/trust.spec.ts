@@ -46,18 +46,6 @@ describe('a first visit', () => {
         expect(await again.getByRole('region', { name: 'Tour' }).getAttribute('data-step')).toBe('drag');
         await again.close();
     });
-
-    it('sees the domain within two seconds of opening', async () => {
-        const visits: number[] = [];
-        for (let i = 0; i < 3; ++i) {
-            const page = await stand.visit(size);
-            visits.push((await ask(page, (hook) => hook.firstPictureMs))!);
-            await page.context().close();
-        }
-        // Other programs on the machine may hold up one of them, and not most.
-        const [, usual] = visits.sort((a, b) => a - b);
-        expect(usual, visits.join(', ')).toBeLessThan(2000);
-    });
 });
 
 describe('numbers about the surface', () => {
@@ -123,7 +111,7 @@ describe('on a slow network', () => {
         const sum = Object.values(sample.parts).reduce((a, b) => a + b);
         expect(sum).toBeGreaterThanOrEqual(sample.milliseconds * 0.999);
         // The next ping knows how far away the server is.
-        await page.waitForFunction(() => (window.wakesurf?.roundTripMs ?? 0) > 115, null, { timeout: 10_000 });
+        await page.waitForFunction(() => (window.wakesurf?.roundTripMs ?? 0) > 115);
         await dragHandle(page, 1, -25, 10, 5);
         await expectServersMesh(stand.server, page);
         expect(await numberIn(page, '[data-part=network]')).toBeGreaterThan(115);

@@ -4,6 +4,7 @@ import { beforeAll, describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
 import { readFragment } from '../../web-client/src/session/view/urlState.ts';
 import { ask, finalSurface, openPage, screenshot } from './support/browser_page.ts';
+import { framesPass } from './support/frames.ts';
 import { hitsOver } from './support/look_facts.ts';
 import { expectSamePoints } from './support/same_points.ts';
 import { expectServersMesh } from './support/server_mesh.ts';
@@ -207,13 +208,15 @@ describe('what a brush has revealed', () => {
         await page.mouse.move(x + 60, y, { steps: 4 });
         await page.mouse.up();
         await expect.poll(async () => (await shown(page)).size).toBeGreaterThan(100);
-        // The picture has the whole stroke, and so has the address, which follows within half a second.
-        let last = '';
-        const settled = async (): Promise<boolean> => {
-            const now = JSON.stringify([masksOf(page), [...(await shown(page))]]);
-            return now === last || ((last = now), false);
-        };
-        await expect.poll(settled, { interval: 800, timeout: 20_000 }).toBe(true);
+        // The picture has the whole stroke when what was moved has been drawn; the address follows within half a second.
+        await framesPass(page, 2);
+        await expect
+            .poll(async () => {
+                const inAddress = masksOf(page);
+                const drawn = await page.evaluate((ids) => ids.map((id) => window.wakesurf!.maskOf(id)), Object.keys(inAddress));
+                return drawn.length === 1 && JSON.stringify(drawn) === JSON.stringify(Object.values(inAddress));
+            })
+            .toBe(true);
         const painted = await shown(page);
         expect(Object.keys(masksOf(page))).toHaveLength(1);
         const before = JSON.stringify(masksOf(page));

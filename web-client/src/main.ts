@@ -144,7 +144,7 @@ function start(app: App): void {
     scene.loop.beforeFrame(() => pointing.flush());
     scene.loop.beforeFrame(() => feed.apply());
     showRakes(state, view, scene);
-    installTestHook({ state, scene, latency, canvas, figure });
+    installTestHook({ state, view, scene, latency, canvas, figure });
     recallPanel(view);
     listenForViewKeys({ view, scene, people });
     listenForPresses(edits.gestures);

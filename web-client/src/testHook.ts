@@ -10,6 +10,7 @@ import type { DrawnRake } from './scene/rake/drawnRake.ts';
 import type { Figure } from './session/out/figure.ts';
 import { type ScriptedSetting, scriptedPicture, unfinished } from './session/out/scriptedPicture.ts';
 import type { AppState, DisplayedSurface } from './state/appState.ts';
+import type { ViewState } from './state/viewState.ts';
 import type { LatencyLog, LatencySample } from './state/latency.ts';
 
 export interface TestHook {
@@ -45,6 +46,8 @@ export interface TestHook {
     pick(at: ScreenPoint): PickHit | null;
     /** What is seen round a position in the window, by pixels. */
     pickGrid(at: ScreenPoint, radiusPx: number): PickGrid;
+    /** What the painter has left of a surface, as links have it; null where nothing is painted, or too much. */
+    maskOf(surface: string): string | null;
     /** How the last picture shows what can be seen through. */
     readonly transparency: 'none' | 'blended' | 'exact';
     /** Draws and returns RGB at positions in the window; exact: with everything transparent in its order. */
@@ -67,13 +70,14 @@ declare global {
 
 export interface TestHookParts {
     state: AppState;
+    view: Pick<ViewState, 'lookOf'>;
     scene: FlowScene;
     latency: LatencyLog;
     canvas: HTMLCanvasElement;
     figure: Figure;
 }
 
-export function installTestHook({ state, scene, latency, canvas, figure }: TestHookParts): void {
+export function installTestHook({ state, view, scene, latency, canvas, figure }: TestHookParts): void {
     const active = (): string => state.activeSurface.value ?? '';
     const displayed = (): DisplayedSurface | undefined => state.displayed.value.get(active());
     const requested = (): number => state.requestedEpochs.value.get(active()) ?? 0;
@@ -160,6 +164,7 @@ export function installTestHook({ state, scene, latency, canvas, figure }: TestH
             const grid = scene.pickGrid({ x: x - box.left, y: y - box.top }, radiusPx, {});
             return { ...grid, corner: { x: grid.corner.x + box.left, y: grid.corner.y + box.top } };
         },
+        maskOf: (surface) => scene.surfaces.maskCode(surface) ?? null,
         get transparency() {
             return scene.transparency;
         },
@@ -177,7 +182,7 @@ export function installTestHook({ state, scene, latency, canvas, figure }: TestH
             const drawn = figure.draw({ width, height }, 'Caption', undefined, tileSide);
             return drawn.getContext('2d')!.getImageData(0, 0, width, height).data;
         },
-        unfinished: (time) => unfinished(state, time),
+        unfinished: (time) => unfinished(state, view, time),
         picture: (setting) => scriptedPicture(figure, setting),
         loseContext: () => {
             contextLoss = scene.renderer.getContext().getExtension('WEBGL_lose_context');

@@ -5,9 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <condition_variable>
-#include <cstdio>
 #include <mutex>
 #include <random>
 #include <thread>
@@ -362,25 +360,6 @@ TEST(TimeStepCache, EndsTheLoadThatIsRunningWhenItGoes) {
     }
     EXPECT_EQ(source->alive(), 0u); // though the gate never opened
     EXPECT_EQ(source->order().size(), 1u);
-}
-
-TEST(TimeStepCache, AResidentStepCostsLessThanAMicrosecond) {
-    Bench bench(4, 4);
-    const auto held = bench.cache.acquire(0).value();
-    constexpr int rounds = 100'000;
-    double best = 1.0;
-    for (int repeat = 0; repeat < 5; ++repeat) {
-        const auto start = std::chrono::steady_clock::now();
-        for (int i = 0; i < rounds; ++i)
-            (void)bench.cache.acquire(0);
-        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-        best = std::min(best, took.count() / rounds);
-    }
-    RecordProperty("nanoseconds", static_cast<int>(best * 1e9));
-    std::printf("acquire of a resident time-step: %.0f ns\n", best * 1e9);
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && defined(__OPTIMIZE__)
-    EXPECT_LT(best, 1e-6);
-#endif
 }
 
 } // namespace

@@ -93,11 +93,11 @@ export class FlatSheets {
     }
 }
 
-/** Waits until so many surfaces are drawn at their finest. */
+/** Waits until so many surfaces are drawn at their finest, each with all that its look needs. */
 export async function finalSheets(page: Page, count: number): Promise<void> {
-    // With all pixels: while things move there are fewer, and a place is up to 1.4 of these beside the middle of its pixel.
+    // Frames may come before the worker knows the looks. A sheet of smoke is final then, and drawn for one state more as if the server
+    // did not measure its stretching: one or two steps of 255 beside what it is a moment later.
     const isFinal = (wanted: number): boolean =>
-        window.wakesurf?.pixelRatio === 1 &&
-        window.wakesurf.allDisplayed.filter(({ phase }) => phase === 'final').length === wanted;
+        window.wakesurf?.allDisplayed.length === wanted && window.wakesurf.unfinished(null) === '';
     await page.waitForFunction(isFinal, count, { timeout: 60_000 });
 }

@@ -71,6 +71,7 @@ export async function linkTo(server: ServerProcess, scene: Scene): Promise<strin
 /** Waits until the page shows the scene's surface at its finest, in its colours, and nothing is drawn any more. */
 export async function settled(page: Page): Promise<void> {
     await finalSurface(page);
+    await page.waitForFunction(() => window.wakesurf!.unfinished(null) === '');
     const drawn = (): Promise<number> => page.evaluate(() => window.wakesurf!.framesDrawn);
     for (let before = -1, now = await drawn(); now !== before;) {
         before = now;

@@ -13,6 +13,15 @@ export async function takeHandle(page: Page, handle: HandleName): Promise<{ x: n
     return from;
 }
 
+/** Waits until a handle is drawn at a place on the screen, or not a pixel beside it. */
+export async function handleIsAt(page: Page, handle: HandleName, place: { x: number; y: number }): Promise<void> {
+    const apart = async (): Promise<number> => {
+        const now = await page.evaluate((name) => window.wakesurf?.handleOnScreen(name), handle);
+        return Math.hypot((now?.x ?? 0) - place.x, (now?.y ?? 0) - place.y);
+    };
+    if ((await apart()) >= 1) await expect.poll(apart).toBeLessThan(1);
+}
+
 /** Drags a handle by so many pixels; it is under the pointer after every step. */
 export async function dragHandle(page: Page, handle: HandleName, dx: number, dy: number, steps: number): Promise<void> {
     const from = await takeHandle(page, handle);
@@ -29,8 +38,7 @@ export async function dragHandle(page: Page, handle: HandleName, dx: number, dy:
     for (let i = 1; i <= steps; ++i) {
         const pointer = { x: from.x + (dx * i) / steps, y: from.y + (dy * i) / steps };
         await page.mouse.move(pointer.x, pointer.y);
-        const now = await page.evaluate((name) => window.wakesurf?.handleOnScreen(name), handle);
-        expect(Math.hypot((now?.x ?? 0) - pointer.x, (now?.y ?? 0) - pointer.y)).toBeLessThan(1);
+        await handleIsAt(page, handle, pointer);
     }
     await page.mouse.up();
 }

@@ -4,8 +4,8 @@
 #include "tests/support/same_state.hpp"
 
 #include <bit>
-#include <chrono>
 #include <cstring>
+#include <ctime>
 #include <limits>
 #include <map>
 
@@ -143,7 +143,7 @@ TEST(MeshDecoder, ShufflingFramesNeverGivesAWrongMesh) {
 TEST(MeshDecoder, RefusesEveryMutatedOrTruncatedFrameAndComesBackWithAKey) {
     std::mt19937 random(3);
     const Sequence sequence(13);
-    const auto before = std::chrono::steady_clock::now();
+    const std::clock_t before = std::clock();
     MeshDecoder good;
     for (const EncodedUpdate& update : sequence.updates) {
         for (int i = 0; i < 60; ++i) {
@@ -161,7 +161,7 @@ TEST(MeshDecoder, RefusesEveryMutatedOrTruncatedFrameAndComesBackWithAKey) {
         ASSERT_TRUE(folds(good, encode_key(1, update)->frames));
         ASSERT_TRUE(tests::same_state(*good.newest()->mesh, *update.state));
     }
-    EXPECT_LT(std::chrono::steady_clock::now() - before, std::chrono::seconds(20));
+    EXPECT_LT(std::clock() - before, 20 * CLOCKS_PER_SEC) << "of the processor";
 }
 
 /// Overwrites the frame's own checksum with the right one.

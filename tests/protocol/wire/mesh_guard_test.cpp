@@ -1,7 +1,7 @@
 #include "protocol/wire/mesh_guard.hpp"
 #include "tests/protocol/wire/sample_meshes.hpp"
 
-#include <chrono>
+#include <ctime>
 #include <limits>
 
 namespace wakesurf::protocol::mesh_guard_test {
@@ -41,10 +41,10 @@ TEST(MeshGuard, KeepsTheMeshesThatKillDracoFromIt) {
         for (int axis = 0; axis < 3; ++axis) {
             auto mesh = samples::sheet(20, 30);
             mesh.position[599][axis] = bad;
-            const auto before = std::chrono::steady_clock::now();
+            const std::clock_t before = std::clock();
             const auto state = encode_state(mesh, lattice, {});
             EXPECT_FALSE(state.has_value()) << bad << " on axis " << axis;
-            EXPECT_LT(std::chrono::steady_clock::now() - before, std::chrono::seconds(1));
+            EXPECT_LT(std::clock() - before, 1 * CLOCKS_PER_SEC) << "of the processor";
         }
     auto mesh = samples::sheet(20, 30);
     for (std::size_t i = 0; i < mesh.position.size(); ++i)

@@ -64,7 +64,7 @@ class Bench {
 
     /// Until the importer that was stopped has ended and taken away what it was writing.
     bool tidies_up() {
-        for (int i = 0; i < 500 && unfinished_files(folder_.path()) > 0; ++i)
+        for (int i = 0; i < 3000 && unfinished_files(folder_.path()) > 0; ++i)
             std::this_thread::sleep_for(std::chrono::milliseconds(20));
         return unfinished_files(folder_.path()) == 0;
     }

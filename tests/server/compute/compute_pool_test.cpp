@@ -1,7 +1,5 @@
-// The pool's own threads: who waits for whom, at which priority, and how soon a stopped job lets go.
-#include "core/field/analytic_flow.hpp"
+// The pool's own threads: who waits for whom, and at which priority.
 #include "server/compute/compute_pool.hpp"
-#include "server/session/live/surface_build.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -10,60 +8,12 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
-#include <ctime>
 #include <future>
 #include <string>
-#include <vector>
 
 namespace wakesurf::server::compute_pool_test {
 
 namespace {
-
-/// Tells when it has been looked at `looks` times: the engine does so between its rounds.
-class TellingClock final : public core::Clock {
-  public:
-    explicit TellingClock(int looks) : left_(looks) {}
-
-    std::chrono::steady_clock::time_point now() const override {
-        if (--left_ == 0)
-            there_.set_value();
-        return std::chrono::steady_clock::now();
-    }
-
-    std::future<void> there() { return there_.get_future(); }
-
-  private:
-    mutable std::atomic<int> left_;
-    mutable std::promise<void> there_;
-};
-
-SurfaceJob large_surface() {
-    SurfaceJob job;
-    job.rake = {core::Rake::Kind::Line, {{-8, 0, 0}, {8, 2, 0}}, 2000};
-    job.parameters.to = 40.0;
-    job.parameters.separation = 0.005;
-    job.parameters.max_quads = 4'000'000;
-    job.flow = *core::make_analytic_flow("abc");
-    job.lattice = protocol::lattice_over(core::describe_analytic_flow("abc")->bounds);
-    return job;
-}
-
-/// Time by the clock, and of the processor by all threads of this process.
-struct Spent {
-    std::chrono::nanoseconds wall, processor;
-
-    static Spent now() {
-        timespec used{};
-        clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);
-        return {std::chrono::steady_clock::now().time_since_epoch(),
-                std::chrono::seconds(used.tv_sec) + std::chrono::nanoseconds(used.tv_nsec)};
-    }
-
-    Spent operator-(const Spent& earlier) const {
-        return {wall - earlier.wall, processor - earlier.processor};
-    }
-};
 
 int own_priority() {
     return getpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)));
@@ -140,31 +90,6 @@ TEST(ComputePool, RunsLongJobsAtALowerPriority) {
     std::promise<int> priority;
     pool.run("a", Pace::Long, [&] { priority.set_value(own_priority()); });
     EXPECT_GT(priority.get_future().get(), own_priority());
-}
-
-TEST(ComputePool, LetsGoOfEveryStoppedJobWithin50Milliseconds) {
-    std::vector<Spent> spent;
-    for (const int rounds : {2, 3, 4, 5, 6, 7, 8}) {
-        ComputePool pool(2);
-        TellingClock clock(rounds);
-        auto amid = clock.there();
-        SurfaceBuild build(large_surface(), clock);
-        std::stop_source stop;
-        std::promise<core::Result<Update>> ended;
-        pool.run("a", Pace::Long, [&] { ended.set_value(build.run({}, stop.get_token())); });
-        ASSERT_EQ(amid.wait_for(std::chrono::minutes(1)), std::future_status::ready);
-        const Spent before = Spent::now();
-        stop.request_stop();
-        const auto result = ended.get_future().get();
-        spent.push_back(Spent::now() - before);
-        ASSERT_FALSE(result);
-        EXPECT_EQ(result.error().code, core::Error::Code::Cancelled);
-        // Whatever else the machine does: none computes on for longer, on both of its threads together.
-        EXPECT_LT(spent.back().processor, 2 * std::chrono::milliseconds(50)) << rounds;
-    }
-    // By the clock other programs may hold some of them up.
-    std::ranges::sort(spent, {}, &Spent::wall);
-    EXPECT_LT(spent[spent.size() / 2].wall, std::chrono::milliseconds(50));
 }
 
 TEST(ComputePool, RunsJobsByHandInTheOrderOfTurns) {

@@ -160,30 +160,6 @@ TEST(WatchedProcess, EndsASurveyThatHangs) {
     EXPECT_NE(ended.error().hint.find("--survey"), std::string::npos);
 }
 
-TEST(WatchedProcess, GivesEveryFileOfASurveyItsOwnTime) {
-    const auto ended = run_watched("a.vti", {plenty.memory, seconds(1), seconds(60)}, [] {
-        for (int file = 0; file < 4; ++file) {
-            ::usleep(500'000);
-            made_progress();
-        }
-        return 0;
-    });
-    EXPECT_EQ(ended.value_or(-1), 0);
-}
-
-TEST(WatchedProcess, CountsReadingOfALargeFileAsProgress) {
-    const auto ended = run_watched("a.vti", {plenty.memory, seconds(1), seconds(60)}, [] {
-        std::ifstream zeros("/dev/zero", std::ios::binary);
-        std::vector<char> piece(20 * mebi);
-        for (int i = 0; i < 4; ++i) {
-            zeros.read(piece.data(), static_cast<std::streamsize>(piece.size()));
-            ::usleep(500'000);
-        }
-        return 0;
-    });
-    EXPECT_EQ(ended.value_or(-1), 0);
-}
-
 TEST(WatchedProcess, EndsAnImportWithoutProgress) {
     const auto ended = run_watched("a.vti", {plenty.memory, seconds(60), seconds(1)}, [] {
         progress_marks().surveyed = true;

@@ -10,13 +10,8 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
-#include <fstream>
-#include <functional>
-#include <optional>
 #include <span>
-#include <sstream>
 #include <string>
-#include <thread>
 #include <tuple>
 
 namespace wakesurf::tests::downloads_test {
@@ -93,29 +88,6 @@ class DownloadsTest : public testing::Test {
         client.result("surface.wait",
                       {{"session", session}, {"surface", surface}, {"timeoutMs", 60000}});
         return surface;
-    }
-
-    /// Of 10 ms each, used by a process so far.
-    static long processor_ticks(pid_t process) {
-        std::ifstream file(fmt::format("/proc/{}/stat", process));
-        std::string text((std::istreambuf_iterator<char>(file)), {});
-        std::istringstream words(text.substr(text.rfind(')') + 1));
-        std::string skipped;
-        for (int i = 0; i < 11; ++i)
-            words >> skipped;
-        long user = 0, system = 0;
-        words >> user >> system;
-        return user + system;
-    }
-
-    static bool within(std::chrono::milliseconds patience, const std::function<bool()>& done) {
-        const auto end = std::chrono::steady_clock::now() + patience;
-        while (!done()) {
-            if (std::chrono::steady_clock::now() > end)
-                return false;
-            std::this_thread::sleep_for(std::chrono::milliseconds(10));
-        }
-        return true;
     }
 
     static ServerProcess* server_;
@@ -262,26 +234,6 @@ TEST_F(DownloadsTest, OfOneLinkNeverKeepAnotherSessionsWaiting) {
                                      server.bearer());
         EXPECT_EQ(reply.status, 200) << reply.body.substr(0, 200);
     }
-}
-
-TEST_F(DownloadsTest, ComputeNoFurtherWhenWhoAskedHasHungUp) {
-    const ServerProcess server({"flow:abc"});
-    WebSocketClient host(server);
-    const std::string surface = slow_to_download(host, "main");
-    std::optional<RawSocket> guest(server.port());
-    guest->send(fmt::format("GET /api/v1/sessions/main/surfaces/{}/mesh.ply?time=end HTTP/1.1\r\n"
-                            "Host: 127.0.0.1:{}\r\nAuthorization: Bearer {}\r\n\r\n",
-                            surface, server.port(), server.token()));
-    const auto begun = processor_ticks(server.pid());
-    EXPECT_TRUE(within(std::chrono::seconds(20), [&] {
-        return processor_ticks(server.pid()) - begun > 30;
-    })) << "it does not compute";
-    guest.reset();
-    EXPECT_TRUE(within(std::chrono::seconds(20), [&] {
-        const auto before = processor_ticks(server.pid());
-        std::this_thread::sleep_for(std::chrono::milliseconds(500));
-        return processor_ticks(server.pid()) - before < 3;
-    })) << "it goes on";
 }
 
 TEST_F(DownloadsTest, OfFilesThereAreNotAre404AndSayWhichThereAre) {

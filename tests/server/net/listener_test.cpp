@@ -33,8 +33,8 @@ TEST(ListenerTest, WithoutDescriptorsWaitsAndThenGoesOn) {
     context.run_for(std::chrono::milliseconds(50));
     EXPECT_EQ(accepted, 0);
     ::setrlimit(RLIMIT_NOFILE, &before);
-    context.run_for(std::chrono::milliseconds(300));
-    EXPECT_EQ(accepted, 1);
+    while (accepted == 0) // with its next try
+        context.run_one();
     (*listener)->stop();
     context.run_for(std::chrono::milliseconds(10));
 }

@@ -114,7 +114,7 @@ TEST(ManyClientsTest, OfThisMachineThatShowNothingDoNotKeepOthersOut) {
     std::vector<RawSocket> silent;
     for (int i = 0; i < 2100; ++i)
         silent.emplace_back(server.port());
-    EXPECT_TRUE(silent.front().closed_within(std::chrono::seconds(5))) << "it makes room";
+    EXPECT_TRUE(silent.front().closes()) << "it makes room";
     EXPECT_EQ(served.result("server.ping"), json::object());
     EXPECT_EQ(http(server.port(), "GET", "/healthz").body, "ok");
     EXPECT_EQ(WebSocketClient(server).result("server.ping"), json::object());
@@ -170,7 +170,7 @@ TEST(ManyClientsTest, BehindATrustedProxyAreCountedByTheAddressItForwards) {
     EXPECT_EQ(upgrade("198.51.100.1", "PROXY TCP4 198.51.100.3 10.0.0.1 4711 443\r\n"), 101);
     RawSocket nonsense(server.port());
     nonsense.send("PROXY TCP4 no one\r\n");
-    EXPECT_TRUE(nonsense.closed_within(std::chrono::seconds(5)));
+    EXPECT_TRUE(nonsense.closes());
     EXPECT_EQ(http(server.port(), "GET", "/healthz").body, "ok") << "without a word of a proxy";
 }
 

@@ -1,5 +1,7 @@
-// Clients that take their time, in every phase a connection has: each is ended when the time of that phase is over, and
-// not before. They all wait at the same time, so that the test takes no longer than the longest.
+// Clients that take their time, in every phase a connection has: each is ended when the time of that
+// phase is over, and not before. They all wait at the same time, so that the test takes no longer than
+// the longest. What is too late is told by the server's own pings to one that is served, every 20 s: a
+// busy machine holds these up as well.
 #include "server/limits.hpp"
 #include "tests/support/server/server_process.hpp"
 #include "tests/support/server/websocket_client.hpp"
@@ -7,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <chrono>
 #include <fstream>
 #include <future>
@@ -28,7 +31,7 @@ double seconds_since(Clock::time_point start) {
 /// How long the connection stays while `drip` is sent again and again.
 double lasts(RawSocket& socket, const std::string& drip) {
     const auto start = Clock::now();
-    while (seconds_since(start) < 60.0) {
+    while (seconds_since(start) < 120.0) {
         if (socket.closed_within(std::chrono::milliseconds(200)))
             break;
         socket.send(drip);
@@ -60,37 +63,53 @@ TEST(SlowClientsTest, AreEndedWhenTheTimeOfTheirPhaseIsOver) {
         const char* what;
         std::string first;
         std::string drip;
-        double least, most; ///< seconds
+        double least;     ///< seconds
+        std::size_t ping; ///< before which it is ended
     };
 
     const std::vector<Case> cases{
-        {"says nothing", "", "", 9, 14},
-        {"drips its header", "GET /healthz HTTP/1.1\r\nX: ", "x", 9, 14},
-        {"drips its body", posting + "Content-Length: 60000\r\n\r\n{", " ", 9, 14},
-        {"drips its chunks", posting + "Transfer-Encoding: chunked\r\n\r\n", "1\r\n \r\n", 9, 14},
+        {"says nothing", "", "", 9, 1},
+        {"drips its header", "GET /healthz HTTP/1.1\r\nX: ", "x", 9, 1},
+        {"drips its body", posting + "Content-Length: 60000\r\n\r\n{", " ", 9, 1},
+        {"drips its chunks", posting + "Transfer-Encoding: chunked\r\n\r\n", "1\r\n \r\n", 9, 1},
         {"is kept alive and asks for nothing more", "GET /healthz HTTP/1.1\r\n" + host + "\r\n", "",
-         39, 46},
+         39, 3},
     };
-    std::vector<std::future<double>> waiting;
+    std::atomic<std::size_t> pings{0};
+    auto attentive = std::async(std::launch::async, [&] {
+        WebSocketClient client(server, "");
+        std::vector<double> at;
+        const auto start = Clock::now();
+        while (pings < 3) {
+            EXPECT_EQ(client.socket().receive(std::chrono::minutes(1)), std::string("\x89\0", 2));
+            at.push_back(seconds_since(start));
+            ++pings;
+            client.send_frame(10, "");
+        }
+        EXPECT_EQ(client.result("server.ping"), json::object());
+        return at;
+    });
+
+    struct End {
+        double after = 0.0;    ///< seconds
+        std::size_t pings = 0; ///< of the attentive one by then
+    };
+
+    const auto end_of = [&](RawSocket& socket, const std::string& drip) {
+        const double after = lasts(socket, drip);
+        return End{after, pings};
+    };
+    std::vector<std::future<End>> waiting;
     for (const Case& each : cases)
         waiting.push_back(std::async(std::launch::async, [&] {
             RawSocket socket(server.port());
             socket.send(each.first);
-            return lasts(socket, each.drip);
+            return end_of(socket, each.drip);
         }));
 
     auto deaf = std::async(std::launch::async, [&] {
         WebSocketClient client(server, ""); // answers no ping
-        return lasts(client.socket(), "");
-    });
-    auto attentive = std::async(std::launch::async, [&] {
-        WebSocketClient client(server, "");
-        const auto start = Clock::now();
-        EXPECT_EQ(client.socket().receive(std::chrono::seconds(30)), std::string("\x89\0", 2));
-        const double pinged = seconds_since(start);
-        client.send_frame(10, "");
-        EXPECT_EQ(client.result("server.ping"), json::object());
-        return pinged;
+        return end_of(client.socket(), "");
     });
 
     // Three that ask for more than the kernel keeps for them, and read none of it; the last one for more than the server keeps, too.
@@ -107,23 +126,22 @@ TEST(SlowClientsTest, AreEndedWhenTheTimeOfTheirPhaseIsOver) {
     WebSocketClient more_questions(server, "");
     ask(more_questions, 1000);
     const auto stalling = Clock::now();
-    while (seconds_since(stalling) < 60.0 &&
-           (rejected(server, "stalled") < 2 || rejected(server, "overflow") < 1))
+    while (pings < 3 && (rejected(server, "stalled") < 2 || rejected(server, "overflow") < 1))
         continue;
     EXPECT_GT(seconds_since(stalling), 25.0);
-    EXPECT_LT(seconds_since(stalling), 45.0);
+    EXPECT_LT(pings, 3u) << "stalled";
 
-    const double pinged = attentive.get();
-    EXPECT_GT(pinged, 18.0);
-    EXPECT_LT(pinged, 25.0);
-    const double heard = deaf.get();
-    EXPECT_GT(heard, 38.0);
-    EXPECT_LT(heard, 46.0);
     for (std::size_t i = 0; i < cases.size(); ++i) {
-        const double took = waiting[i].get();
-        EXPECT_GT(took, cases[i].least) << cases[i].what;
-        EXPECT_LT(took, cases[i].most) << cases[i].what;
+        const End end = waiting[i].get();
+        EXPECT_GT(end.after, cases[i].least) << cases[i].what;
+        EXPECT_LT(end.pings, cases[i].ping) << cases[i].what;
     }
+    const End heard = deaf.get();
+    EXPECT_GT(heard.after, 38.0);
+    EXPECT_LT(heard.pings, 3u);
+    const std::vector<double> pinged = attentive.get();
+    for (std::size_t i = 0; i < pinged.size(); ++i)
+        EXPECT_GT(pinged[i], 18.0 * static_cast<double>(i + 1));
 }
 
 } // namespace wakesurf::tests::slow_clients_test

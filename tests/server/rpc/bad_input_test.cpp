@@ -192,7 +192,7 @@ TEST_F(BadInput, OfBrokenFramesAndTextEndsThatConnectionOnly) {
     WebSocketClient client(*server_);
     client.socket().send("\x83\x80"
                          "garbage that is no frame at all");
-    EXPECT_TRUE(client.socket().closed_within(std::chrono::seconds(15)));
+    EXPECT_TRUE(client.socket().closes());
     WebSocketClient no_utf8(*server_);
     no_utf8.send_frame(1, "\xff\xfe\xfd");
     EXPECT_EQ(no_utf8.receive().close_code(), 1007u);

@@ -46,7 +46,7 @@ class DatasetOpen : public testing::Test {
     }
 
     bool tidied_up() const {
-        for (int i = 0; i < 500 && unfinished_files(folder / "cache") > 0; ++i)
+        for (int i = 0; i < 3000 && unfinished_files(folder / "cache") > 0; ++i)
             std::this_thread::sleep_for(std::chrono::milliseconds(20));
         return unfinished_files(folder / "cache") == 0;
     }

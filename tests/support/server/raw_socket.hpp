@@ -32,6 +32,9 @@ class RawSocket {
     /// Whether the other side closes within `patience`; data on the way is dropped.
     bool closed_within(std::chrono::milliseconds patience);
 
+    /// Waits until the other side has closed; false where it does not for so long that it never will.
+    bool closes() { return closed_within(std::chrono::minutes(1)); }
+
     /// Ends without a goodbye: the other side gets a reset.
     void reset();
 

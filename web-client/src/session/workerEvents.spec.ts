@@ -17,7 +17,18 @@ function bench() {
 }
 
 const frame: WorkerEvent = {
-    ...{ type: 'surface', surface: 's1', epoch: 3, phase: 'final', time: 0, stateSum: 1, cells: 1, keys: 1, deltas: 0 },
+    ...{
+        type: 'surface',
+        surface: 's1',
+        epoch: 3,
+        phase: 'final',
+        time: 0,
+        stateSum: 1,
+        cells: 1,
+        keys: 1,
+        deltas: 0,
+        withheld: [],
+    },
     ...{ decodeMs: 1, vertices: 0, triangles: 0, fromVertex: 0, fromNormal: 0, fromSeed: 0, fromIndex: 0 },
     ...{ positions: new Float32Array(), normals: new Float32Array(), seeds: new Float32Array() },
     ...{ indices: new Uint32Array(), scalars: [], parts: null },

@@ -11,6 +11,7 @@ const displayed: DisplayedSurface = {
     stateSum: 1,
     keys: 1,
     deltas: 0,
+    withheld: [],
     phase: 'final' as const,
     time: 0,
 };

@@ -38,6 +38,8 @@ export interface DisplayedSurface {
     /** Updates from which it came, since the page knows it: whole states, and changes of the one before. */
     keys: number;
     deltas: number;
+    /** Attributes that came with it and are not here; those that a look needs follow when the worker knows of it. */
+    withheld: readonly string[];
 }
 
 export interface ShownRake {

@@ -52,7 +52,19 @@ export function surfaceOf(surface: string, change: Partial<SurfaceRecord> = {}):
 
 export function displayedOf(surface: string, change: Partial<DisplayedSurface> = {}): DisplayedSurface {
     return {
-        ...{ surface, epoch: 1, vertices: 4, cells: 1, triangles: 2, stateSum: 1, phase: 'final', time: 0, keys: 1, deltas: 0 },
+        ...{
+            surface,
+            epoch: 1,
+            vertices: 4,
+            cells: 1,
+            triangles: 2,
+            stateSum: 1,
+            phase: 'final',
+            time: 0,
+            keys: 1,
+            deltas: 0,
+            withheld: [],
+        },
         ...change,
     };
 }

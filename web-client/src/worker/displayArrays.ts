@@ -34,6 +34,11 @@ export class DisplayArrays {
         this.attributes = attributes;
     }
 
+    /** What the frames carry and take() leaves out, since it has not been asked for. */
+    get withheld(): string[] {
+        return this.attributes.filter((name) => !this.shown.has(name));
+    }
+
     /** Whether take() has anything new to give because of it. */
     show(attributes: readonly string[], parts: PartsWish | null): boolean {
         this.wanted = attributes;

@@ -110,6 +110,10 @@ describe('SurfaceFolder', () => {
         expect(bench.states).toHaveLength(2);
         expect(bench.states[1]!.scalars.map(({ name }) => name)).toEqual(['t']);
         expect(bench.states[1]!.positions).toHaveLength(0);
+        expect(bench.states.map(({ withheld }) => withheld)).toEqual([
+            ['s', 't'],
+            ['speed', 's'],
+        ]);
         bench.folder.show('s1', ['t'], null);
         expect(bench.states).toHaveLength(2);
         bench.folder.taken('s1');

@@ -170,13 +170,14 @@ export class SurfaceFolder {
         followed.news = false;
         ++followed.untaken;
         const { epoch, phase, time, stateSum } = header;
-        const { surface, keys, deltas } = followed;
+        const { surface, keys, deltas, display } = followed;
+        const { withheld } = display;
         const start = performance.now();
-        const arrays = followed.display.take(mesh);
+        const arrays = display.take(mesh);
         const decodeMs = followed.decodeMs + performance.now() - start;
         followed.decodeMs = 0;
         this.options.onState({
-            ...{ surface, epoch, phase, time, stateSum, cells: mesh.cellCount, keys, deltas, decodeMs },
+            ...{ surface, epoch, phase, time, stateSum, cells: mesh.cellCount, keys, deltas, withheld, decodeMs },
             ...arrays,
         });
     }

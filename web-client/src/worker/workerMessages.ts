@@ -60,6 +60,8 @@ export interface SurfaceState extends TimedMeshChange {
     /** Updates applied so far: whole states, and changes of the state before. */
     keys: number;
     deltas: number;
+    /** Attributes that came with it and stayed in the worker: until then the page had not said that it wants them. */
+    withheld: readonly string[];
     /** Time it took here to decode what is new and to make the arrays. */
     decodeMs: number;
 }

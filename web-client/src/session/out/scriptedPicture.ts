@@ -3,6 +3,8 @@
 import type { FigureBackground } from '../../scene/capture.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { Figure } from './figure.ts';
+import type { ViewState } from '../../state/viewState.ts';
+import { attributesOf } from '../picture/surfaceStyleOf.ts';
 import { isShownAt } from './film.ts';
 
 export interface ScriptedSetting {
@@ -16,7 +18,7 @@ export interface ScriptedSetting {
 }
 
 /** Why the picture is not whole; empty where it is. Begins with `!` where it never will be. `time`: of the clock, null: as it is. */
-export function unfinished(state: AppState, time: number | null): string {
+export function unfinished(state: AppState, view: Pick<ViewState, 'lookOf'>, time: number | null): string {
     const stage = state.stage.value;
     if (stage !== 'running') {
         return stage === 'failed' || stage === 'gone' || stage === 'ended' ? `!the page has ${stage}` : stage;
@@ -30,6 +32,9 @@ export function unfinished(state: AppState, time: number | null): string {
             return `${surface} is not there`;
         }
         if (displayed.phase !== 'final') return `${surface} is ${displayed.phase}`;
+        // Without them it is drawn as if they never came: colours of before, smoke as the picture guesses it.
+        const missing = attributesOf(view.lookOf(surface)).filter((name) => displayed.withheld.includes(name));
+        if (missing.length > 0) return `${surface} has no ${missing.join(', ')} yet`;
         if (time !== null && kind !== 'stream' && !isShownAt({ from, to }, displayed.time, time)) {
             return `${surface} is shown at ${displayed.time}`;
         }

@@ -115,7 +115,7 @@ export class SurfaceFeed {
                 if (change.parts !== null) state.parts.value = withEntry(state.parts.value, surface, change.parts.parts);
                 worker.taken(surface);
             }
-            const { epoch, vertices, cells, triangles, stateSum, phase, time, keys, deltas } = arrived.at(-1)!;
+            const { epoch, vertices, cells, triangles, stateSum, phase, time, keys, deltas, withheld } = arrived.at(-1)!;
             const decodeMs = arrived.reduce((sum, each) => sum + each.decodeMs, 0);
             scene.whenDrawn((at) => {
                 const drawn = { decodeMs, drawMs: at - applied, roundTripMs: state.roundTripMs.value };
@@ -123,7 +123,7 @@ export class SurfaceFeed {
                 state.latency.value = latency.samples.at(-1) ?? null;
             });
             const shown = {
-                ...{ surface, epoch, vertices, cells, triangles, stateSum, phase, time, keys, deltas },
+                ...{ surface, epoch, vertices, cells, triangles, stateSum, phase, time, keys, deltas, withheld },
             };
             state.displayed.value = withEntry(state.displayed.value, surface, shown);
             this.requested(surface, epoch);

@@ -6,7 +6,7 @@ import type { DisplayedSurface, Stage } from '../../state/appState.ts';
 import { SurfaceOutcomes } from './surfaceOutcomes.ts';
 
 function displayed(stateSum: number, phase: DisplayedSurface['phase'] = 'final'): ReadonlyMap<string, DisplayedSurface> {
-    const sizes = { vertices: 8, cells: 3, triangles: 6, keys: 1, deltas: 0 };
+    const sizes = { vertices: 8, cells: 3, triangles: 6, keys: 1, deltas: 0, withheld: [] };
     return new Map([['s1', { surface: 's1', epoch: 1, stateSum, phase, time: 0, ...sizes }]]);
 }
 
