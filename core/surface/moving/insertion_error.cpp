@@ -10,19 +10,23 @@ namespace wakesurf::core {
 
 namespace {
 
-double cubic_error(const MovingMesh& mesh, VertexId a, VertexId b) {
+/// How far the middle of the cubic from a to b may be off. Its length is about right, its direction where the surface says it is.
+Vec3 doubt_of_cubic(const MovingMesh& mesh, VertexId a, VertexId b) {
     const MaterialVertices& v = mesh.vertices;
     const double s = mesh.lattice.s_between(v.s[a], v.s[b]);
     const double t = v.t[b] - v.t[a];
     const Vec3 at_a = v.along_s[a] * s + v.along_t[a] * t;
     const Vec3 at_b = v.along_s[b] * s + v.along_t[b] * t;
     const Vec3 chord = v.position[b] - v.position[a];
-    const double bulge = glm::length(at_a - at_b) / 8.0;
-    const double length = glm::length(chord);
-    if (!(bulge <= 0.25 * length))
-        return std::min(bulge, length);
-    const double doubt = glm::length(at_a + at_b - 2.0 * chord);
-    return v.dead(a) || v.dead(b) ? std::max(doubt / 4.0, 0.01 * length) : doubt / 12.0;
+    const Vec3 bulge = (at_a - at_b) / 8.0;
+    if (!(glm::length(bulge) <= 0.25 * glm::length(chord)))
+        return 3.0 * bulge;
+    const Vec3 doubt = at_a + at_b - 2.0 * chord;
+    return v.dead(a) || v.dead(b) ? doubt / 2.0 : doubt / 5.0;
+}
+
+bool held(CurveEnd end) {
+    return end == CurveEnd::Obstacle || end == CurveEnd::Stagnation;
 }
 
 } // namespace
@@ -34,13 +38,20 @@ void add_insertion_error(
     const VertexId a = cell.corner[side];
     const VertexId b = cell.corner[(side + 1) % 4];
     if (policy != InsertionPolicy::Line) {
-        v.error[made].placed.add({v.along_s[made], v.along_t[made]}, cubic_error(mesh, a, b));
+        const SurfaceTangents at{v.along_s[made], v.along_t[made]};
+        v.error[made].placed.add(
+            at, std::min(at.across(doubt_of_cubic(mesh, a, b)), mesh.edge_length(a, b)));
         return;
     }
     const SurfaceTangents at_a = tangents_in(mesh, cell, side);
     const SurfaceTangents at_b = tangents_in(mesh, cell, (side + 1) % 4);
-    v.error[made].placed.add({0.5 * (at_a.s + at_b.s), 0.5 * (at_a.t + at_b.t)},
-                             bulge_of_line(mesh, index, side).error);
+    const SurfaceTangents at{0.5 * (at_a.s + at_b.s), 0.5 * (at_a.t + at_b.t)};
+    const LineBulge line = bulge_of_line(mesh, index, side);
+    const double length = mesh.edge_length(a, b);
+    const double error = at.across(line.doubt) + line.unknown;
+    // A particle that a body holds says nothing of those that pass.
+    const bool known = !held(v.end[a]) && !held(v.end[b]);
+    v.error[made].placed.add(at, known ? std::min(error, length) : 0.5 * length);
 }
 
 } // namespace wakesurf::core

@@ -23,7 +23,7 @@ struct LatticePlace {
     double row = 0.0;
 };
 
-/// How far a vertex may be from the particle it stands for.
+/// How far a vertex may be from the true surface.
 struct VertexError {
     CarriedError traced; ///< by the integrator's steps, as if it had been traced from the rake
     CarriedError
@@ -35,7 +35,7 @@ struct VertexError {
                 CarriedError::between(a.placed, b.placed)};
     }
 
-    double length(const SurfaceTangents& at) const { return traced.length(at) + placed.length(at); }
+    double across(const SurfaceTangents& at) const { return traced.across(at) + placed.across(at); }
 };
 
 /// What a vertex is made from.

@@ -107,6 +107,7 @@ Result<void> StepSample::learn(StepErrors& errors,
                                const Flow& flow,
                                const MovingMesh& mesh,
                                AdvanceOptions options,
+                               bool carried,
                                std::stop_token stop) {
     const MaterialVertices& v = mesh.vertices;
     const double dt = std::abs(mesh.time - from_);
@@ -119,13 +120,14 @@ Result<void> StepSample::learn(StepErrors& errors,
     options.step = 0.5 * h;
     const double tolerance = options.tolerance;
     options.tolerance /= 32.0; // halves the steps of Dopri5
-    if (auto carried = flow.advance({position_, {}, {}, time_, end_}, mesh.time, options, stop);
-        !carried)
-        return tl::unexpected(carried.error());
+    if (auto advanced = flow.advance({position_, {}, {}, time_, end_}, mesh.time, options, stop);
+        !advanced)
+        return tl::unexpected(advanced.error());
+    const MeshTangents tangents(mesh, carried);
     for (std::size_t i = 0; i < vertex_.size(); ++i) {
         if (end_[i] != CurveEnd::Running || v.end[vertex_[i]] != CurveEnd::Running)
             continue;
-        const double apart = glm::length(position_[i] - v.position[vertex_[i]]);
+        const double apart = tangents.at(vertex_[i]).across(position_[i] - v.position[vertex_[i]]);
         // Error control allows the tolerance, and rare places use it up.
         const double allowed = options.method == AdvanceOptions::Method::Dopri5
                                    ? tolerance * glm::length(position_[i] - start_[i])
@@ -153,9 +155,10 @@ stated_errors(const MovingMesh& mesh, const StepErrors& errors, double since, bo
     std::vector<float> stated(mesh.vertices.slots(), 0.0f);
     for_each_moving(mesh, [&](VertexId i) {
         const double pending = errors.at(mesh.vertices.position[i]) * time;
-        // What is squeezed to nothing has no metric; nothing is farther than the domain is wide.
-        stated[i] = static_cast<float>(std::min(
-            mesh.vertices.error[i].length(tangents.at(i)) + pending, errors.largest_distance()));
+        const double error = mesh.vertices.error[i].across(tangents.at(i)) + pending;
+        // Nothing is farther than the domain is wide, nor what is no number.
+        const double widest = errors.largest_distance();
+        stated[i] = static_cast<float>(error < widest ? error : widest);
     });
     return stated;
 }
