@@ -45,6 +45,22 @@ inline double series_error(const PathSeries& path, const Vec3& size, double t) {
     return last * square * square * (0.0025 + ratio * t);
 }
 
+/// How far the series' end after time `t` may be off: by the terms after the last one. One that happens to be small says nothing of the next,
+/// so they grow as fast as any of the last three did.
+inline double end_error(const PathSeries& path, const Vec3& size, double t) {
+    const auto length_of = [&](std::size_t k) {
+        return glm::length(Vec3(path.term[k][0], path.term[k][1], path.term[k][2]) * size);
+    };
+    const double last = length_of(5);
+    const double fourth = std::max(length_of(4), std::sqrt(length_of(3) * last));
+    const double third = std::max(length_of(3), std::sqrt(length_of(2) * fourth));
+    if (!(third > 0.0 && fourth > 0.0))
+        return 0.0;
+    const double growth = t * std::max(last / fourth, fourth / third);
+    const double power = t * t * t * t;
+    return growth * std::max(last * t, fourth * growth) * power / std::max(1.0 - growth, 0.1);
+}
+
 /// True where the series is so good that its error need not be known: were each term as large as the one before.
 inline bool surely_within(const PathSeries& path, const Vec3& size, double t, double allowed) {
     const Vec3 last = Vec3(path.term[5][0], path.term[5][1], path.term[5][2]) * size;
@@ -116,7 +132,7 @@ inline std::optional<CurveStep> series_step(const PathSeries& path,
         CurveStep step = dense_output(path, lo, size, arc, t);
         if (!add_arc(step, speed, speed_at(0.5 * t), speed_at(t), t))
             continue;
-        step.error = series_error(path, size, t) * t;
+        step.error = end_error(path, size, t);
         return step;
     }
     return std::nullopt;

@@ -121,14 +121,22 @@ void label_components(QuadComplex& complex) {
         complex.component[v] = number[root(v)];
 }
 
-std::optional<double> error_at(const QuadComplex& complex, double share) {
+std::optional<StatedError> stated_error(const QuadComplex& complex, double separation) {
     if (complex.error.empty())
         return std::nullopt;
-    std::vector<float> all = complex.error;
-    const auto last = static_cast<double>(all.size() - 1);
-    const auto place = all.begin() + static_cast<std::ptrdiff_t>(std::ceil(share * last));
-    std::nth_element(all.begin(), place, all.end());
-    return *place;
+    std::vector<float> certain;
+    for (const float error : complex.error)
+        if (double(error) <= separation)
+            certain.push_back(error);
+    StatedError stated;
+    stated.uncertain = complex.error.size() - certain.size();
+    if (certain.empty())
+        return stated;
+    const auto last = static_cast<double>(certain.size() - 1);
+    const auto place = certain.begin() + static_cast<std::ptrdiff_t>(std::ceil(0.99 * last));
+    std::nth_element(certain.begin(), place, certain.end());
+    stated.error99 = *place;
+    return stated;
 }
 
 double longest_edge(const QuadComplex& complex) {

@@ -46,7 +46,7 @@ struct QuadComplex {
     std::vector<float> deformation; ///< log2 of area now / area at birth; empty when not asked for
     std::vector<std::uint32_t> component;
     std::vector<std::uint8_t> approximated; ///< 1: interpolated, not traced from the rake
-    /// Length: how far the vertex may be from the particle it stands for, as estimated; empty: of a mesh that no builder has made
+    /// Length: how far the vertex may be from the true surface, across it, as estimated; empty: of a mesh that no builder has made
     std::vector<float> error;
     std::vector<Cell> cells;
 
@@ -66,8 +66,17 @@ void label_components(QuadComplex& complex);
 /// Bytes of all arrays.
 std::size_t memory_of(const QuadComplex& complex);
 
-/// The estimated error that this share of the vertices does not exceed; nothing where none is estimated.
-std::optional<double> error_at(const QuadComplex& complex, double share);
+/// What is said of the estimated errors of a surface's vertices.
+struct StatedError {
+    double error99 =
+        0.0; ///< length: 99 % of the vertices that are not uncertain have no larger one
+    std::uint64_t uncertain = 0; ///< vertices whose error exceeds the separation
+
+    bool operator==(const StatedError&) const = default;
+};
+
+/// Nothing where no errors are estimated.
+std::optional<StatedError> stated_error(const QuadComplex& complex, double separation);
 
 /// Longest sub-edge (sides cut at their mid nodes).
 double longest_edge(const QuadComplex& complex);

@@ -242,7 +242,7 @@ Result<Surface> build_whole(const Flow& flow,
     statistics.max_edge = longest_edge(mesh.complex);
     statistics.requested_separation = parameters.separation;
     statistics.data_end = data_end(flow, parameters);
-    statistics.error99 = error_at(mesh.complex, 0.99);
+    statistics.error = stated_error(mesh.complex, statistics.separation);
     statistics.seconds.total = std::chrono::duration<double>(clock.now() - start).count();
     statistics.seconds.other = statistics.seconds.total - statistics.seconds.load -
                                statistics.seconds.advect - statistics.seconds.refine;

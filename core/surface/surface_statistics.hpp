@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/integrate/curve.hpp"
+#include "core/surface/quad_complex.hpp"
 #include "core/surface/surface_parameters.hpp"
 
 #include <cstdint>
@@ -60,7 +61,7 @@ struct SurfaceStatistics {
     double separation = 0;           ///< longest edge allowed in the end
     double requested_separation = 0; ///< the one asked for
     Seconds seconds;
-    std::optional<double> error99{}; ///< length: error_at(mesh, 0.99)
+    std::optional<StatedError> error{};
     /// Of a path surface of both directions: where the data begin, if that cuts its backward side short.
     std::optional<double> data_end{};
 

@@ -39,8 +39,10 @@ nlohmann::json statistics_json(const core::SurfaceStatistics& statistics,
         out["empty"] = {{"reason", name(statistics.empty->reason)},
                         {"message", statistics.empty->message},
                         {"hint", statistics.empty->hint}};
-    if (statistics.error99)
-        out["error99"] = *statistics.error99;
+    if (statistics.error) {
+        out["error99"] = statistics.error->error99;
+        out["uncertain"] = statistics.error->uncertain;
+    }
     if (!statistics.stopped.empty())
         out["stopped"] = statistics.stopped;
     return out;

@@ -218,6 +218,11 @@ core::Result<void> tell(const core::SurfaceStatistics& statistics, bool cut_shor
                    "wakesurf: {} particles were not followed to the end: they take too many steps; "
                    "raise --max-quads, or shorten the time\n",
                    statistics.terminated.budget);
+    if (statistics.error && statistics.error->uncertain > 0)
+        fmt::print(stderr,
+                   "wakesurf: {} of {} vertices are uncertain: the surface may be more than the "
+                   "separation away from them; --accuracy exact places them better\n",
+                   statistics.error->uncertain, statistics.vertices);
     if (!statistics.stopped.empty())
         fmt::print(stderr, "wakesurf: the surface ends early: {}\n", statistics.stopped);
     if (statistics.data_end)

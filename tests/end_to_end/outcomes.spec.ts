@@ -9,7 +9,7 @@ const stand = useStand();
 const size = { width: 1000, height: 700 };
 
 /** With what the statistics say of its vertices. */
-const finished = /^Final, 99 % of vertices within \S+$/;
+const finished = /^Final, 99 % of vertices within \S+(, \S+ uncertain)?$/;
 const status = (page: Page) => page.locator('wakesurf-status').getByRole('status');
 
 async function limitQuads(page: Page, most: number): Promise<void> {

@@ -103,7 +103,8 @@ CurveErrors::along(const SeededCurve& seeded, const SeededCurve* left, const See
         error.add(here, pending);
         pending = 0.0;
         const double arc = last ? curve.last.arc : curve.steps[i + 1].c[0].w;
-        knots.push_back({arc, error.length(here)});
+        const double stated = error.across(here);
+        knots.push_back({arc, stated < arc ? stated : arc}); // no farther than it has come
     }
     return knots;
 }

@@ -1,6 +1,5 @@
-// How far the vertices of a stream or path surface may be from the particles they stand for: the integrator's error of each step,
-// carried along the curve as the flow stretches and shears what is near it. Past a stagnation line an error that was allowed
-// there is thousands of times as large.
+// How far the vertices of a stream or path surface may be from the true surface, across it: the integrator's error of each step, carried
+// along the curve as the flow deforms what is near it.
 #pragma once
 
 #include "core/surface/columns/strip.hpp"
@@ -11,11 +10,10 @@
 
 namespace wakesurf::core {
 
-/// Estimates along the curves of a sheet. Tangents of the surface carry an error: velocity along a curve, and across it the way to
-/// the next curve at the same time. In these an error keeps its coordinates while the flow carries it, so each step adds
-/// its own to those and nothing is carried; normal to the surface it is as the area becomes smaller.
+/// Estimates along the curves of a sheet. Tangents of the surface carry an error (carried_error.hpp): velocity along a curve, and across it the
+/// way to the next curve at the same time.
 ///
-/// Errors add up as if they all had one direction. The integrator's own estimate is of its lower order, so that the sum is usually too
+/// Errors add up as if they all were across the surface, on one side. The integrator's own estimate is of its lower order, so that the sum is usually too
 /// large. Cost: one comparison with either neighbour every fourth step.
 class CurveErrors {
   public:

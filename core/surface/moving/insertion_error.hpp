@@ -1,4 +1,4 @@
-// How far a vertex that was interpolated may be from the particle it stands for, when it is made.
+// How far a vertex that was interpolated may be from the true surface, across it, when it is made.
 #pragma once
 
 #include "core/surface/moving/insertion.hpp"

@@ -1,5 +1,7 @@
 #include "core/surface/moving/line_interpolation.hpp"
 
+#include "core/surface/moving/cell_shape.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -11,8 +13,8 @@ namespace {
 /// Ratios of neighbouring pieces of a line, in the parameter and in length, up to which they are one smooth line.
 constexpr double most_uneven = 4.0;
 constexpr double largest_line_bulge = 0.25; ///< over the chord's length
-/// Of a chord's middle, over its length, where there is nothing beyond.
-constexpr double unknown_error = 0.05;
+/// Of a chord's middle, over its length: somewhat more than that of an arc of 20 degrees, which is as much as neighbours bend.
+constexpr double largest_unknown = 0.08;
 
 struct LinePoint {
     Vec3 position;
@@ -69,6 +71,19 @@ beyond(const MovingMesh& mesh, CellIndex cell, std::size_t facing, VertexId end,
     return std::nullopt;
 }
 
+/// Error of the middle of a chord, over its length, of which the line itself does not tell: as the cell and its neighbours bend.
+double unknown(const MovingMesh& mesh, CellIndex cell) {
+    const LinkedCell& here = mesh.quads[cell];
+    const Vec3f own = normal(mesh, here.cell);
+    double bend = -1.0;
+    for (const auto& side : here.across)
+        for (const CellIndex next : side)
+            if (next != no_cell)
+                bend =
+                    std::max(bend, double(glm::length(normal(mesh, mesh.quads[next].cell) - own)));
+    return bend < 0.0 ? largest_unknown : std::min(0.4 * bend, largest_unknown);
+}
+
 } // namespace
 
 LineBulge bulge_of_line(const MovingMesh& mesh, CellIndex cell, std::size_t side) {
@@ -81,10 +96,10 @@ LineBulge bulge_of_line(const MovingMesh& mesh, CellIndex cell, std::size_t side
     const Vec3 chord = v.position[b] - v.position[a];
     const double length = glm::length(chord);
     if (whole == 0.0 || !(length > 0.0))
-        return {Vec3(0.0), 1.0, length};
+        return {Vec3(0.0), 1.0, Vec3(0.0), length};
     for (const VertexId corner : here.corner)
         if (v.dead(corner)) // the cell is on its way out
-            return {Vec3(0.0), 0.0, unknown_error * length};
+            return {Vec3(0.0), 0.0, Vec3(0.0), unknown(mesh, cell) * length};
     const auto even = [&](double ratio) {
         return ratio > 1.0 / most_uneven && ratio < most_uneven;
     };
@@ -101,19 +116,19 @@ LineBulge bulge_of_line(const MovingMesh& mesh, CellIndex cell, std::size_t side
     const auto at_a = parabola(beyond(mesh, cell, (side + 3) % 4, a, cross), a, -1.0);
     const auto at_b = parabola(beyond(mesh, cell, (side + 1) % 4, b, cross), b, 1.0);
     if (!at_a && !at_b)
-        return {Vec3(0.0), 0.0, unknown_error * length};
+        return {Vec3(0.0), 0.0, Vec3(0.0), unknown(mesh, cell) * length};
     Vec3 bulge = (at_a ? at_a : at_b)->bulge;
-    double error = glm::length(bulge);
+    Vec3 doubt = 5.0 * bulge;
     if (at_a && at_b) { // the cubic: each parabola by how near its point is
         const double of_a = at_b->apart + 0.5;
         const double of_b = at_a->apart + 0.5;
         bulge = (of_a * at_a->bulge + of_b * at_b->bulge) / (of_a + of_b);
-        error = glm::length(at_a->bulge - at_b->bulge);
+        doubt = 5.0 * (at_a->bulge - at_b->bulge);
     }
     const double share = glm::length(bulge) / length;
     if (!(share <= largest_line_bulge))
-        return {Vec3(0.0), std::isfinite(share) ? share : 1.0, length};
-    return {bulge, share, std::min(2.0 * error, length)};
+        return {Vec3(0.0), std::isfinite(share) ? share : 1.0, 3.0 * bulge, 0.0};
+    return {bulge, share, doubt, 0.0};
 }
 
 } // namespace wakesurf::core

@@ -10,7 +10,8 @@ struct LineBulge {
     Vec3 offset; ///< of the middle of the side from that of its chord
     /// Length of the offset over the chord's. Above 0.25 the offset is zero: a cubic says nothing of such a line.
     double share;
-    double error; ///< length by which the middle may be off
+    Vec3 doubt;     ///< by which the middle may be off, either way
+    double unknown; ///< length by which it may be off in any direction
 };
 
 /// The polynomial goes through what there is, in the side's parameter: a cubic inside the surface, a parabola at its edge and beside a

@@ -4,7 +4,7 @@
 
 #include "core/integrate/carried.hpp"
 #include "core/integrate/particles.hpp"
-#include "core/surface/carried_error.hpp"
+#include "core/surface/carried_distance.hpp"
 #include "core/surface/quad_complex.hpp"
 
 #include <cstdint>
@@ -23,19 +23,21 @@ struct LatticePlace {
     double row = 0.0;
 };
 
-/// How far a vertex may be from the particle it stands for.
+/// How far a vertex may be from the true surface.
 struct VertexError {
     CarriedError traced; ///< by the integrator's steps, as if it had been traced from the rake
     CarriedError
         placed; ///< by interpolation, of it or of what it was interpolated from; none where it is traced again
+    CarriedDistance apart; ///< by both, in any direction, from the particle it stands for
 
     /// Half-way between two vertices.
     static VertexError between(const VertexError& a, const VertexError& b) {
         return {CarriedError::between(a.traced, b.traced),
-                CarriedError::between(a.placed, b.placed)};
+                CarriedError::between(a.placed, b.placed),
+                CarriedDistance::between(a.apart, b.apart)};
     }
 
-    double length(const SurfaceTangents& at) const { return traced.length(at) + placed.length(at); }
+    double across(const SurfaceTangents& at) const { return traced.across(at) + placed.across(at); }
 };
 
 /// What a vertex is made from.

@@ -32,7 +32,7 @@ struct MovingPlan {
     double release_until = 0.0;
     bool fast = false;
     double finest_spacing = 0.0;
-    bool estimates = true;                ///< how far vertices may be from their particles
+    bool estimates = true;                ///< how far vertices may be from the true surface
     std::optional<BudgetSearch> search{}; ///< that led here, for where this plan exceeds the budget
 };
 

@@ -398,7 +398,9 @@ MovingSurface::carry(double to, const AdvanceOptions& options, const std::stop_t
         return tl::unexpected(advanced.error());
     mesh.time = to;
     if (sample)
-        if (auto learnt = sample->learn(state_.step_errors, *flow_, mesh, options, stop); !learnt)
+        if (auto learnt =
+                sample->learn(state_.step_errors, *flow_, mesh, options, carries_tangents(), stop);
+            !learnt)
             return tl::unexpected(learnt.error());
     if (state_.plan->estimates && state_.steps % check_every == check_every - 1) {
         add_step_errors(mesh, state_.step_errors, state_.errors_until, carries_tangents());

@@ -113,7 +113,9 @@ Result<void> retrace(MovingMesh& mesh,
         point.carried = {position[i], along_s[i], along_t[i]};
         point.place = mesh.vertices.place[v];
         const double way = glm::length(position[i] - (*born)[i].carried.position);
+        point.error.traced = mesh.vertices.error[v].traced;
         point.error.traced.add({along_s[i], along_t[i]}, options.tolerance * way);
+        point.error.apart.add({along_s[i], along_t[i]}, options.tolerance * way);
         mesh.vertices.set(v, point);
         mesh.vertices.time[v] = time[i];
         mesh.vertices.end[v] = end[i];

@@ -105,14 +105,14 @@ bool Refinement::trace_interpolated(MovingMesh& mesh,
     }
     const double trusted = rules_.trusted_error * rules_.separation;
     const SurfaceTangents between{0.5 * (at[0].s + at[1].s), 0.5 * (at[0].t + at[1].t)};
-    if (!(vertices.error[made].placed.length(between) > trusted))
+    if (!(vertices.error[made].apart.length(between) > trusted))
         return false;
     // A traced vertex between interpolated ones shows their error as a fold, which is cut, and so on. They are traced as well, unless
     // they are much better than it was.
     for (std::size_t i = 0; i < 2; ++i) {
         const VertexId end = cell.corner[corners[i]];
         if (vertices.approximated[end] != 0 &&
-            vertices.error[end].placed.length(at[i]) > 0.25 * trusted) {
+            vertices.error[end].apart.length(at[i]) > 0.25 * trusted) {
             vertices.approximated[end] = 0; // once
             to_retrace_.push_back(end);
             moved_ = true;

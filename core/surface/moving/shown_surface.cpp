@@ -15,7 +15,7 @@ void count(SurfaceStatistics& statistics, const QuadComplex& mesh) {
     statistics.approximated = static_cast<std::uint64_t>(
         std::count(mesh.approximated.begin(), mesh.approximated.end(), 1));
     statistics.max_edge = longest_edge(mesh);
-    statistics.error99 = error_at(mesh, 0.99);
+    statistics.error = stated_error(mesh, statistics.separation);
 }
 
 } // namespace wakesurf::core

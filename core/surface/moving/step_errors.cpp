@@ -24,6 +24,9 @@ constexpr double fewest = 16.0;
 /// the vertices of the sample others have larger errors.
 constexpr double of_the_difference = 2.0;
 
+/// Of an error across the surface: the error in any direction, of which that is one of three.
+constexpr double of_across = 2.0;
+
 /// A number that looks random, the same for the same vertex and turn.
 std::uint32_t mixed(std::uint32_t id, std::uint64_t turn) {
     std::uint64_t x = (std::uint64_t(id) + 1) * 0x9e3779b97f4a7c15u + turn * 0xbf58476d1ce4e5b9u;
@@ -107,6 +110,7 @@ Result<void> StepSample::learn(StepErrors& errors,
                                const Flow& flow,
                                const MovingMesh& mesh,
                                AdvanceOptions options,
+                               bool carried,
                                std::stop_token stop) {
     const MaterialVertices& v = mesh.vertices;
     const double dt = std::abs(mesh.time - from_);
@@ -119,13 +123,14 @@ Result<void> StepSample::learn(StepErrors& errors,
     options.step = 0.5 * h;
     const double tolerance = options.tolerance;
     options.tolerance /= 32.0; // halves the steps of Dopri5
-    if (auto carried = flow.advance({position_, {}, {}, time_, end_}, mesh.time, options, stop);
-        !carried)
-        return tl::unexpected(carried.error());
+    if (auto advanced = flow.advance({position_, {}, {}, time_, end_}, mesh.time, options, stop);
+        !advanced)
+        return tl::unexpected(advanced.error());
+    const MeshTangents tangents(mesh, carried);
     for (std::size_t i = 0; i < vertex_.size(); ++i) {
         if (end_[i] != CurveEnd::Running || v.end[vertex_[i]] != CurveEnd::Running)
             continue;
-        const double apart = glm::length(position_[i] - v.position[vertex_[i]]);
+        const double apart = tangents.at(vertex_[i]).across(position_[i] - v.position[vertex_[i]]);
         // Error control allows the tolerance, and rare places use it up.
         const double allowed = options.method == AdvanceOptions::Method::Dopri5
                                    ? tolerance * glm::length(position_[i] - start_[i])
@@ -141,8 +146,10 @@ void add_step_errors(MovingMesh& mesh, const StepErrors& errors, double since, b
     const MeshTangents tangents(mesh, carried);
     const double time = std::abs(mesh.time - since);
     for_each_moving(mesh, [&](VertexId i) {
-        mesh.vertices.error[i].traced.add(tangents.at(i),
-                                          errors.at(mesh.vertices.position[i]) * time);
+        const SurfaceTangents at = tangents.at(i);
+        const double across = errors.at(mesh.vertices.position[i]) * time;
+        mesh.vertices.error[i].traced.add(at, across);
+        mesh.vertices.error[i].apart.add(at, of_across * across);
     });
 }
 
@@ -150,7 +157,7 @@ std::vector<VertexId> vertices_beyond(const MovingMesh& mesh, double trusted, bo
     const MeshTangents tangents(mesh, carried);
     std::vector<std::uint8_t> beyond(mesh.vertices.slots(), 0);
     for_each_moving(mesh, [&](VertexId i) {
-        beyond[i] = mesh.vertices.error[i].length(tangents.at(i)) > trusted;
+        beyond[i] = mesh.vertices.error[i].apart.length(tangents.at(i)) > trusted;
     });
     std::vector<VertexId> found;
     for (VertexId i = 0; i < beyond.size(); ++i)
@@ -166,9 +173,10 @@ stated_errors(const MovingMesh& mesh, const StepErrors& errors, double since, bo
     std::vector<float> stated(mesh.vertices.slots(), 0.0f);
     for_each_moving(mesh, [&](VertexId i) {
         const double pending = errors.at(mesh.vertices.position[i]) * time;
-        // What is squeezed to nothing has no metric; nothing is farther than the domain is wide.
-        stated[i] = static_cast<float>(std::min(
-            mesh.vertices.error[i].length(tangents.at(i)) + pending, errors.largest_distance()));
+        const double error = mesh.vertices.error[i].across(tangents.at(i)) + pending;
+        // Nothing is farther than the domain is wide, nor what is no number.
+        const double widest = errors.largest_distance();
+        stated[i] = static_cast<float>(error < widest ? error : widest);
     });
     return stated;
 }

@@ -11,7 +11,7 @@
 
 namespace wakesurf::core {
 
-/// Error per unit of time, by place in the domain. A value: part of a surface's state.
+/// Error across the surface per unit of time, by place in the domain. A value: part of a surface's state.
 class StepErrors {
   public:
     StepErrors() = default;
@@ -51,12 +51,15 @@ class StepSample {
     /// @param turn  another sample each
     StepSample(const MovingMesh& mesh, std::uint64_t turn);
 
-    /// Carries them to where the mesh has been carried, in finer steps, and tells `errors` how far they come from its vertices.
+    /// Carries them to where the mesh has been carried, in finer steps, and tells `errors` how far across the surface they come from its
+    /// vertices.
+    /// @param carried  the vertices carry their tangents
     /// REQUIRES: the mesh has been carried with `options`, and is otherwise as it was. Error: what advancing reports.
     Result<void> learn(StepErrors& errors,
                        const Flow& flow,
                        const MovingMesh& mesh,
                        AdvanceOptions options,
+                       bool carried,
                        std::stop_token stop);
 
   private:
@@ -74,7 +77,7 @@ void add_step_errors(MovingMesh& mesh, const StepErrors& errors, double since, b
 /// The moving vertices whose error has come to more than `trusted`, and would have less were they traced again.
 std::vector<VertexId> vertices_beyond(const MovingMesh& mesh, double trusted, bool carried);
 
-/// Length: what the error of every vertex slot has come to, with those of the steps since `since`.
+/// Length across the surface: what the error of every vertex slot has come to, with those of the steps since `since`.
 std::vector<float>
 stated_errors(const MovingMesh& mesh, const StepErrors& errors, double since, bool carried);
 

@@ -54,7 +54,7 @@ Result<SurfaceAt> surface_at(const Flow& flow,
         surface->mesh = growing.at(age).mesh;
         surface->statistics.quads = surface->mesh.cells.size();
         surface->statistics.vertices = surface->mesh.vertices();
-        surface->statistics.error99 = error_at(surface->mesh, 0.99);
+        surface->statistics.error = stated_error(surface->mesh, surface->statistics.separation);
     }
     auto times = vertex_times(*surface, p);
     return SurfaceAt{std::move(surface->mesh), std::move(surface->statistics), std::move(times)};

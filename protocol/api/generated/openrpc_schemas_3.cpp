@@ -185,8 +185,12 @@ const std::string_view schemas_3 = R"json("Surface": {
   "error99": {
    "type": "number",
    "minimum": 0,
-   "description": "99 % of the vertices are estimated to be no farther than this from the particles they stand for; left out where there is no surface to see",
+   "description": "99 % of the vertices that are not `uncertain` are estimated to be no farther than this from the surface as it truly is, across it: what has slid along the surface does not count; left out where there is no surface to see",
    "x-unit": "the dataset's unit of length"},
+  "uncertain": {
+   "type": "integer",
+   "minimum": 0,
+   "description": "number of vertices that may be farther than the separation from the surface as it truly is: they have passed close by a stagnation line, or the flow has stretched what was interpolated; left out where there is no surface to see"},
   "terminated": {"$ref": "#/components/schemas/Terminations"},
   "maxEdge": {"type": "number", "minimum": 0, "description": "length of the longest edge", "x-unit": "the dataset's unit of length"},
   "separation": {"type": "number", "minimum": 0, "description": "longest edge allowed in the end", "x-unit": "the dataset's unit of length"},

@@ -222,7 +222,7 @@ SurfaceBuild::grow(double age, const std::stop_token& stop, const Work& work) {
     Shown shown{grown_->at(age), grown_statistics_, Source::Grown, grown_->fields_at(age), load};
     shown.statistics.quads = shown.mesh.mesh.cells.size();
     shown.statistics.vertices = shown.mesh.mesh.vertices();
-    shown.statistics.error99 = core::error_at(shown.mesh.mesh, 0.99);
+    shown.statistics.error = core::stated_error(shown.mesh.mesh, shown.statistics.separation);
     return shown;
 }
 

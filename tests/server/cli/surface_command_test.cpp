@@ -136,7 +136,7 @@ TEST_F(SurfaceCommand, WritesTheMeshAndItsStatistics) {
     ASSERT_TRUE(stats.is_object());
     for (const auto* key :
          {"kind", "quads", "vertices", "steps", "vertexSteps", "approximated", "error99",
-          "terminated", "maxEdge", "separation", "seconds", "peakBytes"})
+          "uncertain", "terminated", "maxEdge", "separation", "seconds", "peakBytes"})
         EXPECT_TRUE(stats.contains(key)) << key;
     EXPECT_GT(stats["quads"], 100);
     EXPECT_LE(stats["maxEdge"].get<double>(), 0.1 + 1e-9);

@@ -301,7 +301,7 @@ TEST(SurfaceFields, TheErrorOfTheVerticesIsWhatTheStatisticsSayOfThem) {
             const double at99 = all.at(
                 static_cast<std::size_t>(std::ceil(0.99 * static_cast<double>(all.size() - 1))));
             // Nothing is sent where nothing is estimated.
-            const double stated = update.statistics.error99.value_or(0.0);
+            const double stated = update.statistics.error ? update.statistics.error->error99 : 0.0;
             const double step = width(state, 3) / 65535.0;
             EXPECT_NEAR(at99, stated, (update.wire.lossless ? 1.0 : 130.0) * step)
                 << static_cast<int>(kind) << " at " << update.time;

@@ -125,10 +125,17 @@ export interface Statistics {
     /** number of vertices that were interpolated, not traced from the rake */
     approximated: number;
     /**
-     * 99 % of the vertices are estimated to be no farther than this from the particles they stand for; left out where
-     * there is no surface to see (the dataset's unit of length)
+     * 99 % of the vertices that are not `uncertain` are estimated to be no farther than this from the surface as it
+     * truly is, across it: what has slid along the surface does not count; left out where there is no surface to see
+     * (the dataset's unit of length)
      */
     error99?: number;
+    /**
+     * number of vertices that may be farther than the separation from the surface as it truly is: they have passed
+     * close by a stagnation line, or the flow has stretched what was interpolated; left out where there is no surface
+     * to see
+     */
+    uncertain?: number;
     /**
      * numbers of particles from the rake's seeds, by what ended them; of streak and time surfaces those of all rows
      * released until then. Particles inserted on the way between others are not counted
@@ -177,6 +184,7 @@ export const statisticsCheck = members<Statistics>({
     vertexSteps: whole,
     approximated: whole,
     error99: optional(number),
+    uncertain: optional(whole),
     terminated: terminationsCheck,
     maxEdge: number,
     separation: number,

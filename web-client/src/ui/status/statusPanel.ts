@@ -2,8 +2,8 @@
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { shortNumber } from '../../scene/base/numbers.ts';
 import type { Edits } from '../../session/edits/edits.ts';
-import { withUnit } from '../../session/picture/unitsInPicture.ts';
 import type { SurfaceProgress } from '../../session/surface/surfaceProgress.ts';
+import { errorWords, isDoubtful } from '../surface/errorWords.ts';
 import type { SurfaceStats } from '../../protocol/messages.ts';
 import { surfaceSetRanges } from '../../protocol/generated/surface.ts';
 import type { AppState, SurfacePhase } from '../../state/appState.ts';
@@ -68,6 +68,7 @@ export class StatusPanel extends SignalElement {
             }
             .coarse,
             .coarsened,
+            .doubtful,
             .empty,
             .live,
             .waiting,
@@ -89,7 +90,7 @@ export class StatusPanel extends SignalElement {
         const count = (value: number | undefined): string => (value === undefined ? '–' : countWords(value));
         return html`<dl>
                 <dt>Surface</dt>
-                <dd class=${phase}><span role="status">${statusWords(phase, outcome, view.units.value.length)}</span></dd>
+                <dd class=${phase === 'final' && isDoubtful(outcome) ? 'doubtful' : phase}><span role="status">${statusWords(phase, outcome, view.units.value.length)}</span></dd>
                 <dt>Quads</dt>
                 <dd>${count(displayed?.cells)}</dd>
                 <dt>Vertices</dt>
@@ -147,9 +148,7 @@ export class StatusPanel extends SignalElement {
 }
 
 function statusWords(phase: SurfacePhase, outcome: SurfaceStats | undefined, unit: string): string {
-    if (phase === 'final' && outcome?.error99 !== undefined) {
-        return `${phaseWords.final}, 99 % of vertices within ${withUnit(shortNumber(Number(outcome.error99.toPrecision(2))), unit)}`;
-    }
+    if (phase === 'final' && outcome?.error99 !== undefined) return `${phaseWords.final}, ${errorWords(outcome, unit)}`;
     if (phase !== 'coarsened' || outcome === undefined) return phaseWords[phase];
     return `Coarsened to ${shortNumber(outcome.separation)}: raise the quad limit`;
 }

@@ -78,7 +78,8 @@ export class QualityPanel extends SignalElement {
                 <dd data-name=${name}>${value}</dd>`;
         return html`<dl>
             ${row('Approximated vertices', `${share.toFixed(share < 10 ? 1 : 0)} %`, 'approximated')}
-            ${stats.error99 === undefined ? nothing : row('99 % of vertices within', shortNumber(stats.error99), 'error99')}
+            ${stats.error99 === undefined ? nothing : row('Off the true surface, 99 % within', shortNumber(stats.error99), 'error99')}
+            ${stats.uncertain === undefined ? nothing : row('Uncertain vertices', countWords(stats.uncertain), 'uncertain')}
             ${row('Longest edge', `${shortNumber(stats.maxEdge / stats.separation)} × separation`, 'maxEdge')}
             ${reasons
                 .filter(({ reason }) => stats.terminated[reason] > 0)
