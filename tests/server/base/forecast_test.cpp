@@ -1,4 +1,4 @@
-#include "server/cli/forecast.hpp"
+#include "server/base/forecast.hpp"
 
 #include <gtest/gtest.h>
 
