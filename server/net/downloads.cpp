@@ -298,7 +298,8 @@ core::Result<void> Downloads::offer(const HttpRequest& request,
     SurfaceJob job = (*live)->wanted();
     if (early)
         make_coarse(job, *early);
-    job.parameters.deformation = true;
+    else // which a fast surface would be another one for
+        job.parameters.deformation = true;
     std::optional<protocol::LinesWanted> lines;
     if (!wanted->lines.empty()) {
         const auto read = protocol::read_lines(wanted->lines, job.parameters.kind);

@@ -79,6 +79,7 @@ Result<KeyedMesh> SurfaceHistory::at(double time, std::stop_token stop, const Wo
     const WorkPart here = work.above(bytes_ - std::min(bytes_, budget_));
     if (auto there = go_to(time, stop, here); !there)
         return tl::unexpected(there.error());
+    work.came_to(time, start_);
     const MovingMesh& mesh = surface_.state().mesh;
     if (!here.holds(memory_of(mesh) + memory_while_moving(mesh) +
                     shown_bytes * mesh.vertices.slots()))

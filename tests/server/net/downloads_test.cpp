@@ -215,7 +215,7 @@ TEST_F(DownloadsTest, AreAsTheSessionShowsThemAtTheTimeOfItsClock) {
 TEST_F(DownloadsTest, GiveWhatIsShownWhileTheFinalSurfaceIsLongInComingAndSaySo) {
     WebSocketClient client(*server_);
     // Millions of quads, which take minutes; what is shown meanwhile is there at once.
-    const std::string surface = make_in(client, "main", "abc", 0.003, "streak", 20.0);
+    const std::string surface = make_in(client, "main", "lamb-oseen", 0.002, "streak", 20.0);
     json stats;
     ASSERT_TRUE(within(std::chrono::seconds(60), [&] {
         stats = client.result("surface.stats", {{"surface", surface}});
