@@ -15,12 +15,12 @@ namespace wakesurf::server {
 
 namespace {
 
-ProgressText::Place standard_error() {
-    ProgressText::Place place{::isatty(STDERR_FILENO) != 0};
+ProgressText::Output standard_error() {
+    ProgressText::Output output{::isatty(STDERR_FILENO) != 0};
     winsize size{};
-    if (place.terminal && ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0)
-        place.columns = size.ws_col;
-    return place;
+    if (output.terminal && ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0)
+        output.columns = size.ws_col;
+    return output;
 }
 
 } // namespace

@@ -18,16 +18,16 @@ constexpr double long_work = 3.0, longest_silence = 60.0;
 ProgressText::ProgressText(std::string text,
                            const core::WorkDone* work,
                            std::optional<double> end,
-                           Place place)
-    : text_(std::move(text)), work_(work), end_(end), place_(place) {}
+                           Output output)
+    : text_(std::move(text)), work_(work), end_(end), output_(output) {}
 
 std::string ProgressText::at(double seconds) {
     if (work_ != nullptr)
         forecast_.add(seconds, work_->fraction());
-    if (place_.terminal) {
+    if (output_.terminal) {
         const std::string more = details(seconds);
         const std::string all = text_ + " ... " + more;
-        return "\r" + (all.size() < place_.columns ? all : more) + "\033[K";
+        return "\r" + (all.size() < output_.columns ? all : more) + "\033[K";
     }
     if (seconds < next_)
         return {};
@@ -37,7 +37,7 @@ std::string ProgressText::at(double seconds) {
 }
 
 std::string ProgressText::last() const {
-    return place_.terminal ? "\r\033[K" : "";
+    return output_.terminal ? "\r\033[K" : "";
 }
 
 std::string ProgressText::details(double seconds) const {
@@ -46,8 +46,8 @@ std::string ProgressText::details(double seconds) const {
     std::string out = fmt::format("{} %", static_cast<int>(std::floor(100.0 * work_->fraction())));
     if (seconds >= long_work) {
         if (const auto time = work_->time())
-            out += fmt::format(", t = {:.4g}", *time) +
-                   (end_ ? fmt::format(" of {:.4g}", *end_) : "");
+            out +=
+                fmt::format(", t = {:.4g}", *time) + (end_ ? fmt::format(" of {:.4g}", *end_) : "");
         if (work_->quads() > 0)
             out += fmt::format(", {} quads", work_->quads());
     }

@@ -13,7 +13,7 @@ namespace wakesurf::server {
 
 class ProgressText {
   public:
-    struct Place {
+    struct Output {
         bool terminal = false;
         std::size_t columns = 80; ///< of the terminal
     };
@@ -23,7 +23,7 @@ class ProgressText {
     ProgressText(std::string text,
                  const core::WorkDone* work,
                  std::optional<double> end,
-                 Place place);
+                 Output output);
 
     /// What to write now, with the end of the line or the return to its begin; empty: nothing.
     /// @param seconds  since the work began; 0 in the first call
@@ -38,7 +38,7 @@ class ProgressText {
     std::string text_;
     const core::WorkDone* work_;
     std::optional<double> end_;
-    Place place_;
+    Output output_;
     Forecast forecast_;
     double next_ = 0.0; ///< second of the next plain line
 };

@@ -322,10 +322,9 @@ core::Result<void> Downloads::offer(const HttpRequest& request,
     const auto stay = (*session)->attendance().stay();
     files_.get(
         tag + place.session, turns_of(place.session, identity),
-        [file =
-             FileJob{std::move(job), *dataset, record->fields, *wanted, lines, *time,
-                     early.has_value(), &account_}](
-            const std::stop_token& stop, core::MemoryAccount::Share& share) {
+        [file = FileJob{std::move(job), *dataset, record->fields, *wanted, lines, *time,
+                        early.has_value(), &account_}](const std::stop_token& stop,
+                                                       core::MemoryAccount::Share& share) {
             return file.make(stop, share);
         },
         request.gone,

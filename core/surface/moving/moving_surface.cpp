@@ -33,7 +33,7 @@ constexpr double growth_a_step =
 constexpr double least_of_row =
     1.0 / 16.0; // of the time between rows: one violent cell must not stop the rest
 constexpr std::uint64_t check_every =
-    4; ///< steps, from one look at the integrator's errors to the next
+    4;                              ///< steps, from one look at the integrator's errors to the next
 constexpr double carry_share = 0.4; // of a step, in what is told of how far it is
 constexpr double sorting_share = 0.125; // of vertices inserted since memory was last in mesh order
 
@@ -323,7 +323,8 @@ Result<void> MovingSurface::step(double to,
     if (!within)
         return tl::unexpected(within.error());
     if (!*within)
-        if (auto again = start_coarser(reached, stop, work.rest().between(0.0, trial_share)); !again)
+        if (auto again = start_coarser(reached, stop, work.rest().between(0.0, trial_share));
+            !again)
             return again;
     here.reached(1.0);
     work.has(state_.mesh.quads.live());

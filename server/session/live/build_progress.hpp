@@ -42,8 +42,8 @@ class BuildProgress {
     double fraction() const;
 
     Time began_{};
-    double from_ = 0.0; ///< of the way, when the pass started
-    double to_ = 0.0;   ///< when it will have ended
+    double from_ = 0.0;                          ///< of the way, when the pass started
+    double to_ = 0.0;                            ///< when it will have ended
     std::shared_ptr<const core::WorkDone> work_; ///< of the pass that runs
     std::shared_ptr<const core::WorkDone> full_; ///< of the newest one of full quality
     bool there_ = false;

@@ -16,7 +16,7 @@ namespace {
 /// A job for a time that no one wants any more may be this long at work before it is given up: scrubbing shows something on the way.
 constexpr std::chrono::milliseconds patience_with_stale{150};
 constexpr std::chrono::milliseconds patience_for_key{100}; ///< until others have given memory back
-constexpr std::size_t quick_key = 30'000; ///< vertices encoded within some 15 ms
+constexpr std::size_t quick_key = 30'000;                  ///< vertices encoded within some 15 ms
 
 /// @param whole  its statistics are of this pass alone, not of all since the surface was released
 void count(Metrics& metrics,

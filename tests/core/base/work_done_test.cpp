@@ -151,11 +151,10 @@ TEST(WorkDone, NeverStandsStillWhileASurfaceMovesNorRunsBackward) {
                 if (clock.times[i - 1])
                     EXPECT_GE(std::abs(*clock.times[i]), std::abs(*clock.times[i - 1]));
             }
-            EXPECT_GT(std::ranges::count_if(clock.quads,
-                                            [&](auto n) {
-                                                return n > 0 && n < surface->statistics.quads;
-                                            }),
-                      0);
+            EXPECT_GT(
+                std::ranges::count_if(
+                    clock.quads, [&](auto n) { return n > 0 && n < surface->statistics.quads; }),
+                0);
         }
 }
 

@@ -33,8 +33,7 @@ TEST(ProgressText, NeverIsLongerThanTheTerminalIsWide) {
     core::WorkDone work;
     ProgressText text("building a streak surface of a case", &work, 20.0,
                       {.terminal = true, .columns = 70});
-    EXPECT_EQ(at(text, work, 4.0),
-              "\r10 %, t = 2 of 20, 400 quads, 4.0 s, about 36 s left\033[K");
+    EXPECT_EQ(at(text, work, 4.0), "\r10 %, t = 2 of 20, 400 quads, 4.0 s, about 36 s left\033[K");
 }
 
 TEST(ProgressText, IsPlainLinesIntoAFileEachAfterTwiceAsLongAndEveryMinuteAtLeast) {
