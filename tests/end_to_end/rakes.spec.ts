@@ -20,6 +20,8 @@ beforeEach(async () => {
     await timeScripts(context);
     page = await openPage(context, await stand.server.newSession());
     await finalSurface(page);
+    // By how many pixels hands move is chosen for the whole domain.
+    await page.getByRole('button', { name: 'Fit', exact: true }).click();
     session = (await ask(page, (hook) => hook.session))!;
 });
 
