@@ -21,7 +21,7 @@ beforeEach(async () => {
     page = await openPage(context, await stand.server.newSession());
     await finalSurface(page);
     // By how many pixels hands move is chosen for the whole domain.
-    await page.getByRole('button', { name: 'Fit', exact: true }).click();
+    await page.getByRole('button', { name: 'Fit' }).click();
     session = (await ask(page, (hook) => hook.session))!;
 });
 
