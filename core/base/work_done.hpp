@@ -1,16 +1,20 @@
-// How far a piece of work is, as a fraction: told by the threads that work, read by those who wait. And what memory it takes, told
-// by the same.
+// How far a piece of work is, as a fraction, and for a surface in simulation time and quads: told by the threads that work, read by those
+// who wait. And what memory it takes, told by the same.
 #pragma once
 
 #include "core/base/work_memory.hpp"
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
 
 namespace wakesurf::core {
 
-/// Never goes back. Thread safety: every call may come from any thread.
+/// Never goes back, but for the number of quads. Thread safety: every call may come from any thread.
 class WorkDone {
   public:
     /// 0 to 1.
@@ -24,8 +28,29 @@ class WorkDone {
         }
     }
 
+    /// Simulation time that a moving surface has come to, the farthest so far; nothing: there is none.
+    std::optional<double> time() const {
+        const double time = time_.load(std::memory_order_relaxed);
+        return std::isnan(time) ? std::nullopt : std::optional(time);
+    }
+
+    /// That there are just now.
+    std::uint64_t quads() const { return quads_.load(std::memory_order_relaxed); }
+
+    void has(std::uint64_t quads) { quads_.store(quads, std::memory_order_relaxed); }
+
+    /// One thread tells it.
+    /// @param since  where the surface began: which way time runs for it
+    void came_to(double time, double since) {
+        const double before = time_.load(std::memory_order_relaxed);
+        if (std::isnan(before) || std::abs(time - since) > std::abs(before - since))
+            time_.store(time, std::memory_order_relaxed);
+    }
+
   private:
     std::atomic<double> fraction_{0.0};
+    std::atomic<double> time_{std::numeric_limits<double>::quiet_NaN()};
+    std::atomic<std::uint64_t> quads_{0};
 };
 
 /// Part of a piece of work; a default one tells no one and may take all memory. A value.
@@ -38,9 +63,25 @@ class WorkPart {
 
     /// The `i`-th of `parts` equal ones of this one.
     WorkPart part(std::size_t i, std::size_t parts) const {
+        const auto all = static_cast<double>(parts);
+        return between(static_cast<double>(i) / all, static_cast<double>(i + 1) / all);
+    }
+
+    /// @param from,to  fractions of this part
+    WorkPart between(double from, double to) const {
         WorkPart out = *this;
-        out.share_ = share_ / static_cast<double>(parts);
-        out.from_ = from_ + out.share_ * static_cast<double>(i);
+        out.from_ = from_ + share_ * from;
+        out.share_ = share_ * (to - from);
+        return out;
+    }
+
+    /// What of this part is not done yet, as far as it is known: where work is begun again, it goes on from there.
+    WorkPart rest() const {
+        WorkPart out = *this;
+        if (done_ == nullptr)
+            return out;
+        out.from_ = std::clamp(done_->fraction(), from_, from_ + share_);
+        out.share_ = from_ + share_ - out.from_;
         return out;
     }
 
@@ -48,6 +89,17 @@ class WorkPart {
     void reached(double fraction) const {
         if (done_ != nullptr)
             done_->reached(from_ + share_ * std::clamp(fraction, 0.0, 1.0));
+    }
+
+    void has(std::uint64_t quads) const {
+        if (done_ != nullptr)
+            done_->has(quads);
+    }
+
+    /// As WorkDone::came_to().
+    void came_to(double time, double since) const {
+        if (done_ != nullptr)
+            done_->came_to(time, since);
     }
 
     /// Null: no one counts.

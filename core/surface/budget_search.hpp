@@ -10,6 +10,9 @@
 
 namespace wakesurf::core {
 
+/// Of what is left to do, in what is told of how far it is: a trial, or a surface that is begun again.
+inline constexpr double trial_share = 0.5;
+
 /// A value. The next trial depends on the counts alone, so the same surface always ends at the same separation.
 class BudgetSearch {
   public:

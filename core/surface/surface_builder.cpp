@@ -169,7 +169,8 @@ Result<Bare> build_within_budget(const Flow& flow,
         const std::size_t before = work.memory() != nullptr ? work.memory()->bytes() : 0;
         auto sheets = build_sheets(flow, rake, *directions, first_seeds(rake, intervals),
                                    most_before_joining * trial->most, clock, stop,
-                                   trial->most < p.max_quads ? work.quietly() : work);
+                                   trial->most < p.max_quads ? work.rest().between(0.0, trial_share)
+                                                             : work.rest());
         if (!sheets)
             return tl::unexpected(sheets.error());
         std::optional<Bare> bare;

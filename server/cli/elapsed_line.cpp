@@ -1,44 +1,44 @@
 #include "server/cli/elapsed_line.hpp"
 
-#include "server/cli/forecast.hpp"
+#include "server/cli/progress_text.hpp"
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <chrono>
-#include <cmath>
 #include <condition_variable>
 #include <cstdio>
 #include <mutex>
+#include <utility>
 
 namespace wakesurf::server {
 
-ElapsedLine::ElapsedLine(std::string text, const core::WorkDone* work)
-    : text_(std::move(text)), work_(work) {
-    if (::isatty(STDERR_FILENO) == 0) {
-        std::fprintf(stderr, "%s\n", text_.c_str());
-        return;
-    }
-    ticker_ = std::jthread([this](const std::stop_token& done) {
+namespace {
+
+ProgressText::Output standard_error() {
+    ProgressText::Output output{::isatty(STDERR_FILENO) != 0};
+    winsize size{};
+    if (output.terminal && ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0)
+        output.columns = size.ws_col;
+    return output;
+}
+
+} // namespace
+
+ElapsedLine::ElapsedLine(std::string text, const core::WorkDone* work, std::optional<double> end) {
+    ProgressText progress(std::move(text), work, end, standard_error());
+    std::fputs(progress.at(0.0).c_str(), stderr);
+    ticker_ = std::jthread([progress = std::move(progress)](const std::stop_token& done) mutable {
         const auto start = std::chrono::steady_clock::now();
         std::mutex mutex;
         std::condition_variable_any ended;
         std::unique_lock lock(mutex);
-        Forecast forecast;
         while (!done.stop_requested()) {
             const std::chrono::duration<double> gone = std::chrono::steady_clock::now() - start;
-            if (work_ != nullptr) {
-                const double fraction = work_->fraction();
-                forecast.add(gone.count(), fraction);
-                const auto left = forecast.left();
-                std::fprintf(stderr, "\r%s ... %.0f %%, %.1f s%s\033[K", text_.c_str(),
-                             std::floor(100.0 * fraction), gone.count(),
-                             left ? (", " + words_for_left(*left)).c_str() : "");
-            } else {
-                std::fprintf(stderr, "\r%s ... %.1f s", text_.c_str(), gone.count());
-            }
+            std::fputs(progress.at(gone.count()).c_str(), stderr);
             ended.wait_for(lock, done, std::chrono::milliseconds(200), [] { return false; });
         }
-        std::fprintf(stderr, "\r\033[K");
+        std::fputs(progress.last().c_str(), stderr);
     });
 }
 

@@ -1,26 +1,26 @@
-// Progress of work that takes its time: a line with the seconds gone, and the part done and how long the rest may take if it is counted,
-// on a terminal; one plain line otherwise.
+// Progress of work that takes its time, on standard error: on a terminal a line that moves, otherwise plain lines now and then.
 #pragma once
 
 #include "core/base/work_done.hpp"
 
+#include <optional>
 #include <string>
 #include <thread>
 
 namespace wakesurf::server {
 
-/// Writes to standard error; the terminal's line is wiped at the end.
+/// The terminal's line is wiped at the end.
 class ElapsedLine {
   public:
-    /// @param work  outlives it; null: nothing to count
-    explicit ElapsedLine(std::string text, const core::WorkDone* work = nullptr);
+    /// As those of ProgressText.
+    explicit ElapsedLine(std::string text,
+                         const core::WorkDone* work = nullptr,
+                         std::optional<double> end = std::nullopt);
     ~ElapsedLine();
     ElapsedLine(const ElapsedLine&) = delete;
     ElapsedLine& operator=(const ElapsedLine&) = delete;
 
   private:
-    std::string text_;
-    const core::WorkDone* work_;
     std::jthread ticker_;
 };
 

@@ -67,7 +67,7 @@ core::Result<BuiltSurface> build(const LoadedDataset& dataset,
     core::WorkDone work;
     const ElapsedLine progress("building a " + std::string(protocol::name(parameters.kind)) +
                                    " surface of " + dataset.info.name,
-                               &work);
+                               &work, parameters.to);
     const int used = threads > 0 ? threads : static_cast<int>(std::thread::hardware_concurrency());
     // The global limit is what lets an arena be larger than the machine, as `--threads 8` on two cores.
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,

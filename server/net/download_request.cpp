@@ -35,6 +35,14 @@ core::Result<void> read_time(const std::string& text, DownloadRequest& out) {
                 "as in ?time=2.5; left out, it is the time of the session's clock");
 }
 
+core::Result<void> read_now(const std::string& text, DownloadRequest& out) {
+    if (text != "true" && text != "false")
+        return fail(Error::Code::InvalidArgument, "`now` is neither true nor false",
+                    "?now=true returns what is shown, also where it is not final yet");
+    out.now = text == "true";
+    return {};
+}
+
 core::Result<void> read_draco(const std::string& text, DownloadRequest& out) {
     if (text != "true" && text != "false")
         return fail(Error::Code::InvalidArgument, "`draco` is neither true nor false",
@@ -74,11 +82,12 @@ core::Result<DownloadRequest> read_download(std::string_view file,
         core::Result<void> read =
             name == "time"    ? read_time(value, out)
             : name == "draco" ? read_draco(value, out)
+            : name == "now"   ? read_now(value, out)
             : name == "lines" ? read_lines_text(value, out)
                               : fail(Error::Code::InvalidArgument,
                                      "a download has no parameter `" + name.substr(0, 64) + "`",
-                                     "the parameters are ?time=2.5, ?time=end, ?draco=false and "
-                                     "?lines=timelines:8");
+                                     "the parameters are ?time=2.5, ?time=end, ?draco=false, "
+                                     "?now=true and ?lines=timelines:8");
         if (!read)
             return tl::unexpected(read.error());
     }

@@ -13,6 +13,7 @@
 #include "server/net/download_request.hpp"
 #include "server/net/http_error.hpp"
 #include "server/net/url_query.hpp"
+#include "server/session/live/early_request.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -126,6 +127,7 @@ struct FileJob {
     DownloadRequest request;
     std::optional<protocol::LinesWanted> lines; ///< instead of the mesh
     std::optional<double> time;
+    bool coarse; ///< of an early pass
     const core::MemoryAccount* account;
 
     core::Result<void>
@@ -150,7 +152,9 @@ struct FileJob {
         const std::size_t needed = shown->mesh.vertices() * (vertex_file_bytes + 8 * fields.size());
         if (auto taken = take(needed, stop, share); !taken)
             return tl::unexpected(taken.error());
-        const auto metadata = metadata_of(surface, shown->statistics, *dataset, time);
+        auto metadata = metadata_of(surface, shown->statistics, *dataset, time);
+        if (coarse)
+            metadata.stopped = "this is the coarse surface that was shown before the final one";
         if (lines)
             return protocol::surface_lines(shown->mesh, *lines, surface.rake.closed())
                 .and_then([&](const auto& found) {
@@ -163,12 +167,20 @@ struct FileJob {
     }
 };
 
+/// To what an early pass of it shows.
+void make_coarse(SurfaceJob& job, const SurfacePass& pass) {
+    EarlyRequest early = early_request(job, pass);
+    job.rake = std::move(early.rake);
+    job.parameters = std::move(early.parameters);
+}
+
 /// Changes with whatever the file's bytes follow from.
 /// @param steps  time-steps of the dataset that can be read: more may come
 std::string tag_of(const protocol::SurfaceRecord& record,
                    const SurfaceJob& job,
                    const DownloadRequest& request,
                    std::optional<double> time,
+                   const std::optional<SurfacePass>& early,
                    std::size_t steps) {
     std::string all = protocol::json_text(protocol::surface_json(record));
     for (const core::Rake* rake :
@@ -180,6 +192,9 @@ std::string tag_of(const protocol::SurfaceRecord& record,
         }
     all += fmt::format("|{} {}", steps, WAKESURF_VERSION);
     all += "|" + request.lines;
+    if (early)
+        all += fmt::format("|coarse {} {} {}", job.parameters.max_quads, job.parameters.separation,
+                           job.parameters.to);
     return fmt::format("\"{}-{}-{:08x}-{}-{}{}\"", record.surface, record.epoch,
                        core::crc32c(std::as_bytes(std::span(all))),
                        time ? fmt::format("{}", *time) : "end", protocol::extension(request.format),
@@ -191,14 +206,15 @@ bool names(std::string_view if_none_match, std::string_view tag) {
     return if_none_match == "*" || if_none_match.find(tag) != std::string_view::npos;
 }
 
-HttpResponse file_response(const std::string& surface,
+/// @param name  without its extension
+HttpResponse file_response(const std::string& name,
                            protocol::MeshFormat format,
                            const std::string& tag,
                            const File& body) {
     return {200,
             {{"Content-Type", std::string(protocol::content_type(format))},
              {"Content-Disposition",
-              fmt::format("attachment; filename=\"{}.{}\"", surface, protocol::extension(format))},
+              fmt::format("attachment; filename=\"{}.{}\"", name, protocol::extension(format))},
              {"Cache-Control", "private, no-cache"},
              {"ETag", tag}},
             body};
@@ -272,13 +288,18 @@ core::Result<void> Downloads::offer(const HttpRequest& request,
     const auto live = (*session)->live(place.surface);
     if (!live)
         return tl::unexpected(live.error());
-    if (const auto wrong = (*live)->outcome().error)
+    const auto early = wanted->now ? (*live)->early() : std::nullopt;
+    if (const auto wrong = (*live)->outcome().error;
+        wrong && !(early && wrong->code == Error::Code::Cancelled))
         return tl::unexpected(*wrong);
     const auto dataset = catalogue_.find(record->dataset);
     if (!dataset)
         return tl::unexpected(dataset.error());
     SurfaceJob job = (*live)->wanted();
-    job.parameters.deformation = true;
+    if (early)
+        make_coarse(job, *early);
+    else // which a fast surface would be another one for
+        job.parameters.deformation = true;
     std::optional<protocol::LinesWanted> lines;
     if (!wanted->lines.empty()) {
         const auto read = protocol::read_lines(wanted->lines, job.parameters.kind);
@@ -286,11 +307,14 @@ core::Result<void> Downloads::offer(const HttpRequest& request,
             return tl::unexpected(read.error());
         lines = *read;
     }
-    const auto time = shown_at(*wanted, job.parameters, (*session)->clock().time());
+    auto time = shown_at(*wanted, job.parameters, (*session)->clock().time());
     if (!time)
         return tl::unexpected(time.error());
+    if (early && job.parameters.kind != core::SurfaceKind::Path)
+        time->reset(); // it ends there
     const auto status = catalogue_.status(record->dataset);
-    const std::string tag = tag_of(*record, job, *wanted, *time, status ? status->steps_ready : 0);
+    const std::string tag =
+        tag_of(*record, job, *wanted, *time, early, status ? status->steps_ready : 0);
     if (names(request.header("if-none-match"), tag)) {
         respond({304, {{"ETag", tag}, {"Cache-Control", "private, no-cache"}}});
         return {};
@@ -298,15 +322,15 @@ core::Result<void> Downloads::offer(const HttpRequest& request,
     const auto stay = (*session)->attendance().stay();
     files_.get(
         tag + place.session, turns_of(place.session, identity),
-        [file =
-             FileJob{std::move(job), *dataset, record->fields, *wanted, lines, *time, &account_}](
-            const std::stop_token& stop, core::MemoryAccount::Share& share) {
+        [file = FileJob{std::move(job), *dataset, record->fields, *wanted, lines, *time,
+                        early.has_value(), &account_}](const std::stop_token& stop,
+                                                       core::MemoryAccount::Share& share) {
             return file.make(stop, share);
         },
         request.gone,
-        [respond, surface = place.surface, format = wanted->format, tag,
+        [respond, name = place.surface + (early ? "-coarse" : ""), format = wanted->format, tag,
          stay](const core::Result<File>& file) {
-            respond(file ? file_response(surface, format, tag, *file) : http_error(file.error()));
+            respond(file ? file_response(name, format, tag, *file) : http_error(file.error()));
         });
     return {};
 }

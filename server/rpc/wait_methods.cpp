@@ -1,6 +1,7 @@
 // surface.wait, and $/cancelRequest, which ends it and every other call that is not answered yet.
 #include "protocol/api/generated/server.hpp"
 #include "protocol/api/generated/subscription.hpp"
+#include "server/base/forecast.hpp"
 #include "server/rpc/method_table.hpp"
 #include "server/rpc/outcome_json.hpp"
 #include "server/rpc/session_choice.hpp"
@@ -19,18 +20,30 @@ using nlohmann::json;
 
 namespace {
 
-/// What somebody who waits would like to know: the newest state there is.
-json look_at(const LiveSurface& live) {
+/// What somebody who waits would like to know: the newest state there is, and how far the work on a better one is.
+json look_at(const LiveSurface& live, Forecast& forecast) {
     const SurfaceOutcome now = live.outcome();
+    const BuildStanding standing = live.standing();
     const char* phase = now.complete ? "final" : now.statistics.quads > 0 ? "coarse" : "computing";
-    return {{"message", now.statistics.quads > 0
-                            ? fmt::format("{}: {} quads", phase, now.statistics.quads)
-                            : std::string(phase)},
-            {"phase", phase},
-            {"percentage", static_cast<int>(100.0 * live.fraction_done())},
-            {"epoch", now.epoch},
-            {"quads", now.statistics.quads},
-            {"vertices", now.statistics.vertices}};
+    forecast.add(standing.seconds, standing.fraction);
+    json out{{"message", now.statistics.quads > 0
+                             ? fmt::format("{}: {} quads", phase, now.statistics.quads)
+                             : std::string(phase)},
+             {"phase", phase},
+             {"percentage", 100.0 * standing.fraction},
+             {"epoch", now.epoch},
+             {"quads", now.statistics.quads},
+             {"vertices", now.statistics.vertices},
+             {"seconds", standing.seconds}};
+    if (now.complete)
+        return out;
+    if (standing.time)
+        out["time"] = *standing.time;
+    if (standing.quads > 0)
+        out["quadsSoFar"] = standing.quads;
+    if (const auto left = forecast.left())
+        out["remaining"] = *left;
+    return out;
 }
 
 /// Alive from the call to its answer.
@@ -58,10 +71,11 @@ void surface_wait(const Call& call, const protocol::SurfaceWait& of, Reply reply
     waiting->place = std::move(*place);
     const std::weak_ptr<LiveSurface> weak = *live;
     if (token && call.client != nullptr)
-        waiting->progress.emplace(call, *token, "waiting for surface " + of.surface, [weak] {
-            const auto still = weak.lock();
-            return still ? look_at(*still) : json::object();
-        });
+        waiting->progress.emplace(call, *token, "waiting for surface " + of.surface,
+                                  [weak, forecast = Forecast()]() mutable {
+                                      const auto still = weak.lock();
+                                      return still ? look_at(*still, forecast) : json::object();
+                                  });
     const std::uint64_t ticket =
         (*live)->wait(of.epoch.value_or((*live)->epoch()), std::chrono::milliseconds(of.timeout_ms),
                       [waiting](const core::Result<SurfaceOutcome>& outcome) {

@@ -18,6 +18,8 @@ beforeEach(async () => {
     context = await newContext(stand.browser, { width: 900, height: 560 });
     page = await openPage(context, await stand.server.newSession());
     await finalSurface(page);
+    // By how many pixels hands move is chosen for the whole domain.
+    await page.getByRole('button', { name: 'Fit' }).click();
     session = (await ask(page, (hook) => hook.session))!;
 });
 

@@ -12,6 +12,7 @@ import { Figure } from './session/out/figure.ts';
 import { FilmMaker } from './session/out/film.ts';
 import { MeshDownload } from './session/out/meshDownload.ts';
 import { Thumbnails } from './session/out/thumbnails.ts';
+import { lookAtFirst } from './session/picture/firstLook.ts';
 import { showExactOrder } from './session/picture/exactOrder.ts';
 import { tellLostGraphics } from './session/picture/lostGraphics.ts';
 import { showMarks } from './session/picture/marksInPicture.ts';
@@ -107,6 +108,10 @@ function start(app: App): void {
     hideSurfaces(state, view);
     showLooks({ state, view, scene, worker });
     connectPainting(view, scene);
+    lookAtFirst({
+        ...{ state, controls: scene.controls, surfaces: scene.surfaces },
+        dragging: () => scene.interaction.dragging,
+    });
     scene.controls.onMove(() => people.takeCamera());
     const feed = new SurfaceFeed({ state, scene, worker, latency });
     const outcomes = new SurfaceOutcomes({ state, worker });
@@ -199,7 +204,7 @@ function start(app: App): void {
                 film: { state, view, playback, figure, film },
                 mesh: { state, view, mesh },
             },
-            status: { state, view, edits, progress, worker },
+            status: { state, view, edits, progress, worker, mesh },
         },
         note: { view, calls },
         timeBar: { state, view, playback, edits },

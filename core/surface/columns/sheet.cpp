@@ -197,6 +197,7 @@ Result<bool> Sheet::build(const std::set<double>& seeds,
                 return false;
             if (auto held = hold(*quads, counted, work); !held)
                 return tl::unexpected(held.error());
+            work.has(*quads);
             for (const std::size_t i : dirty)
                 if (round >= most_rounds)
                     strips_[i].tear_rest();

@@ -33,7 +33,8 @@ constexpr double growth_a_step =
 constexpr double least_of_row =
     1.0 / 16.0; // of the time between rows: one violent cell must not stop the rest
 constexpr std::uint64_t check_every =
-    4; ///< steps, from one look at the integrator's errors to the next
+    4;                              ///< steps, from one look at the integrator's errors to the next
+constexpr double carry_share = 0.4; // of a step, in what is told of how far it is
 constexpr double sorting_share = 0.125; // of vertices inserted since memory was last in mesh order
 
 /// The larger of `most` and the fastest relative growth of a cell's sides, of those longer than `shortest`. Roots are taken only
@@ -111,7 +112,8 @@ Result<std::optional<std::uint64_t>> MovingSurface::most_quads(const Flow& flow,
                                                                const WorkPart& work) {
     plan.estimates = false;
     MovingSurface surface(flow, std::move(plan), clock);
-    auto within = surface.begin(stop, work);
+    const double from = surface.time();
+    auto within = surface.begin(stop, work.quietly());
     std::uint64_t most = 0;
     for (;;) {
         if (!within && within.error().readable_until && most > 0)
@@ -125,7 +127,8 @@ Result<std::optional<std::uint64_t>> MovingSurface::most_quads(const Flow& flow,
             return most;
         if (stop.stop_requested())
             return fail(Error::Code::Cancelled, "the surface was cancelled");
-        within = surface.move(surface.end_time(), stop, work);
+        within = surface.move(surface.end_time(), stop, work.quietly());
+        work.reached(std::abs(surface.time() - from) / std::abs(surface.end_time() - from));
     }
 }
 
@@ -146,7 +149,8 @@ Result<MovingPlan> MovingSurface::plan_within_budget(const Flow& flow,
         if (!asked_for && !search.near()) {
             plan.rules.max_quads = trial->most;
             plan.rules.coarsens = false;
-            const auto quads = most_quads(flow, plan, clock, stop, work.quietly());
+            const auto quads =
+                most_quads(flow, plan, clock, stop, work.rest().between(0.0, trial_share));
             if (!quads)
                 return tl::unexpected(quads.error());
             if (!*quads)
@@ -307,12 +311,25 @@ double MovingSurface::next_time(double to) const {
     return dt == std::abs(target - here) ? target : here + sign * dt;
 }
 
-Result<void> MovingSurface::step(double to, std::stop_token stop, const WorkPart& work) {
+Result<void> MovingSurface::step(double to,
+                                 std::stop_token stop,
+                                 const WorkPart& work,
+                                 std::optional<double> aim) {
     const double reached = next_time(to);
-    const auto within = move(to, stop, work);
+    const double way = std::abs(aim.value_or(to) - time());
+    const double part = way > 0.0 ? std::min(1.0, std::abs(reached - time()) / way) : 1.0;
+    const WorkPart here = work.rest().between(0.0, part);
+    const auto within = move(to, stop, here);
     if (!within)
         return tl::unexpected(within.error());
-    return *within ? Result<void>{} : start_coarser(reached, stop, work);
+    if (!*within)
+        if (auto again = start_coarser(reached, stop, work.rest().between(0.0, trial_share));
+            !again)
+            return again;
+    here.reached(1.0);
+    work.has(state_.mesh.quads.live());
+    work.came_to(time(), state_.plan->request.parameters.from);
+    return {};
 }
 
 /// One step. False: the mesh then has more quads than its rules allow, and is of no use.
@@ -360,6 +377,7 @@ Result<bool> MovingSurface::move(double to, const std::stop_token& stop, const W
     move_attached(mesh);
     seconds_.load += *load;
     seconds_.advect += elapsed(*clock_, began) - *load;
+    work.reached(carry_share);
 
     const auto refining = clock_->now();
     if (!released.empty() && !last_release) {
@@ -372,7 +390,8 @@ Result<bool> MovingSurface::move(double to, const std::stop_token& stop, const W
         join_rows(mesh, *row, released);
     }
     state_.releasing = state_.releasing && !last_release;
-    if (const auto within = refine(carry, stop, work); !within || !*within)
+    if (const auto within = refine(carry, stop, work.between(carry_share, 1.0));
+        !within || !*within)
         return within;
     ++state_.steps;
     sort_memory(mesh, sorting_share);
@@ -425,13 +444,11 @@ Result<void> MovingSurface::trace_doubtful(const AdvanceOptions& options,
 }
 
 Result<void> MovingSurface::advance_to(double to, std::stop_token stop, const WorkPart& work) {
-    const double from = time();
     while (time() != to) {
         if (stop.stop_requested())
             return fail(Error::Code::Cancelled, "the surface was cancelled");
         if (auto stepped = step(to, stop, work); !stepped)
             return stepped;
-        work.reached((time() - from) / (to - from));
     }
     return {};
 }

@@ -55,7 +55,11 @@ class MovingSurface {
     /// Carries the surface over one step, as long as it is safe; not beyond `to`. A surface that would exceed its quad budget is
     /// begun again, coarser, and carried to where the step leads. Error: OverLimit as for start(), Cancelled (within 50 ms, or because `work` has
     /// no memory) and what loading time-steps reports; the surface is then of no use but to restore().
-    Result<void> step(double to, std::stop_token stop, const WorkPart& work = {});
+    /// @param work  the way from here to `aim`, or to `to` where that is left out
+    Result<void> step(double to,
+                      std::stop_token stop,
+                      const WorkPart& work = {},
+                      std::optional<double> aim = std::nullopt);
 
     /// Steps until `to`.
     Result<void> advance_to(double to, std::stop_token stop, const WorkPart& work = {});

@@ -57,15 +57,13 @@ Result<void> SurfaceHistory::go_to(double time, const std::stop_token& stop, con
         since_start(nearest.mesh.time) > since_start(surface_.time()))
         surface_.restore(nearest);
     torn_ = false;
-    const double from = surface_.time();
     while (since_start(surface_.next_time(surface_.end_time())) <= since_start(time) &&
            surface_.time() != surface_.end_time()) {
-        if (auto stepped = surface_.step(surface_.end_time(), stop, work); !stepped) {
+        if (auto stepped = surface_.step(surface_.end_time(), stop, work, time); !stepped) {
             torn_ = true; // nothing is copied now: there may be no memory for it
             return stepped;
         }
         keep();
-        work.reached((surface_.time() - from) / (time - from));
     }
     return {};
 }
@@ -81,6 +79,7 @@ Result<KeyedMesh> SurfaceHistory::at(double time, std::stop_token stop, const Wo
     const WorkPart here = work.above(bytes_ - std::min(bytes_, budget_));
     if (auto there = go_to(time, stop, here); !there)
         return tl::unexpected(there.error());
+    work.came_to(time, start_);
     const MovingMesh& mesh = surface_.state().mesh;
     if (!here.holds(memory_of(mesh) + memory_while_moving(mesh) +
                     shown_bytes * mesh.vertices.slots()))

@@ -135,18 +135,19 @@ Result<FlowSurvey> survey_flow(const Flow& flow, double time, std::stop_token st
     return survey;
 }
 
+Vec3 vorticity_in(const FlowSurvey& survey, const std::array<int, 3>& at) {
+    const Vec3 dx = slope(survey, at, 0);
+    const Vec3 dy = slope(survey, at, 1);
+    const Vec3 dz = slope(survey, at, 2);
+    return {dy.z - dz.y, dz.x - dx.z, dx.y - dy.x};
+}
+
 Rotation strongest_rotation(const FlowSurvey& survey) {
     const SurveyLattice& lattice = survey.lattice;
     std::vector<Vec3> vorticity(lattice.size(), Vec3(0.0));
-    for (std::size_t i = 0; i < lattice.size(); ++i) {
-        if (survey.solid[i] != 0)
-            continue;
-        const auto at = lattice.place(i);
-        const Vec3 dx = slope(survey, at, 0);
-        const Vec3 dy = slope(survey, at, 1);
-        const Vec3 dz = slope(survey, at, 2);
-        vorticity[i] = {dy.z - dz.y, dz.x - dx.z, dx.y - dy.x};
-    }
+    for (std::size_t i = 0; i < lattice.size(); ++i)
+        if (survey.solid[i] == 0)
+            vorticity[i] = vorticity_in(survey, lattice.place(i));
     Rotation best;
     double most = -1.0;
     const Vec3 extent = lattice.domain.extent();

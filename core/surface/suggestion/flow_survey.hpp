@@ -58,6 +58,9 @@ struct FlowSurvey {
 /// Some 30,000 lookups and samples at one time. Error: as Flow::sample.
 Result<FlowSurvey> survey_flow(const Flow& flow, double time, std::stop_token stop);
 
+/// By differences between the middles of boxes.
+Vec3 vorticity_in(const FlowSurvey& survey, const std::array<int, 3>& box);
+
 /// Where the flow turns most, seen in the middle of the domain rather than at its sides.
 struct Rotation {
     Vec3 place{0.0};

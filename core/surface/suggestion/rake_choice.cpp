@@ -25,8 +25,15 @@ constexpr double entering = 0.1, usual_length = 0.6, margin = 0.03;
 constexpr double whole = 0.9;
 /// A flow whose vorticity changes its velocity by less across the domain does not turn.
 constexpr double turning = 0.3;
-/// Of the fluid where it turns most, while a surface grows.
-constexpr double most_turns = 4.0;
+/// Of the fluid where it turns most, while a surface grows; fewer where it moves on at the same time, so that one sees the turns beside each
+/// other.
+constexpr double most_turns = 4.0, most_turns_through = 2.5;
+/// How much the fluid has to turn beside a vortex, of what it turns there, for the rake to reach as far.
+constexpr double turns_too = 0.3;
+/// Of the domain's height: where fluid rises less along a vortex within so many turns, a rake across it makes a disc.
+constexpr double rises = 0.2;
+// Of the narrower side across a vortex: how far off its core a rake along it stands, and how far a sheet is rolled up round it.
+constexpr double off_core = 0.08, rolled = 0.4;
 constexpr int looks = 64; ///< along a line, for where it is in fluid
 constexpr double sweep_of_body = 1.0, sweep_of_domain = 0.25;
 
@@ -133,6 +140,64 @@ double speed_across(const FlowSurvey& survey, const Vec3& at, int axis, double h
     return sum / (looks + 1);
 }
 
+/// A stretch of a line along an axis, widened to where the flow turns too.
+std::array<double, 2> where_it_turns(const FlowSurvey& survey,
+                                     const Rotation& rotation,
+                                     const Vec3& at,
+                                     int axis,
+                                     std::array<double, 2> stretch) {
+    const SurveyLattice& lattice = survey.lattice;
+    const double enough = turns_too * glm::length(rotation.vorticity);
+    auto box = lattice.box_of(at);
+    for (int i = 0; i < lattice.count[static_cast<std::size_t>(axis)]; ++i) {
+        box[static_cast<std::size_t>(axis)] = i;
+        if (survey.solid[lattice.index(box)] != 0 ||
+            glm::length(vorticity_in(survey, box)) < enough)
+            continue;
+        const double middle = lattice.centre(box)[axis];
+        const double half = 0.5 * lattice.step()[axis];
+        stretch = {std::min(stretch[0], middle - half), std::max(stretch[1], middle + half)};
+    }
+    return stretch;
+}
+
+/// Along a vortex in which the fluid hardly moves on: a sheet from there is rolled up round all of it. Nothing: the fluid rises.
+std::optional<RakeChoice>
+along_vortex(const Flow& flow, const FlowSurvey& survey, const Rotation& rotation, double turn) {
+    const Box domain = flow.domain();
+    const Vec3 extent = domain.extent();
+    const Vec3 direction = glm::abs(rotation.vorticity);
+    const int axis =
+        static_cast<int>(std::max_element(&direction[0], &direction[0] + 3) - &direction[0]);
+    double rising = 0.0;
+    for (const Vec3& v : survey.velocity)
+        rising += std::abs(v[axis]) / static_cast<double>(survey.velocity.size());
+    if (rising * most_turns * turn > rises * extent[axis])
+        return std::nullopt;
+    const auto [a, b] = others(axis);
+    const double side = std::min(extent[a], extent[b]);
+    const int offset = extent[a] < extent[b] ? b : a;
+    RakeChoice choice;
+    for (const double sign : {1.0, -1.0}) {
+        Vec3 at = rotation.place;
+        at[offset] = inside(domain, offset, at[offset] + sign * off_core * side);
+        const auto line = line_in_fluid(flow, at, axis, domain.lo[axis], domain.hi[axis]);
+        if (!line)
+            continue;
+        choice.line = *line;
+        const double half = 0.5 * glm::length((*line)[1] - (*line)[0]);
+        choice.speed = speed_across(survey, 0.5 * ((*line)[0] + (*line)[1]), axis, half);
+        if (!(choice.speed > 0.0))
+            continue;
+        choice.way = std::numbers::pi * rolled * side;
+        choice.sweep = sweep_along(domain, at, offset, sweep_of_domain * extent[offset]);
+        choice.why =
+            "along the place where the flow turns most, which the surface is rolled up round";
+        return choice;
+    }
+    return std::nullopt;
+}
+
 /// How far it is along the flow's axis until the domain ends.
 double way_out(const FlowSurvey& survey, const Vec3& from) {
     const int axis = survey.axis();
@@ -200,6 +265,10 @@ std::optional<RakeChoice> at_rotation(const Flow& flow,
                                       std::optional<double> time) {
     const Box domain = flow.domain();
     const Vec3 extent = domain.extent();
+    const double turn = 4.0 * std::numbers::pi / std::max(glm::length(rotation.vorticity), 1e-300);
+    if (!survey.through())
+        if (auto along = along_vortex(flow, survey, rotation, turn))
+            return along;
     RakeChoice choice;
     choice.speed = survey.speed;
     Vec3 at = rotation.place;
@@ -239,12 +308,15 @@ std::optional<RakeChoice> at_rotation(const Flow& flow,
         choice.why = "across the place where the flow turns most";
     }
     // Where a sheet is rolled up more often, it is long, and its layers hide each other.
-    const double turn = 4.0 * std::numbers::pi / std::max(glm::length(rotation.vorticity), 1e-300);
-    choice.way = std::min(choice.way, choice.speed * most_turns * turn);
+    const double turns = survey.through() ? most_turns_through : most_turns;
+    choice.way = std::min(choice.way, choice.speed * turns * turn);
     const double half = 0.5 * usual_length * extent[span];
     for (const int k : {0, 1, 2})
         at[k] = inside(domain, k, at[k]);
-    const auto line = line_in_fluid(flow, at, span, at[span] - half, at[span] + half);
+    std::array<double, 2> reach{at[span] - half, at[span] + half};
+    if (survey.through())
+        reach = where_it_turns(survey, rotation, rotation.place, span, reach);
+    const auto line = line_in_fluid(flow, at, span, reach[0], reach[1]);
     if (!line)
         return std::nullopt;
     choice.line = *line;

@@ -22,6 +22,21 @@ constexpr double most_moves = 4e6, most_quads = 20'000.0, least_quads = 2'000.0;
 // Cells across the body, at least, and along the rake, at most.
 constexpr double across_body = 6.0, along_rake = 40.0, along_rake_in_vortex = 24.0;
 
+/// Behind a body in steady flow nothing new comes after so many of its sizes.
+constexpr double steady_wake = 5.0;
+
+/// How far to follow the particles.
+double way_of(const RakeChoice& choice, const FlowSurvey& survey, bool steady) {
+    if (!steady || !choice.body || !survey.through())
+        return choice.way;
+    const int axis = survey.axis();
+    const Vec3 extent = choice.body->extent();
+    const double behind = survey.sign() > 0.0 ? choice.body->hi[axis] : choice.body->lo[axis];
+    const double rake = 0.5 * (choice.line[0][axis] + choice.line[1][axis]);
+    return std::min(choice.way, std::abs(behind - rake) +
+                                    steady_wake * std::max({extent.x, extent.y, extent.z}));
+}
+
 /// To so many digits.
 double rounded(double value, int digits) {
     if (!(value > 0.0) || !std::isfinite(value))
@@ -118,7 +133,8 @@ Result<SceneSuggestion> suggest_scene(const Flow& flow,
     const bool moves = series.steady || times.size() > 1;
     const std::optional<double> available =
         series.steady || times.size() < 2 ? std::nullopt : std::optional(shown - times.front());
-    const RakeChoice choice = choose_rake(flow, *survey, walls, available);
+    RakeChoice choice = choose_rake(flow, *survey, walls, available);
+    choice.way = way_of(choice, *survey, series.steady);
     SceneSuggestion out;
     const Box domain = flow.domain();
     out.rake = {Rake::Kind::Line,

@@ -16,9 +16,7 @@ namespace {
 /// A job for a time that no one wants any more may be this long at work before it is given up: scrubbing shows something on the way.
 constexpr std::chrono::milliseconds patience_with_stale{150};
 constexpr std::chrono::milliseconds patience_for_key{100}; ///< until others have given memory back
-/// Of the progress that is told: after a coarse pass, and after a refined one.
-constexpr double coarse_part = 0.05, early_part = 0.2;
-constexpr std::size_t quick_key = 30'000; ///< vertices encoded within some 15 ms
+constexpr std::size_t quick_key = 30'000;                  ///< vertices encoded within some 15 ms
 
 /// @param whole  its statistics are of this pass alone, not of all since the surface was released
 void count(Metrics& metrics,
@@ -86,10 +84,12 @@ void LiveSurface::begin_build() {
     ring_->begin(epoch_);
     let_go_of_build();
     full_.reset();
+    early_.reset();
     coarse_done_ = refined_done_ = false;
     overtake_.reset();
     interrupted_ = false;
     began_ = pass_wanted_ = asked_for_ = services_.clock.now();
+    progress_.begin(began_);
 }
 
 std::uint32_t LiveSurface::rebuild(SurfaceJob wanted, bool rest) {
@@ -283,6 +283,7 @@ void LiveSurface::start(Pace pace, const SurfacePass& pass) {
     Running& running = lanes_[index(pace)].emplace(
         Running{epoch_, pass, std::stop_source(), services_.clock.now(), pass_wanted_,
                 std::make_shared<core::WorkDone>(), build_});
+    progress_.start(pass.phase, running.work, running.since);
     services_.pool.run(
         session_, pace,
         [build = build_, pass, pace, stop = running.stop.get_token(), weak = weak_from_this(),
@@ -308,8 +309,10 @@ void LiveSurface::start(Pace pace, const SurfacePass& pass) {
 void LiveSurface::finished(Pace pace, core::Result<Update> result, double seconds) {
     const Running job = *std::exchange(lanes_[index(pace)], std::nullopt);
     const bool of_now = job.epoch == epoch_ && job.build.lock() == build_ && build_;
-    if (of_now)
+    if (of_now) {
         pass_wanted_ = services_.clock.now();
+        progress_.end();
+    }
     if (!of_now || !building_)
         budgets_.cut_short(job.pass.phase, seconds);
     else if (result)
@@ -338,6 +341,7 @@ void LiveSurface::publish(const SurfacePass& pass, Update update) {
     refined_done_ = refined_done_ || pass.phase != Phase::Coarse;
     if (pass.phase == Phase::Final || pass.phase == Phase::Live)
         full_ = pass;
+    early_ = full_ ? std::nullopt : std::optional(pass);
     const bool first = !ring_->newest();
     auto state = std::exchange(update.wire.state, nullptr);
     ring_->add(std::make_shared<const Update>(std::move(update)), std::move(state));
@@ -349,6 +353,7 @@ void LiveSurface::publish(const SurfacePass& pass, Update update) {
                                          ring->trim();
                                  });
     if (pass.phase == Phase::Live) {
+        progress_.arrive();
         waiters_->answer(epoch_, outcome());
         return;
     }
@@ -376,6 +381,8 @@ void LiveSurface::failed(const SurfacePass& pass, core::Error error, double seco
 
 /// The epoch has ended, as things are.
 void LiveSurface::conclude() {
+    if (!error_)
+        progress_.arrive();
     if (error_)
         let_go_of_build();
     events_.done(outcome());
@@ -404,22 +411,8 @@ SurfaceOutcome LiveSurface::outcome() const {
     return out;
 }
 
-/// Of the whole way to the surface asked for, on which the early passes are a little each.
-double LiveSurface::fraction_done() const {
-    if (outcome().complete)
-        return 1.0;
-    const bool only_final = full_ || !coarse_done_;
-    for (const auto& lane : lanes_) {
-        if (!lane || lane->epoch != epoch_ || !lane->work)
-            continue;
-        const double part = lane->work->fraction();
-        if (lane->pass.phase == Phase::Coarse)
-            return coarse_part * part;
-        if (lane->pass.phase == Phase::Refined)
-            return coarse_part + (early_part - coarse_part) * part;
-        return only_final ? part : early_part + (1.0 - early_part) * part;
-    }
-    return only_final ? 0.0 : refined_done_ ? early_part : coarse_part;
+BuildStanding LiveSurface::standing() const {
+    return progress_.standing(services_.clock.now());
 }
 
 void LiveSurface::retire() {

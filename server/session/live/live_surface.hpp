@@ -6,6 +6,7 @@
 #include "server/base/loop.hpp"
 #include "server/compute/compute_pool.hpp"
 #include "server/compute/pass_budgets.hpp"
+#include "server/session/live/build_progress.hpp"
 #include "server/session/live/frame_cursor.hpp"
 #include "server/session/live/surface_build.hpp"
 #include "server/session/live/surface_job.hpp"
@@ -120,8 +121,11 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
 
     SurfaceOutcome outcome() const;
 
-    /// How much of what it takes to be complete is done: 1 once it is. Early passes count for nothing.
-    double fraction_done() const;
+    /// How far it is on the way to being complete.
+    BuildStanding standing() const;
+
+    /// The pass that the newest state comes from, if that is an early one: what was asked for is not there yet.
+    const std::optional<SurfacePass>& early() const { return early_; }
 
     /// The newest state, if there is one of the current epoch.
     SharedUpdate newest() const { return ring_->newest(); }
@@ -143,7 +147,7 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
         std::stop_source stop;
         std::chrono::steady_clock::time_point since;
         std::chrono::steady_clock::time_point wanted; ///< before it could be given to the pool
-        std::shared_ptr<core::WorkDone> work;         ///< of a pass of full quality, else null
+        std::shared_ptr<core::WorkDone> work;
         std::weak_ptr<SurfaceBuild> build;
     };
 
@@ -198,7 +202,10 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
     std::chrono::steady_clock::time_point pass_wanted_{}; ///< the one that is next or runs
     std::shared_ptr<SurfaceBuild> build_;
     bool coarse_done_ = false, refined_done_ = false;
-    std::optional<SurfacePass> full_; ///< the newest one of full quality
+    std::optional<SurfacePass> full_;  ///< the newest one of full quality
+    std::optional<SurfacePass> early_; ///< the newest one, while there is none of full quality
+
+    BuildProgress progress_;
 
     PassBudgets budgets_{true};
     std::shared_ptr<void> trim_, overtake_, hide_; ///< timers

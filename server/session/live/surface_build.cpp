@@ -6,6 +6,7 @@
 #include "core/surface/vertex_times.hpp"
 #include "server/base/log_text.hpp"
 #include "server/limits.hpp"
+#include "server/session/live/early_request.hpp"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
@@ -130,27 +131,10 @@ SurfaceBuild::build(const SurfacePass& pass, const std::stop_token& stop, const 
                                                            : play(age, stop, work);
 }
 
-/// The engine's quad budget bounds the work whatever the separation asked for.
 core::Result<SurfaceBuild::Shown> SurfaceBuild::build_early(const SurfacePass& pass,
                                                             const std::stop_token& stop,
                                                             const Work& work) const {
-    core::Rake rake = job_.rake;
-    core::SurfaceParameters p = job_.parameters;
-    rake.seeds = std::min(rake.seeds,
-                          static_cast<std::uint32_t>(std::sqrt(static_cast<double>(pass.quads))));
-    p.max_quads = std::min(p.max_quads, pass.quads);
-    p.accuracy = core::Accuracy::Fast;
-    if (pass.phase == Phase::Coarse)
-        p.separation *= 2.0;
-    if (p.separation > 0.0 || pass.separation > job_.flow->finest_spacing())
-        p.separation = std::max(p.separation, pass.separation);
-    const double age = core::age_at(p, pass.time);
-    const bool moving = p.kind == core::SurfaceKind::Streak || p.kind == core::SurfaceKind::Time;
-    if (moving && pass.time && age > 0.0) {
-        if (p.release_until && std::abs(*p.release_until - p.from) > age)
-            p.release_until.reset();
-        p.to = p.from + std::copysign(age, p.to - p.from);
-    }
+    const auto [rake, p] = early_request(job_, pass);
     auto surface = core::build_surface(*job_.flow, rake, p, stop, clock_, work);
     if (!surface)
         return tl::unexpected(surface.error());
@@ -160,6 +144,7 @@ core::Result<SurfaceBuild::Shown> SurfaceBuild::build_early(const SurfacePass& p
     const double load = surface->statistics.seconds.load;
     if (pass.time && p.kind == core::SurfaceKind::Path) {
         const core::GrowingMesh growing(surface->mesh, core::time_span(p), *fields);
+        const double age = core::age_at(p, pass.time);
         return Shown{growing.at(age), surface->statistics, Source::Nothing, growing.fields_at(age),
                      load};
     }
@@ -255,7 +240,7 @@ core::Result<SurfaceBuild::Shown> SurfaceBuild::play_within(std::size_t bytes,
         played_->limit(bytes);
     } else {
         auto started = core::PlayedSurface::start(*job_.flow, job_.rake, job_.parameters, bytes,
-                                                  clock_, stop, work.quietly());
+                                                  clock_, stop, work);
         if (!started)
             return tl::unexpected(started.error());
         played_ = std::move(*started);

@@ -10,6 +10,7 @@
 #include "protocol/wire/mesh_stream.hpp"
 #include "server/compute/history_budget.hpp"
 #include "server/session/live/surface_job.hpp"
+#include "server/session/live/surface_pass.hpp"
 #include "server/session/live/update_ring.hpp"
 
 #include <cstdint>
@@ -18,13 +19,6 @@
 #include <stop_token>
 
 namespace wakesurf::server {
-
-struct SurfacePass {
-    Phase phase = Phase::Final;
-    std::uint64_t quads = 0;    ///< most of a coarse or refined pass
-    std::optional<double> time; ///< of the session's clock; nothing: at the end
-    double separation = 0.0;    ///< of such a pass, at least
-};
 
 /// What a build's memory is counted by. Both outlive it; without, no one counts.
 struct BuildMemory {

@@ -184,6 +184,33 @@ TEST_F(DownloadsTest, AreAsTheSessionShowsThemAtTheTimeOfItsClock) {
     EXPECT_EQ(ply("?time=1").header("etag"), then.header("etag"));
 }
 
+TEST_F(DownloadsTest, GiveWhatIsShownWhileTheFinalSurfaceIsLongInComingAndSaySo) {
+    WebSocketClient client(*server_);
+    // Millions of quads, which take minutes; what is shown meanwhile is there at once.
+    const std::string surface = make_in(client, "main", "lamb-oseen", 0.002, "streak", 20.0);
+    json stats;
+    ASSERT_TRUE(within(std::chrono::seconds(60), [&] {
+        stats = client.result("surface.stats", {{"surface", surface}});
+        return stats["quads"] > 0;
+    }));
+    ASSERT_FALSE(stats["complete"]);
+    client.result("surface.stop", {{"surface", surface}});
+    stats = client.result("surface.stats", {{"surface", surface}});
+    EXPECT_NE(get_of(surface, "mesh.ply").status, 200) << "it was stopped";
+    const HttpReply reply = get_of(surface, "mesh.ply?now=true");
+    ASSERT_EQ(reply.status, 200) << reply.body.substr(0, 300);
+    EXPECT_EQ(reply.header("content-disposition"),
+              "attachment; filename=\"" + surface + "-coarse.ply\"");
+    const auto ply = read_ply(reply.body);
+    EXPECT_EQ(ply.points.size(), stats["vertices"]) << "what the page shows";
+    EXPECT_NE(ply.about.at("stopped").find("coarse"), std::string::npos);
+    client.result("surface.delete", {{"surface", surface}});
+
+    const HttpReply whole = get("mesh.ply?now=true");
+    EXPECT_EQ(whole.body, get("mesh.ply").body) << "it is final";
+    EXPECT_EQ(whole.header("content-disposition").find("coarse"), std::string::npos);
+}
+
 TEST_F(DownloadsTest, SayWhatIsWrongWithTheirQuery) {
     WebSocketClient client(*server_);
     const std::string path = make_moving(client);
@@ -191,6 +218,7 @@ TEST_F(DownloadsTest, SayWhatIsWrongWithTheirQuery) {
              {"?time=NaN", -32602, "`time`"},
              {"?time=7", -32013, "0 to 2"},
              {"?draco=maybe", -32602, "`draco`"},
+             {"?now=soon", -32602, "`now`"},
              {"?when=1", -32602, "`when`"},
              {"?time", -32602, "query"},
              {"?time=1&time=2", -32602, "query"}}) {

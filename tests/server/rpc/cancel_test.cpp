@@ -150,6 +150,7 @@ TEST_F(Cancel, ProgressBeginsReportsAndEndsBeforeTheAnswer) {
         EXPECT_EQ(told[i]["kind"], "report") << told[i];
         EXPECT_GE(told[i]["percentage"], i == 1 ? json(0) : told[i - 1]["percentage"]) << told[i];
         EXPECT_LE(told[i]["percentage"], 100);
+        EXPECT_GE(told[i]["seconds"], i == 1 ? json(0) : told[i - 1]["seconds"]) << told[i];
     }
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
     EXPECT_LE(static_cast<double>(told.size()) - 2, 10 * took.count() + 1) << "ten a second";

@@ -99,9 +99,13 @@ describe('what the server tells', () => {
         const { news, progressed } = bench();
         news.take({ method: '$/progress', token: 'a', value: { kind: 'report', message: 'refining', percentage: 25 } });
         news.take({ method: '$/progress', token: 'a', value: { kind: 'begin' } });
+        const far = { time: 3, quadsSoFar: 1200, remaining: 8.5, seconds: 4 };
+        news.take({ method: '$/progress', token: 'a', value: { kind: 'report', percentage: 50, ...far } });
+        const unknown = { time: null, quads: null, remaining: null, seconds: null };
         expect(progressed).toEqual([
-            ['a', 0.25, 'refining'],
-            ['a', null, ''],
+            ['a', { ...unknown, fraction: 0.25, message: 'refining' }],
+            ['a', { ...unknown, fraction: null, message: '' }],
+            ['a', { fraction: 0.5, message: '', time: 3, quads: 1200, remaining: 8.5, seconds: 4 }],
         ]);
     });
 

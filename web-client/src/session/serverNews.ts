@@ -60,8 +60,12 @@ export class ServerNews {
                 feed.progressed(notification.surface, notification.epoch, notification.seconds ?? null);
                 break;
             case '$/progress': {
-                const { percentage, message = '' } = notification.value;
-                progress.progressed(notification.token, percentage === undefined ? null : percentage / 100, message);
+                const { percentage, message = '', time, quadsSoFar, remaining, seconds } = notification.value;
+                progress.progressed(notification.token, {
+                    ...{ fraction: percentage === undefined ? null : percentage / 100, message },
+                    ...{ time: time ?? null, quads: quadsSoFar ?? null },
+                    ...{ remaining: remaining ?? null, seconds: seconds ?? null },
+                });
                 break;
             }
         }

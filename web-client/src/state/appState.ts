@@ -117,7 +117,7 @@ export class AppState {
     /** What is good to know, by its kind. */
     readonly notices = new Announcements();
     /** Of the selected surface, while it takes long. */
-    readonly progress = signal<{ surface: string; fraction: number | null; message: string } | null>(null);
+    readonly progress = signal<SurfaceStanding | null>(null);
     /** Of a message to the server and back. */
     readonly roundTripMs = signal<number | null>(null);
     /** What the server suggests to begin with in the dataset; null: not known yet. */
@@ -154,6 +154,21 @@ export class AppState {
         if (low === null || high === null) return [0, 1];
         return high > low ? [low, high] : [low, low + 1];
     });
+}
+
+/** How far the server has come with a surface; null: not known. */
+export interface SurfaceStanding {
+    surface: string;
+    /** Of the way to the final one. */
+    fraction: number | null;
+    message: string;
+    /** Simulation time that a streak or time surface has come to. */
+    time: number | null;
+    quads: number | null;
+    /** Seconds that it may still take. */
+    remaining: number | null;
+    /** How long people have been waiting. */
+    lasting: 'briefly' | 'a while' | 'long';
 }
 
 /** Why a surface is not all that was asked for. */

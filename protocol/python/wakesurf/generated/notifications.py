@@ -42,7 +42,7 @@ class WorkProgress(Notification):
 
     method: ClassVar[str] = "$/progress"
     token: Union[str, int]  # the token of the call
-    value: Json  # for a surface it also has phase, epoch, quads and vertices; for an import also remaining, in seconds
+    value: Json  # for a surface it also has phase, epoch, quads and vertices of its newest state
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,5 @@
 #include "core/field/analytic_flow.hpp"
+#include "core/field/closed_forms.hpp"
 #include "core/surface/suggestion/scene_suggestion.hpp"
 #include "core/surface/surface_builder.hpp"
 #include "tests/support/mesh_measures.hpp"
@@ -287,6 +288,80 @@ INSTANTIATE_TEST_SUITE_P(Flows,
                                          "oscillating",
                                          "uniform",
                                          "stagnation"));
+
+/// Of a tornado, whose core winds from the floor to the top, every part is there: at all heights, and on all sides of the core.
+void shows_the_tornado(const Flow& flow, const SceneSuggestion& scene) {
+    ASSERT_EQ(scene.surfaces.size(), 4U);
+    for (const SurfaceKind kind : {SurfaceKind::Stream, SurfaceKind::Path}) {
+        const SurfaceParameters& p = scene.surfaces[static_cast<std::size_t>(kind)];
+        const Surface surface = built(flow, scene, p);
+        for (int third = 0; third < 3; ++third)
+            EXPECT_GT(share(surface.mesh, [&](const Vec3& x) { return int(3.0 * x.z) == third; }),
+                      0.15)
+                << name(kind) << " " << third;
+        for (const double side_x : {-1.0, 1.0})
+            for (const double side_y : {-1.0, 1.0})
+                EXPECT_GT(
+                    share(surface.mesh,
+                          [&](const Vec3& x) {
+                              const double core_x = 0.5 + 0.1 * std::sin(0.04 * p.to + 10.0 * x.z);
+                              const double core_y = 0.5 + 0.1 * std::cos(0.03 * p.to + 3.0 * x.z);
+                              return side_x * (x.x - core_x) > 0.0 && side_y * (x.y - core_y) > 0.0;
+                          }),
+                    0.1)
+                    << name(kind);
+    }
+    const SurfaceParameters& streak = scene.surfaces[2];
+    EXPECT_EQ(streak.kind, SurfaceKind::Streak);
+    EXPECT_GE(streak.to - streak.from, 5.0) << "as long as it takes to go round once";
+}
+
+TEST(SceneSuggestion, ShowsATornadoFromItsFootToItsTop) {
+    const auto flow = make_analytic_flow("tornado");
+    const auto info = describe_analytic_flow("tornado");
+    ASSERT_TRUE(flow && info);
+    shows_the_tornado(**flow, suggested(**flow, {info->times, info->steady, 0}));
+
+    UniformGrid grid;
+    grid.dimensions = {51, 51, 26};
+    grid.spacing = Vec3(0.02, 0.02, 0.04);
+    const auto at = times(48, 1.0);
+    const auto stored = make_stored_flow(std::make_shared<TimeStepCache>(
+        std::make_shared<tests::SampledSource>(
+            grid, at, [](const Vec3& p, double t) { return TornadoFlow{}.velocity(p, t); }),
+        TimeStepCache::Options{}));
+    shows_the_tornado(*stored, suggested(*stored, {at, false, 800'000}));
+}
+
+TEST(SceneSuggestion, ShowsBothLobesOfTheDoubleGyre) {
+    const auto flow = make_analytic_flow("double-gyre");
+    const auto info = describe_analytic_flow("double-gyre");
+    ASSERT_TRUE(flow && info);
+    const auto scene = suggested(**flow, {info->times, info->steady, 0});
+    ASSERT_EQ(scene.surfaces.size(), 4U);
+    for (SurfaceParameters each : scene.surfaces) {
+        if (each.kind == SurfaceKind::Streak)
+            each.separation *= 3.0;
+        const Surface surface = built(**flow, scene, each);
+        const double left = share(surface.mesh, [](const Vec3& p) { return p.x < 1.0; });
+        EXPECT_GT(left, 0.25) << name(each.kind);
+        EXPECT_LT(left, 0.75) << name(each.kind);
+        EXPECT_LE(surface.statistics.quads, 20'000U) << "no wall of layers: " << name(each.kind);
+    }
+}
+
+TEST(SceneSuggestion, EndsAFewBodiesBehindOneInSteadyFlow) {
+    const auto flow = make_analytic_flow("sphere");
+    const auto info = describe_analytic_flow("sphere");
+    ASSERT_TRUE(flow && info);
+    const auto scene = suggested(**flow, {info->times, info->steady, 0}, (*flow)->walls());
+    const Surface surface = built(**flow, scene, scene.surfaces.front());
+    EXPECT_LT(share(surface.mesh, [](const Vec3& p) { return p.x > 6.0; }), 0.2);
+    const auto behind = [](const Vec3& p) { return p.x > 0.5 && p.x < 2.0; };
+    const auto closed = [&](const Vec3& p) { return behind(p) && std::abs(p.y) < 0.25; };
+    EXPECT_GT(share(surface.mesh, closed), 0.8 * share(surface.mesh, behind))
+        << "the sheet has closed behind the body";
+}
 
 /// Along a flat plate: slow at the floor.
 TEST(SceneSuggestion, StartsInTheSlowFlowAlongAWall) {

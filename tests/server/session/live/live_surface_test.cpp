@@ -160,6 +160,47 @@ TEST_F(LiveSurfaceTest, StopsWhatIsUnderWayKeepsWhatIsThereAndBuildsAgainWhenItI
     EXPECT_TRUE(surface->outcome().complete);
 }
 
+TEST_F(LiveSurfaceTest, TellsHowFarItIsOverAllPassesAndNeverLessThanBefore) {
+    wall.each = std::chrono::milliseconds(10);
+    surface->rebuild(job_of(core::SurfaceKind::Streak, 0.03));
+    EXPECT_EQ(surface->standing().fraction, 0.0);
+    std::vector<double> told;
+    do
+        told.push_back(surface->standing().fraction);
+    while (turn());
+    told.push_back(surface->standing().fraction);
+    EXPECT_TRUE(std::ranges::is_sorted(told));
+    EXPECT_GE(told.size(), 3U) << "early passes are a part of the way";
+    EXPECT_GT(told[1], 0.0);
+    EXPECT_LT(told[1], 0.3);
+    const BuildStanding there = surface->standing();
+    EXPECT_EQ(there.fraction, 1.0);
+    EXPECT_EQ(there.time, 2.0);
+    EXPECT_EQ(there.quads, done.back().statistics.quads);
+    EXPECT_GT(there.seconds, 0.0);
+
+    surface->rebuild(job_of(core::SurfaceKind::Streak, 0.031));
+    EXPECT_EQ(surface->standing().fraction, 0.0) << "another way";
+    EXPECT_FALSE(surface->standing().time);
+}
+
+TEST_F(LiveSurfaceTest, GoesOnFromWhereItWasWhenAnotherTimeIsAskedForOnTheWay) {
+    wall.each = std::chrono::milliseconds(10);
+    surface->rebuild(job_of(core::SurfaceKind::Streak, 0.03));
+    turn(); // the coarse one
+    const double before = surface->standing().fraction;
+    surface->show(1.0, false, true);
+    EXPECT_GE(surface->standing().fraction, before);
+    while (turn())
+        EXPECT_GE(surface->standing().fraction, before);
+    EXPECT_EQ(surface->standing().fraction, 1.0);
+    surface->show(1.5, false, true);
+    EXPECT_LT(surface->standing().fraction, 1.0) << "what was asked for is there: a new way";
+    settle();
+    EXPECT_EQ(surface->standing().fraction, 1.0);
+    EXPECT_EQ(surface->standing().time, 1.5);
+}
+
 TEST_F(LiveSurfaceTest, LeavesEarlyStatesOutWhereTheFinalOneIsFast) {
     surface->rebuild(job_of(core::SurfaceKind::Stream));
     settle();

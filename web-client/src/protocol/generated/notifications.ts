@@ -39,8 +39,16 @@ export interface ServerNotice {
 export interface Progress {
     /** the token of the call */
     token: string | number;
-    /** for a surface it also has phase, epoch, quads and vertices; for an import also remaining, in seconds */
-    value: { kind: 'begin' | 'report' | 'end'; message?: string; percentage?: number };
+    /** for a surface it also has phase, epoch, quads and vertices of its newest state */
+    value: {
+        kind: 'begin' | 'report' | 'end';
+        message?: string;
+        percentage?: number;
+        remaining?: number;
+        seconds?: number;
+        time?: number;
+        quadsSoFar?: number;
+    };
 }
 
 /** Time-steps have been read into memory or removed from it. */
@@ -144,7 +152,15 @@ export const notificationChecks: { [Name in keyof Notifications]: Check<Notifica
     }),
     '$/progress': members<Progress>({
         token,
-        value: members({ kind: oneOf(['begin', 'report', 'end']), message: optional(text), percentage: optional(number) }),
+        value: members({
+            kind: oneOf(['begin', 'report', 'end']),
+            message: optional(text),
+            percentage: optional(number),
+            remaining: optional(number),
+            seconds: optional(number),
+            time: optional(number),
+            quadsSoFar: optional(whole),
+        }),
     }),
     'dataset.patched': datasetEntryCheck,
     'cache.patched': members<CachePatched>({ dataset: text, changes: list(stepChangeCheck), bytes: whole, budget: whole }),

@@ -53,6 +53,8 @@ export class CameraControls {
     /** The camera follows someone else's just now. */
     private led = false;
     private placing = false;
+    /** No one has moved it since it showed a new domain by itself. */
+    private untouched = false;
 
     constructor({ requestFrame, onHold, onTurn }: CameraControlsOptions) {
         this.onTurn = onTurn;
@@ -61,10 +63,16 @@ export class CameraControls {
         this.orbit.zoomToCursor = true;
         this.orbit.addEventListener('change', () => {
             if (!this.led) for (const listener of this.moved) listener();
-            if (!this.placing) onTurn();
+            if (!this.placing) {
+                this.untouched = false;
+                onTurn();
+            }
             requestFrame();
         });
-        this.orbit.addEventListener('start', () => onHold(true));
+        this.orbit.addEventListener('start', () => {
+            this.untouched = false;
+            onHold(true);
+        });
         this.orbit.addEventListener('end', () => onHold(false));
     }
 
@@ -114,6 +122,15 @@ export class CameraControls {
     setBounds(bounds: Bounds): void {
         this.bounds = bounds;
         this.show('oblique');
+        this.untouched = true;
+    }
+
+    /** Shows this part of the domain as it would show all of it, unless someone has moved it. False: it has been. */
+    offer(part: Bounds): boolean {
+        if (!this.untouched) return false;
+        this.lookAt(part, 'oblique');
+        this.untouched = true;
+        return true;
     }
 
     setOrthographic(orthographic: boolean): void {
@@ -122,14 +139,19 @@ export class CameraControls {
 
     /** Looks along a named direction from where the whole domain is visible. */
     show(view: ViewName): void {
-        const centre = new Vector3(...centreOf(this.bounds));
+        this.lookAt(this.bounds, view);
+    }
+
+    private lookAt(box: Bounds, view: ViewName): void {
+        const centre = new Vector3(...centreOf(box));
         const towards = new Vector3(...viewDirections[view]).normalize();
-        const distance = fittingDistance(this.bounds, towards, this.perspective);
+        const distance = fittingDistance(box, towards, this.perspective);
         const position = centre.clone().addScaledVector(towards, distance).toArray();
         this.place({ position, target: centre.toArray(), orthographic: this.orthographic });
     }
 
     place({ position, target, orthographic }: CameraPose): void {
+        this.untouched = false;
         this.orthographic = orthographic;
         const { camera } = this;
         camera.position.set(...position);

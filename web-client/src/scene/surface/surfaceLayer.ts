@@ -1,6 +1,7 @@
 // All surfaces of the session in the scene: their meshes, materials, looks and what the painter has left of them.
 import { Group, type Scene, type Vector4, WebGLRenderTarget } from 'three';
 import type { TimedMeshChange } from '../../mesh/meshChange.ts';
+import type { Bounds } from '../domain/domainAxes.ts';
 import { decodeMask } from './maskCode.ts';
 import { SurfaceMask, type BrushPrint } from './surfaceMask.ts';
 import { SurfaceMesh, type SurfaceVertex } from './surfaceMesh.ts';
@@ -128,6 +129,10 @@ export class SurfaceLayer {
     /** A vertex of a surface and its scalar, as they are drawn. */
     vertexOf(id: string, vertex: number): SurfaceVertex | null {
         return this.surfaces.get(id)?.mesh.vertex(vertex) ?? null;
+    }
+
+    boxOf(id: string): Bounds | null {
+        return this.surfaces.get(id)?.mesh.box ?? null;
     }
 
     spanOf(id: string): SurfaceSpan | null {

@@ -3,6 +3,7 @@
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Mesh, type ShaderMaterial, Sphere, type TypedArray } from 'three';
 import type { TimedMeshChange } from '../../mesh/meshChange.ts';
 import type { Vec3 } from '../../protocol/messages.ts';
+import type { Bounds } from '../domain/domainAxes.ts';
 
 /** A vertex as it is drawn; `scalar` is what the surface is coloured by, if that comes from the server. */
 export interface SurfaceVertex {
@@ -72,6 +73,19 @@ export class SurfaceMesh {
         if (geometry.index !== null) refill(geometry.index, change.indices, change.fromIndex);
         geometry.setDrawRange(0, 3 * triangles);
         this.mesh.visible = triangles > 0;
+    }
+
+    /** Round all vertices; null: there are none. */
+    get box(): Bounds | null {
+        if (this.vertices === 0) return null;
+        const { array } = this.attribute('position');
+        const low = [Infinity, Infinity, Infinity];
+        const high = [-Infinity, -Infinity, -Infinity];
+        for (let i = 0; i < 3 * this.vertices; ++i) {
+            low[i % 3] = Math.min(low[i % 3]!, array[i]!);
+            high[i % 3] = Math.max(high[i % 3]!, array[i]!);
+        }
+        return [low[0]!, high[0]!, low[1]!, high[1]!, low[2]!, high[2]!];
     }
 
     vertex(i: number): SurfaceVertex {

@@ -29,7 +29,46 @@ export function longestLength(wanted: Times, times: readonly number[], steady: b
 /** Where it ends: `to` of its record. */
 export function endOf(wanted: Times, times: readonly number[], steady: boolean): number {
     const length = followed(wanted, times, steady);
-    return wanted.from + (wanted.direction === 'backward' ? -length : length);
+    const end = wanted.from + (wanted.direction === 'backward' ? -length : length);
+    // A sum that is rounded must not lie beyond them.
+    return isFree(wanted, steady) ? end : inData(end, times);
+}
+
+export interface TypedTime {
+    /** Null: it says nothing that could be done. */
+    change: Partial<Times> | null;
+    /** What of it could not be so, and why; null: nothing. */
+    told: string | null;
+}
+
+/** Another first time: the surface still ends where it did, if that is later. The field of a stream surface is frozen then. */
+export function typedFrom(wanted: Times, typed: number, times: readonly number[], steady: boolean): TypedTime {
+    const from = steady ? typed : inData(typed, times);
+    const told = outsideWords(typed, from, times);
+    if (wanted.kind === 'stream') return { change: { from }, told };
+    const end = endOf(wanted, times, steady);
+    const left = wanted.direction === 'backward' ? from - end : end - from;
+    return { change: left > 0 ? { from, length: left } : { from }, told };
+}
+
+/** Another last time; one that is earlier than the first is that of a surface which goes backward. */
+export function typedTo(wanted: Times, typed: number, times: readonly number[], steady: boolean): TypedTime {
+    const to = isFree(wanted, steady) ? typed : inData(typed, times);
+    const told = outsideWords(typed, to, times);
+    const length = Math.abs(to - wanted.from);
+    if (!(length > 0)) return { change: null, told: told ?? 'It ends at another time than it begins.' };
+    const direction = wanted.direction === 'both' ? 'both' : to < wanted.from ? 'backward' : 'forward';
+    return { change: direction === wanted.direction ? { length } : { length, direction }, told };
+}
+
+function inData(time: number, times: readonly number[]): number {
+    return Math.min(Math.max(time, times[0] ?? time), times.at(-1) ?? time);
+}
+
+function outsideWords(typed: number, taken: number, times: readonly number[]): string | null {
+    if (typed === taken) return null;
+    const [first, last] = [times[0] ?? taken, times.at(-1) ?? taken].map(shortNumber);
+    return `t = ${shortNumber(typed)} is outside the data, which go from ${first} to ${last}: ${shortNumber(taken)} is taken.`;
 }
 
 /** Where the data begin, if a path surface that goes both ways ends there before it has gone back as long as forward. */

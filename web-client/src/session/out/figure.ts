@@ -9,6 +9,8 @@ export class Figure {
     readonly bar = signal(true);
     readonly axes = signal(true);
     readonly rake = signal(false);
+    /** Of a picture that shows a surface before it is final: it says so. */
+    readonly coarse = signal(true);
     private readonly scene: FlowScene;
     private readonly findBar: () => HTMLElement | null;
 

@@ -27,7 +27,7 @@ describe('MeshDownload', () => {
         const download = new MeshDownload(base);
         const mesh = download.fetch('a session', 's1', { format: 'vtp' });
         expect(download.progress.value).toMatchObject({ state: 'waiting' });
-        expect(await (await mesh)?.text()).toBe('mesh');
+        expect(await (await mesh)?.file.text()).toBe('mesh');
         expect(asked).toEqual(['/behind/a/proxy/api/v1/sessions/a%20session/surfaces/s1/mesh.vtp']);
         expect(download.progress.value).toEqual({ state: 'idle', words: '' });
     });
@@ -40,6 +40,21 @@ describe('MeshDownload', () => {
         });
         await new MeshDownload(base).fetch('main', 's1', { format: 'glb', draco: false });
         expect(asked).toMatch(/\/surfaces\/s1\/mesh\.glb\?draco=false$/);
+    });
+
+    it('asks for what is shown now, and learns from the name of the file that it is coarse', async () => {
+        const asked: (string | undefined)[] = [];
+        const base = await serving((request, response) => {
+            asked.push(request.url);
+            const name = asked.length === 1 ? 's1-coarse.glb' : 's1.glb';
+            response.setHeader('Content-Disposition', `attachment; filename="${name}"`);
+            response.end('mesh');
+        });
+        const download = new MeshDownload(base);
+        const file = { format: 'glb', draco: false, now: true } as const;
+        expect((await download.fetch('main', 's1', file))?.coarse).toBe(true);
+        expect((await download.fetch('main', 's1', file))?.coarse).toBe(false);
+        expect(asked[0]).toMatch(/\/mesh\.glb\?draco=false&now=true$/);
     });
 
     it('says in the words of the server why there is no mesh', async () => {

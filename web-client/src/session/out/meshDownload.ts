@@ -1,4 +1,4 @@
-// The whole mesh of a surface as a file, in full precision. The server answers when the surface is final.
+// The whole mesh of a surface as a file, in full precision. The server answers when the surface is final, or with what it shows now.
 import { signal } from '@preact/signals-core';
 import { faultOf, requestWords } from '../../connection/httpFault.ts';
 import { type MeshFile, meshPath } from './scriptStep.ts';
@@ -6,6 +6,12 @@ import { type MeshFile, meshPath } from './scriptStep.ts';
 export interface DownloadProgress {
     state: 'idle' | 'waiting' | 'failed';
     words: string;
+}
+
+export interface DownloadedMesh {
+    file: Blob;
+    /** It is not the final surface. */
+    coarse: boolean;
 }
 
 export class MeshDownload {
@@ -19,11 +25,12 @@ export class MeshDownload {
     }
 
     /** Null where it was cancelled or failed; why is in `progress`. */
-    async fetch(session: string, surface: string, file: MeshFile): Promise<Blob | null> {
+    async fetch(session: string, surface: string, file: MeshFile): Promise<DownloadedMesh | null> {
         this.current?.abort();
         const current = new AbortController();
         this.current = current;
-        this.progress.value = { state: 'waiting', words: 'Waiting for the final surface …' };
+        const words = file.now === true ? 'Waiting for the surface as it is now …' : 'Waiting for the final surface …';
+        this.progress.value = { state: 'waiting', words };
         const [of, id] = [encodeURIComponent(session), encodeURIComponent(surface)];
         try {
             const url = new URL(`api/v1/sessions/${of}/surfaces/${id}/${meshPath(file)}`, this.base);
@@ -31,7 +38,7 @@ export class MeshDownload {
             if (!reply.ok) throw await faultOf(reply);
             const mesh = await reply.blob();
             this.progress.value = { state: 'idle', words: '' };
-            return mesh;
+            return { file: mesh, coarse: (reply.headers.get('content-disposition') ?? '').includes('-coarse.') };
         } catch (error) {
             if (this.current === current) this.failed(error, current.signal.aborted);
             return null;

@@ -7,11 +7,14 @@ export interface MeshFile {
     format: MeshFormat;
     /** Of a .glb: false for programs that cannot read Draco. */
     draco?: false;
+    /** What is shown now, where that is not final yet. */
+    now?: true;
 }
 
 /** Below the address of the surface. */
-export function meshPath({ format, draco }: MeshFile): string {
-    return `mesh.${format}${draco === false ? '?draco=false' : ''}`;
+export function meshPath({ format, draco, now }: MeshFile): string {
+    const query = [draco === false ? 'draco=false' : '', now === true ? 'now=true' : ''].filter((each) => each !== '');
+    return `mesh.${format}${query.length === 0 ? '' : `?${query.join('&')}`}`;
 }
 
 /** The id that an earlier step of the script has answered, under the name it was kept as. */

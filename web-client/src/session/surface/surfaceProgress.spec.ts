@@ -1,11 +1,15 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { AppState } from '../../state/appState.ts';
 import { answering } from '../../testing/answering.ts';
-import { SurfaceProgress } from './surfaceProgress.ts';
+import { SurfaceProgress, type ToldProgress } from './surfaceProgress.ts';
 
 interface Asked {
     method: string;
     params: Record<string, unknown>;
+}
+
+function told(change: Partial<ToldProgress>): ToldProgress {
+    return { fraction: null, message: '', time: null, quads: null, remaining: null, seconds: null, ...change };
 }
 
 function bench() {
@@ -46,9 +50,11 @@ describe('SurfaceProgress', () => {
         ]);
         vi.advanceTimersByTime(300);
         expect(asked).toMatchObject([{ method: 'surface.wait', params: { surface: 's1', epoch: 4 } }]);
-        progress.progressed('someone else’s', 0.9, '');
-        progress.progressed(String(asked[0]!.params['workDoneToken']), 0.25, 'refining');
-        expect(state.progress.value).toEqual({ surface: 's1', fraction: 0.25, message: 'refining' });
+        progress.progressed('someone else’s', told({ fraction: 0.9 }));
+        const news = told({ fraction: 0.25, message: 'refining', time: 3, quads: 1200, remaining: 8 });
+        progress.progressed(String(asked[0]!.params['workDoneToken']), news);
+        const { seconds: _seconds, ...standing } = news;
+        expect(state.progress.value).toEqual({ surface: 's1', ...standing, lasting: 'briefly' });
         void progress.stop();
         expect(asked[1]).toMatchObject({ method: 'surface.stop', params: { surface: 's1' } });
         answers[0]!();
@@ -63,7 +69,30 @@ describe('SurfaceProgress', () => {
         state.requestedEpochs.value = new Map([['s1', 5]]);
         expect(state.progress.value).toBeNull();
         vi.advanceTimersByTime(600);
-        progress.progressed(former, 0.5, '');
-        expect(state.progress.value).toEqual({ surface: 's1', fraction: null, message: '' });
+        progress.progressed(former, told({ fraction: 0.5 }));
+        expect(state.progress.value).toMatchObject({ surface: 's1', fraction: null, message: '' });
+    });
+
+    it('knows that people have waited for a while after 3 s, and for long after 10', () => {
+        const { state } = bench();
+        const lasting: (string | undefined)[] = [];
+        for (const ms of [600, 2300, 200, 6800, 200]) {
+            vi.advanceTimersByTime(ms);
+            lasting.push(state.progress.value?.lasting);
+        }
+        expect(lasting).toEqual(['briefly', 'briefly', 'a while', 'a while', 'long']);
+        state.requestedEpochs.value = new Map([['s1', 5]]);
+        vi.advanceTimersByTime(600);
+        expect(state.progress.value?.lasting).toBe('briefly');
+    });
+
+    it('hears from the server that it has been at work before this page came', () => {
+        const { state, asked, progress } = bench();
+        vi.advanceTimersByTime(600);
+        const token = String(asked[0]!.params['workDoneToken']);
+        progress.progressed(token, told({ seconds: 4 }));
+        expect(state.progress.value?.lasting).toBe('a while');
+        progress.progressed(token, told({ seconds: 61 }));
+        expect(state.progress.value?.lasting).toBe('long');
     });
 });

@@ -1,11 +1,14 @@
 // How far a surface that takes long has come, and how to stop it. Short ones come and go without a word.
 import { computed, effect } from '@preact/signals-core';
-import type { AppState } from '../../state/appState.ts';
+import type { AppState, SurfaceStanding } from '../../state/appState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
 import type { Calls } from '../base/calls.ts';
 
 /** What takes no longer needs no bar. */
 const patienceMs = 500;
+/** From then on people ask how far it is, and later what they could have instead. */
+const tellMs = 3000;
+const offerMs = 10_000;
 /** The most that the server takes. */
 const waitMs = 600_000;
 const unfinished: ReadonlySet<string> = new Set(['none', 'updating', 'coarse']);
@@ -16,9 +19,15 @@ export interface SurfaceProgressOptions {
     calls: Pick<Calls, 'try'>;
 }
 
+/** What the server tells of its work. */
+export type ToldProgress = Pick<SurfaceStanding, 'fraction' | 'message' | 'time' | 'quads' | 'remaining'> & {
+    /** How long it has been at work. */
+    seconds: number | null;
+};
+
 export class SurfaceProgress {
     private readonly options: SurfaceProgressOptions;
-    private timer: ReturnType<typeof setTimeout> | null = null;
+    private timers: ReturnType<typeof setTimeout>[] = [];
     private token = '';
     private tokens = 0;
 
@@ -36,15 +45,22 @@ export class SurfaceProgress {
             this.forget();
             if (now === null) return;
             const [surface, epoch] = JSON.parse(now) as [string, number];
-            this.timer = setTimeout(() => void this.wait(surface, epoch), patienceMs);
+            this.timers = [
+                setTimeout(() => void this.wait(surface, epoch), patienceMs),
+                setTimeout(() => this.lasts(tellMs), tellMs),
+                setTimeout(() => this.lasts(offerMs), offerMs),
+            ];
         });
     }
 
     /** From the notification $/progress. */
-    progressed(token: string | number, fraction: number | null, message: string): void {
+    progressed(token: string | number, told: ToldProgress): void {
         const { progress } = this.options.state;
         if (token !== this.token || progress.value === null) return;
-        progress.value = { ...progress.value, fraction, message };
+        const { seconds, ...standing } = told;
+        progress.value = { ...progress.value, ...standing };
+        // It may have been at work before this page came.
+        if (seconds !== null) this.lasts(1000 * seconds);
     }
 
     /** What is there by now stays. */
@@ -53,11 +69,20 @@ export class SurfaceProgress {
         if (surface !== undefined) await this.options.calls.try('surface.stop', { surface });
     }
 
+    private lasts(ms: number): void {
+        const { progress } = this.options.state;
+        const before = progress.value;
+        if (before === null) return;
+        const lasting = ms >= offerMs || before.lasting === 'long' ? 'long' : ms >= tellMs ? 'a while' : before.lasting;
+        if (lasting !== before.lasting) progress.value = { ...before, lasting };
+    }
+
     private async wait(surface: string, epoch: number): Promise<void> {
         const { state, worker } = this.options;
         const token = `surface-${++this.tokens}`;
         this.token = token;
-        state.progress.value = { surface, fraction: null, message: '' };
+        const nothing = { fraction: null, message: '', time: null, quads: null, remaining: null };
+        state.progress.value = { surface, ...nothing, lasting: 'briefly' };
         const asked = { surface, epoch, timeoutMs: waitMs, workDoneToken: token };
         // Failures of the surface are told by surface.done.
         await worker.call('surface.wait', asked).catch(() => null);
@@ -65,8 +90,8 @@ export class SurfaceProgress {
     }
 
     private forget(): void {
-        if (this.timer !== null) clearTimeout(this.timer);
-        this.timer = null;
+        for (const timer of this.timers) clearTimeout(timer);
+        this.timers = [];
         this.token = '';
         if (this.options.state.progress.peek() !== null) this.options.state.progress.value = null;
     }

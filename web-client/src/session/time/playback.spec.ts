@@ -106,6 +106,17 @@ describe('Playback of a surface that moves', () => {
         expect(playback.span.value).toEqual([0, 3]);
     });
 
+    it('has what was stopped computed again before it plays', async () => {
+        const { playback, calls, state } = bench('streak');
+        state.surfaceErrors.value = new Map([['s', { epoch: 1, text: 'stopped by Ann', stopped: true }]]);
+        expect(state.phase.value).toBe('stopped');
+        await playback.play();
+        expect(calls).toEqual([{}, { speed: 0.4, loop: true, from: 1, to: 5 }]);
+        state.surfaceErrors.value = new Map();
+        await playback.play();
+        expect(calls.length, 'what is whole is not').toBe(3);
+    });
+
     it('stops to step by a stored time-step', async () => {
         const { playback, state } = bench('streak');
         playback.goTo(2.3);

@@ -123,7 +123,10 @@ export class Playback {
             this.options.edits.gestures.begin();
             if (!this.loop.value && this.time.value >= span.value[1]) this.goTo(span.value[0]);
             this.playFrozen();
-        } else if (this.mode.value === 'clock') await this.playClock();
+        } else if (this.mode.value === 'clock') {
+            this.computeAgain();
+            await this.playClock();
+        }
     }
 
     async pause(): Promise<void> {
@@ -141,6 +144,12 @@ export class Playback {
     async toEnd(sign: 1 | -1): Promise<void> {
         if (sign > 0) await this.pause();
         this.goTo(this.span.value[sign > 0 ? 1 : 0]);
+    }
+
+    /** A surface that was stopped shows nothing new, whatever the clock says. */
+    private computeAgain(): void {
+        const { state, edits } = this.options;
+        if (state.phase.value === 'stopped' && !state.locked.value) edits.changeSurface({});
     }
 
     /** As a slider moves: the newest of a frame counts. */

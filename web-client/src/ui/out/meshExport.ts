@@ -3,6 +3,7 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { signal } from '@preact/signals-core';
 import { meshSteps } from '../../session/out/panelSteps.ts';
 import type { MeshFile } from '../../session/out/scriptStep.ts';
+import { meshIsCoarse } from '../../session/out/coarse.ts';
 import type { MeshDownload } from '../../session/out/meshDownload.ts';
 import { meshTimeWords } from '../../session/out/exportedTime.ts';
 import type { AppState } from '../../state/appState.ts';
@@ -59,10 +60,11 @@ export class MeshExport extends SignalElement {
                     type="button"
                     id="download-mesh"
                     ?disabled=${waiting || state.surface.value === undefined}
-                    @click=${this.download}
+                    @click=${() => downloadMesh(this.model)}
                 >
                     Download mesh
                 </button>
+                ${meshIsCoarse(state) ? html`<button type="button" @click=${() => downloadMesh(this.model, true)}>As it is now</button>` : nothing}
                 ${waiting ? html`<button type="button" @click=${() => mesh.cancel()}>Cancel</button>` : nothing}
             </div>
             <p id="mesh-time">${meshTimeWords(state, view)}</p>
@@ -78,16 +80,18 @@ export class MeshExport extends SignalElement {
         const { value } = event.target as HTMLSelectElement;
         chosen.value = choices.find((each) => each.value === value) ?? vtp;
     }
+}
 
-    private async download(): Promise<void> {
-        const { mesh, state } = this.model;
-        const choice = chosen.value;
-        const { activeSurface, session, surface } = state;
-        if (activeSurface.value === null || session.value === null) return;
-        const kind = surface.value?.kind ?? 'surface';
-        const file = await mesh.fetch(session.value, activeSurface.value, choice);
-        if (file !== null) saveFile(file, fileName(state.dataset.value?.name, `${kind}.${choice.format}`));
-    }
+/** In the format that is chosen. @param now  also where it is not final yet, which the name says then */
+export async function downloadMesh({ mesh, state }: Pick<MeshExportModel, 'mesh' | 'state'>, now = false): Promise<void> {
+    const choice: MeshFile = chosen.value;
+    const { activeSurface, session, surface } = state;
+    if (activeSurface.value === null || session.value === null) return;
+    const kind = surface.value?.kind ?? 'surface';
+    const got = await mesh.fetch(session.value, activeSurface.value, now ? { ...choice, now } : choice);
+    if (got === null) return;
+    const name = `${kind}${got.coarse ? '-coarse' : ''}.${choice.format}`;
+    saveFile(got.file, fileName(state.dataset.value?.name, name));
 }
 
 customElements.define('wakesurf-mesh-export', MeshExport);

@@ -3,6 +3,7 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { type Signal, signal } from '@preact/signals-core';
 import { type FigureBackground, sizeFault } from '../../scene/capture.ts';
 import type { Figure } from '../../session/out/figure.ts';
+import { coarseCaption, pictureIsCoarse } from '../../session/out/coarse.ts';
 import { timeInName } from '../../session/out/exportedTime.ts';
 import { timeWords } from '../../session/picture/writtenNumbers.ts';
 import { shownTime } from '../../session/time/shownTime.ts';
@@ -57,6 +58,7 @@ export class PictureExport extends SignalElement {
             <div class="checks">
                 ${this.check('Scalar bar', figure.bar)} ${this.check('Box and axes', figure.axes)}
                 ${this.check('Rake', figure.rake)}
+                ${pictureIsCoarse(state) ? this.check('Say that it is coarse', figure.coarse) : nothing}
             </div>
             <div class="row"><button type="button" id="save-picture" @click=${this.save}>Save PNG</button></div>
             <p id="picture-time">As it is shown, at t = ${timeWords(state, view, shownTime(state))}. The name of the file says so.</p>
@@ -85,12 +87,16 @@ export class PictureExport extends SignalElement {
         this.fault.value = sizeFault(size) ?? '';
         if (this.fault.value !== '') return;
         try {
-            const picture = figure.draw(size, null);
+            const coarse = pictureIsCoarse(state);
+            const picture = figure.draw(size, coarse && figure.coarse.value ? coarseCaption : null);
             const file = await new Promise<Blob | null>((resolve) => picture.toBlob(resolve, 'image/png'));
             if (file === null) throw new Error('This browser does not have enough memory for a picture of this size.');
             saveFile(
                 file,
-                fileName(state.dataset.value?.name, `${timeInName(shownTime(state))}-${size.width}x${size.height}.png`),
+                fileName(
+                    state.dataset.value?.name,
+                    `${timeInName(shownTime(state))}${coarse ? '-coarse' : ''}-${size.width}x${size.height}.png`,
+                ),
             );
         } catch (error) {
             this.fault.value = error instanceof Error ? error.message : String(error);

@@ -2,6 +2,8 @@
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { shortNumber } from '../../scene/base/numbers.ts';
 import type { Edits } from '../../session/edits/edits.ts';
+import { withUnit } from '../../session/picture/unitsInPicture.ts';
+import type { MeshDownload } from '../../session/out/meshDownload.ts';
 import type { SurfaceProgress } from '../../session/surface/surfaceProgress.ts';
 import { errorWords, isDoubtful } from '../surface/errorWords.ts';
 import type { SurfaceStats } from '../../protocol/messages.ts';
@@ -13,14 +15,16 @@ import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
 import './latencyPanel.ts';
 import '../surface/qualityPanel.ts';
+import './longPass.ts';
 import { countWords, phaseWords } from '../base/statusWords.ts';
 
 export interface StatusModel {
     state: AppState;
     view: Pick<ViewState, 'units'>;
-    edits: Pick<Edits, 'changeSurface'>;
+    edits: Pick<Edits, 'changeSurface' | 'intent'>;
     progress: Pick<SurfaceProgress, 'stop'>;
     worker: Pick<WorkerClient, 'call'>;
+    mesh: MeshDownload;
 }
 
 export class StatusPanel extends SignalElement {
@@ -101,6 +105,7 @@ export class StatusPanel extends SignalElement {
             ${phase === 'coarsened' ? this.quadLimit() : nothing}
             ${phase === 'empty' ? html`<p class="problem" id="empty-reason">${emptyWords(outcome)}</p>` : nothing}
             ${this.progress()}
+            <wakesurf-long-pass .model=${this.model}></wakesurf-long-pass>
             <wakesurf-quality .model=${this.model}></wakesurf-quality>
             <wakesurf-latency .model=${this.model}></wakesurf-latency>
             ${

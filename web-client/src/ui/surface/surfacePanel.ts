@@ -22,6 +22,7 @@ import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { toggled } from '../../state/visibility.ts';
 import './meshRules.ts';
+import './timeEnds.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
 
@@ -197,6 +198,7 @@ export class SurfacePanel extends SignalElement {
                     .value=${live(String(shown))}
                     @input=${this.lengthChanged}
                 />
+                <wakesurf-time-ends .model=${this.model}></wakesurf-time-ends>
                 <p class="quiet" id="data-end" ?hidden=${!dataEnd || shown < longest * 0.999}>To the end of the data.</p>
                 ${intent.kind === 'streak' ? this.release(intent, shown) : ''}
                 ${intent.kind === 'time' ? this.secondCurve(intent) : ''}

@@ -10,7 +10,7 @@ namespace wakesurf::server {
 
 class Forecast {
   public:
-    /// @param seconds   since the work began; not less than in the last call
+    /// @param seconds   since the work began; less than in the last call: of other work
     /// @param fraction  done by then, 0..1
     void add(double seconds, double fraction);
 

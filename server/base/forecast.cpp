@@ -1,4 +1,4 @@
-#include "server/cli/forecast.hpp"
+#include "server/base/forecast.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +13,8 @@ constexpr double too_little = 0.02;
 } // namespace
 
 void Forecast::add(double seconds, double fraction) {
+    if (!seen_.empty() && seconds < seen_.back().seconds)
+        seen_.clear();
     seen_.push_back({seconds, fraction});
 }
 

@@ -1,4 +1,4 @@
-#include "server/cli/forecast.hpp"
+#include "server/base/forecast.hpp"
 
 #include <gtest/gtest.h>
 
@@ -42,6 +42,17 @@ TEST(Forecast, SpeaksOfSecondsMinutesAndHours) {
     EXPECT_EQ(words_for_left(42.4), "about 42 s left");
     EXPECT_EQ(words_for_left(180.0), "about 3 min left");
     EXPECT_EQ(words_for_left(7200.0), "about 2 h left");
+}
+
+TEST(Forecast, ForgetsOtherWorkWhenTheSecondsBeginAgain) {
+    Forecast forecast;
+    for (double now = 1.0; now <= 100.0; now += 1.0)
+        forecast.add(now, now / 1000.0);
+    forecast.add(0.5, 0.1);
+    EXPECT_FALSE(forecast.left()) << "too early again";
+    for (double now = 1.0; now <= 10.0; now += 1.0)
+        forecast.add(now, now / 20.0);
+    EXPECT_NEAR(forecast.left().value_or(0.0), 10.0, 0.1);
 }
 
 } // namespace wakesurf::server::forecast_test

@@ -1,0 +1,136 @@
+// A surface that takes minutes: how far it is, what one can have instead, and what is taken out of the page meanwhile. The surface has hundreds of
+// thousands of quads, so that it is under way whatever the machine; the seconds that people wait are those of the page's clock, moved on by hand.
+import { readFileSync } from 'node:fs';
+import type { Page } from 'playwright-core';
+import { beforeEach, describe, expect, it } from 'vitest';
+import type { SurfaceRecord } from '../../web-client/src/protocol/messages.ts';
+import { ask, screenshot } from './support/browser_page.ts';
+import { chooseFigure, pixelsOf, savedFigure } from './support/figure_download.ts';
+import { useStand } from './support/stand.ts';
+
+const stand = useStand();
+const size = { width: 1000, height: 800 };
+let page: Page;
+let before: SurfaceRecord;
+
+async function record(): Promise<SurfaceRecord> {
+    const session = await ask(page, (hook) => hook.session);
+    const { surfaces } = await stand.server.call('surface.list', { session });
+    return (surfaces as SurfaceRecord[])[0]!;
+}
+
+async function set(change: Partial<SurfaceRecord>): Promise<void> {
+    const session = await ask(page, (hook) => hook.session);
+    const { rev: _rev, epoch: _epoch, ...all } = { ...before, ...change } as SurfaceRecord & { epoch?: number };
+    await stand.server.call('surface.set', { ...all, session });
+}
+
+/** A streak surface to the end of the data, as fine as nobody needs it. */
+async function beginLongPass(): Promise<void> {
+    await set({ kind: 'streak', from: 8.5, to: 16, separation: 0.02, maxQuads: 4_000_000 });
+    await page.getByRole('progressbar', { name: 'Surface' }).waitFor();
+    await page.waitForFunction(() => window.wakesurf?.phase === 'coarse');
+}
+
+const offers = (): ReturnType<Page['getByRole']> => page.getByRole('group', { name: 'Instead of waiting' });
+
+beforeEach(async () => {
+    page = await stand.visit(size);
+    before = await record();
+    await page.clock.install();
+    await beginLongPass();
+    return async () => {
+        await set({});
+        await page.context().close();
+    };
+});
+
+describe('a long pass', () => {
+    it('says how far it is in time, and never goes back', async () => {
+        await page.clock.fastForward(3000);
+        const words = page.locator('#standing');
+        await expect.poll(() => words.textContent()).toMatch(/^t = [\d.e−]+ of 16.*, [\d\u202f]+ quads/);
+        const bar = page.getByRole('progressbar', { name: 'Surface' });
+        const told: { time: number; fraction: number }[] = [];
+        while (told.length < 4) {
+            const [text, value] = await Promise.all([words.textContent(), bar.getAttribute('value')]);
+            const time = Number(/t = ([\d.]+)/.exec(text ?? '')?.[1]);
+            if (time !== told.at(-1)?.time) told.push({ time, fraction: Number(value) });
+            await new Promise((resolve) => setTimeout(resolve, 50));
+        }
+        for (const [i, { time, fraction }] of told.slice(1).entries()) {
+            expect(time).toBeGreaterThan(told[i]!.time);
+            expect(fraction).toBeGreaterThanOrEqual(told[i]!.fraction);
+        }
+    });
+
+    it('can be had faster, or until where it has come', async () => {
+        await page.clock.fastForward(10_000);
+        await offers().waitFor();
+        await screenshot(page, 'long_pass');
+        const until = offers().getByRole('button', { name: /^Until t = / });
+        await until.waitFor();
+        const end = Number(/[\d.]+/.exec((await until.textContent())!)![0]);
+        await until.click();
+        await expect.poll(async () => (await record()).to).toBeLessThan(16);
+        const { from, to } = await record();
+        expect(from).toBe(8.5);
+        // The work went on between reading and pressing.
+        expect(to).toBeGreaterThanOrEqual(0.99 * end);
+
+        await page.clock.fastForward(10_000);
+        await offers().getByRole('button', { name: 'Fast accuracy' }).click();
+        await expect.poll(async () => (await record()).accuracy).toBe('fast');
+        await page.clock.fastForward(10_000);
+        await offers()
+            .getByRole('button', { name: /^Separation / })
+            .click();
+        await expect.poll(async () => (await record()).separation).toBeCloseTo(0.04, 6);
+    });
+
+    it('can be had as it is now: the file says that it is coarse', async () => {
+        await page.clock.fastForward(10_000);
+        const waiting = page.waitForEvent('download');
+        await offers().getByRole('button', { name: 'As it is now' }).click();
+        const download = await waiting;
+        expect(download.suggestedFilename()).toMatch(/-streak-coarse\.vtp$/);
+        const file = readFileSync(await download.path(), 'latin1');
+        const points = Number(/NumberOfPoints="(\d+)"/.exec(file)?.[1]);
+        const session = await ask(page, (hook) => hook.session);
+        const stats = await stand.server.call('surface.stats', { session, surface: before.surface });
+        expect(stats).toMatchObject({ complete: false, vertices: points });
+    });
+
+    it('is marked in pictures that are saved meanwhile, in the name always and in the picture unless one wants it otherwise', async () => {
+        await chooseFigure(page, { width: 500, height: 400, rake: false, axes: false, bar: false });
+        const mark = page.getByRole('checkbox', { name: 'Say that it is coarse' });
+        expect(await mark.isChecked()).toBe(true);
+        const waiting = page.waitForEvent('download');
+        const marked = await pixelsOf(page, await savedFigure(page));
+        expect((await waiting).suggestedFilename()).toMatch(/-coarse-500x400\.png$/);
+        await mark.uncheck();
+        const plain = await pixelsOf(page, await savedFigure(page));
+        let [inCorner, elsewhere] = [0, 0];
+        for (let i = 0; i < marked.pixels.length; i += 4) {
+            if (marked.pixels[i] === plain.pixels[i]) continue;
+            const [x, y] = [(i / 4) % 500, Math.floor(i / 4 / 500)];
+            if (y < 40 && x < 250) ++inCorner;
+            else ++elsewhere;
+        }
+        expect(inCorner).toBeGreaterThan(100);
+        expect(elsewhere).toBe(0);
+    });
+});
+
+describe('play after stop', () => {
+    it('computes the surface again', async () => {
+        await page.getByRole('button', { name: 'Stop', exact: true }).click();
+        await page.getByText('Stopped before it was final').waitFor();
+        const { rev } = await record();
+        await page.getByRole('button', { name: 'Play' }).click();
+        await expect.poll(async () => (await record()).rev).toBeGreaterThan(rev);
+        // It moves: its start is there at once, and more follows.
+        await page.waitForFunction(() => window.wakesurf?.phase === 'live' && window.wakesurf.displayed!.cells > 0);
+        await page.getByRole('button', { name: 'Pause' }).click();
+    });
+});

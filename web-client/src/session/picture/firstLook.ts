@@ -1,0 +1,48 @@
+// The camera that no one has moved yet goes near to the first surface of a dataset and its rake, which may be a small part of the domain.
+import { effect, untracked } from '@preact/signals-core';
+import type { Vec3 } from '../../protocol/messages.ts';
+import type { CameraControls } from '../../scene/camera/cameraControls.ts';
+import type { Bounds } from '../../scene/domain/domainAxes.ts';
+import type { SurfaceLayer } from '../../scene/surface/surfaceLayer.ts';
+import type { AppState } from '../../state/appState.ts';
+
+export interface FirstLookOptions {
+    state: Pick<AppState, 'activeSurface' | 'dataset' | 'displayed' | 'editsPending' | 'rakePoints'>;
+    controls: Pick<CameraControls, 'offer'>;
+    surfaces: Pick<SurfaceLayer, 'boxOf'>;
+    /** Whether a handle is held. */
+    dragging: () => boolean;
+}
+
+/** At what is there first, and once more when that has become final. What is edited does not move the camera. */
+export function lookAtFirst({ state, controls, surfaces, dragging }: FirstLookOptions): void {
+    let done = '';
+    effect(() => {
+        const dataset = state.dataset.value?.dataset ?? '';
+        const surface = state.activeSurface.value ?? '';
+        const displayed = state.displayed.value.get(surface);
+        const edited = state.editsPending.value;
+        if (displayed === undefined || done === dataset) return;
+        untracked(() => {
+            if (edited || dragging()) done = dataset;
+            else {
+                const box = around(surfaces.boxOf(surface), state.rakePoints.value);
+                if (box !== null && !controls.offer(box)) done = dataset;
+                if (displayed.phase === 'final') done = dataset;
+            }
+        });
+    });
+}
+
+/** Null: there is nothing of the surface to see. */
+export function around(surface: Bounds | null, rake: readonly Vec3[]): Bounds | null {
+    if (surface === null) return null;
+    const box = [...surface] as [number, number, number, number, number, number];
+    for (const point of rake) {
+        for (let k = 0; k < 3; ++k) {
+            box[2 * k] = Math.min(box[2 * k]!, point[k]!);
+            box[2 * k + 1] = Math.max(box[2 * k + 1]!, point[k]!);
+        }
+    }
+    return box;
+}

@@ -1,0 +1,89 @@
+// When a surface begins and ends, to be typed; of a stream surface, when its field is frozen.
+import { css, html, nothing, type TemplateResult } from 'lit';
+import { live } from 'lit/directives/live.js';
+import type { Edits } from '../../session/edits/edits.ts';
+import { endOf, type TypedTime, typedFrom, typedTo } from '../../session/edits/surfaceTimes.ts';
+import { timeField } from '../../session/picture/writtenNumbers.ts';
+import type { AppState } from '../../state/appState.ts';
+import { sharedStyles } from '../base/sharedStyles.ts';
+import { SignalElement } from '../base/signalElement.ts';
+
+export interface TimeEndsModel {
+    state: AppState;
+    edits: Pick<Edits, 'changeSurface' | 'intent' | 'remark'>;
+}
+
+type Typed = (value: number) => TypedTime;
+
+export class TimeEnds extends SignalElement {
+    static override properties = { model: { attribute: false } };
+    declare model: TimeEndsModel;
+
+    static override styles = [
+        sharedStyles,
+        css`
+            :host {
+                display: flex;
+                gap: 6px;
+                align-items: center;
+                margin-top: 4px;
+            }
+            label {
+                white-space: nowrap;
+            }
+            input {
+                flex: 1;
+                width: 100%;
+                min-width: 0;
+                padding: 3px 6px;
+                text-align: right;
+                font-variant-numeric: tabular-nums;
+                appearance: textfield;
+            }
+            input::-webkit-inner-spin-button {
+                appearance: none;
+            }
+        `,
+    ];
+
+    override render(): TemplateResult {
+        const { state, edits } = this.model;
+        const intent = edits.intent.value;
+        if (intent === null) return html``;
+        const times = state.times.value;
+        const steady = state.dataset.value?.steady ?? false;
+        const frozen = intent.kind === 'stream' && !steady;
+        const from: Typed = (value) => typedFrom(intent, value, times, steady);
+        const to: Typed = (value) => typedTo(intent, value, times, steady);
+        return html`${this.field('time-from', frozen ? 'Frozen at' : 'From', intent.from, from)}
+        ${frozen ? nothing : this.field('time-to', 'To', endOf(intent, times, steady), to)}`;
+    }
+
+    private field(id: string, words: string, value: number, typed: Typed): TemplateResult {
+        const { state } = this.model;
+        return html`<label for=${id}>${words}</label>
+            <input
+                id=${id}
+                type="number"
+                step="any"
+                ?disabled=${state.locked.value}
+                .value=${live(timeField(state, value))}
+                @change=${(event: Event) => this.typed(event, typed, value)}
+            />`;
+    }
+
+    /** What was not taken does not stay in the field: no signal changes that would tell it. */
+    private typed(event: Event, typed: Typed, before: number): void {
+        const { state, edits } = this.model;
+        const field = event.target as HTMLInputElement;
+        const value = field.valueAsNumber;
+        const { change, told } = Number.isFinite(value) ? typed(value) : { change: null, told: null };
+        if (change !== null) edits.changeSurface(change, undefined, told);
+        else {
+            edits.remark.value = told;
+            field.value = timeField(state, before);
+        }
+    }
+}
+
+customElements.define('wakesurf-time-ends', TimeEnds);
