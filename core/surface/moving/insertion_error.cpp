@@ -22,11 +22,11 @@ Vec3 doubt_of_cubic(const MovingMesh& mesh, VertexId a, VertexId b) {
     if (!(glm::length(bulge) <= 0.25 * glm::length(chord)))
         return 3.0 * bulge;
     const Vec3 doubt = at_a + at_b - 2.0 * chord;
-    return v.dead(a) || v.dead(b) ? doubt / 2.0 : doubt / 5.0;
+    return v.dead(a) || v.dead(b) ? doubt / 2.0 : doubt / 6.0;
 }
 
 /// Of the doubt, which allows for the worst: what decides whether a vertex is traced again.
-constexpr double of_doubt = 0.4;
+constexpr double of_doubt = 0.5;
 
 bool held(CurveEnd end) {
     return end == CurveEnd::Obstacle || end == CurveEnd::Stagnation;

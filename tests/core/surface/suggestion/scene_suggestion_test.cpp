@@ -115,7 +115,8 @@ void shows_the_wake(const Flow& flow,
             << name(each.kind) << ": " << scene.why;
         EXPECT_FALSE(surface.statistics.coarsened());
         EXPECT_GE(surface.statistics.quads, 100U) << name(each.kind);
-        EXPECT_LE(surface.statistics.quads, 60'000U) << name(each.kind);
+        // The time surface behind the hole in a mesh of cells has 62,050 with accuracy exact.
+        EXPECT_LE(surface.statistics.quads, 70'000U) << name(each.kind);
     }
 }
 

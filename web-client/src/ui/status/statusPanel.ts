@@ -2,7 +2,6 @@
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { shortNumber } from '../../scene/base/numbers.ts';
 import type { Edits } from '../../session/edits/edits.ts';
-import { withUnit } from '../../session/picture/unitsInPicture.ts';
 import type { MeshDownload } from '../../session/out/meshDownload.ts';
 import type { SurfaceProgress } from '../../session/surface/surfaceProgress.ts';
 import { errorWords, isDoubtful } from '../surface/errorWords.ts';
