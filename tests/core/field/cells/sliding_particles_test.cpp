@@ -1,0 +1,109 @@
+// Particles at faces that velocity points at from either side, as where cells of different sizes meet, and what bounds their steps.
+#include "core/field/cells/cell_steps.hpp"
+#include "core/field/field_in_series.hpp"
+#include "tests/support/meshed_field.hpp"
+
+#include <gtest/gtest.h>
+
+namespace wakesurf::core::sliding_particles_test {
+
+using namespace tests;
+
+namespace {
+
+/// Two layers of cells that share no nodes: at y = 1 the velocity jumps from (1, `lower`, 0) to (1, `upper`, 0).
+MeshedField layers(float lower, float upper) {
+    CellMesh mesh;
+    add_block(mesh, {8, 2, 2}, [](const Vec3& u) { return u * Vec3(4.0, 1.0, 1.0); });
+    const std::size_t below = mesh.points.size();
+    add_block(mesh, {8, 2, 2},
+              [](const Vec3& u) { return Vec3(0, 1, 0) + u * Vec3(4.0, 1.0, 1.0); });
+    connect_cells(mesh);
+    MeshedField field(std::move(mesh), [](const Vec3&) { return Vec3(1, 0, 0); });
+    for (std::size_t i = 0; 3 * i < field.velocity0.size(); ++i)
+        field.velocity0[3 * i + 1] = i < below ? lower : upper;
+    return field;
+}
+
+Curve traced(const MeshedField& field, const Vec3& seed, double duration) {
+    Curve curve;
+    curve.seed = seed;
+    curve.duration = duration;
+    TraceOptions options;
+    options.longest_step = 0.5;
+    options.frozen = true;
+    EXPECT_TRUE(
+        advance_curve(field.sampler().series_steps(options, +1.0), curve, options, duration, {}));
+    return curve;
+}
+
+} // namespace
+
+TEST(SlidingParticles, FollowTheFaceThatVelocityPointsAtFromEitherSide) {
+    const MeshedField field = layers(0.5f, -0.25f);
+    for (const double y : {0.61, 0.93, 1.07, 1.4}) {
+        const Curve curve = traced(field, {0.05, y, 0.4}, 3.5);
+        EXPECT_EQ(curve.end, CurveEnd::Time) << y;
+        // A hundredth of a cell, as far as steps grow.
+        EXPECT_NEAR(curve.last.position.y, 1.0, 0.01) << y;
+        EXPECT_NEAR(curve.last.position.x, 3.55, 1e-9) << y;
+        EXPECT_LT(curve.attempts, 4'000u) << y;
+    }
+}
+
+TEST(SlidingParticles, PassAFaceThatVelocityOnlyTurnsAt) {
+    const MeshedField field = layers(0.5f, 0.25f);
+    const Curve curve = traced(field, {0.05, 0.61, 0.4}, 3.0);
+    EXPECT_NEAR(curve.last.position.y, 1.0 + 0.25 * (3.0 - 0.39 / 0.5), 1e-6);
+    EXPECT_LT(curve.attempts, 30u);
+}
+
+TEST(SlidingParticles, ThatTakeTooManyStepsEndAndSaySo) {
+    const MeshedField field = layers(0.5f, -0.25f);
+    AdvanceOptions options;
+    options.method = AdvanceOptions::Method::Dopri5;
+    options.longest_step = 0.5;
+    options.most_steps = 50;
+    ParticleState slides{{{0.05, 0.93, 0.4}, Vec3(1, 0, 0), Vec3(0, 1, 0)}, 0.0, CurveEnd::Running};
+    EXPECT_TRUE(advance_in_series(field.sampler(), slides, 3.5, options, true));
+    EXPECT_EQ(slides.end, CurveEnd::Budget);
+    EXPECT_LT(slides.time, 3.5);
+    ParticleState passes{{{0.05, 0.2, 0.4}, Vec3(1, 0, 0), Vec3(0, 1, 0)}, 0.0, CurveEnd::Running};
+    EXPECT_TRUE(advance_in_series(field.sampler(), passes, 1.0, options, true));
+    EXPECT_EQ(passes.end, CurveEnd::Running);
+    EXPECT_EQ(passes.time, 1.0);
+}
+
+TEST(SlidingParticles, StopOnTheirWay) {
+    const MeshedField field = layers(0.5f, -0.25f);
+    std::stop_source stop;
+    stop.request_stop();
+    AdvanceOptions options;
+    options.method = AdvanceOptions::Method::Dopri5;
+    options.longest_step = 0.5;
+    ParticleState at{{{0.05, 0.93, 0.4}, Vec3(0.0), Vec3(0.0)}, 0.0, CurveEnd::Running};
+    EXPECT_FALSE(advance_in_series(field.sampler(), at, 3.5, options, false, stop.get_token()));
+}
+
+TEST(SlidingParticles, AWallIsSaidToBeNearWhereverAnEdgeBetweenFluidEndsGoesThroughIt) {
+    CellMesh mesh = block({30, 60, 6}, round_cylinder, true);
+    mark_walls(mesh, [](const Vec3& c) { return std::hypot(c.x, c.y) < 0.51; });
+    const MeshedField field(std::move(mesh), [](const Vec3&) { return Vec3(1, 0, 0); });
+    std::mt19937 random(3);
+    int through = 0, free = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const Vec3 a = 0.4 * field.random_point(random), b = a + 0.2 * field.random_point(random);
+        const CellSampler sampler = field.sampler();
+        if (sampler.status(a) != PointStatus::Inside || sampler.status(b) != PointStatus::Inside)
+            continue;
+        const bool near = field.domain.walls.near({glm::min(a, b), glm::max(a, b)});
+        const bool crosses = sampler.status(0.5 * (a + b)) == PointStatus::InObstacle;
+        EXPECT_TRUE(near || !crosses);
+        through += crosses;
+        free += !near;
+    }
+    EXPECT_GT(through, 50);
+    EXPECT_GT(free, 500);
+}
+
+} // namespace wakesurf::core::sliding_particles_test
