@@ -189,8 +189,10 @@ TEST_F(DownloadsTest, GiveWhatIsShownWhileTheFinalSurfaceIsLongInComingAndSaySo)
     // Millions of quads, which take minutes; what is shown meanwhile is there at once.
     const std::string surface = make_in(client, "main", "lamb-oseen", 0.002, "streak", 20.0);
     json stats;
-    for (int asked = 0; asked < 100'000 && !(stats.is_object() && stats["quads"] > 0); ++asked)
+    for (int asked = 0; asked < 240 && !(stats.is_object() && stats["quads"] > 0); ++asked) {
+        (void)client.call("surface.wait", {{"surface", surface}, {"timeoutMs", 250}});
         stats = client.result("surface.stats", {{"surface", surface}});
+    }
     ASSERT_GT(stats["quads"], 0);
     ASSERT_FALSE(stats["complete"]);
     client.result("surface.stop", {{"surface", surface}});
