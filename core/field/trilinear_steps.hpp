@@ -4,6 +4,7 @@
 
 #include "core/field/trilinear_cell.hpp"
 #include "core/integrate/advance_curve.hpp"
+#include "core/integrate/grazing_steps.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -100,15 +101,14 @@ class TrilinearSteps {
         next[exit_.axis] += exit_.step;
         if (!cell_.inside(next))
             sharpen(path, exit_, 1e-12);
-        // A particle that grazes a face may cross it to and fro at once; it then goes on a little regardless. One that crawls
-        // round in its cell does not do so for ever.
+        // One that crawls round in its cell does not do so for ever.
         const double crossing = cell_.finest() / speed;
-        const double shortest = 1e-5 * crossing;
-        t_ = std::max(exit_.time, shortest);
+        t_ = std::max(exit_.time, grazing_.least(exit_.time / crossing) * crossing);
         t_ = t_ <= 1e3 * crossing ? t_ : 1e3 * crossing;
         t_ = std::min(t_, left);
-        const auto shortened = series_step(path, cell_.lo(), cell_.size(), curve.last.arc,
-                                           options_.tolerance * speed, t_, shortest);
+        const auto shortened =
+            series_step(path, cell_.lo(), cell_.size(), curve.last.arc, options_.tolerance * speed,
+                        t_, GrazingSteps::shortest * crossing);
         if (!shortened)
             return StepOutcome::Stagnation;
         step = *shortened;
@@ -151,6 +151,7 @@ class TrilinearSteps {
     typename TrilinearCell<Grid>::Index index_{};
     CellExit exit_;  ///< of the last step
     double t_ = 0.0; ///< its length
+    GrazingSteps grazing_;
 };
 
 /// A sampler whose curves are traced cell by cell.

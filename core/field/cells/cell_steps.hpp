@@ -5,9 +5,9 @@
 
 #include "core/field/cells/cell_sampler.hpp"
 #include "core/integrate/advance_curve.hpp"
+#include "core/integrate/grazing_steps.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace wakesurf::core {
 
@@ -37,11 +37,12 @@ class CellStepsOf {
         const Vec3 pace = glm::abs(vector(local.term[1]));
         const double crossing = 1.0 / std::max(std::max(pace.x, pace.y), pace.z);
         const double exit = leaves_cell(field_.place().geometry().shape(), local);
-        const double least = least_step(exit / crossing) * crossing;
+        const double least = grazing_.least(exit / crossing) * crossing;
         // A particle that circles in its cell does not do so for ever.
         double t = std::min(std::min(std::max(exit, least), 1e3 * crossing), left);
-        const auto shortened = series_step(space, Vec3(0.0), Vec3(1.0), curve.last.arc,
-                                           options_.tolerance * speed, t, shortest * crossing);
+        const auto shortened =
+            series_step(space, Vec3(0.0), Vec3(1.0), curve.last.arc, options_.tolerance * speed, t,
+                        GrazingSteps::shortest * crossing);
         if (!shortened)
             return StepOutcome::Stagnation;
         step = *shortened;
@@ -74,31 +75,11 @@ class CellStepsOf {
     double difference() const { return 0.05 * options_.longest_step; }
 
   private:
-    static constexpr double shortest =
-        1e-5; ///< of the time in which the particle would cross its cell
-
-    /// The shortest step, in parts of the time in which the particle would cross its cell. One that grazes a face may cross it to and
-    /// fro at once, and then goes on a little regardless. Where cells of different sizes meet, the velocities on either side of a face
-    /// may both point at it: the particle slides along, and steps of 1e-5 kept a sheet on a snappyHexMesh sphere busy without end
-    /// (50,000 steps for a fiftieth of a cell). Its steps double, up to a hundredth of the cell. @param exit  when it leaves the cell, likewise
-    double least_step(double exit) {
-        constexpr double longest = 1e-2;
-        constexpr int round_a_corner =
-            6; // cells that a path may cut the corners of, one after another
-        if (exit > 0.1)
-            short_steps_ = 0;
-        const double least =
-            std::min(std::ldexp(shortest, std::max(short_steps_ - round_a_corner, 0)), longest);
-        if (exit < least)
-            ++short_steps_;
-        return least;
-    }
-
     Cursor field_;
     const TraceOptions& options_;
     double sign_;
-    PathSeries local_;    ///< of the last step
-    int short_steps_ = 0; ///< since it last crossed a cell
+    PathSeries local_; ///< of the last step
+    GrazingSteps grazing_;
 };
 
 inline CellSteps CellSampler::series_steps(const TraceOptions& options, double sign) const {
