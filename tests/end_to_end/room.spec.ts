@@ -131,6 +131,7 @@ describe('the camera', () => {
         await page.locator('main > canvas').focus();
         const distance = ({ position, target }: { position: number[]; target: number[] }): number =>
             Math.hypot(...position.map((x, i) => x - target[i]!));
+        await page.keyboard.press('f');
         const start = await camera();
         for (let i = 0; i < 3; ++i) await page.keyboard.press('ArrowRight');
         const turned = await camera();
@@ -200,7 +201,15 @@ describe('the status', () => {
                 .shadowRoot!.querySelector('wakesurf-status') as unknown as {
                 model: { state: { progress: { value: unknown } } };
             };
-            status.model.state.progress.value = { surface: 's1', fraction: 0.4, message: '' };
+            status.model.state.progress.value = {
+                surface: 's1',
+                fraction: 0.4,
+                message: '',
+                time: null,
+                quads: null,
+                remaining: null,
+                lasting: 'briefly',
+            };
         });
         await page.getByRole('button', { name: 'Stop' }).waitFor();
         expect(await height()).toBe(before);

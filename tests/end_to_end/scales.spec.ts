@@ -108,7 +108,8 @@ describe('a domain on a map, in seconds since 1970', () => {
         await page.keyboard.press('Tab');
         await expect.poll(() => ask(page, (hook) => hook.displayed!.time)).toBe(1700000300);
         expect(await box.inputValue()).toBe('1700000300');
-        expect(await drawnEdges(page)).toBeGreaterThanOrEqual(9);
+        await page.getByRole('button', { name: 'Fit the whole domain' }).click();
+        await expect.poll(() => drawnEdges(page)).toBeGreaterThanOrEqual(9);
         await screenshot(page, 'scale-map');
         await page.setViewportSize({ width: 390, height: 844 });
         await screenshot(page, 'scale-map-phone');
