@@ -57,6 +57,9 @@ struct SurfaceStatistics {
     std::uint64_t vertex_steps = 0; ///< integrator steps of all columns
     std::uint64_t approximated = 0;
     Terminated terminated;
+    /// Cells of a streak or time surface that were deleted amid living particles, until then: these went apart, or came together, so much
+    /// that no cells between them can follow.
+    std::optional<std::uint64_t> torn{};
     double max_edge = 0;
     double separation = 0;           ///< longest edge allowed in the end
     double requested_separation = 0; ///< the one asked for

@@ -33,6 +33,8 @@ nlohmann::json statistics_json(const core::SurfaceStatistics& statistics,
                          {"other", seconds.other},
                          {"total", seconds.total}}},
                        {"peakBytes", peak_bytes}};
+    if (statistics.torn)
+        out["torn"] = *statistics.torn;
     if (statistics.data_end)
         out["dataEnd"] = *statistics.data_end;
     if (statistics.empty)

@@ -43,7 +43,14 @@ MovingPlan make_plan(const Flow& flow, const MovingRequest& request, double sepa
     rules.coarsest = std::max(separation, coarsest_separation(flow.domain()));
     rules.merge = p.merge;
     rules.cosine = p.angle >= 180.0 ? -1.0 : std::cos(p.angle * std::numbers::pi / 180.0);
-    rules.least_t = origin.patch() ? 1e-6 : 1e-6 * span;
+    // What neighbours are apart by mistake is cut as if the flow had parted them: with ten times the tolerance a fast surface of
+    // sqcyl-foam had 54,506 quads for 39,029, and took longer.
+    const double tolerance =
+        trace_tolerance(p.accuracy == Accuracy::Fast ? Accuracy::Balanced : p.accuracy);
+    // Where the flow parts seeds that are closer than particles are followed, cuts find the errors: with a millionth here a balanced
+    // time surface behind a sphere had 92,413 quads, an exact one 63,293, and with this 65,125.
+    rules.least_s = std::max(1e-6, tolerance);
+    rules.least_t = rules.least_s * (origin.patch() ? 1.0 : span);
     // Seeds this close that still part beside an obstacle go round it on either side.
     const double seed_distance = separation / 32.0;
     rules.least_s_at_wall = seed_distance / origin.length();
@@ -64,7 +71,7 @@ MovingPlan make_plan(const Flow& flow, const MovingRequest& request, double sepa
     const bool batches = p.accuracy != Accuracy::Exact && flow.steps_in_batches();
     AdvanceOptions carry;
     carry.method = batches ? AdvanceOptions::Method::Rk4 : AdvanceOptions::Method::Dopri5;
-    carry.tolerance = trace_tolerance(p.accuracy);
+    carry.tolerance = tolerance;
     carry.longest_step = flow.finest_spacing();
     carry.stagnation_speed = p.stagnation_speed * request.largest_speed;
     carry.smooth = p.interpolation == Interpolation::Smooth;

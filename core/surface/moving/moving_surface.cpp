@@ -240,6 +240,7 @@ Result<bool> MovingSurface::refine(const AdvanceOptions& carry,
     Refinement refinement(*flow_, state_.plan->origin, rules, carry, refinement_memory_);
     const auto within = refinement.run(state_.mesh, stop, work);
     state_.separation = refinement.rules().separation;
+    state_.torn += refinement.unresolved();
     return within;
 }
 
@@ -437,8 +438,13 @@ Result<void> MovingSurface::trace_doubtful(const AdvanceOptions& options,
     const RefinementRules& rules = state_.plan->rules;
     if (!refines() || !rules.retrace || rules.policy == InsertionPolicy::Exact)
         return {};
-    const std::vector<VertexId> doubtful =
+    std::vector<VertexId> doubtful =
         vertices_beyond(state_.mesh, rules.trusted_error * state_.separation, carries_tangents());
+    // What was traced with these very steps would come to the same place. Fast surfaces of cells traced 352,840 vertices again to mend the
+    // 6,843 that were interpolated.
+    if (options.method == AdvanceOptions::Method::Dopri5)
+        std::erase_if(doubtful,
+                      [&](VertexId v) { return state_.mesh.vertices.approximated[v] == 0; });
     return retrace(state_.mesh, state_.plan->origin, *flow_, doubtful, options, rules.tangents,
                    stop);
 }
@@ -479,6 +485,7 @@ SurfaceStatistics MovingSurface::statistics() const {
     s.vertex_steps = state_.vertex_steps;
     s.terminated = state_.terminated;
     s.terminated.time = running_seeds(state_.mesh);
+    s.torn = state_.torn;
     s.separation = state_.separation;
     s.requested_separation = state_.plan->request.parameters.separation;
     s.seconds = seconds_;

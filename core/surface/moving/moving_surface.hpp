@@ -31,6 +31,7 @@ struct MovingState {
     std::uint64_t steps = 0;
     std::uint64_t vertex_steps = 0; ///< integrator steps of all vertices
     SurfaceStatistics::Terminated terminated;
+    std::uint64_t torn = 0; ///< cells, see SurfaceStatistics
     StepErrors step_errors;
     double errors_until = 0.0; ///< the steps before are in the errors of the vertices
 

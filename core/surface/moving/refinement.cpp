@@ -183,6 +183,7 @@ Result<bool> Refinement::cut_pass(MovingMesh& mesh,
         const Cut cut = needed_cut(mesh, cell, rules_, flow_, normals_);
         const std::size_t before = operations.touched().size();
         if (cut == Cut::Tear) {
+            unresolved_ += !has_dead_vertex(mesh, mesh.quads[cell].cell);
             operations.tear(cell);
             torn_ = true;
         } else if (cut != Cut::None) {

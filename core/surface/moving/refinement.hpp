@@ -41,6 +41,9 @@ class Refinement {
     /// As now in force: the quad budget raises the separation.
     const RefinementRules& rules() const { return rules_; }
 
+    /// Cells that were deleted although all their particles live: the surface could not be followed there.
+    std::uint64_t unresolved() const { return unresolved_; }
+
   private:
     Result<bool> cut_pass(MovingMesh& mesh,
                           LocalOperations& operations,
@@ -63,6 +66,7 @@ class Refinement {
     std::vector<VertexId>& to_retrace_;
     bool moved_ = false; ///< vertices the mesh had have been traced again
     bool torn_ = false;  ///< cells have been deleted: vertices may be left alone
+    std::uint64_t unresolved_ = 0;
 };
 
 /// Frees the slots of vertices no cell uses, except attached ones.

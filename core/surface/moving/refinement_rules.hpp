@@ -14,10 +14,13 @@ struct RefinementRules {
     double cosine = -1.0;    ///< of the largest angle between neighbouring normals; -1: any
     double finest = 0.125;   ///< cells are not cut below this for curvature
     double tear_size = 0.25; ///< cells at a tear are cut down to this before they are deleted
+    /// Cells all of whose sides are below this are deleted, and so are those with one such side that would have to be cut. Beside a jump
+    /// of the velocity (folded cells of a mesh, particles that gather on a face) they have no end: 113,684 where 9,000 are left.
+    double crumb = 1e-3;
     /// Two cells are joined when what comes of them is shorter than twice this; 0: never, at most 0.5.
     double merge = 0.35;
 
-    double least_s = 1e-6; ///< parameter distances below which the surface is discontinuous
+    double least_s = 1e-6; ///< parameter distances below which the surface is taken to be discontinuous
     double least_t = 1e-6; ///< in the unit of t
     /// The same beside an obstacle, where a surface that still diverges is taken to split.
     double least_s_at_wall = 0.0;

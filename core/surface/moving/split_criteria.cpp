@@ -2,6 +2,7 @@
 
 #include "core/surface/moving/cell_shape.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace wakesurf::core {
@@ -17,6 +18,11 @@ constexpr Vec3 directions[] = {{1, 0, 0},
                                {diagonal, diagonal, -diagonal},
                                {diagonal, -diagonal, diagonal},
                                {-diagonal, diagonal, diagonal}};
+
+/// Of a part of the separation.
+double squared(const RefinementRules& rules, double part) {
+    return part * part * rules.separation * rules.separation;
+}
 
 bool side_crosses_obstacle(const MovingMesh& mesh,
                            const Cell& cell,
@@ -62,12 +68,15 @@ bool beside_obstacle(const MovingMesh& mesh,
     return false;
 }
 
-/// The cut across an axis, or a tear where the parameters are too close for the surface to be continuous.
+/// The cut across an axis, or a tear where the parameters or the sides of the cell are too close for the surface to be continuous.
 Cut cut_or_tear(const MovingMesh& mesh,
                 const Cell& cell,
                 Axis axis,
+                const SquaredLengths& lengths,
                 const RefinementRules& rules,
                 const Flow& flow) {
+    if (!(*std::ranges::min_element(lengths.longest) > squared(rules, rules.crumb)))
+        return Cut::Tear;
     const bool s = axis == Axis::S;
     const double extent = 0.5 * (s ? s_extent(mesh, cell) : t_extent(mesh, cell));
     const bool torn = !(extent > (s ? rules.least_s : rules.least_t)) ||
@@ -144,28 +153,25 @@ Cut needed_cut(const MovingMesh& mesh,
     const double across_t = std::max(lengths.longest[1], lengths.longest[3]);
     const double longest = std::max(across_s, across_t);
     const Axis longer = across_s >= across_t ? Axis::S : Axis::T;
-    const auto squared = [&](double part) {
-        return part * part * rules.separation * rules.separation;
-    };
     // Particles that gather at one point are on one place of the surface in all but name.
-    if (!(lengths.shortest > squared(1e-9)))
+    if (!(lengths.shortest > squared(rules, 1e-9)) || !(longest > squared(rules, rules.crumb)))
         return Cut::Tear;
     if (has_dead_vertex(mesh, cell)) {
-        if (!(longest > squared(rules.tear_size)))
+        if (!(longest > squared(rules, rules.tear_size)))
             return Cut::Tear;
-        return cut_or_tear(mesh, cell, longer, rules, flow);
+        return cut_or_tear(mesh, cell, longer, lengths, rules, flow);
     }
-    if (!(longest <= squared(1.0 + 1e-9))) // not a number must not pass
-        return cut_or_tear(mesh, cell, longer, rules, flow);
+    if (!(longest <= squared(rules, 1.0 + 1e-9))) // not a number must not pass
+        return cut_or_tear(mesh, cell, longer, lengths, rules, flow);
     if (rules.obstacle)
         for (std::size_t side = 0; side < 4; ++side)
             if (side_crosses_obstacle(mesh, cell, side, rules, flow))
-                return cut_or_tear(mesh, cell, side % 2 == 0 ? Axis::S : Axis::T, rules, flow);
+                return cut_or_tear(mesh, cell, side % 2 == 0 ? Axis::S : Axis::T, lengths, rules, flow);
     if (rules.cosine <= -1.0)
         return Cut::None;
     // A cut halves two sides, the shorter of which must be worth it too: cutting a fan at its narrow end would cut everything
     // small beside it (a time surface of the bundled flow went from 8,000 to 257,000 quads that way).
-    const double floor = squared(2.0 * rules.finest);
+    const double floor = squared(rules, 2.0 * rules.finest);
     const std::array<double, 2> narrow{std::min(lengths.longest[0], lengths.longest[2]),
                                        std::min(lengths.longest[1], lengths.longest[3])};
     if (rules.tangents)
@@ -173,7 +179,7 @@ Cut needed_cut(const MovingMesh& mesh,
             // Each inner edge belongs to two cells: one of them looks.
             if ((side < 2 || here.across[side][0] == no_cell) && narrow[side % 2] > floor &&
                 bulges(mesh, cell, side, lengths.longest[side], rules))
-                return cut_or_tear(mesh, cell, side % 2 == 0 ? Axis::S : Axis::T, rules, flow);
+                return cut_or_tear(mesh, cell, side % 2 == 0 ? Axis::S : Axis::T, lengths, rules, flow);
     for (std::size_t side = 0; side < 4; ++side) {
         const bool s_neighbour = side % 2 == 1;
         if (narrow[s_neighbour ? 0 : 1] <= floor)
@@ -181,7 +187,7 @@ Cut needed_cut(const MovingMesh& mesh,
         for (std::size_t half = 0; half < (cell.mid[side] == no_vertex ? 1u : 2u); ++half) {
             const CellIndex neighbour = here.across[side][half];
             if (neighbour != no_cell && glm::dot(normals[index], normals[neighbour]) < rules.cosine)
-                return cut_or_tear(mesh, cell, s_neighbour ? Axis::S : Axis::T, rules, flow);
+                return cut_or_tear(mesh, cell, s_neighbour ? Axis::S : Axis::T, lengths, rules, flow);
         }
     }
     return Cut::None;

@@ -192,6 +192,10 @@ const std::string_view schemas_3 = R"json("Surface": {
    "minimum": 0,
    "description": "number of vertices that may be farther than the separation from the surface as it truly is: they have passed close by a stagnation line, or the flow has stretched what was interpolated; left out where there is no surface to see"},
   "terminated": {"$ref": "#/components/schemas/Terminations"},
+  "torn": {
+   "type": "integer",
+   "minimum": 0,
+   "description": "number of cells that have been deleted amid living particles, which went apart or came together so much that no cells between them can follow: small holes, for instance where a mesh is folded; streak and time surfaces only"},
   "maxEdge": {"type": "number", "minimum": 0, "description": "length of the longest edge", "x-unit": "the dataset's unit of length"},
   "separation": {"type": "number", "minimum": 0, "description": "longest edge allowed in the end", "x-unit": "the dataset's unit of length"},
   "requestedSeparation": {"type": "number", "minimum": 0, "description": "longest edge that was asked for", "x-unit": "the dataset's unit of length"},

@@ -141,6 +141,11 @@ export interface Statistics {
      * released until then. Particles inserted on the way between others are not counted
      */
     terminated: Terminations;
+    /**
+     * number of cells that have been deleted amid living particles, which went apart or came together so much that no
+     * cells between them can follow: small holes, for instance where a mesh is folded; streak and time surfaces only
+     */
+    torn?: number;
     /** length of the longest edge (the dataset's unit of length) */
     maxEdge: number;
     /** longest edge allowed in the end (the dataset's unit of length) */
@@ -186,6 +191,7 @@ export const statisticsCheck = members<Statistics>({
     error99: optional(number),
     uncertain: optional(whole),
     terminated: terminationsCheck,
+    torn: optional(whole),
     maxEdge: number,
     separation: number,
     requestedSeparation: number,

@@ -80,6 +80,7 @@ export class QualityPanel extends SignalElement {
             ${row('Approximated vertices', `${share.toFixed(share < 10 ? 1 : 0)} %`, 'approximated')}
             ${stats.error99 === undefined ? nothing : row('Off the true surface, 99 % within', shortNumber(stats.error99), 'error99')}
             ${stats.uncertain === undefined ? nothing : row('Uncertain vertices', countWords(stats.uncertain), 'uncertain')}
+            ${stats.torn === undefined ? nothing : row('Torn cells', countWords(stats.torn), 'torn')}
             ${row('Longest edge', `${shortNumber(stats.maxEdge / stats.separation)} × separation`, 'maxEdge')}
             ${reasons
                 .filter(({ reason }) => stats.terminated[reason] > 0)
