@@ -20,7 +20,8 @@ struct RefinementRules {
     /// Two cells are joined when what comes of them is shorter than twice this; 0: never, at most 0.5.
     double merge = 0.35;
 
-    double least_s = 1e-6; ///< parameter distances below which the surface is taken to be discontinuous
+    double least_s =
+        1e-6; ///< parameter distances below which the surface is taken to be discontinuous
     double least_t = 1e-6; ///< in the unit of t
     /// The same beside an obstacle, where a surface that still diverges is taken to split.
     double least_s_at_wall = 0.0;

@@ -166,7 +166,8 @@ Cut needed_cut(const MovingMesh& mesh,
     if (rules.obstacle)
         for (std::size_t side = 0; side < 4; ++side)
             if (side_crosses_obstacle(mesh, cell, side, rules, flow))
-                return cut_or_tear(mesh, cell, side % 2 == 0 ? Axis::S : Axis::T, lengths, rules, flow);
+                return cut_or_tear(mesh, cell, side % 2 == 0 ? Axis::S : Axis::T, lengths, rules,
+                                   flow);
     if (rules.cosine <= -1.0)
         return Cut::None;
     // A cut halves two sides, the shorter of which must be worth it too: cutting a fan at its narrow end would cut everything
@@ -179,7 +180,8 @@ Cut needed_cut(const MovingMesh& mesh,
             // Each inner edge belongs to two cells: one of them looks.
             if ((side < 2 || here.across[side][0] == no_cell) && narrow[side % 2] > floor &&
                 bulges(mesh, cell, side, lengths.longest[side], rules))
-                return cut_or_tear(mesh, cell, side % 2 == 0 ? Axis::S : Axis::T, lengths, rules, flow);
+                return cut_or_tear(mesh, cell, side % 2 == 0 ? Axis::S : Axis::T, lengths, rules,
+                                   flow);
     for (std::size_t side = 0; side < 4; ++side) {
         const bool s_neighbour = side % 2 == 1;
         if (narrow[s_neighbour ? 0 : 1] <= floor)
@@ -187,7 +189,8 @@ Cut needed_cut(const MovingMesh& mesh,
         for (std::size_t half = 0; half < (cell.mid[side] == no_vertex ? 1u : 2u); ++half) {
             const CellIndex neighbour = here.across[side][half];
             if (neighbour != no_cell && glm::dot(normals[index], normals[neighbour]) < rules.cosine)
-                return cut_or_tear(mesh, cell, s_neighbour ? Axis::S : Axis::T, lengths, rules, flow);
+                return cut_or_tear(mesh, cell, s_neighbour ? Axis::S : Axis::T, lengths, rules,
+                                   flow);
         }
     }
     return Cut::None;
