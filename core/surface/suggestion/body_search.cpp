@@ -116,10 +116,14 @@ Box closer(const Flow& flow, const Box& rough, const Vec3& margin) {
     return out.lo.x > out.hi.x ? rough : out;
 }
 
-Box extent_of(const Flow& flow,
-              const SurveyLattice& lattice,
-              const std::vector<std::size_t>& group,
-              const Marks& marks) {
+struct Body {
+    Box box;
+    bool at_wall; ///< the box is that of its wall; else of the lattice's boxes
+};
+
+Body body_of(const SurveyLattice& lattice,
+             const std::vector<std::size_t>& group,
+             const Marks& marks) {
     Box wall = nothing();
     Box rough = nothing();
     for (const std::size_t i : group) {
@@ -131,24 +135,24 @@ Box extent_of(const Flow& flow,
             extend(wall, marks.wall[i].hi);
         }
     }
-    return wall.lo.x <= wall.hi.x ? wall : closer(flow, rough, lattice.step());
+    const bool at_wall = wall.lo.x <= wall.hi.x;
+    return {at_wall ? wall : rough, at_wall};
 }
 
-std::vector<Box> bodies_on(const Flow& flow,
-                           const SurveyLattice& lattice,
-                           std::vector<std::uint8_t> solid,
-                           std::size_t axis,
-                           const WallGeometry& walls) {
+std::vector<Body> bodies_on(const SurveyLattice& lattice,
+                            std::vector<std::uint8_t> solid,
+                            std::size_t axis,
+                            const WallGeometry& walls) {
     Marks marks{std::move(solid), std::vector<Box>(lattice.size(), nothing())};
     mark_walls(marks, lattice, walls);
-    std::vector<Box> bodies;
+    std::vector<Body> bodies;
     for (const auto& group : groups(lattice, marks.marked)) {
         const bool at_an_end = std::ranges::any_of(group, [&](std::size_t i) {
             const int along = lattice.place(i)[axis];
             return along == 0 || along == lattice.count[axis] - 1;
         });
         if (!at_an_end)
-            bodies.push_back(extent_of(flow, lattice, group, marks));
+            bodies.push_back(body_of(lattice, group, marks));
     }
     return bodies;
 }
@@ -158,35 +162,40 @@ double across(const Box& body, int axis) {
     return extent[(axis + 1) % 3] * extent[(axis + 2) % 3];
 }
 
-} // namespace
-
-std::vector<Box>
-find_bodies(const Flow& flow, const FlowSurvey& survey, const WallGeometry& walls) {
-    const auto axis = static_cast<std::size_t>(survey.axis());
-    auto bodies = bodies_on(flow, survey.lattice, survey.solid, axis, walls);
-    if (!bodies.empty() || !flow.obstacle() || !walls.triangles.empty())
-        return bodies;
-    for (int boxes = finer * static_cast<int>(survey.lattice.size());
-         bodies.empty() && boxes < most_boxes; boxes *= finer) {
-        const SurveyLattice lattice = survey_lattice(flow.domain(), boxes);
-        bodies = bodies_on(flow, lattice, not_fluid(flow, lattice), axis, walls);
-    }
-    return bodies;
-}
-
-Box first_body(const std::vector<Box>& bodies, const FlowSurvey& survey) {
+/// Of the largest across the flow, the one that the flow meets first. REQUIRES: there is one.
+const Body& first_of(const std::vector<Body>& bodies, const FlowSurvey& survey) {
     const int axis = survey.axis();
     double largest = 0.0;
-    for (const Box& body : bodies)
-        largest = std::max(largest, across(body, axis));
-    const auto front = [&](const Box& body) {
-        return survey.sign() > 0.0 ? body.lo[axis] : -body.hi[axis];
+    for (const Body& body : bodies)
+        largest = std::max(largest, across(body.box, axis));
+    const auto front = [&](const Body& body) {
+        return survey.sign() > 0.0 ? body.box.lo[axis] : -body.box.hi[axis];
     };
-    const Box* best = nullptr;
-    for (const Box& body : bodies)
-        if (across(body, axis) >= similar * largest && (!best || front(body) < front(*best)))
+    const Body* best = nullptr;
+    for (const Body& body : bodies)
+        if (across(body.box, axis) >= similar * largest && (!best || front(body) < front(*best)))
             best = &body;
     return *best;
+}
+
+} // namespace
+
+std::optional<Box>
+find_body(const Flow& flow, const FlowSurvey& survey, const WallGeometry& walls) {
+    const auto axis = static_cast<std::size_t>(survey.axis());
+    SurveyLattice lattice = survey.lattice;
+    auto bodies = bodies_on(lattice, survey.solid, axis, walls);
+    if (bodies.empty() && flow.obstacle() && walls.triangles.empty())
+        for (int boxes = finer * static_cast<int>(lattice.size());
+             bodies.empty() && boxes < most_boxes; boxes *= finer) {
+            lattice = survey_lattice(flow.domain(), boxes);
+            bodies = bodies_on(lattice, not_fluid(flow, lattice), axis, walls);
+        }
+    if (bodies.empty())
+        return std::nullopt;
+    const Body& first = first_of(bodies, survey);
+    // Only of this one: a mesh with holes everywhere has hundreds.
+    return first.at_wall ? first.box : closer(flow, first.box, lattice.step());
 }
 
 } // namespace wakesurf::core

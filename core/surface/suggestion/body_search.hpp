@@ -4,18 +4,14 @@
 #include "core/dataset/wall_geometry.hpp"
 #include "core/surface/suggestion/flow_survey.hpp"
 
-#include <vector>
+#include <optional>
 
 namespace wakesurf::core {
 
-/// The boxes round the bodies that the flow meets. What reaches the side where the flow enters or leaves is no body but the edge of the domain,
-/// as the wall of a channel. A body thinner than some hundredth of the domain is found where `walls` have it, or where the flow knows
-/// that there is an obstacle.
+/// The box round the body to look at first: of the largest across the flow, the one that the flow meets first. What reaches the side where the
+/// flow enters or leaves is no body but the edge of the domain, as the wall of a channel. A body thinner than some hundredth of the
+/// domain is found where `walls` have it, or where the flow knows that there is an obstacle.
 /// REQUIRES: survey.through(). Cost: at most some 2 million lookups, and a pass over the walls' triangles.
-std::vector<Box> find_bodies(const Flow& flow, const FlowSurvey& survey, const WallGeometry& walls);
-
-/// The one to look at first: of the largest across the flow, the one that the flow meets first.
-/// REQUIRES: there is one.
-Box first_body(const std::vector<Box>& bodies, const FlowSurvey& survey);
+std::optional<Box> find_body(const Flow& flow, const FlowSurvey& survey, const WallGeometry& walls);
 
 } // namespace wakesurf::core

@@ -23,6 +23,8 @@ constexpr double beyond = 0.25;
 constexpr double entering = 0.1, usual_length = 0.6, margin = 0.03;
 /// A body this wide is as wide as the domain.
 constexpr double whole = 0.9;
+/// Of the domain's other side: along a thinner one a surface is a ribbon that nobody sees.
+constexpr double too_thin = 0.01;
 /// A flow whose vorticity changes its velocity by less across the domain does not turn.
 constexpr double turning = 0.3;
 /// Of the fluid where it turns most, while a surface grows; fewer where it moves on at the same time, so that one sees the turns beside each
@@ -74,9 +76,11 @@ line_in_fluid(const Flow& flow, const Vec3& at, int axis, double low, double hig
     return std::array{place(longest.first), place(longest.second)};
 }
 
-/// The axis out of two along which more of something is; where both have about as much, the longer side of the domain.
+/// The axis out of two along which more of something is; where both have about as much, or the domain is thin, its longer side.
 int more_of(const std::array<int, 2>& axes, const Vec3& amount, const Vec3& extent) {
     const auto [a, b] = axes;
+    if (std::min(extent[a], extent[b]) < too_thin * std::max(extent[a], extent[b]))
+        return extent[a] > extent[b] ? a : b;
     if (std::abs(amount[a] - amount[b]) > 0.05 * std::max(amount[a], amount[b]))
         return amount[a] > amount[b] ? a : b;
     return extent[a] > extent[b] * 1.05 ? a : b;
@@ -112,7 +116,7 @@ double speed_ahead(const FlowSurvey& survey, const Box& body) {
         sum += glm::length(survey.velocity[i]);
         count += 1.0;
     }
-    return count > 0.0 && sum > 0.0 ? sum / count : glm::length(survey.mean);
+    return count > 0.0 ? sum / count : glm::length(survey.mean);
 }
 
 /// A vortex is fastest round its core.
@@ -226,6 +230,8 @@ std::optional<RakeChoice> ahead_of_body(const Flow& flow,
     RakeChoice choice;
     choice.body = body;
     choice.speed = speed_ahead(survey, body);
+    if (!(choice.speed > 0.01 * survey.speed)) // no flow meets it, as where it fills the whole inlet
+        return std::nullopt;
     const double front = survey.sign() > 0.0 ? body.lo[axis] : body.hi[axis];
     const double room = survey.sign() > 0.0 ? front - domain.lo[axis] : domain.hi[axis] - front;
     double gap = std::min(ahead * size, 0.6 * room);
@@ -380,9 +386,8 @@ RakeChoice choose_rake(const Flow& flow,
                        const WallGeometry& walls,
                        std::optional<double> time) {
     if (survey.through()) {
-        const auto bodies = find_bodies(flow, survey, walls);
-        if (!bodies.empty())
-            if (auto choice = ahead_of_body(flow, survey, first_body(bodies, survey), time))
+        if (const auto body = find_body(flow, survey, walls))
+            if (auto choice = ahead_of_body(flow, survey, *body, time))
                 return *choice;
     }
     const Rotation rotation = strongest_rotation(survey);
