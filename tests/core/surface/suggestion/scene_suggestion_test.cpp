@@ -1,10 +1,10 @@
 #include "core/field/analytic_flow.hpp"
 #include "core/field/closed_forms.hpp"
-#include "core/surface/suggestion/scene_suggestion.hpp"
 #include "core/surface/surface_builder.hpp"
 #include "tests/support/mesh_measures.hpp"
 #include "tests/support/meshed_source.hpp"
 #include "tests/support/sampled_source.hpp"
+#include "tests/support/suggested_scene.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +14,8 @@
 namespace wakesurf::core::scene_suggestion_test {
 
 namespace {
+
+using tests::suggested, tests::times;
 
 /// Potential flow round spheres of radius 1/2, unsteady by a little; solid inside.
 struct Spheres {
@@ -37,13 +39,6 @@ struct Spheres {
     }
 };
 
-std::vector<double> times(std::size_t count, double step) {
-    std::vector<double> out;
-    for (std::size_t i = 0; i < count; ++i)
-        out.push_back(static_cast<double>(i) * step);
-    return out;
-}
-
 std::unique_ptr<Flow>
 masked(const Box& domain, double spacing, const std::vector<double>& at, const Spheres& form) {
     UniformGrid grid;
@@ -61,13 +56,6 @@ masked(const Box& domain, double spacing, const std::vector<double>& at, const S
     auto source = std::make_shared<tests::SampledSource>(
         grid, at, [form](const Vec3& p, double t) { return form.velocity(p, t); }, std::move(mask));
     return make_stored_flow(std::make_shared<TimeStepCache>(source, TimeStepCache::Options{}));
-}
-
-SceneSuggestion
-suggested(const Flow& flow, const SeriesFacts& series, const WallGeometry& walls = {}) {
-    auto scene = suggest_scene(flow, series, walls, {});
-    EXPECT_TRUE(scene.has_value()) << (scene ? "" : scene.error().message);
-    return scene.value_or(SceneSuggestion{});
 }
 
 /// Which part of a surface's area lies where `inside` says.
