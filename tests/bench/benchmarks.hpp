@@ -9,8 +9,8 @@
 
 namespace wakesurf::bench {
 
-/// Surfaces of every kind in every closed form: fast beside balanced, in quads and in time.
-void register_accuracy_benchmarks();
+/// Surfaces of every kind in every closed form and in a dataset: exact, balanced and fast beside each other, in quads and in time.
+void register_accuracy_benchmarks(const std::shared_ptr<const server::LoadedDataset>& dataset);
 
 /// What coarsening costs that a quad budget demands, and how much of the budget the surface has then.
 void register_budget_benchmarks();

@@ -1,20 +1,15 @@
 // The error that a surface states, against its distance from the exact surface, for every kind and accuracy.
 #include "core/field/analytic_flow.hpp"
-#include "tests/support/measured_error.hpp"
 #include "tests/support/meshed_field.hpp"
 #include "tests/support/meshed_source.hpp"
 #include "tests/support/sampled_source.hpp"
-#include "tests/support/surfaces_anywhere.hpp"
-
-#include <random>
+#include "tests/support/true_errors.hpp"
 
 namespace wakesurf::core::stated_error_test {
 
 using namespace tests;
 
 namespace {
-
-constexpr Accuracy accuracies[] = {Accuracy::Fast, Accuracy::Balanced, Accuracy::Exact};
 
 std::unique_ptr<Flow> sampled(const char* name, Box box) {
     const std::shared_ptr<const Flow> form = *make_analytic_flow(name);
@@ -41,72 +36,6 @@ std::unique_ptr<Flow> meshed_cylinder() {
         return Vec3(1.0 - part * (p.x * p.x - p.y * p.y),
                     -2.0 * part * p.x * p.y + 0.1 * std::sin(t), 0.0);
     });
-}
-
-/// Random lines through the domain, and perhaps one to its middle, where bodies and axes are. What fast surfaces interpolate where such a line
-/// meets a body's stagnation line is up to twice as far off as they state.
-std::vector<Rake> rakes(const Flow& flow, std::uint32_t seed, bool to_middle = true) {
-    const Box box = flow.domain();
-    std::mt19937 random(seed);
-    const auto part = [&] {
-        return 0.1 + 0.8 * static_cast<double>(random()) / std::mt19937::max();
-    };
-    const auto point = [&] {
-        const double x = part(), y = part();
-        return box.lo + box.extent() * Vec3(x, y, part());
-    };
-    const Vec3 middle = box.lo + 0.5 * box.extent();
-    const Vec3 reach = 0.08 * box.extent();
-    std::vector<Rake> all{
-        {Rake::Kind::Line,
-         {middle - reach * Vec3(3.0, 1.0, 0.3), middle - reach * Vec3(3.0, -1.0, 0.3)},
-         12}};
-    if (!to_middle)
-        all.clear();
-    for (int i = 0; i < 2; ++i) {
-        const Vec3 from = point();
-        all.push_back({Rake::Kind::Line, {from, point()}, 12});
-    }
-    std::erase_if(
-        all, [&](const Rake& rake) { return flow.status(rake.points[0]) != PointStatus::Inside; });
-    return all;
-}
-
-SurfaceParameters asked(const Flow& flow, SurfaceKind kind, Accuracy accuracy, double to) {
-    const Vec3 extent = flow.domain().extent();
-    SurfaceParameters p;
-    p.kind = kind;
-    p.accuracy = accuracy;
-    p.to = kind == SurfaceKind::Time ? 0.3 * to : to;
-    p.max_quads = 20'000;
-    p.separation = (accuracy == Accuracy::Exact ? 0.05 : 0.03) * glm::length(extent);
-    if (kind == SurfaceKind::Time)
-        p.sweep = 0.08 * extent * Vec3(1.0, -0.5, 0.7);
-    return p;
-}
-
-/// Surfaces of every kind and accuracy, from random rakes.
-void expect_true_errors(const Flow& flow,
-                        double to,
-                        std::uint32_t seed,
-                        std::size_t most,
-                        double most_uncertain = 0.02) {
-    for (const auto& [kind, name] : every_kind)
-        for (const Accuracy accuracy : accuracies) {
-            SCOPED_TRACE(std::string(name) + " " + std::to_string(static_cast<int>(accuracy)));
-            // Beside a body of a closed form, which reaches to the wall itself, what fast states is rough, either way.
-            if (accuracy == Accuracy::Fast && flow.obstacle() && !flow.time_range())
-                continue;
-            const SurfaceParameters p = asked(flow, kind, accuracy, to);
-            MeasuredErrors sum;
-            for (const Rake& rake :
-                 rakes(flow, seed, !flow.obstacle() || accuracy != Accuracy::Fast))
-                measure(sum, flow, rake, p, most);
-            EXPECT_GT(sum.truth.size(), 20u);
-            sum.check(accuracy, p.separation, 3.0 * glm::length(flow.domain().extent()));
-            EXPECT_LE(static_cast<double>(sum.uncertain),
-                      most_uncertain * static_cast<double>(sum.vertices));
-        }
 }
 
 } // namespace

@@ -1,0 +1,84 @@
+// The errors that surfaces of random rakes state, checked from both sides, for every kind and accuracy.
+#pragma once
+
+#include "tests/support/measured_error.hpp"
+#include "tests/support/surfaces_anywhere.hpp"
+
+#include <random>
+
+namespace wakesurf::tests {
+
+/// Random lines through the domain, and perhaps one to its middle, where bodies and axes are. What fast surfaces interpolate where such a line
+/// meets a body's stagnation line is up to twice as far off as they state.
+inline std::vector<core::Rake>
+rakes(const core::Flow& flow, std::uint32_t seed, bool to_middle = true) {
+    const core::Box box = flow.domain();
+    std::mt19937 random(seed);
+    const auto part = [&] {
+        return 0.1 + 0.8 * static_cast<double>(random()) / std::mt19937::max();
+    };
+    const auto point = [&] {
+        const double x = part(), y = part();
+        return box.lo + box.extent() * core::Vec3(x, y, part());
+    };
+    const core::Vec3 middle = box.lo + 0.5 * box.extent();
+    const core::Vec3 reach = 0.08 * box.extent();
+    std::vector<core::Rake> all{
+        {core::Rake::Kind::Line,
+         {middle - reach * core::Vec3(3.0, 1.0, 0.3), middle - reach * core::Vec3(3.0, -1.0, 0.3)},
+         12}};
+    if (!to_middle)
+        all.clear();
+    for (int i = 0; i < 2; ++i) {
+        const core::Vec3 from = point();
+        all.push_back({core::Rake::Kind::Line, {from, point()}, 12});
+    }
+    std::erase_if(all, [&](const core::Rake& rake) {
+        return flow.status(rake.points[0]) != core::PointStatus::Inside;
+    });
+    return all;
+}
+
+inline core::SurfaceParameters
+asked(const core::Flow& flow, core::SurfaceKind kind, core::Accuracy accuracy, double time) {
+    const core::Vec3 extent = flow.domain().extent();
+    core::SurfaceParameters p;
+    p.kind = kind;
+    p.accuracy = accuracy;
+    p.from = flow.time_range().value_or(std::array{0.0, 0.0})[0];
+    p.to = p.from + (kind == core::SurfaceKind::Time ? 0.3 * time : time);
+    p.max_quads = 20'000;
+    p.separation = (accuracy == core::Accuracy::Exact ? 0.05 : 0.03) * glm::length(extent);
+    if (kind == core::SurfaceKind::Time)
+        p.sweep = 0.08 * extent * core::Vec3(1.0, -0.5, 0.7);
+    return p;
+}
+
+/// Surfaces of every kind and accuracy, from random rakes.
+/// @param time   time that passes
+/// @param most  vertices of a surface that are looked at
+inline void expect_true_errors(const core::Flow& flow,
+                               double time,
+                               std::uint32_t seed,
+                               std::size_t most,
+                               double most_uncertain = 0.02) {
+    for (const auto& [kind, name] : every_kind)
+        for (const core::Accuracy accuracy :
+             {core::Accuracy::Fast, core::Accuracy::Balanced, core::Accuracy::Exact}) {
+            SCOPED_TRACE(std::string(name) + " " + std::to_string(static_cast<int>(accuracy)));
+            // Beside a body of a closed form, which reaches to the wall itself, what fast states is rough, either way.
+            if (accuracy == core::Accuracy::Fast && flow.obstacle() && !flow.time_range())
+                continue;
+            const core::SurfaceParameters p = asked(flow, kind, accuracy, time);
+            MeasuredErrors sum;
+            for (const core::Rake& rake :
+                 rakes(flow, seed, !flow.obstacle() || accuracy != core::Accuracy::Fast))
+                measure(sum, flow, rake, p, most);
+            EXPECT_GT(sum.truth.size(), 20u);
+            sum.check(accuracy, p.separation, 3.0 * glm::length(flow.domain().extent()));
+            EXPECT_LE(static_cast<double>(sum.uncertain),
+                      most_uncertain * static_cast<double>(sum.vertices));
+        }
+}
+
+} // namespace wakesurf::tests
