@@ -8,10 +8,8 @@
 
 namespace wakesurf::tests {
 
-/// Random lines through the domain, and perhaps one to its middle, where bodies and axes are. What fast surfaces interpolate where such a line
-/// meets a body's stagnation line is up to twice as far off as they state.
-inline std::vector<core::Rake>
-rakes(const core::Flow& flow, std::uint32_t seed, bool to_middle = true) {
+/// Random lines through the domain, and one to its middle, where bodies and axes are.
+inline std::vector<core::Rake> rakes(const core::Flow& flow, std::uint32_t seed) {
     const core::Box box = flow.domain();
     std::mt19937 random(seed);
     const auto part = [&] {
@@ -27,8 +25,6 @@ rakes(const core::Flow& flow, std::uint32_t seed, bool to_middle = true) {
         {core::Rake::Kind::Line,
          {middle - reach * core::Vec3(3.0, 1.0, 0.3), middle - reach * core::Vec3(3.0, -1.0, 0.3)},
          12}};
-    if (!to_middle)
-        all.clear();
     for (int i = 0; i < 2; ++i) {
         const core::Vec3 from = point();
         all.push_back({core::Rake::Kind::Line, {from, point()}, 12});
@@ -66,13 +62,9 @@ inline void expect_true_errors(const core::Flow& flow,
         for (const core::Accuracy accuracy :
              {core::Accuracy::Fast, core::Accuracy::Balanced, core::Accuracy::Exact}) {
             SCOPED_TRACE(std::string(name) + " " + std::to_string(static_cast<int>(accuracy)));
-            // Beside a body of a closed form, which reaches to the wall itself, what fast states is rough, either way.
-            if (accuracy == core::Accuracy::Fast && flow.obstacle() && !flow.time_range())
-                continue;
             const core::SurfaceParameters p = asked(flow, kind, accuracy, time);
             MeasuredErrors sum;
-            for (const core::Rake& rake :
-                 rakes(flow, seed, !flow.obstacle() || accuracy != core::Accuracy::Fast))
+            for (const core::Rake& rake : rakes(flow, seed))
                 measure(sum, flow, rake, p, most);
             EXPECT_GT(sum.truth.size(), 20u);
             sum.check(accuracy, p.separation, 3.0 * glm::length(flow.domain().extent()));
