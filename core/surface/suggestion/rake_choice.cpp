@@ -230,7 +230,8 @@ std::optional<RakeChoice> ahead_of_body(const Flow& flow,
     RakeChoice choice;
     choice.body = body;
     choice.speed = speed_ahead(survey, body);
-    if (!(choice.speed > 0.01 * survey.speed)) // no flow meets it, as where it fills the whole inlet
+    // No flow meets a body that fills the whole inlet.
+    if (!(choice.speed > 0.01 * survey.speed))
         return std::nullopt;
     const double front = survey.sign() > 0.0 ? body.lo[axis] : body.hi[axis];
     const double room = survey.sign() > 0.0 ? front - domain.lo[axis] : domain.hi[axis] - front;
