@@ -75,7 +75,12 @@ Cut cut_or_tear(const MovingMesh& mesh,
                 const SquaredLengths& lengths,
                 const RefinementRules& rules,
                 const Flow& flow) {
-    if (!(*std::ranges::min_element(lengths.longest) > squared(rules, rules.crumb)))
+    // A fan, with one such side, has the sheet on both sides of it, unless something ends there.
+    const auto& sides = lengths.longest;
+    const double narrow = has_dead_vertex(mesh, cell) ? *std::ranges::min_element(sides)
+                                                      : std::min(std::max(sides[0], sides[2]),
+                                                                 std::max(sides[1], sides[3]));
+    if (!(narrow > squared(rules, rules.crumb)))
         return Cut::Tear;
     const bool s = axis == Axis::S;
     const double extent = 0.5 * (s ? s_extent(mesh, cell) : t_extent(mesh, cell));

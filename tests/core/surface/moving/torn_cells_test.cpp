@@ -1,5 +1,6 @@
 // Where no cells can follow the particles, a moving surface is torn and says so, and does not grow without end.
 #include "core/surface/surface_builder.hpp"
+#include "tests/support/mesh_measures.hpp"
 #include "tests/support/meshed_field.hpp"
 #include "tests/support/meshed_source.hpp"
 
@@ -63,6 +64,29 @@ TEST(TornCells, OfFoldedMeshesAreCountedAndTheSurfaceDoesNotGrowWithoutEnd) {
         }
         EXPECT_GT(torn, 0u);
     }
+}
+
+/// The slowest particles lag behind their neighbours by thousands of their own distances, but nothing is torn there.
+TEST(TornCells, TakeNothingFromASheetThatBeginsAtAWall) {
+    CellMesh mesh = block(
+        {24, 12, 12}, [](const Vec3& u) { return Vec3(4.0, 2.0, 2.0) * u - Vec3(0, 1, 1); }, false);
+    const auto flow = meshed_flow(std::move(mesh), {0.0, 1.0, 2.0},
+                                  [](const Vec3& p, double) { return Vec3(1.0 + p.z, 0.0, 0.0); });
+    for (const double from_wall : {1e-3, 1e-4, 1e-5})
+        for (const Accuracy accuracy : {Accuracy::Fast, Accuracy::Balanced, Accuracy::Exact}) {
+            SCOPED_TRACE(std::to_string(from_wall) + " " +
+                         std::to_string(static_cast<int>(accuracy)));
+            SurfaceParameters p;
+            p.kind = SurfaceKind::Streak;
+            p.accuracy = accuracy;
+            p.to = 2.0;
+            p.separation = 0.2;
+            const Rake rake{
+                Rake::Kind::Line, {{0.05, 0.3, -1.0 + from_wall}, {0.05, 0.3, 0.0}}, 12};
+            const auto surface = build_surface(*flow, rake, p);
+            ASSERT_TRUE(surface) << surface.error().message;
+            EXPECT_NEAR(area(surface->mesh), 1.0, 1e-3); // the way of each seed, summed
+        }
 }
 
 TEST(TornCells, AreNotCountedForSurfacesThatDoNotMove) {
