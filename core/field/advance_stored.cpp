@@ -265,10 +265,24 @@ bool processor_has_avx2() {
 #endif
 }
 
+/// All that the kernel is compiled for (core/CMakeLists.txt).
+bool processor_has_avx512() {
+#if defined(__x86_64__)
+    return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
+           __builtin_cpu_supports("avx512vl") != 0;
+#else
+    return false;
+#endif
+}
+
 } // namespace
 
 Rk4Kernel choose_rk4_kernel(Simd simd) {
-    return simd == Simd::Best && avx2_compiled() && processor_has_avx2() ? rk4_avx2 : rk4_portable;
+    if (simd == Simd::Best && avx512_compiled() && processor_has_avx512())
+        return rk4_avx512;
+    if (simd != Simd::Portable && avx2_compiled() && processor_has_avx2())
+        return rk4_avx2;
+    return rk4_portable;
 }
 
 bool advance_stored(const GridSampler<UniformGrid>& field,

@@ -15,11 +15,13 @@ namespace wakesurf::server {
 
 namespace {
 
-/// WAKESURF_SIMD=off: to tell a fault of the processor's vectors from one of ours.
+/// WAKESURF_SIMD=off: to tell a fault of the processor's vectors from one of ours; avx2: for processors that slow down for wider ones.
 core::Simd simd_wanted() {
-    const char* value = std::getenv("WAKESURF_SIMD");
-    return value != nullptr && std::string_view(value) == "off" ? core::Simd::Portable
-                                                                : core::Simd::Best;
+    const char* text = std::getenv("WAKESURF_SIMD");
+    const std::string_view value = text != nullptr ? text : "";
+    return value == "off"    ? core::Simd::Portable
+           : value == "avx2" ? core::Simd::Avx2
+                             : core::Simd::Best;
 }
 
 constexpr double mebi = 1024.0 * 1024.0;

@@ -1,5 +1,5 @@
 // Where the particles of a batch are, in cells of the grid: in double at the start of a step, and from there in float, as far as the
-// stages of the step reach. Eight particles at once.
+// stages of the step reach. As many particles at once as a vector has floats.
 #pragma once
 
 #include "core/field/kernel/rk4_batch.hpp"
@@ -12,7 +12,7 @@ class BatchPlaces {
     using Wide = typename Lanes::Wide;
 
   public:
-    /// Takes the places of lanes 0 to `end`, a multiple of 8. Outside points get the nearest border cell and fractions clamped to it;
+    /// Takes the places of lanes 0 to `end`, a multiple of Floats::size. Outside points get the nearest border cell and fractions clamped to it;
     /// so does NaN, which Wide::max replaces.
     void
     begin(const StoredPair& field, const double (&position)[3][Rk4Batch::most], std::size_t end) {
@@ -21,7 +21,7 @@ class BatchPlaces {
             last_cell_[axis] = static_cast<float>(field.last_cell[axis]);
         }
         const Wide zero = Wide::all(0.0);
-        for (std::size_t g = 0; g < end; g += 4) {
+        for (std::size_t g = 0; g < end; g += Wide::size) {
             Wide node = zero;
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 const Wide cells =
@@ -37,7 +37,7 @@ class BatchPlaces {
         }
     }
 
-    /// Calls `place(cell, fraction)` for the places `by` cells from where lanes `g` to g + 8 began; cells count from the first one's.
+    /// Calls `place(cell, fraction)` for the places `by` cells from where lanes from `g` on, a vector of them, began; cells count from the first one's.
     template <class Place>
     void move(std::size_t g, const Floats (&by)[3], const Place& place) const {
         Floats cell[3];
@@ -73,14 +73,14 @@ class BatchPlaces {
                const Floats (&cell)[3],
                std::int64_t* node) const {
         Wide low = Wide::load(node_ + g);
-        Wide high = Wide::load(node_ + g + 4);
+        Wide high = Wide::load(node_ + g + Wide::size);
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const Wide stride = Wide::all(field.stride[axis]);
             low = low + cell[axis].low().widen() * stride;
             high = high + cell[axis].high().widen() * stride;
         }
         low.integers(node);
-        high.integers(node + 4);
+        high.integers(node + Wide::size);
     }
 
     /// Cells to the last one on an axis, from those at `cell`.
@@ -98,8 +98,8 @@ class BatchPlaces {
   private:
     alignas(
         32) float start_[3][Rk4Batch::most]; ///< from the first cell; outside the domain beyond it
-    alignas(32) float cell_[3][Rk4Batch::most];
-    alignas(32) double node_[Rk4Batch::most];
+    alignas(64) float cell_[3][Rk4Batch::most];
+    alignas(64) double node_[Rk4Batch::most];
     float last_[3];
     float last_cell_[3];
 };

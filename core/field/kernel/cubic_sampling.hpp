@@ -1,5 +1,6 @@
 // Velocities of a batch's particles as CubicSampler has them: Catmull-Rom in space over 4^3 nodes, trilinear near obstacles, and four
-// time-steps. A row of four nodes is twelve floats, which two loads take. Twin: linear_sampling.hpp.
+// time-steps. A row of four nodes is twelve floats: Lanes::FourNodes. Rows are added up particle by particle whatever the vectors,
+// as one row fills the widest. Twin: linear_sampling.hpp.
 #pragma once
 
 #include "core/field/kernel/linear_sampling.hpp"
@@ -10,28 +11,13 @@ namespace wakesurf::core {
 template <class Lanes, std::size_t Times, bool Tangents>
 class CubicSampling {
     using Floats = typename Lanes::Floats;
-    using Quad = typename Lanes::Quad;
+    using Nodes = typename Lanes::FourNodes;
+    using Vector = typename Lanes::Vector;
     static constexpr std::size_t most = Rk4Batch::most;
 
     /// Of four neighbouring nodes.
     struct Shares {
         Floats node[4];
-    };
-
-    /// Velocities at the four nodes of a row.
-    struct Nodes {
-        Floats first; ///< and second, and two components of the third
-        Quad rest;
-
-        static Nodes none() { return {Floats::all(0.0f), Quad::all(0.0f)}; }
-
-        static Nodes load(const float* from) { return {Floats::load(from), Quad::load(from + 8)}; }
-
-        void add(float share, const Nodes& other) {
-            const Floats shares = Floats::all(share);
-            first = first + shares * other.first;
-            rest = rest + shares.low() * other.rest;
-        }
     };
 
   public:
@@ -47,8 +33,8 @@ class CubicSampling {
         Floats linear = none; // 1: near an obstacle
         if (field.near_solid != nullptr) {
             places.nodes(field, g, cell, node_ + g);
-            float near[8];
-            for (std::size_t i = 0; i < 8; ++i)
+            float near[Floats::size];
+            for (std::size_t i = 0; i < Floats::size; ++i)
                 near[i] = field.near_solid[node_[g + i]] != 0 ? 1.0f : 0.0f;
             linear = Floats::load(near);
         }
@@ -87,6 +73,33 @@ class CubicSampling {
     class Stage {
       public:
         KernelSample<Lanes> sample(std::size_t i) const {
+            One one[Lanes::together];
+            for (std::size_t k = 0; k < Lanes::together; ++k)
+                one[k] = sample_one(i + k);
+            const auto together = [&](Vector One::*part) {
+                Vector vector[Lanes::together];
+                for (std::size_t k = 0; k < Lanes::together; ++k)
+                    vector[k] = one[k].*part;
+                return Lanes::quad(vector);
+            };
+            KernelSample<Lanes> result;
+            result.value = together(&One::value);
+            if constexpr (Tangents) {
+                result.along_x = together(&One::along_x);
+                result.along_yz = Floats::both(together(&One::along_y), together(&One::along_z));
+            }
+            return result;
+        }
+
+      private:
+        friend CubicSampling;
+
+        /// Of one particle.
+        struct One {
+            Vector value, along_x, along_y, along_z;
+        };
+
+        One sample_one(std::size_t i) const {
             const std::int64_t at = 3 * of_->node_[i];
             const auto& value = of_->value_;
             const auto& slope = of_->slope_;
@@ -114,8 +127,8 @@ class CubicSampling {
                     along_y.add(value[2][z][i], across);
                     along_z.add(slope[2][z][i], in_slice);
                 }
-                return {sum(total, value[0], i), sum(total, slope[0], i),
-                        Floats::both(sum(along_y, value[0], i), sum(along_z, value[0], i))};
+                return {sum(total, value[0], i), sum(total, slope[0], i), sum(along_y, value[0], i),
+                        sum(along_z, value[0], i)};
             } else {
                 Nodes total[Times];
                 for (std::size_t t = 0; t < Times; ++t)
@@ -130,15 +143,11 @@ class CubicSampling {
                     }
                     next_slice();
                 }
-                const Nodes now = at_time(i, [&](std::size_t t) { return total[t]; });
-                KernelSample<Lanes> result;
-                result.value = sum(now, value[0], i);
-                return result;
+                One one;
+                one.value = sum(at_time(i, [&](std::size_t t) { return total[t]; }), value[0], i);
+                return one;
             }
         }
-
-      private:
-        friend CubicSampling;
 
         template <class Step>
         Nodes at_time(std::size_t i, const Step& step) const {
@@ -200,20 +209,19 @@ class CubicSampling {
                 .store(to[k] + g);
     }
 
-    static Quad sum(const Nodes& nodes, const float (&share)[4][most], std::size_t i) {
-        const Quad high = nodes.first.high();
-        return (Quad::all(share[0][i]) * nodes.first.low() +
-                Quad::all(share[1][i]) * nodes.first.second()) +
-               (Quad::all(share[2][i]) * high.template from<2>(nodes.rest) +
-                Quad::all(share[3][i]) * nodes.rest.template from<1>(nodes.rest));
+    static Vector sum(const Nodes& nodes, const float (&share)[4][most], std::size_t i) {
+        return (Vector::all(share[0][i]) * nodes.template node<0>() +
+                Vector::all(share[1][i]) * nodes.template node<1>()) +
+               (Vector::all(share[2][i]) * nodes.template node<2>() +
+                Vector::all(share[3][i]) * nodes.template node<3>());
     }
 
-    alignas(32) float value_[3][4][most]; ///< shares along each axis
-    alignas(32) float slope_[3][4][most]; ///< in the slope
+    alignas(64) float value_[3][4][most]; ///< shares along each axis
+    alignas(64) float slope_[3][4][most]; ///< in the slope
     alignas(
         32) float row_share_[16]
                             [most]; ///< of the rows in the value, those of the first slice first
-    alignas(32) std::int64_t node_[most];
+    alignas(64) std::int64_t node_[most];
 };
 
 } // namespace wakesurf::core

@@ -6,7 +6,7 @@
 
 namespace wakesurf::core {
 
-/// Velocity, and its slopes along the cell's axes where tangents are carried: those in y and z side by side.
+/// Velocities of Lanes::together particles, and their slopes along the cell's axes where tangents are carried: those in y, then those in z.
 template <class Lanes>
 struct KernelSample {
     typename Lanes::Quad value, along_x;
@@ -23,7 +23,7 @@ class LinearSampling {
     /// For a step of lanes 0 to `end`.
     void begin(const StoredPair& field, const Rk4Batch& batch, std::size_t end) {
         if constexpr (Unsteady)
-            for (std::size_t g = 0; g < end; g += 4) {
+            for (std::size_t g = 0; g < end; g += Wide::size) {
                 const Wide dt = Wide::load(batch.dt + g);
                 const Wide time = Wide::load(batch.start + g) + Wide::load(batch.taken + g) * dt;
                 const Wide per_interval = Wide::all(field.per_interval);
@@ -38,7 +38,7 @@ class LinearSampling {
             }
     }
 
-    /// The places of lanes `g` to g + 8 at the next stage.
+    /// The places of lanes from `g` on, a vector of them, at the next stage.
     void place(const StoredPair& field,
                const BatchPlaces<Lanes>& places,
                std::size_t g,
@@ -52,30 +52,33 @@ class LinearSampling {
     /// What a stage's samples are taken with, by value: kept in registers while particles are written.
     class Stage {
       public:
+        /// Of particle `i` and those that go together with it.
         KernelSample<Lanes> sample(std::size_t i) const {
-            const std::int64_t at = 3 * of_->node_[i];
-            const Floats earlier = Floats::all(of_->earlier_[time_][i]);
-            const Floats later = Floats::all(of_->later_[time_][i]);
-            const auto row = [&](std::int64_t node) {
+            std::int64_t at[Lanes::together];
+            for (std::size_t k = 0; k < Lanes::together; ++k)
+                at[k] = 3 * of_->node_[i + k];
+            const Floats earlier = Floats::each_of(&of_->earlier_[time_][i]);
+            const Floats later = Floats::each_of(&of_->later_[time_][i]);
+            const auto row = [&](std::int64_t beyond) {
                 if constexpr (Unsteady)
-                    return Floats::load(velocity0_ + node) * earlier +
-                           Floats::load(velocity1_ + node) * later;
+                    return Floats::rows(velocity0_ + beyond, at) * earlier +
+                           Floats::rows(velocity1_ + beyond, at) * later;
                 else
-                    return Floats::load(velocity0_ + node);
+                    return Floats::rows(velocity0_ + beyond, at);
             };
-            const Floats r00 = row(at);
-            const Floats r10 = row(at + y_);
-            const Floats r01 = row(at + z_);
-            const Floats r11 = row(at + yz_);
-            const Floats fx = Floats::all(of_->fraction_[0][i]);
-            const Floats fy = Floats::all(of_->fraction_[1][i]);
-            const Floats fz = Floats::all(of_->fraction_[2][i]);
+            const Floats r00 = row(0);
+            const Floats r10 = row(y_);
+            const Floats r01 = row(z_);
+            const Floats r11 = row(yz_);
+            const Floats fx = Floats::each_of_quads(&of_->fraction_[0][i]);
+            const Floats fy = Floats::each_of(&of_->fraction_[1][i]);
+            const Floats fz = Floats::each_of(&of_->fraction_[2][i]);
             const Floats y0 = r10 - r00;
             const Floats y1 = r11 - r01;
             const Floats low = r00 + fy * y0;
             const Floats along_z = r01 + fy * y1 - low;
             const Floats whole = low + fz * along_z;
-            const Quad first = whole.low();
+            const Quad first = whole.first();
             const Quad along_x = whole.second() - first;
             KernelSample<Lanes> result;
             result.value = first + fx.low() * along_x;
@@ -111,10 +114,10 @@ class LinearSampling {
     }
 
   private:
-    alignas(32) float fraction_[3][Rk4Batch::most];
-    alignas(32) float earlier_[3][Rk4Batch::most]; ///< share of the first time-step
-    alignas(32) float later_[3][Rk4Batch::most];   ///< of the second
-    alignas(32) std::int64_t node_[Rk4Batch::most];
+    alignas(64) float fraction_[3][Rk4Batch::most];
+    alignas(64) float earlier_[3][Rk4Batch::most]; ///< share of the first time-step
+    alignas(64) float later_[3][Rk4Batch::most];   ///< of the second
+    alignas(64) std::int64_t node_[Rk4Batch::most];
 };
 
 } // namespace wakesurf::core

@@ -1,4 +1,4 @@
-// The batch kernel on AVX2 vectors. The only file compiled for x86-64-v3: it includes nothing that has functions.
+// The batch kernel on AVX2 vectors. Compiled for processors that have them: it includes nothing that has functions.
 #include "core/field/kernel/rk4_kernel.hpp"
 
 #if defined(__AVX2__)
@@ -12,9 +12,13 @@ namespace wakesurf::core {
 namespace {
 
 struct Avx2Lanes {
+    static constexpr std::size_t together = 1;
+
     struct Wide;
 
     struct Quad {
+        static constexpr std::size_t size = 4;
+
         __m128 v;
 
         static Quad load(const float* from) { return {_mm_loadu_ps(from)}; }
@@ -40,6 +44,8 @@ struct Avx2Lanes {
     };
 
     struct Floats {
+        static constexpr std::size_t size = 8;
+
         __m256 v;
 
         static Floats load(const float* from) { return {_mm256_loadu_ps(from)}; }
@@ -47,6 +53,14 @@ struct Avx2Lanes {
         static Floats all(float value) { return {_mm256_set1_ps(value)}; }
 
         static Floats both(Quad low, Quad high) { return {_mm256_set_m128(high.v, low.v)}; }
+
+        /// A row a particle.
+        static Floats rows(const float* from, const std::int64_t* at) { return load(from + at[0]); }
+
+        /// A particle's number all over its row, and over its vectors in either half.
+        static Floats each_of(const float* number) { return all(number[0]); }
+
+        static Floats each_of_quads(const float* number) { return all(number[0]); }
 
         static Floats twice(Quad q) { return both(q, q); }
 
@@ -60,7 +74,9 @@ struct Avx2Lanes {
 
         Quad high() const { return {_mm256_extractf128_ps(v, 1)}; }
 
-        /// The second node of a row.
+        /// The nodes of a row.
+        Quad first() const { return low(); }
+
         Quad second() const { return low().template from<3>(high()); }
 
         /// First nodes of two rows, and second ones.
@@ -120,6 +136,8 @@ struct Avx2Lanes {
     };
 
     struct Wide {
+        static constexpr std::size_t size = 4;
+
         __m256d v;
 
         static Wide load(const double* from) { return {_mm256_loadu_pd(from)}; }
@@ -158,6 +176,41 @@ struct Avx2Lanes {
         friend Wide operator*(Wide a, Wide b) { return {_mm256_mul_pd(a.v, b.v)}; }
 
         friend Wide operator/(Wide a, Wide b) { return {_mm256_div_pd(a.v, b.v)}; }
+    };
+
+    using Vector = Quad;
+
+    static Quad quad(const Vector* of) { return of[0]; }
+
+    /// In two loads.
+    struct FourNodes {
+        Floats first; ///< and second, and two components of the third
+        Quad rest;
+
+        static FourNodes none() { return {Floats::all(0.0f), Quad::all(0.0f)}; }
+
+        static FourNodes load(const float* from) {
+            return {Floats::load(from), Quad::load(from + 8)};
+        }
+
+        void add(float share, const FourNodes& other) {
+            const Floats shares = Floats::all(share);
+            first = first + shares * other.first;
+            rest = rest + shares.low() * other.rest;
+        }
+
+        /// The fourth element is anything.
+        template <std::size_t K>
+        Vector node() const {
+            if constexpr (K == 0)
+                return first.low();
+            else if constexpr (K == 1)
+                return first.second();
+            else if constexpr (K == 2)
+                return first.high().template from<2>(rest);
+            else
+                return rest.template from<1>(rest);
+        }
     };
 
     static Floats narrow(const double* from) {

@@ -1,5 +1,5 @@
 // What a batch kernel works on: time-steps and up to 16 particles, for one RK4 step each. Plain data, because
-// one of the kernels is compiled for newer processors: an inline function of a shared header that it emitted could
+// some kernels are compiled for newer processors: an inline function of a shared header that it emitted could
 // replace everybody's (one definition rule) and crash the older ones.
 #pragma once
 
@@ -8,9 +8,10 @@
 
 namespace wakesurf::core {
 
-/// Which kernel carries particles through stored data. Both give the same bits.
+/// Which kernel carries particles through stored data. All give the same bits.
 enum class Simd : std::uint8_t {
     Best,     ///< what the processor offers
+    Avx2,     ///< that, but no more than AVX2
     Portable, ///< what every processor offers
 };
 
@@ -48,19 +49,19 @@ struct Rk4Batch {
     std::size_t count = 0;
 
     // A particle between steps, in double so that accuracy does not drift.
-    alignas(32) double position[3][most] = {};
-    alignas(32) double tangent[most][8]; ///< along_s and along_t, four each
-    alignas(32) double start[most] = {}; ///< time at its first step
-    alignas(32) double dt[most] = {};
-    alignas(32) double taken[most] = {}; ///< steps
-    alignas(32) double steps[most] = {}; ///< to take
+    alignas(64) double position[3][most] = {};
+    alignas(64) double tangent[most][8] = {}; ///< along_s and along_t, four each
+    alignas(64) double start[most] = {};      ///< time at its first step
+    alignas(64) double dt[most] = {};
+    alignas(64) double taken[most] = {}; ///< steps
+    alignas(64) double steps[most] = {}; ///< to take
 
     /// Smooth: shares of the four time-steps at the step's start, middle and end.
-    alignas(32) float share[3][4][most] = {};
+    alignas(64) float share[3][4][most] = {};
 
     // What the kernel says. Bits of lanes.
-    alignas(32) double next[3][most];
-    alignas(32) double next_tangent[most][8];
+    alignas(64) double next[3][most];
+    alignas(64) double next_tangent[most][8];
     std::uint32_t slow = 0;    ///< may stand still
     std::uint32_t outside = 0; ///< next is outside the domain, or in a cell with a solid node
     std::uint32_t last = 0;    ///< this step is the last to take
@@ -75,5 +76,10 @@ void rk4_portable(const StoredPair& field, Rk4Batch& batch, bool tangents);
 void rk4_avx2(const StoredPair& field, Rk4Batch& batch, bool tangents);
 
 bool avx2_compiled();
+
+/// For x86-64-v4. REQUIRES: avx512_compiled() and a processor that has it.
+void rk4_avx512(const StoredPair& field, Rk4Batch& batch, bool tangents);
+
+bool avx512_compiled();
 
 } // namespace wakesurf::core

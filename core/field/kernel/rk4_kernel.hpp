@@ -1,6 +1,7 @@
-// One RK4 step of a batch of particles through stored data, written once for vectors of any make: `Lanes` offers Floats (8 floats: a
-// row of two nodes, or one number of 8 particles), Quad (4 floats: one vector) and Wide (4 doubles). Every operation is the same IEEE
-// operation in the same order whatever the make, so all give the same bits. What samples the field is a class of its own.
+// One RK4 step of a batch of particles through stored data, written once for vectors of any make. `Lanes` says how many particles are
+// sampled `together`, 1 or 2, and offers for each of them: in Floats 8 floats, a row of two nodes or one number of 8 particles; in
+// Quad 4, one vector; in Wide 4 doubles. Every operation is the same IEEE operation in the same order whatever the make, so all give
+// the same bits. What samples the field is a class of its own.
 #pragma once
 
 #include "core/field/kernel/cubic_sampling.hpp"
@@ -15,6 +16,10 @@ class Rk4KernelOf {
     using Wide = typename Lanes::Wide;
     static constexpr std::size_t most = Rk4Batch::most;
 
+    /// A bit for each element of a vector.
+    template <class Vector>
+    static constexpr unsigned all_of = (1u << Vector::size) - 1u;
+
   public:
     static void step(const StoredPair& field, Rk4Batch& batch) {
         Rk4KernelOf kernel(field, batch);
@@ -28,18 +33,21 @@ class Rk4KernelOf {
 
   private:
     Rk4KernelOf(const StoredPair& field, Rk4Batch& batch)
-        : field_(field), batch_(batch), end_((batch.count + 7) / 8 * 8) {}
+        : field_(field), batch_(batch),
+          end_((batch.count + Floats::size - 1) / Floats::size * Floats::size) {}
 
     void begin() {
         batch_.slow = batch_.outside = batch_.last = 0;
         sampling_.begin(field_, batch_, end_);
         places_.begin(field_, batch_.position, end_);
-        for (std::size_t g = 0; g < end_; g += 4) {
+        for (std::size_t g = 0; g < end_; g += Wide::size) {
             const Wide dt = Wide::load(batch_.dt + g);
+            dt.narrow().store(dt_ + g);
+            (dt / Wide::all(6.0)).store(sixth_ + g);
             for (std::size_t axis = 0; axis < 3; ++axis)
                 (Wide::all(field_.per_spacing[axis]) * dt).narrow().store(scale_[axis] + g);
         }
-        for (std::size_t g = 0; g < end_; g += 8)
+        for (std::size_t g = 0; g < end_; g += Floats::size)
             places_.stay(g, [&](const auto& cell, const auto& fraction) {
                 sampling_.place(field_, places_, g, cell, fraction);
             });
@@ -47,7 +55,7 @@ class Rk4KernelOf {
             per_spacing_ = Floats::twice_of(static_cast<float>(field_.per_spacing[0]),
                                             static_cast<float>(field_.per_spacing[1]),
                                             static_cast<float>(field_.per_spacing[2]));
-            for (std::size_t i = 0; i < batch_.count; ++i)
+            for (std::size_t i = 0; i < batch_.count; i += Lanes::together)
                 Lanes::narrow(batch_.tangent[i]).store(tangent_[i]);
         }
     }
@@ -58,19 +66,19 @@ class Rk4KernelOf {
         constexpr float reach = Stage == 2 ? 1.0f : 0.5f; // of the next stage
         const auto sampling = sampling_.stage(field_, batch_, (Stage + 1) / 2);
         const std::size_t count = batch_.count;
-        for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t i = 0; i < count; i += Lanes::together) {
             const KernelSample<Lanes> at = sampling.sample(i);
             at.value.store(value_[i]);
             if constexpr (Tangents)
                 carry<Stage>(i, at, weight, reach);
         }
-        for (std::size_t g = 0; g < end_; g += 8) {
+        for (std::size_t g = 0; g < end_; g += Floats::size) {
             Floats v[3];
             Floats::components(&value_[g], v);
             if constexpr (Stage == 0)
                 batch_.slow |= (~Floats::above(v[0] * v[0] + v[1] * v[1] + v[2] * v[2],
                                                Floats::all(field_.stagnation2)) &
-                                0xffu)
+                                all_of<Floats>)
                                << g;
             Floats by[3];
             for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -88,7 +96,7 @@ class Rk4KernelOf {
         }
     }
 
-    /// Both tangents w of a particle: w' = (grad v) w, w in length units.
+    /// Both tangents w of particles that go together: w' = (grad v) w, w in length units.
     template <int Stage>
     void carry(std::size_t i, const KernelSample<Lanes>& at, float weight, float reach) {
         Floats w = Floats::load(tangent_[i]);
@@ -103,14 +111,13 @@ class Rk4KernelOf {
         else
             (Floats::load(tangent_sum_[i]) + Floats::all(weight) * change).store(tangent_sum_[i]);
         if constexpr (Stage < 3)
-            (change * Floats::all(reach * static_cast<float>(batch_.dt[i])))
-                .store(tangent_increment_[i]);
+            (change * (Floats::all(reach) * Floats::each_of(dt_ + i))).store(tangent_increment_[i]);
     }
 
     void finish() {
-        for (std::size_t g = 0; g < end_; g += 4) {
-            const Wide sixth = Wide::load(batch_.dt + g) / Wide::all(6.0);
-            unsigned inside = 0xfu;
+        for (std::size_t g = 0; g < end_; g += Wide::size) {
+            const Wide sixth = Wide::load(sixth_ + g);
+            unsigned inside = all_of<Wide>;
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 const Wide next = Wide::load(batch_.position[axis] + g) +
                                   sixth * Quad::load(sum_[axis] + g).widen();
@@ -118,18 +125,15 @@ class Rk4KernelOf {
                 inside &= Wide::not_above(Wide::all(field_.low[axis]), next) &
                           Wide::not_above(next, Wide::all(field_.high[axis]));
             }
-            batch_.outside |= (~inside & 0xfu) << g;
+            batch_.outside |= (~inside & all_of<Wide>) << g;
             const Wide taken = Wide::load(batch_.taken + g) + Wide::all(1.0);
             batch_.last |= Wide::not_above(Wide::load(batch_.steps + g), taken) << g;
         }
         if constexpr (Tangents)
-            for (std::size_t i = 0; i < batch_.count; ++i) {
-                const Wide sixth = Wide::all(batch_.dt[i] / 6.0);
-                for (std::size_t w = 0; w < 8; w += 4)
-                    (Wide::load(batch_.tangent[i] + w) +
-                     sixth * Quad::load(tangent_sum_[i] + w).widen())
-                        .store(batch_.next_tangent[i] + w);
-            }
+            for (std::size_t w = 0; w < 8 * batch_.count; w += Wide::size)
+                (Wide::load(batch_.tangent[w / 8] + w % 8) +
+                 Wide::all(sixth_[w / 8]) * Quad::load(tangent_sum_[w / 8] + w % 8).widen())
+                    .store(batch_.next_tangent[w / 8] + w % 8);
         if (field_.cell == nullptr)
             return;
         places_.begin(field_, batch_.next, end_);
@@ -143,12 +147,14 @@ class Rk4KernelOf {
     std::size_t end_; ///< lanes computed
     BatchPlaces<Lanes> places_;
     Sampling sampling_;
-    alignas(32) float scale_[3][most]; ///< velocity to cells a step
-    alignas(32) float sum_[3][most];   ///< of the stages' velocities
-    alignas(32) float value_[most][4] = {};
-    alignas(32) float tangent_[Tangents ? most : 1][8];
-    alignas(32) float tangent_increment_[Tangents ? most : 1][8];
-    alignas(32) float tangent_sum_[Tangents ? most : 1][8];
+    alignas(64) float scale_[3][most]; ///< velocity to cells a step
+    alignas(64) float sum_[3][most];   ///< of the stages' velocities
+    alignas(64) float dt_[most];
+    alignas(64) double sixth_[most]; ///< of the step
+    alignas(64) float value_[most][4] = {};
+    alignas(64) float tangent_[Tangents ? most : 1][8];
+    alignas(64) float tangent_increment_[Tangents ? most : 1][8];
+    alignas(64) float tangent_sum_[Tangents ? most : 1][8];
     Floats per_spacing_;
 };
 

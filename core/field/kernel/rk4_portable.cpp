@@ -8,10 +8,12 @@ namespace {
 /// `Self` derives from this and so gets arithmetic, element by element.
 template <class Self, class T, std::size_t N>
 struct Array {
+    static constexpr std::size_t size = N;
+
     T at[N];
 
     template <class Value>
-    static Self each_of(const Value& value) {
+    static Self made_of(const Value& value) {
         Self r;
         for (std::size_t i = 0; i < N; ++i)
             r.at[i] = value(i);
@@ -19,11 +21,11 @@ struct Array {
     }
 
     static Self load(const T* from) {
-        return each_of([&](std::size_t i) { return from[i]; });
+        return made_of([&](std::size_t i) { return from[i]; });
     }
 
     static Self all(T value) {
-        return each_of([&](std::size_t) { return value; });
+        return made_of([&](std::size_t) { return value; });
     }
 
     void store(T* to) const {
@@ -32,38 +34,57 @@ struct Array {
     }
 
     friend Self operator+(const Self& a, const Self& b) {
-        return each_of([&](std::size_t i) { return a.at[i] + b.at[i]; });
+        return made_of([&](std::size_t i) { return a.at[i] + b.at[i]; });
     }
 
     friend Self operator-(const Self& a, const Self& b) {
-        return each_of([&](std::size_t i) { return a.at[i] - b.at[i]; });
+        return made_of([&](std::size_t i) { return a.at[i] - b.at[i]; });
     }
 
     friend Self operator*(const Self& a, const Self& b) {
-        return each_of([&](std::size_t i) { return a.at[i] * b.at[i]; });
+        return made_of([&](std::size_t i) { return a.at[i] * b.at[i]; });
     }
 };
 
 struct PortableLanes {
+    static constexpr std::size_t together = 1;
+
     struct Wide;
 
     struct Quad : Array<Quad, float, 4> {
-        /// Elements from `N` of this and the next one together.
-        template <std::size_t N>
-        Quad from(const Quad& next) const {
-            return each_of(
-                [&](std::size_t i) { return i + N < 4 ? at[i + N] : next.at[i + N - 4]; });
-        }
-
         Wide widen() const {
-            return Wide::each_of([&](std::size_t i) { return double{at[i]}; });
+            return Wide::made_of([&](std::size_t i) { return double{at[i]}; });
+        }
+    };
+
+    using Vector = Quad;
+
+    static Quad quad(const Vector* of) { return of[0]; }
+
+    struct FourNodes : Array<FourNodes, float, 12> {
+        static FourNodes none() { return all(0.0f); }
+
+        void add(float share, const FourNodes& other) { *this = *this + all(share) * other; }
+
+        /// The fourth element is anything.
+        template <std::size_t K>
+        Vector node() const {
+            return {{{at[3 * K], at[3 * K + 1], at[3 * K + 2], 0.0f}}};
         }
     };
 
     struct Floats : Array<Floats, float, 8> {
         static Floats both(const Quad& low, const Quad& high) {
-            return each_of([&](std::size_t i) { return i < 4 ? low.at[i] : high.at[i - 4]; });
+            return made_of([&](std::size_t i) { return i < 4 ? low.at[i] : high.at[i - 4]; });
         }
+
+        /// A row a particle.
+        static Floats rows(const float* from, const std::int64_t* at) { return load(from + at[0]); }
+
+        /// A particle's number all over its row, and over its vectors in either half.
+        static Floats each_of(const float* number) { return all(number[0]); }
+
+        static Floats each_of_quads(const float* number) { return all(number[0]); }
 
         static Floats twice(const Quad& q) { return both(q, q); }
 
@@ -75,7 +96,9 @@ struct PortableLanes {
 
         Quad high() const { return Quad::load(at + 4); }
 
-        /// The second node of a row.
+        /// The nodes of a row.
+        Quad first() const { return low(); }
+
         Quad second() const { return Quad::load(at + 3); }
 
         /// First nodes of two rows, and second ones.
@@ -92,26 +115,26 @@ struct PortableLanes {
         /// Component `I` of either half, all over that half.
         template <std::size_t I>
         Floats each() const {
-            return each_of([&](std::size_t i) { return at[i / 4 * 4 + I]; });
+            return made_of([&](std::size_t i) { return at[i / 4 * 4 + I]; });
         }
 
         /// x, y and z of eight vectors.
         static void components(const float (*from)[4], Floats (&to)[3]) {
             for (std::size_t axis = 0; axis < 3; ++axis)
-                to[axis] = each_of([&](std::size_t i) { return from[i][axis]; });
+                to[axis] = made_of([&](std::size_t i) { return from[i][axis]; });
         }
 
         static Floats min(const Floats& a, const Floats& b) {
-            return each_of([&](std::size_t i) { return a.at[i] < b.at[i] ? a.at[i] : b.at[i]; });
+            return made_of([&](std::size_t i) { return a.at[i] < b.at[i] ? a.at[i] : b.at[i]; });
         }
 
         static Floats max(const Floats& a, const Floats& b) {
-            return each_of([&](std::size_t i) { return a.at[i] > b.at[i] ? a.at[i] : b.at[i]; });
+            return made_of([&](std::size_t i) { return a.at[i] > b.at[i] ? a.at[i] : b.at[i]; });
         }
 
         /// Of what an integer holds.
         Floats floor() const {
-            return each_of([&](std::size_t i) {
+            return made_of([&](std::size_t i) {
                 const auto towards_zero = static_cast<float>(static_cast<std::int32_t>(at[i]));
                 return towards_zero > at[i] ? towards_zero - 1.0f : towards_zero;
             });
@@ -126,17 +149,17 @@ struct PortableLanes {
         }
 
         static Floats where_zero(const Floats& test, const Floats& a, const Floats& b) {
-            return each_of([&](std::size_t i) { return test.at[i] == 0.0f ? a.at[i] : b.at[i]; });
+            return made_of([&](std::size_t i) { return test.at[i] == 0.0f ? a.at[i] : b.at[i]; });
         }
     };
 
     struct Wide : Array<Wide, double, 4> {
         static Wide min(const Wide& a, const Wide& b) {
-            return each_of([&](std::size_t i) { return a.at[i] < b.at[i] ? a.at[i] : b.at[i]; });
+            return made_of([&](std::size_t i) { return a.at[i] < b.at[i] ? a.at[i] : b.at[i]; });
         }
 
         static Wide max(const Wide& a, const Wide& b) {
-            return each_of([&](std::size_t i) { return a.at[i] > b.at[i] ? a.at[i] : b.at[i]; });
+            return made_of([&](std::size_t i) { return a.at[i] > b.at[i] ? a.at[i] : b.at[i]; });
         }
 
         /// Bits of the elements where a <= b.
@@ -148,7 +171,7 @@ struct PortableLanes {
         }
 
         Wide truncated() const {
-            return each_of([&](std::size_t i) {
+            return made_of([&](std::size_t i) {
                 return static_cast<double>(static_cast<std::int64_t>(at[i]));
             });
         }
@@ -159,16 +182,16 @@ struct PortableLanes {
         }
 
         Quad narrow() const {
-            return Quad::each_of([&](std::size_t i) { return static_cast<float>(at[i]); });
+            return Quad::made_of([&](std::size_t i) { return static_cast<float>(at[i]); });
         }
 
         friend Wide operator/(const Wide& a, const Wide& b) {
-            return each_of([&](std::size_t i) { return a.at[i] / b.at[i]; });
+            return made_of([&](std::size_t i) { return a.at[i] / b.at[i]; });
         }
     };
 
     static Floats narrow(const double* from) {
-        return Floats::each_of([&](std::size_t i) { return static_cast<float>(from[i]); });
+        return Floats::made_of([&](std::size_t i) { return static_cast<float>(from[i]); });
     }
 };
 
