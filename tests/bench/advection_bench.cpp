@@ -42,7 +42,7 @@ constexpr Case cases[] = {
 
 /// Of the limit kernel, which carries no tangents.
 double target_ratio(const Case& which) {
-    return which.tangents ? 0.6 : 0.85;
+    return which.tangents ? 0.7 : 0.95;
 }
 
 constexpr double target_smooth_million_per_second = 5.0;
@@ -98,10 +98,8 @@ void measure(benchmark::State& state, const Case& which) {
             limit = start;
             return seconds_of([&] { advance_at_the_limit(field, limit, sampled.interval, steps); });
         });
-    if (!which.tangents && !which.smooth) { // VTK has neither
+    if (!which.tangents && !which.smooth) // VTK has neither
         streaklines.emplace(sampled);
-        contenders.push_back([&] { return streaklines->run(); });
-    }
     for (auto _ : state) {
         const std::vector<Timed> taken = interleave(contenders, repetitions);
         state.SetIterationTime(taken[0].median);
@@ -121,7 +119,9 @@ void measure(benchmark::State& state, const Case& which) {
             state.SetLabel("no AVX2 and FMA here: limit kernel skipped");
         }
         if (streaklines) {
-            const double peer = 1e-6 * streaklines->vertex_steps() / taken.back().median;
+            // By itself: it sweeps the cache, and who came after it would meet another one than who came before.
+            const Timed alone = interleave({[&] { return streaklines->run(); }}, repetitions)[0];
+            const double peer = 1e-6 * streaklines->vertex_steps() / alone.median;
             state.counters["vtk_streakline_million_per_second"] = peer;
             state.counters["ratio_to_vtk_streakline"] = ours / peer;
         }

@@ -18,24 +18,34 @@ class LinearSampling {
     using Floats = typename Lanes::Floats;
     using Quad = typename Lanes::Quad;
     using Wide = typename Lanes::Wide;
+    static constexpr std::size_t row = 8; ///< floats
 
   public:
     /// For a step of lanes 0 to `end`.
     void begin(const StoredPair& field, const Rk4Batch& batch, std::size_t end) {
-        if constexpr (Unsteady)
-            for (std::size_t g = 0; g < end; g += Wide::size) {
-                const Wide dt = Wide::load(batch.dt + g);
-                const Wide time = Wide::load(batch.start + g) + Wide::load(batch.taken + g) * dt;
-                const Wide per_interval = Wide::all(field.per_interval);
-                const Wide blend = (time - Wide::all(field.time0)) * per_interval;
-                const Wide change = dt * per_interval;
-                const Quad later[3] = {blend.narrow(), (blend + Wide::all(0.5) * change).narrow(),
-                                       (blend + change).narrow()};
-                for (std::size_t at = 0; at < 3; ++at) {
-                    later[at].store(later_[at] + g);
-                    (Quad::all(1.0f) - later[at]).store(earlier_[at] + g);
+        if constexpr (!Unsteady)
+            return;
+        // Of those that have the same time, the first's are enough.
+        stride_ = batch.straight != 0 ? 0 : row;
+        const std::size_t count = batch.straight != 0 ? Lanes::together : end;
+        for (std::size_t g = 0; g < count; g += Wide::size) {
+            const Wide dt = Wide::load(batch.dt + g);
+            const Wide time = Wide::load(batch.start + g) + Wide::load(batch.taken + g) * dt;
+            const Wide per_interval = Wide::all(field.per_interval);
+            const Wide blend = (time - Wide::all(field.time0)) * per_interval;
+            const Wide change = dt * per_interval;
+            const Quad later[3] = {blend.narrow(), (blend + Wide::all(0.5) * change).narrow(),
+                                   (blend + change).narrow()};
+            for (std::size_t at = 0; at < 3; ++at) {
+                alignas(64) float share[Wide::size];
+                later[at].store(share);
+                for (std::size_t i = 0; i < Wide::size && g + i < count; i += Lanes::together) {
+                    const Floats whole = Floats::each_of(share + i);
+                    whole.store(later_[at] + row * (g + i));
+                    (Floats::all(1.0f) - whole).store(earlier_[at] + row * (g + i));
                 }
             }
+        }
     }
 
     /// The places of lanes from `g` on, a vector of them, at the next stage.
@@ -57,8 +67,8 @@ class LinearSampling {
             std::int64_t at[Lanes::together];
             for (std::size_t k = 0; k < Lanes::together; ++k)
                 at[k] = 3 * of_->node_[i + k];
-            const Floats earlier = Floats::each_of(&of_->earlier_[time_][i]);
-            const Floats later = Floats::each_of(&of_->later_[time_][i]);
+            const Floats earlier = Floats::load(earlier_ + of_->stride_ * i);
+            const Floats later = Floats::load(later_ + of_->stride_ * i);
             const auto row = [&](std::int64_t beyond) {
                 if constexpr (Unsteady)
                     return Floats::rows(velocity0_ + beyond, at) * earlier +
@@ -97,7 +107,8 @@ class LinearSampling {
         const float* velocity0_;
         const float* velocity1_;
         std::int64_t y_, z_, yz_; ///< floats between rows
-        std::size_t time_;
+        const float* earlier_;
+        const float* later_;
     };
 
     /// @param time  0: at the step's start, 1: middle, 2: end
@@ -109,14 +120,17 @@ class LinearSampling {
         stage.y_ = 3 * static_cast<std::int64_t>(field.stride[1]);
         stage.z_ = 3 * static_cast<std::int64_t>(field.stride[2]);
         stage.yz_ = stage.y_ + stage.z_;
-        stage.time_ = time;
+        stage.earlier_ = earlier_[time];
+        stage.later_ = later_[time];
         return stage;
     }
 
   private:
     alignas(64) float fraction_[3][Rk4Batch::most];
-    alignas(64) float earlier_[3][Rk4Batch::most]; ///< share of the first time-step
-    alignas(64) float later_[3][Rk4Batch::most];   ///< of the second
+    /// Shares of the first time-step and of the second, all over each particle's row: the multiplications take them from here.
+    alignas(64) float earlier_[3][row * Rk4Batch::most];
+    alignas(64) float later_[3][row * Rk4Batch::most];
+    std::size_t stride_; ///< from a particle's to the next one's
     alignas(64) std::int64_t node_[Rk4Batch::most];
 };
 

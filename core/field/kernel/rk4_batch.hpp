@@ -1,4 +1,4 @@
-// What a batch kernel works on: time-steps and up to 16 particles, for one RK4 step each. Plain data, because
+// What a batch kernel works on: time-steps and up to 32 particles, for one RK4 step each or several. Plain data, because
 // some kernels are compiled for newer processors: an inline function of a shared header that it emitted could
 // replace everybody's (one definition rule) and crash the older ones.
 #pragma once
@@ -42,9 +42,11 @@ struct StoredPair {
 
 /// Particles that take a step together, stage by stage: while one waits for its samples another computes (one at
 /// a time is 1.5-1.8 times slower: docs/measurements.md, The limit of the kernel). One array a coordinate: what is
-/// no load from the field is computed for 4 or 8 particles at once. Lanes beyond `count` hold any numbers.
+/// no load from the field is computed for 4 to 16 particles at once. Lanes beyond `count` hold any numbers.
 struct Rk4Batch {
-    static constexpr std::size_t most = 16;
+    static constexpr std::size_t most = 32;
+
+    using Bits = std::uint64_t; ///< a bit a lane
 
     std::size_t count = 0;
 
@@ -59,15 +61,21 @@ struct Rk4Batch {
     /// Smooth: shares of the four time-steps at the step's start, middle and end.
     alignas(64) float share[3][4][most] = {};
 
+    /// 0: a step. Else so many at once, all of particles that have the same start, dt and taken: their position, tangent and taken are
+    /// then those after the last step, slow and outside what was so in any of them. The shares of all are those of `share_of_steps`,
+    /// 3 x 4 a step.
+    std::size_t straight = 0;
+    const float* share_of_steps = nullptr;
+
     // What the kernel says. Bits of lanes.
     alignas(64) double next[3][most];
     alignas(64) double next_tangent[most][8];
-    std::uint32_t slow = 0;    ///< may stand still
-    std::uint32_t outside = 0; ///< next is outside the domain, or in a cell with a solid node
-    std::uint32_t last = 0;    ///< this step is the last to take
+    Bits slow = 0;    ///< may stand still
+    Bits outside = 0; ///< next is outside the domain, or in a cell with a solid node
+    Bits last = 0;    ///< this step is the last to take
 };
 
-/// One step of every particle: fills next, slow, outside and last.
+/// One step of every particle: fills next, slow, outside and last. Or several at once: `straight`.
 using Rk4Kernel = void (*)(const StoredPair&, Rk4Batch&, bool tangents);
 
 void rk4_portable(const StoredPair& field, Rk4Batch& batch, bool tangents);

@@ -1,4 +1,4 @@
-// One RK4 step of a batch of particles through stored data, written once for vectors of any make. `Lanes` says how many particles are
+// RK4 steps of a batch of particles through stored data, written once for vectors of any make. `Lanes` says how many particles are
 // sampled `together`, 1 or 2, and offers for each of them: in Floats 8 floats, a row of two nodes or one number of 8 particles; in
 // Quad 4, one vector; in Wide 4 doubles. Every operation is the same IEEE operation in the same order whatever the make, so all give
 // the same bits. What samples the field is a class of its own.
@@ -14,6 +14,7 @@ class Rk4KernelOf {
     using Floats = typename Lanes::Floats;
     using Quad = typename Lanes::Quad;
     using Wide = typename Lanes::Wide;
+    using Bits = Rk4Batch::Bits;
     static constexpr std::size_t most = Rk4Batch::most;
 
     /// A bit for each element of a vector.
@@ -21,14 +22,26 @@ class Rk4KernelOf {
     static constexpr unsigned all_of = (1u << Vector::size) - 1u;
 
   public:
-    static void step(const StoredPair& field, Rk4Batch& batch) {
+    /// Flattened: with calls between the stages the constants of a batch leave their registers.
+    [[gnu::flatten]] static void carry(const StoredPair& field, Rk4Batch& batch) {
         Rk4KernelOf kernel(field, batch);
-        kernel.begin();
-        kernel.template stage<0>();
-        kernel.template stage<1>();
-        kernel.template stage<2>();
-        kernel.template stage<3>();
-        kernel.finish();
+        kernel.set_out();
+        kernel.places_.begin(field, batch.position, kernel.end_);
+        const bool straight = batch.straight != 0;
+        auto& next = straight ? batch.position : batch.next;
+        auto& next_tangent = straight ? batch.tangent : batch.next_tangent;
+        std::size_t i = 0;
+        do {
+            if (batch.share_of_steps != nullptr)
+                kernel.share(batch.share_of_steps + 12 * i);
+            kernel.step(next, next_tangent);
+            if (straight || field.cell != nullptr)
+                kernel.places_.begin(field, next, kernel.end_);
+            if (field.cell != nullptr)
+                kernel.look_for_walls();
+            for (std::size_t g = 0; straight && g < kernel.end_; g += Wide::size)
+                (Wide::load(batch.taken + g) + Wide::all(1.0)).store(batch.taken + g);
+        } while (++i < batch.straight);
     }
 
   private:
@@ -36,10 +49,8 @@ class Rk4KernelOf {
         : field_(field), batch_(batch),
           end_((batch.count + Floats::size - 1) / Floats::size * Floats::size) {}
 
-    void begin() {
+    void set_out() {
         batch_.slow = batch_.outside = batch_.last = 0;
-        sampling_.begin(field_, batch_, end_);
-        places_.begin(field_, batch_.position, end_);
         for (std::size_t g = 0; g < end_; g += Wide::size) {
             const Wide dt = Wide::load(batch_.dt + g);
             dt.narrow().store(dt_ + g);
@@ -47,17 +58,35 @@ class Rk4KernelOf {
             for (std::size_t axis = 0; axis < 3; ++axis)
                 (Wide::all(field_.per_spacing[axis]) * dt).narrow().store(scale_[axis] + g);
         }
+        if constexpr (Tangents)
+            per_spacing_ = Floats::twice_of(static_cast<float>(field_.per_spacing[0]),
+                                            static_cast<float>(field_.per_spacing[1]),
+                                            static_cast<float>(field_.per_spacing[2]));
+    }
+
+    /// From the places where the particles are. @param next may be where they are now
+    void step(double (&next)[3][most], double (&next_tangent)[most][8]) {
+        sampling_.begin(field_, batch_, end_);
         for (std::size_t g = 0; g < end_; g += Floats::size)
             places_.stay(g, [&](const auto& cell, const auto& fraction) {
                 sampling_.place(field_, places_, g, cell, fraction);
             });
-        if constexpr (Tangents) {
-            per_spacing_ = Floats::twice_of(static_cast<float>(field_.per_spacing[0]),
-                                            static_cast<float>(field_.per_spacing[1]),
-                                            static_cast<float>(field_.per_spacing[2]));
+        if constexpr (Tangents)
             for (std::size_t i = 0; i < batch_.count; i += Lanes::together)
                 Lanes::narrow(batch_.tangent[i]).store(tangent_[i]);
-        }
+        stage<0>();
+        stage<1>();
+        stage<2>();
+        stage<3>();
+        finish(next, next_tangent);
+    }
+
+    /// Of the time-steps, the same for all. @param shares  as of Rk4Batch::share_of_steps
+    void share(const float* shares) {
+        for (std::size_t at = 0; at < 3; ++at)
+            for (std::size_t step = 0; step < 4; ++step)
+                for (std::size_t g = 0; g < end_; g += Floats::size)
+                    Floats::all(shares[4 * at + step]).store(batch_.share[at][step] + g);
     }
 
     template <int Stage>
@@ -65,20 +94,22 @@ class Rk4KernelOf {
         constexpr float weight = Stage == 0 || Stage == 3 ? 1.0f : 2.0f;
         constexpr float reach = Stage == 2 ? 1.0f : 0.5f; // of the next stage
         const auto sampling = sampling_.stage(field_, batch_, (Stage + 1) / 2);
-        const std::size_t count = batch_.count;
-        for (std::size_t i = 0; i < count; i += Lanes::together) {
-            const KernelSample<Lanes> at = sampling.sample(i);
-            at.value.store(value_[i]);
-            if constexpr (Tangents)
-                carry<Stage>(i, at, weight, reach);
-        }
+        // Places follow from samples of a vector of particles: while they wait for the last of these, the next are sampled.
         for (std::size_t g = 0; g < end_; g += Floats::size) {
+            const std::size_t end =
+                g + Floats::size < batch_.count ? g + Floats::size : batch_.count;
+            for (std::size_t i = g; i < end; i += Lanes::together) {
+                const KernelSample<Lanes> at = sampling.sample(i);
+                at.value.store(value_[i]);
+                if constexpr (Tangents)
+                    carry_tangents<Stage>(i, at, weight, reach);
+            }
             Floats v[3];
             Floats::components(&value_[g], v);
             if constexpr (Stage == 0)
-                batch_.slow |= (~Floats::above(v[0] * v[0] + v[1] * v[1] + v[2] * v[2],
-                                               Floats::all(field_.stagnation2)) &
-                                all_of<Floats>)
+                batch_.slow |= Bits{~Floats::above(v[0] * v[0] + v[1] * v[1] + v[2] * v[2],
+                                                   Floats::all(field_.stagnation2)) &
+                                    all_of<Floats>}
                                << g;
             Floats by[3];
             for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -98,7 +129,7 @@ class Rk4KernelOf {
 
     /// Both tangents w of particles that go together: w' = (grad v) w, w in length units.
     template <int Stage>
-    void carry(std::size_t i, const KernelSample<Lanes>& at, float weight, float reach) {
+    void carry_tangents(std::size_t i, const KernelSample<Lanes>& at, float weight, float reach) {
         Floats w = Floats::load(tangent_[i]);
         if constexpr (Stage > 0)
             w = w + Floats::load(tangent_increment_[i]);
@@ -114,32 +145,33 @@ class Rk4KernelOf {
             (change * (Floats::all(reach) * Floats::each_of(dt_ + i))).store(tangent_increment_[i]);
     }
 
-    void finish() {
+    void finish(double (&next)[3][most], double (&next_tangent)[most][8]) {
         for (std::size_t g = 0; g < end_; g += Wide::size) {
             const Wide sixth = Wide::load(sixth_ + g);
             unsigned inside = all_of<Wide>;
             for (std::size_t axis = 0; axis < 3; ++axis) {
-                const Wide next = Wide::load(batch_.position[axis] + g) +
-                                  sixth * Quad::load(sum_[axis] + g).widen();
-                next.store(batch_.next[axis] + g);
-                inside &= Wide::not_above(Wide::all(field_.low[axis]), next) &
-                          Wide::not_above(next, Wide::all(field_.high[axis]));
+                const Wide there = Wide::load(batch_.position[axis] + g) +
+                                   sixth * Quad::load(sum_[axis] + g).widen();
+                there.store(next[axis] + g);
+                inside &= Wide::not_above(Wide::all(field_.low[axis]), there) &
+                          Wide::not_above(there, Wide::all(field_.high[axis]));
             }
-            batch_.outside |= (~inside & all_of<Wide>) << g;
+            batch_.outside |= Bits{~inside & all_of<Wide>} << g;
             const Wide taken = Wide::load(batch_.taken + g) + Wide::all(1.0);
-            batch_.last |= Wide::not_above(Wide::load(batch_.steps + g), taken) << g;
+            batch_.last |= Bits{Wide::not_above(Wide::load(batch_.steps + g), taken)} << g;
         }
         if constexpr (Tangents)
             for (std::size_t w = 0; w < 8 * batch_.count; w += Wide::size)
                 (Wide::load(batch_.tangent[w / 8] + w % 8) +
                  Wide::all(sixth_[w / 8]) * Quad::load(tangent_sum_[w / 8] + w % 8).widen())
-                    .store(batch_.next_tangent[w / 8] + w % 8);
-        if (field_.cell == nullptr)
-            return;
-        places_.begin(field_, batch_.next, end_);
+                    .store(next_tangent[w / 8] + w % 8);
+    }
+
+    /// At the places that were taken last.
+    void look_for_walls() {
         for (std::size_t i = 0; i < batch_.count; ++i)
             if (field_.cell[static_cast<std::int64_t>(places_.first_node(i))] != 0)
-                batch_.outside |= 1u << i;
+                batch_.outside |= Bits{1} << i;
     }
 
     const StoredPair& field_;
@@ -163,12 +195,12 @@ void rk4_step_with(const StoredPair& field, Rk4Batch& batch) {
     const bool unsteady = field.velocity1 != nullptr;
     if (field.smooth)
         unsteady
-            ? Rk4KernelOf<Lanes, CubicSampling<Lanes, 4, Tangents>, Tangents>::step(field, batch)
-            : Rk4KernelOf<Lanes, CubicSampling<Lanes, 1, Tangents>, Tangents>::step(field, batch);
+            ? Rk4KernelOf<Lanes, CubicSampling<Lanes, 4, Tangents>, Tangents>::carry(field, batch)
+            : Rk4KernelOf<Lanes, CubicSampling<Lanes, 1, Tangents>, Tangents>::carry(field, batch);
     else
-        unsteady ? Rk4KernelOf<Lanes, LinearSampling<Lanes, true, Tangents>, Tangents>::step(field,
-                                                                                             batch)
-                 : Rk4KernelOf<Lanes, LinearSampling<Lanes, false, Tangents>, Tangents>::step(
+        unsteady ? Rk4KernelOf<Lanes, LinearSampling<Lanes, true, Tangents>, Tangents>::carry(field,
+                                                                                              batch)
+                 : Rk4KernelOf<Lanes, LinearSampling<Lanes, false, Tangents>, Tangents>::carry(
                        field, batch);
 }
 

@@ -1,6 +1,8 @@
 #include "core/field/advance_particles.hpp"
 #include "core/field/advance_stored.hpp"
+#include "core/field/passage.hpp"
 #include "core/field/stored_flow.hpp"
+#include "core/field/stored_pair.hpp"
 #include "tests/support/sampled_source.hpp"
 
 #include <gtest/gtest.h>
@@ -167,6 +169,49 @@ TEST(AdvanceStored, AParticleDoesNotDependOnThoseItTravelsWithNorOnThreads) {
         Swarm serial = start;
         ASSERT_TRUE(flow->advance(serial.particles(true), 0.9, options, {}));
         expect_same_bits(together, serial);
+    }
+}
+
+TEST(AdvanceStored, ThoseThatSetOutTogetherGoStraightWithTheBitsOfOneStepAtATime) {
+    const SolidMask mask = ball();
+    const CellMask cells(grid.dimensions, mask);
+    const CellMask round_cells = CellMask::round_cells(grid.dimensions, mask);
+    const SampledSource source(grid, {0.0, 1.0}, swirling, mask);
+    const auto first = source.load(0, {}).value();
+    const auto second = source.load(1, {}).value();
+    const GridSampler<UniformGrid> linear{
+        &grid, &cells, &mask, first->velocity().data(), second->velocity().data(), 0.0, 1.0};
+    const auto compare = [](const auto& field, const AdvanceOptions& options, bool tangents) {
+        const double to = 0.9;
+        const Swarm start = everywhere(1500, 0.05, 0.05);
+        const Rk4Kernel kernel = choose_rk4_kernel(Simd::Best);
+        Swarm one_by_one = start;
+        const Particles particles = one_by_one.particles(tangents);
+        const StoredPair pair = stored_pair(field, options);
+        Passage passage(field, pair, kernel, particles, to, options);
+        for (std::size_t i = 0; i < start.position.size(); ++i) {
+            while (passage.full())
+                passage.step();
+            if (still_to_go(particles, i, to, 1))
+                passage.board(i);
+        }
+        while (!passage.empty())
+            passage.step();
+        Swarm straight = start;
+        ASSERT_TRUE(
+            advance_stored(field, kernel, straight.particles(tangents), to, 1, options, {}));
+        expect_same_bits(one_by_one, straight);
+        EXPECT_GT(ended(straight, CurveEnd::Running), 200u);
+        EXPECT_GT(ended(straight, CurveEnd::Domain), 200u);
+        EXPECT_GT(ended(straight, CurveEnd::Obstacle), 20u);
+    };
+    for (const bool tangents : {false, true}) {
+        compare(linear, in_steps_of(0.05), tangents);
+        compare(linear, in_steps_of(0.006), tangents); // more than the kernel takes at once
+        CubicSampler smooth{linear};
+        smooth.round_cells = &round_cells;
+        compare(smooth, in_steps_of(0.05, true), tangents);
+        compare(smooth, in_steps_of(0.006, true), tangents);
     }
 }
 

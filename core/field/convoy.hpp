@@ -1,0 +1,139 @@
+// Particles that set out at the same time for as many steps, all of a surface's: the kernel takes all the steps of a batch of them.
+// Who was slow or outside on the way may have ended there, and is done again from its start by the passage, with the same bits.
+#pragma once
+
+#include "core/field/passage.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+namespace wakesurf::core {
+
+/// @tparam Field  as of Passage
+template <class Field>
+class Convoy {
+  public:
+    Convoy(const Field& field,
+           const StoredPair& pair,
+           Rk4Kernel kernel,
+           const Particles& particles,
+           double to,
+           const AdvanceOptions& options)
+        : field_(field), pair_(pair), kernel_(kernel), particles_(particles), to_(to),
+          options_(options) {}
+
+    bool full() const { return batch_.count == at_once; }
+
+    bool empty() const { return batch_.count == 0; }
+
+    /// False: the particle is at another time than those that wait here, or would have to be done again as most of those before.
+    bool join(std::size_t particle) {
+        if (apart_ > 0) {
+            --apart_;
+            return false;
+        }
+        const double time = particles_.time[particle];
+        if (empty() && time != start_)
+            set_out_at(time);
+        if (time != start_)
+            return false;
+        const std::size_t lane = batch_.count++;
+        particle_[lane] = particle;
+        for (int axis = 0; axis < 3; ++axis)
+            batch_.position[axis][lane] = particles_.position[particle][axis];
+        if (particles_.tangents())
+            for (int axis = 0; axis < 3; ++axis) {
+                batch_.tangent[lane][axis] = particles_.along_s[particle][axis];
+                batch_.tangent[lane][4 + axis] = particles_.along_t[particle][axis];
+            }
+        return true;
+    }
+
+    /// Carries those that wait to where all go. Calls `again(particle)` for those that are still where they were.
+    template <class Again>
+    void go(const Again& again) {
+        Rk4Batch::Bits ended = 0;
+        std::fill_n(batch_.taken, Rk4Batch::most, 0.0);
+        for (double left = steps_; left > 0.0 && std::popcount(ended) < count();
+             left -= static_cast<double>(most_steps)) {
+            batch_.straight = static_cast<std::size_t>(std::min(left, double{most_steps}));
+            if constexpr (smooth)
+                share_time_steps();
+            kernel_(pair_, batch_, particles_.tangents());
+            ended |= (batch_.slow | batch_.outside) & ((Rk4Batch::Bits{1} << batch_.count) - 1u);
+        }
+        for (std::size_t lane = 0; lane < batch_.count; ++lane)
+            if ((ended >> lane & 1u) == 0)
+                arrive(lane);
+            else
+                again(particle_[lane]);
+        if (2 * std::popcount(ended) > count()) // along a wall, say
+            apart_ = Rk4Batch::most;
+        batch_.count = 0;
+    }
+
+  private:
+    static constexpr bool smooth = std::is_same_v<Field, CubicSampler>;
+
+    /// The nodes round more particles than these leave the cache between stages.
+    static constexpr std::size_t at_once = smooth ? 16 : Rk4Batch::most;
+
+    static constexpr std::uint32_t most_steps = 64; ///< at once
+
+    int count() const { return static_cast<int>(batch_.count); }
+
+    void set_out_at(double time) {
+        start_ = time;
+        const double whole = to_ - time;
+        steps_ = rk4_steps(whole, options_);
+        std::fill_n(batch_.start, Rk4Batch::most, time);
+        std::fill_n(batch_.dt, Rk4Batch::most, whole / steps_);
+        shared_from_ = -1.0;
+    }
+
+    /// For the steps that come next, unless the last ones had the same.
+    void share_time_steps() {
+        batch_.share_of_steps = &share_[0][0][0];
+        if (shared_from_ == batch_.taken[0])
+            return;
+        shared_from_ = batch_.taken[0];
+        const double dt = batch_.dt[0];
+        for (std::size_t i = 0; i < batch_.straight; ++i) {
+            const double time = start_ + (shared_from_ + static_cast<double>(i)) * dt;
+            for (std::size_t at = 0; at < 3; ++at) {
+                const auto shares = field_.shares(time + 0.5 * static_cast<double>(at) * dt);
+                for (std::size_t step = 0; step < 4; ++step)
+                    share_[i][at][step] = static_cast<float>(shares[step]);
+            }
+        }
+    }
+
+    void arrive(std::size_t lane) {
+        const auto& p = batch_.position;
+        const double* w = batch_.tangent[lane];
+        put_back(particles_, particle_[lane],
+                 {{{p[0][lane], p[1][lane], p[2][lane]}, {w[0], w[1], w[2]}, {w[4], w[5], w[6]}},
+                  to_,
+                  CurveEnd::Running});
+    }
+
+    const Field& field_;
+    const StoredPair& pair_;
+    Rk4Kernel kernel_;
+    const Particles& particles_;
+    double to_;
+    const AdvanceOptions& options_;
+    double start_ = std::numeric_limits<double>::quiet_NaN(); ///< of those that wait
+    double steps_ = 1.0;
+    double shared_from_ = -1.0; ///< the step that share_ begins with
+    std::array<std::array<std::array<float, 4>, 3>, most_steps> share_;
+    std::size_t apart_ = 0; ///< particles that still go alone
+    Rk4Batch batch_;
+    std::array<std::size_t, Rk4Batch::most> particle_;
+};
+
+} // namespace wakesurf::core

@@ -1,0 +1,46 @@
+#include "core/field/stored_pair.hpp"
+
+namespace wakesurf::core {
+
+namespace {
+
+void fill(double (&to)[3], const Vec3& v) {
+    for (int axis = 0; axis < 3; ++axis)
+        to[axis] = v[axis];
+}
+
+} // namespace
+
+StoredPair stored_pair(const GridSampler<UniformGrid>& field, const AdvanceOptions& options) {
+    const UniformGrid& grid = *field.grid;
+    StoredPair pair{};
+    pair.velocity0 = field.velocity0;
+    pair.velocity1 = field.velocity1;
+    pair.cell = field.cells->data();
+    pair.time0 = field.time0;
+    pair.per_interval = 1.0 / field.interval;
+    const Vec3 last(grid.dimensions[0] - 1, grid.dimensions[1] - 1, grid.dimensions[2] - 1);
+    const Box box = grid.bounds();
+    fill(pair.origin, grid.origin);
+    fill(pair.per_spacing, 1.0 / grid.spacing);
+    fill(pair.last, last);
+    fill(pair.last_cell, last - 1.0);
+    fill(pair.low, box.lo);
+    fill(pair.high, box.hi);
+    fill(pair.stride, Vec3(1.0, last.x + 1.0, (last.x + 1.0) * (last.y + 1.0)));
+    // A little more than the limit: near it, the step in double decides.
+    const double speed = 1.00001 * options.stagnation_speed;
+    pair.stagnation2 = static_cast<float>(speed * speed);
+    return pair;
+}
+
+StoredPair stored_pair(const CubicSampler& field, const AdvanceOptions& options) {
+    StoredPair pair = stored_pair(field.linear, options);
+    pair.smooth = true;
+    pair.before = field.before ? field.before : field.linear.velocity0;
+    pair.after = field.after ? field.after : field.linear.velocity0;
+    pair.near_solid = field.round_cells ? field.round_cells->data() : nullptr;
+    return pair;
+}
+
+} // namespace wakesurf::core
