@@ -81,6 +81,16 @@ bool advance_stored(const GridSampler<UniformGrid>& field,
     return advance_in_batches(field, kernel, particles, to, sign, options, stop);
 }
 
+bool advance_stored(const GridSampler<RectilinearAxes>& field,
+                    Rk4Kernel kernel,
+                    const Particles& particles,
+                    double to,
+                    int sign,
+                    const AdvanceOptions& options,
+                    const std::stop_token& stop) {
+    return advance_in_batches(field, kernel, particles, to, sign, options, stop);
+}
+
 bool kernel_samples(const CubicSampler& field) {
     const auto& dimensions = field.linear.grid->dimensions;
     return !field.gaps && *std::min_element(dimensions.begin(), dimensions.end()) >= 4 &&

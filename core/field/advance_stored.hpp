@@ -5,6 +5,7 @@
 #include "core/field/cubic_sampler.hpp"
 #include "core/field/grid_sampler.hpp"
 #include "core/field/kernel/rk4_batch.hpp"
+#include "core/field/rectilinear_axes.hpp"
 #include "core/integrate/particles.hpp"
 
 #include <stop_token>
@@ -19,6 +20,14 @@ Rk4Kernel choose_rk4_kernel(Simd simd);
 /// @param sign  direction of time, +1 or -1
 /// Returns false if `stop` fired.
 bool advance_stored(const GridSampler<UniformGrid>& field,
+                    Rk4Kernel kernel,
+                    const Particles& particles,
+                    double to,
+                    int sign,
+                    const AdvanceOptions& options,
+                    const std::stop_token& stop);
+
+bool advance_stored(const GridSampler<RectilinearAxes>& field,
                     Rk4Kernel kernel,
                     const Particles& particles,
                     double to,

@@ -63,7 +63,7 @@ class Flow {
     virtual bool has_smooth() const { return false; }
 
     /// True where RK4 carries many particles at a time, faster than the steps of controlled error of Method::Dopri5 but with errors that
-    /// have to be looked at: on uniform grids.
+    /// have to be looked at: on uniform and rectilinear grids.
     virtual bool steps_in_batches() const { return false; }
 
     /// True when parts of the domain are solid.

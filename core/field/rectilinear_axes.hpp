@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/dataset/rectilinear_grid.hpp"
+#include "core/field/kernel/rk4_batch.hpp"
 #include "core/field/uniform_axes.hpp"
 
 #include <array>
@@ -17,6 +18,8 @@ namespace wakesurf::core {
 class RectilinearAxes {
   public:
     explicit RectilinearAxes(const RectilinearGrid& grid);
+    RectilinearAxes(const RectilinearAxes&) = delete; // its tables point into it
+    RectilinearAxes& operator=(const RectilinearAxes&) = delete;
 
     const Box& bounds() const { return bounds_; }
 
@@ -35,6 +38,9 @@ class RectilinearAxes {
         return {cell, std::min(std::max(0.0, fraction), 1.0)};
     }
 
+    /// The axes as the batch kernel takes them.
+    const AxisTable* tables() const { return tables_.data(); }
+
     /// Bytes of the tables.
     std::size_t bytes() const;
 
@@ -44,12 +50,14 @@ class RectilinearAxes {
         std::size_t last; ///< cell
         double per_bucket;
         std::vector<std::uint32_t>
-            start; ///< a bucket's first cell; one more than there are buckets
+            start;                    ///< a bucket's first cell; one more than there are buckets
+        std::vector<CellReach> reach; ///< by cell
 
         std::size_t cell(double x) const;
     };
 
     std::array<Axis, 3> axes_;
+    std::array<AxisTable, 3> tables_;
     std::array<std::uint32_t, 3> dimensions_;
     Box bounds_;
 };

@@ -5,8 +5,11 @@
 
 namespace wakesurf::core {
 
-RectilinearSampling::RectilinearSampling(const RectilinearGrid& grid, const SolidMask& mask)
-    : axes_(grid), mask_(mask), cells_(axes_.dimensions(), mask) {}
+RectilinearSampling::RectilinearSampling(const RectilinearGrid& grid,
+                                         const SolidMask& mask,
+                                         Simd simd)
+    : axes_(grid), mask_(mask), cells_(axes_.dimensions(), mask), kernel_(choose_rk4_kernel(simd)) {
+}
 
 bool RectilinearSampling::advance(const Interval& interval,
                                   const Particles& particles,
@@ -16,8 +19,10 @@ bool RectilinearSampling::advance(const Interval& interval,
                                   const std::stop_token& stop) const {
     const GridSampler<RectilinearAxes> field = linear(interval);
     end_in_gaps(field, particles, to, sign);
-    return advance_particles(CellwiseSampler<RectilinearAxes>{field}, particles, to, sign, options,
-                             stop);
+    return options.method == AdvanceOptions::Method::Rk4
+               ? advance_stored(field, kernel_, particles, to, sign, options, stop)
+               : advance_particles(CellwiseSampler<RectilinearAxes>{field}, particles, to, sign,
+                                   options, stop);
 }
 
 bool RectilinearSampling::trace(const Interval& interval,

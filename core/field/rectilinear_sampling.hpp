@@ -1,7 +1,8 @@
-// How a stored field on a rectilinear grid is sampled between two time-steps: as on a uniform one, but for the batch
-// kernel and the smooth field, which are trilinear here.
+// How a stored field on a rectilinear grid is sampled between two time-steps: as on a uniform one, but for the smooth field, which is
+// trilinear here.
 #pragma once
 
+#include "core/field/advance_stored.hpp"
 #include "core/field/rectilinear_axes.hpp"
 #include "core/field/stored_steps.hpp"
 
@@ -14,9 +15,9 @@ namespace wakesurf::core {
 class RectilinearSampling {
   public:
     static constexpr bool has_smooth = false;
-    static constexpr bool steps_in_batches = false;
+    static constexpr bool steps_in_batches = true;
 
-    RectilinearSampling(const RectilinearGrid& grid, const SolidMask& mask);
+    RectilinearSampling(const RectilinearGrid& grid, const SolidMask& mask, Simd simd);
 
     /// At no particular time.
     PointStatus status(const Vec3& position) const { return linear({}).status(position); }
@@ -55,6 +56,7 @@ class RectilinearSampling {
     RectilinearAxes axes_;
     const SolidMask& mask_;
     CellMask cells_;
+    Rk4Kernel kernel_;
 };
 
 } // namespace wakesurf::core

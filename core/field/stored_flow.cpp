@@ -17,8 +17,8 @@ auto sampling_of(const UniformGrid& grid, const TimeStepSource& source, Simd sim
     return std::make_unique<const UniformSampling>(grid, source.mask(), simd);
 }
 
-auto sampling_of(const RectilinearGrid& grid, const TimeStepSource& source, Simd) {
-    return std::make_unique<const RectilinearSampling>(grid, source.mask());
+auto sampling_of(const RectilinearGrid& grid, const TimeStepSource& source, Simd simd) {
+    return std::make_unique<const RectilinearSampling>(grid, source.mask(), simd);
 }
 
 auto sampling_of(const CellMesh& mesh, const TimeStepSource&, Simd) {

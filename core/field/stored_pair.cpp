@@ -9,20 +9,18 @@ void fill(double (&to)[3], const Vec3& v) {
         to[axis] = v[axis];
 }
 
-} // namespace
-
-StoredPair stored_pair(const GridSampler<UniformGrid>& field, const AdvanceOptions& options) {
-    const UniformGrid& grid = *field.grid;
+/// What does not depend on where the nodes are.
+template <class Grid>
+StoredPair pair_on(const GridSampler<Grid>& field, const AdvanceOptions& options) {
     StoredPair pair{};
     pair.velocity0 = field.velocity0;
     pair.velocity1 = field.velocity1;
     pair.cell = field.cells->data();
     pair.time0 = field.time0;
     pair.per_interval = 1.0 / field.interval;
-    const Vec3 last(grid.dimensions[0] - 1, grid.dimensions[1] - 1, grid.dimensions[2] - 1);
-    const Box box = grid.bounds();
-    fill(pair.origin, grid.origin);
-    fill(pair.per_spacing, 1.0 / grid.spacing);
+    const auto& nodes = dimensions(*field.grid);
+    const Vec3 last(nodes[0] - 1, nodes[1] - 1, nodes[2] - 1);
+    const Box box = field.grid->bounds();
     fill(pair.last, last);
     fill(pair.last_cell, last - 1.0);
     fill(pair.low, box.lo);
@@ -31,6 +29,22 @@ StoredPair stored_pair(const GridSampler<UniformGrid>& field, const AdvanceOptio
     // A little more than the limit: near it, the step in double decides.
     const double speed = 1.00001 * options.stagnation_speed;
     pair.stagnation2 = static_cast<float>(speed * speed);
+    return pair;
+}
+
+} // namespace
+
+StoredPair stored_pair(const GridSampler<UniformGrid>& field, const AdvanceOptions& options) {
+    StoredPair pair = pair_on(field, options);
+    fill(pair.origin, field.grid->origin);
+    fill(pair.per_spacing, 1.0 / field.grid->spacing);
+    return pair;
+}
+
+StoredPair stored_pair(const GridSampler<RectilinearAxes>& field, const AdvanceOptions& options) {
+    StoredPair pair = pair_on(field, options);
+    fill(pair.per_spacing, Vec3(1.0));
+    pair.axis = field.grid->tables();
     return pair;
 }
 

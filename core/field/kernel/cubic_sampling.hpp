@@ -4,8 +4,42 @@
 #pragma once
 
 #include "core/field/kernel/linear_sampling.hpp"
+#include "core/field/kernel/uniform_places.hpp"
 
 namespace wakesurf::core {
+
+/// Four nodes of a row, twelve floats, in vectors of eight and four: what Lanes::FourNodes is where none has twelve.
+template <class Lanes>
+struct NodesInTwo {
+    using Floats = typename Lanes::Floats;
+    using Quad = typename Lanes::Quad;
+
+    Floats first; ///< and second, and two components of the third
+    Quad rest;
+
+    static NodesInTwo none() { return {Floats::all(0.0f), Quad::all(0.0f)}; }
+
+    static NodesInTwo load(const float* from) { return {Floats::load(from), Quad::load(from + 8)}; }
+
+    void add(float share, const NodesInTwo& other) {
+        const Floats shares = Floats::all(share);
+        first = first + shares * other.first;
+        rest = rest + shares.low() * other.rest;
+    }
+
+    /// The fourth element is anything.
+    template <std::size_t K>
+    Quad node() const {
+        if constexpr (K == 0)
+            return first.low();
+        else if constexpr (K == 1)
+            return first.second();
+        else if constexpr (K == 2)
+            return first.high().template from<2>(rest);
+        else
+            return rest.template from<1>(rest);
+    }
+};
 
 /// @tparam Times  4 time-steps, or 1 for a frozen field
 template <class Lanes, std::size_t Times, bool Tangents>
@@ -24,7 +58,7 @@ class CubicSampling {
     void begin(const StoredPair&, const Rk4Batch&, std::size_t) {}
 
     void place(const StoredPair& field,
-               const BatchPlaces<Lanes>& places,
+               const UniformPlaces<Lanes>& places,
                std::size_t g,
                const Floats (&cell)[3],
                const Floats (&fraction)[3]) {

@@ -2,7 +2,7 @@
 // is the best of 14 layouts (docs/measurements.md, The limit of the kernel). Twin: cubic_sampling.hpp.
 #pragma once
 
-#include "core/field/kernel/batch_places.hpp"
+#include "core/field/kernel/rk4_batch.hpp"
 
 namespace wakesurf::core {
 
@@ -13,7 +13,8 @@ struct KernelSample {
     typename Lanes::Floats along_yz;
 };
 
-template <class Lanes, bool Unsteady, bool Tangents>
+/// @tparam Places  UniformPlaces or RectilinearPlaces
+template <class Lanes, class Places, bool Unsteady, bool Tangents>
 class LinearSampling {
     using Floats = typename Lanes::Floats;
     using Quad = typename Lanes::Quad;
@@ -50,7 +51,7 @@ class LinearSampling {
 
     /// The places of lanes from `g` on, a vector of them, at the next stage.
     void place(const StoredPair& field,
-               const BatchPlaces<Lanes>& places,
+               const Places& places,
                std::size_t g,
                const Floats (&cell)[3],
                const Floats (&fraction)[3]) {

@@ -128,6 +128,10 @@ struct Avx2Lanes {
                 _mm256_blendv_ps(b.v, a.v, _mm256_cmp_ps(test.v, _mm256_setzero_ps(), _CMP_EQ_OQ))};
         }
 
+        static Floats where_above(Floats a, Floats b, Floats then, Floats otherwise) {
+            return {_mm256_blendv_ps(otherwise.v, then.v, _mm256_cmp_ps(a.v, b.v, _CMP_GT_OQ))};
+        }
+
         friend Floats operator+(Floats a, Floats b) { return {_mm256_add_ps(a.v, b.v)}; }
 
         friend Floats operator-(Floats a, Floats b) { return {_mm256_sub_ps(a.v, b.v)}; }
@@ -182,36 +186,7 @@ struct Avx2Lanes {
 
     static Quad quad(const Vector* of) { return of[0]; }
 
-    /// In two loads.
-    struct FourNodes {
-        Floats first; ///< and second, and two components of the third
-        Quad rest;
-
-        static FourNodes none() { return {Floats::all(0.0f), Quad::all(0.0f)}; }
-
-        static FourNodes load(const float* from) {
-            return {Floats::load(from), Quad::load(from + 8)};
-        }
-
-        void add(float share, const FourNodes& other) {
-            const Floats shares = Floats::all(share);
-            first = first + shares * other.first;
-            rest = rest + shares.low() * other.rest;
-        }
-
-        /// The fourth element is anything.
-        template <std::size_t K>
-        Vector node() const {
-            if constexpr (K == 0)
-                return first.low();
-            else if constexpr (K == 1)
-                return first.second();
-            else if constexpr (K == 2)
-                return first.high().template from<2>(rest);
-            else
-                return rest.template from<1>(rest);
-        }
-    };
+    using FourNodes = NodesInTwo<Avx2Lanes>;
 
     static Floats narrow(const double* from) {
         return {_mm256_set_m128(_mm256_cvtpd_ps(_mm256_loadu_pd(from + 4)),

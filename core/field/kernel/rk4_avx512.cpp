@@ -161,6 +161,11 @@ struct Avx512Lanes {
                 _mm512_cmp_ps_mask(test.v, _mm512_setzero_ps(), _CMP_EQ_OQ), b.v, a.v)};
         }
 
+        static Floats where_above(Floats a, Floats b, Floats then, Floats otherwise) {
+            return {_mm512_mask_blend_ps(_mm512_cmp_ps_mask(a.v, b.v, _CMP_GT_OQ), otherwise.v,
+                                         then.v)};
+        }
+
         friend Floats operator+(Floats a, Floats b) { return {_mm512_add_ps(a.v, b.v)}; }
 
         friend Floats operator-(Floats a, Floats b) { return {_mm512_sub_ps(a.v, b.v)}; }

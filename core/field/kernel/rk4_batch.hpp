@@ -15,7 +15,27 @@ enum class Simd : std::uint8_t {
     Portable, ///< what every processor offers
 };
 
-/// Time-steps of a uniform grid. Vectors are x, y, z.
+/// A cell on an axis of a rectilinear grid and its neighbours, in lengths from the cell's lower end. Cells at the border go on for ever.
+struct CellReach {
+    float below;  ///< what is below is in a cell before the one before
+    float lowest; ///< lower end of the cell before
+    float begin;  ///< what is below is not in this cell
+    float end;    ///< what is above is not in this cell
+    float above;  ///< what is above is in a cell after the one after
+    float per_width_before, per_width, per_width_after;
+};
+
+/// What finds cells on an axis of a rectilinear grid.
+struct AxisTable {
+    const double* coordinate;   ///< of nodes
+    const std::uint32_t* start; ///< by bucket: a cell near which those of its coordinates are
+    double per_bucket;          ///< buckets in a unit of length
+    double buckets;
+    std::uint32_t last; ///< cell
+    const CellReach* cell;
+};
+
+/// Time-steps of a uniform or a rectilinear grid. Vectors are x, y, z.
 struct StoredPair {
     const float* velocity0;
     const float* velocity1;   ///< null: frozen at the first
@@ -31,10 +51,11 @@ struct StoredPair {
     double time0;
     double per_interval; ///< 1 / time between the two
     double origin[3];
-    double per_spacing[3];
-    double last[3];      ///< index of the last node on each axis
-    double last_cell[3]; ///< of the last cell
-    double low[3];       ///< the domain, as Box::contains compares
+    double per_spacing[3]; ///< rectilinear: 1, so that ways are lengths
+    double last[3];        ///< index of the last node on each axis
+    double last_cell[3];   ///< of the last cell
+    const AxisTable* axis; ///< of each of the three; null: the grid is uniform
+    double low[3];         ///< the domain, as Box::contains compares
     double high[3];
     double stride[3];  ///< nodes between neighbours on each axis
     float stagnation2; ///< a slower particle (speed squared) may stand still

@@ -6,10 +6,11 @@
 
 #include "core/field/kernel/cubic_sampling.hpp"
 #include "core/field/kernel/linear_sampling.hpp"
+#include "core/field/kernel/rectilinear_places.hpp"
 
 namespace wakesurf::core {
 
-template <class Lanes, class Sampling, bool Tangents>
+template <class Lanes, class Places, class Sampling, bool Tangents>
 class Rk4KernelOf {
     using Floats = typename Lanes::Floats;
     using Quad = typename Lanes::Quad;
@@ -58,10 +59,6 @@ class Rk4KernelOf {
             for (std::size_t axis = 0; axis < 3; ++axis)
                 (Wide::all(field_.per_spacing[axis]) * dt).narrow().store(scale_[axis] + g);
         }
-        if constexpr (Tangents)
-            per_spacing_ = Floats::twice_of(static_cast<float>(field_.per_spacing[0]),
-                                            static_cast<float>(field_.per_spacing[1]),
-                                            static_cast<float>(field_.per_spacing[2]));
     }
 
     /// From the places where the particles are. @param next may be where they are now
@@ -121,7 +118,7 @@ class Rk4KernelOf {
                 by[axis] = v[axis] * (Floats::all(reach) * Floats::load(scale_[axis] + g));
             }
             if constexpr (Stage < 3)
-                places_.move(g, by, [&](const auto& cell, const auto& fraction) {
+                places_.move(field_, g, by, [&](const auto& cell, const auto& fraction) {
                     sampling_.place(field_, places_, g, cell, fraction);
                 });
         }
@@ -133,10 +130,11 @@ class Rk4KernelOf {
         Floats w = Floats::load(tangent_[i]);
         if constexpr (Stage > 0)
             w = w + Floats::load(tangent_increment_[i]);
-        const Floats cells = w * per_spacing_;
-        const Floats change = Floats::twice(at.along_x) * cells.template each<0>() +
-                              at.along_yz.low_twice() * cells.template each<1>() +
-                              at.along_yz.high_twice() * cells.template each<2>();
+        Floats cells[3];
+        places_.in_cells(w, i, cells);
+        const Floats change = Floats::twice(at.along_x) * cells[0] +
+                              at.along_yz.low_twice() * cells[1] +
+                              at.along_yz.high_twice() * cells[2];
         if constexpr (Stage == 0)
             change.store(tangent_sum_[i]);
         else
@@ -177,7 +175,7 @@ class Rk4KernelOf {
     const StoredPair& field_;
     Rk4Batch& batch_;
     std::size_t end_; ///< lanes computed
-    BatchPlaces<Lanes> places_;
+    Places places_;
     Sampling sampling_;
     alignas(64) float scale_[3][most]; ///< velocity to cells a step
     alignas(64) float sum_[3][most];   ///< of the stages' velocities
@@ -187,21 +185,30 @@ class Rk4KernelOf {
     alignas(64) float tangent_[Tangents ? most : 1][8];
     alignas(64) float tangent_increment_[Tangents ? most : 1][8];
     alignas(64) float tangent_sum_[Tangents ? most : 1][8];
-    Floats per_spacing_;
 };
 
 template <class Lanes, bool Tangents>
 void rk4_step_with(const StoredPair& field, Rk4Batch& batch) {
     const bool unsteady = field.velocity1 != nullptr;
-    if (field.smooth)
-        unsteady
-            ? Rk4KernelOf<Lanes, CubicSampling<Lanes, 4, Tangents>, Tangents>::carry(field, batch)
-            : Rk4KernelOf<Lanes, CubicSampling<Lanes, 1, Tangents>, Tangents>::carry(field, batch);
+    const auto linear = [&]<class Places>() {
+        if (unsteady)
+            Rk4KernelOf<Lanes, Places, LinearSampling<Lanes, Places, true, Tangents>,
+                        Tangents>::carry(field, batch);
+        else
+            Rk4KernelOf<Lanes, Places, LinearSampling<Lanes, Places, false, Tangents>,
+                        Tangents>::carry(field, batch);
+    };
+    using Uniform = UniformPlaces<Lanes>;
+    if (field.axis != nullptr)
+        linear.template operator()<RectilinearPlaces<Lanes, Tangents>>();
+    else if (!field.smooth)
+        linear.template operator()<Uniform>();
+    else if (unsteady)
+        Rk4KernelOf<Lanes, Uniform, CubicSampling<Lanes, 4, Tangents>, Tangents>::carry(field,
+                                                                                        batch);
     else
-        unsteady ? Rk4KernelOf<Lanes, LinearSampling<Lanes, true, Tangents>, Tangents>::carry(field,
-                                                                                              batch)
-                 : Rk4KernelOf<Lanes, LinearSampling<Lanes, false, Tangents>, Tangents>::carry(
-                       field, batch);
+        Rk4KernelOf<Lanes, Uniform, CubicSampling<Lanes, 1, Tangents>, Tangents>::carry(field,
+                                                                                        batch);
 }
 
 template <class Lanes>

@@ -52,6 +52,13 @@ struct PortableLanes {
     struct Wide;
 
     struct Quad : Array<Quad, float, 4> {
+        /// Elements from `N` of this and the next one together.
+        template <std::size_t N>
+        Quad from(const Quad& next) const {
+            return made_of(
+                [&](std::size_t i) { return i + N < 4 ? at[i + N] : next.at[i + N - 4]; });
+        }
+
         Wide widen() const {
             return Wide::made_of([&](std::size_t i) { return double{at[i]}; });
         }
@@ -61,17 +68,7 @@ struct PortableLanes {
 
     static Quad quad(const Vector* of) { return of[0]; }
 
-    struct FourNodes : Array<FourNodes, float, 12> {
-        static FourNodes none() { return all(0.0f); }
-
-        void add(float share, const FourNodes& other) { *this = *this + all(share) * other; }
-
-        /// The fourth element is anything.
-        template <std::size_t K>
-        Vector node() const {
-            return {{{at[3 * K], at[3 * K + 1], at[3 * K + 2], 0.0f}}};
-        }
-    };
+    using FourNodes = NodesInTwo<PortableLanes>;
 
     struct Floats : Array<Floats, float, 8> {
         static Floats both(const Quad& low, const Quad& high) {
@@ -150,6 +147,12 @@ struct PortableLanes {
 
         static Floats where_zero(const Floats& test, const Floats& a, const Floats& b) {
             return made_of([&](std::size_t i) { return test.at[i] == 0.0f ? a.at[i] : b.at[i]; });
+        }
+
+        static Floats
+        where_above(const Floats& a, const Floats& b, const Floats& then, const Floats& otherwise) {
+            return made_of(
+                [&](std::size_t i) { return a.at[i] > b.at[i] ? then.at[i] : otherwise.at[i]; });
         }
     };
 

@@ -12,7 +12,21 @@ using core::Vec3;
 
 namespace {
 
-SampledFlow sample(double side, double interval, tests::SampledSource::Velocity velocity) {
+/// The same nodes, said axis by axis.
+core::RectilinearGrid axes_of(const core::UniformGrid& grid) {
+    core::RectilinearGrid axes;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<int>(axis);
+        for (std::uint32_t node = 0; node < grid.dimensions[axis]; ++node)
+            axes.coordinates[axis].push_back(grid.origin[i] + grid.spacing[i] * node);
+    }
+    return axes;
+}
+
+SampledFlow sample(double side,
+                   double interval,
+                   tests::SampledSource::Velocity velocity,
+                   bool rectilinear = false) {
     constexpr std::uint32_t n = SampledFlow::nodes_per_side;
     SampledFlow sampled;
     sampled.grid = {Vec3(0.0), Vec3(side / (n - 1)), {n, n, n}};
@@ -20,8 +34,9 @@ SampledFlow sample(double side, double interval, tests::SampledSource::Velocity 
     std::vector<double> times;
     for (std::size_t i = 0; i <= SampledFlow::period; ++i)
         times.push_back(static_cast<double>(i) * interval);
-    const auto source =
-        std::make_shared<tests::SampledSource>(sampled.grid, times, std::move(velocity));
+    const core::Grid grid =
+        rectilinear ? core::Grid(axes_of(sampled.grid)) : core::Grid(sampled.grid);
+    const auto source = std::make_shared<tests::SampledSource>(grid, times, std::move(velocity));
     const auto cache =
         std::make_shared<core::TimeStepCache>(source, core::TimeStepCache::Options{});
     for (std::size_t i = 0; i < times.size(); ++i)
@@ -35,21 +50,27 @@ double phase(double time, double interval) {
     return 2.0 * std::numbers::pi * time / (static_cast<double>(SampledFlow::period) * interval);
 }
 
-SampledFlow sample_abc(double interval) {
-    return sample(2.0 * std::numbers::pi, interval, [interval](const Vec3& p, double t) {
+SampledFlow sample_abc(double interval, bool rectilinear = false) {
+    const auto velocity = [interval](const Vec3& p, double t) {
         const double phi = phase(t, interval);
         const core::AbcFlow flow{{},
                                  1.0 + 0.3 * std::sin(phi),
                                  0.8 + 0.3 * std::cos(phi),
                                  0.6 + 0.2 * std::sin(phi + 1.0)};
         return flow.velocity(p, t);
-    });
+    };
+    return sample(2.0 * std::numbers::pi, interval, velocity, rectilinear);
 }
 
 } // namespace
 
 const SampledFlow& sampled_abc() {
     static const SampledFlow sampled = sample_abc(0.1);
+    return sampled;
+}
+
+const SampledFlow& sampled_abc_on_axes() {
+    static const SampledFlow sampled = sample_abc(0.1, true);
     return sampled;
 }
 

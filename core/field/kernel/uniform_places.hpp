@@ -1,13 +1,31 @@
-// Where the particles of a batch are, in cells of the grid: in double at the start of a step, and from there in float, as far as the
-// stages of the step reach. As many particles at once as a vector has floats.
+// Where the particles of a batch are, in cells of a uniform grid: in double at the start of a step, and from there in float, as far as the
+// stages of the step reach. As many particles at once as a vector has floats. Twin: rectilinear_places.hpp.
 #pragma once
 
 #include "core/field/kernel/rk4_batch.hpp"
 
 namespace wakesurf::core {
 
+/// Lowest nodes of the cells `cell` away from those whose lowest nodes are `first`.
 template <class Lanes>
-class BatchPlaces {
+void nodes_from(const StoredPair& field,
+                const double* first,
+                const typename Lanes::Floats (&cell)[3],
+                std::int64_t* node) {
+    using Wide = typename Lanes::Wide;
+    Wide low = Wide::load(first);
+    Wide high = Wide::load(first + Wide::size);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const Wide stride = Wide::all(field.stride[axis]);
+        low = low + cell[axis].low().widen() * stride;
+        high = high + cell[axis].high().widen() * stride;
+    }
+    low.integers(node);
+    high.integers(node + Wide::size);
+}
+
+template <class Lanes>
+class UniformPlaces {
     using Floats = typename Lanes::Floats;
     using Wide = typename Lanes::Wide;
 
@@ -16,6 +34,9 @@ class BatchPlaces {
     /// so does NaN, which Wide::max replaces.
     void
     begin(const StoredPair& field, const double (&position)[3][Rk4Batch::most], std::size_t end) {
+        per_spacing_ = Floats::twice_of(static_cast<float>(field.per_spacing[0]),
+                                        static_cast<float>(field.per_spacing[1]),
+                                        static_cast<float>(field.per_spacing[2]));
         for (std::size_t axis = 0; axis < 3; ++axis) {
             last_[axis] = static_cast<float>(field.last[axis]);
             last_cell_[axis] = static_cast<float>(field.last_cell[axis]);
@@ -37,9 +58,9 @@ class BatchPlaces {
         }
     }
 
-    /// Calls `place(cell, fraction)` for the places `by` cells from where lanes from `g` on, a vector of them, began; cells count from the first one's.
+    /// Calls `place(cell, fraction)` for the places `by` (times per_spacing: cells) from where lanes from `g` on, a vector of them, began; cells count from the first one's.
     template <class Place>
-    void move(std::size_t g, const Floats (&by)[3], const Place& place) const {
+    void move(const StoredPair&, std::size_t g, const Floats (&by)[3], const Place& place) {
         Floats cell[3];
         Floats fraction[3];
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -57,7 +78,7 @@ class BatchPlaces {
 
     /// The same where they began.
     template <class Place>
-    void stay(std::size_t g, const Place& place) const {
+    void stay(std::size_t g, const Place& place) {
         const Floats none = Floats::all(0.0f);
         const Floats cell[3] = {none, none, none};
         Floats fraction[3];
@@ -72,15 +93,15 @@ class BatchPlaces {
                std::size_t g,
                const Floats (&cell)[3],
                std::int64_t* node) const {
-        Wide low = Wide::load(node_ + g);
-        Wide high = Wide::load(node_ + g + Wide::size);
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const Wide stride = Wide::all(field.stride[axis]);
-            low = low + cell[axis].low().widen() * stride;
-            high = high + cell[axis].high().widen() * stride;
-        }
-        low.integers(node);
-        high.integers(node + Wide::size);
+        nodes_from<Lanes>(field, node_ + g, cell, node);
+    }
+
+    /// Tangents `w`, in length units, of particle `i` and those that go together with it: their components in cells, all over each.
+    void in_cells(const Floats& w, std::size_t /*i*/, Floats (&cells)[3]) const {
+        const Floats scaled = w * per_spacing_;
+        cells[0] = scaled.template each<0>();
+        cells[1] = scaled.template each<1>();
+        cells[2] = scaled.template each<2>();
     }
 
     /// Cells to the last one on an axis, from those at `cell`.
@@ -102,6 +123,7 @@ class BatchPlaces {
     alignas(64) double node_[Rk4Batch::most];
     float last_[3];
     float last_cell_[3];
+    Floats per_spacing_; ///< of x, y and z, as tangents are
 };
 
 } // namespace wakesurf::core
