@@ -3,6 +3,7 @@
 #include "core/field/convoy.hpp"
 #include "core/field/passage.hpp"
 #include "core/field/stored_pair.hpp"
+#include "core/field/velocity_look.hpp"
 
 #include <algorithm>
 
@@ -41,6 +42,30 @@ bool advance_in_batches(const Field& field,
         while (!passage.empty())
             passage.step();
     });
+}
+
+template <class Field>
+bool sample_in_batches(const Field& field,
+                       Rk4Kernel kernel,
+                       std::span<const Vec3> positions,
+                       double time,
+                       std::span<Vec3f> velocities,
+                       const std::stop_token& stop) {
+    const StoredPair pair = stored_pair(field, {});
+    const VelocityLook<Field> find_velocities(field, pair, kernel, time);
+    const auto some = [&](std::size_t begin, std::size_t end) {
+        Rk4Batch batch;
+        for (; begin != end; begin += batch.count) {
+            batch.count = std::min(end - begin, Rk4Batch::most);
+            for (std::size_t lane = 0; lane < batch.count; ++lane)
+                for (int axis = 0; axis < 3; ++axis)
+                    batch.position[axis][lane] = positions[begin + lane][axis];
+            find_velocities(batch);
+            for (std::size_t lane = 0; lane < batch.count; ++lane)
+                velocities[begin + lane] = find_velocities.of(batch, lane);
+        }
+    };
+    return in_ranges(positions.size(), stop, some, 1024);
 }
 
 bool processor_has_avx2() {
@@ -105,6 +130,33 @@ bool advance_stored(const CubicSampler& field,
                     const AdvanceOptions& options,
                     const std::stop_token& stop) {
     return advance_in_batches(field, kernel, particles, to, sign, options, stop);
+}
+
+bool sample_stored(const GridSampler<UniformGrid>& field,
+                   Rk4Kernel kernel,
+                   std::span<const Vec3> positions,
+                   double time,
+                   std::span<Vec3f> velocities,
+                   const std::stop_token& stop) {
+    return sample_in_batches(field, kernel, positions, time, velocities, stop);
+}
+
+bool sample_stored(const GridSampler<RectilinearAxes>& field,
+                   Rk4Kernel kernel,
+                   std::span<const Vec3> positions,
+                   double time,
+                   std::span<Vec3f> velocities,
+                   const std::stop_token& stop) {
+    return sample_in_batches(field, kernel, positions, time, velocities, stop);
+}
+
+bool sample_stored(const CubicSampler& field,
+                   Rk4Kernel kernel,
+                   std::span<const Vec3> positions,
+                   double time,
+                   std::span<Vec3f> velocities,
+                   const std::stop_token& stop) {
+    return sample_in_batches(field, kernel, positions, time, velocities, stop);
 }
 
 } // namespace wakesurf::core

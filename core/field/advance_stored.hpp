@@ -8,6 +8,7 @@
 #include "core/field/rectilinear_axes.hpp"
 #include "core/integrate/particles.hpp"
 
+#include <span>
 #include <stop_token>
 
 namespace wakesurf::core {
@@ -35,6 +36,22 @@ bool advance_stored(const GridSampler<RectilinearAxes>& field,
                     const AdvanceOptions& options,
                     const std::stop_token& stop);
 
+/// Velocities at points at one time, as they are carried. REQUIRES: no gaps.
+/// Returns false if `stop` fired.
+bool sample_stored(const GridSampler<UniformGrid>& field,
+                   Rk4Kernel kernel,
+                   std::span<const Vec3> positions,
+                   double time,
+                   std::span<Vec3f> velocities,
+                   const std::stop_token& stop);
+
+bool sample_stored(const GridSampler<RectilinearAxes>& field,
+                   Rk4Kernel kernel,
+                   std::span<const Vec3> positions,
+                   double time,
+                   std::span<Vec3f> velocities,
+                   const std::stop_token& stop);
+
 /// False: the kernel cannot sample the field. It has gaps, or fewer than four nodes on an axis.
 bool kernel_samples(const CubicSampler& field);
 
@@ -46,5 +63,12 @@ bool advance_stored(const CubicSampler& field,
                     int sign,
                     const AdvanceOptions& options,
                     const std::stop_token& stop);
+
+bool sample_stored(const CubicSampler& field,
+                   Rk4Kernel kernel,
+                   std::span<const Vec3> positions,
+                   double time,
+                   std::span<Vec3f> velocities,
+                   const std::stop_token& stop);
 
 } // namespace wakesurf::core

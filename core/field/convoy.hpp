@@ -1,8 +1,10 @@
-// Particles that set out at the same time for as many steps, all of a surface's: the kernel takes all the steps of a batch of them.
-// Who was slow or outside on the way may have ended there, and is done again from its start by the passage, with the same bits.
+// Particles that set out at the same time for as many steps, all of a surface's: the kernel takes all the
+// steps of a batch of them. Who was slow or outside on the way may have ended there, and is done again from
+// its start by the passage, with the same bits.
 #pragma once
 
 #include "core/field/passage.hpp"
+#include "core/field/velocity_look.hpp"
 
 #include <algorithm>
 #include <array>
@@ -24,13 +26,14 @@ class Convoy {
            double to,
            const AdvanceOptions& options)
         : field_(field), pair_(pair), kernel_(kernel), particles_(particles), to_(to),
-          options_(options) {}
+          options_(options), look_(field, pair, kernel, to) {}
 
     bool full() const { return batch_.count == at_once; }
 
     bool empty() const { return batch_.count == 0; }
 
-    /// False: the particle is at another time than those that wait here, or would have to be done again as most of those before.
+    /// False: the particle is at another time than those that wait here, or would have to be done again as
+    /// most of those before.
     bool join(std::size_t particle) {
         if (apart_ > 0) {
             --apart_;
@@ -53,7 +56,8 @@ class Convoy {
         return true;
     }
 
-    /// Carries those that wait to where all go. Calls `again(particle)` for those that are still where they were.
+    /// Carries those that wait to where all go. Calls `again(particle)` for those that are still where they
+    /// were.
     template <class Again>
     void go(const Again& again) {
         Rk4Batch::Bits ended = 0;
@@ -71,6 +75,8 @@ class Convoy {
                 arrive(lane);
             else
                 again(particle_[lane]);
+        if (!particles_.velocity.empty())
+            look(ended);
         if (2 * std::popcount(ended) > count()) // along a wall, say
             apart_ = Rk4Batch::most;
         batch_.count = 0;
@@ -112,6 +118,17 @@ class Convoy {
         }
     }
 
+    /// While what they were carried through is still in the cache.
+    void look(Rk4Batch::Bits ended) {
+        look_(batch_);
+        for (std::size_t lane = 0; lane < batch_.count; ++lane)
+            if ((ended >> lane & 1u) == 0) {
+                particles_.velocity[particle_[lane]] = VelocityLook<Field>::of(batch_, lane);
+                particles_.sampled[particle_[lane]] = 1;
+            }
+        std::fill_n(batch_.start, Rk4Batch::most, start_);
+    }
+
     void arrive(std::size_t lane) {
         const auto& p = batch_.position;
         const double* w = batch_.tangent[lane];
@@ -127,6 +144,7 @@ class Convoy {
     const Particles& particles_;
     double to_;
     const AdvanceOptions& options_;
+    VelocityLook<Field> look_;
     double start_ = std::numeric_limits<double>::quiet_NaN(); ///< of those that wait
     double steps_ = 1.0;
     double shared_from_ = -1.0; ///< the step that share_ begins with

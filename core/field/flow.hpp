@@ -84,6 +84,15 @@ class Flow {
                                 std::span<Vec3> velocities,
                                 std::stop_token stop,
                                 bool smooth = false) const = 0;
+
+    /// Velocity at n points at one time in float. Where particles are carried in batches these are the
+    /// kernel's samples, several times as fast and some 1e-6 of the speed from those of sample(); the same
+    /// bits as Particles::velocity.
+    virtual Result<void> sample_at(std::span<const Vec3> positions,
+                                   double time,
+                                   std::span<Vec3f> velocities,
+                                   std::stop_token stop,
+                                   bool smooth = false) const;
 };
 
 } // namespace wakesurf::core

@@ -94,8 +94,13 @@ class IntervalFlow final : public Flow {
                 direction > 0 ? border >= to || k + 2 >= static_cast<std::ptrdiff_t>(times.size())
                               : border <= to || k == 0;
             reached = last ? to : border;
+            Particles here = particles;
+            if (reached != to) { // or who dies later would keep the velocity at the border
+                here.velocity = {};
+                here.sampled = {};
+            }
             const bool whole =
-                sampling_->advance(*interval, particles, reached, direction, options, stop);
+                sampling_->advance(*interval, here, reached, direction, options, stop);
             if (!whole)
                 return fail(Error::Code::Cancelled, "the integration was cancelled");
         }
@@ -153,6 +158,25 @@ class IntervalFlow final : public Flow {
             begin = end;
         }
         return {};
+    }
+
+    Result<void> sample_at(std::span<const Vec3> positions,
+                           double time,
+                           std::span<Vec3f> velocities,
+                           std::stop_token stop,
+                           bool smoothly) const override {
+        if constexpr (requires { &Sampling::sample_at; }) {
+            const std::size_t k = interval_at(time);
+            const auto held =
+                intervals_.acquire(k, needs(time > source_.times()[k], smoothly), stop);
+            if (!held)
+                return tl::unexpected(held.error());
+            if (sampling_->sample_at(*held, positions, time, velocities, smoothly, stop))
+                return {};
+            if (stop.stop_requested())
+                return fail(Error::Code::Cancelled, "sampling was cancelled");
+        }
+        return Flow::sample_at(positions, time, velocities, stop, smoothly);
     }
 
   private:

@@ -1,5 +1,6 @@
-// Particles on their way through stored data in the lanes of a batch, step by step: each with a time and a number of steps of its own.
-// Those that set out together go straight first (convoy.hpp), and come here where they may end.
+// Particles on their way through stored data in the lanes of a batch, step by step: each with a time and a
+// number of steps of its own. Those that set out together go straight first (convoy.hpp), and come here where
+// they may end.
 #pragma once
 
 #include "core/field/advance_particles.hpp"
@@ -14,8 +15,8 @@
 
 namespace wakesurf::core {
 
-/// Particles of one range in the lanes of a batch. A particle takes a lane, all its steps there, and leaves the lane to
-/// the next: those that have more steps to go than others hold no one up.
+/// Particles of one range in the lanes of a batch. A particle takes a lane, all its steps there, and leaves
+/// the lane to the next: those that have more steps to go than others hold no one up.
 /// @tparam Field  computes in double the steps in which particles end
 template <class Field>
 class Passage {

@@ -25,6 +25,16 @@ bool RectilinearSampling::advance(const Interval& interval,
                                    options, stop);
 }
 
+bool RectilinearSampling::sample_at(const Interval& interval,
+                                    std::span<const Vec3> positions,
+                                    double time,
+                                    std::span<Vec3f> velocities,
+                                    bool /*smoothly*/,
+                                    const std::stop_token& stop) const {
+    const GridSampler<RectilinearAxes> field = linear(interval);
+    return !field.gaps && sample_stored(field, kernel_, positions, time, velocities, stop);
+}
+
 bool RectilinearSampling::trace(const Interval& interval,
                                 std::span<Curve> curves,
                                 const TraceOptions& options,

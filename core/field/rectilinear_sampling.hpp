@@ -1,5 +1,5 @@
-// How a stored field on a rectilinear grid is sampled between two time-steps: as on a uniform one, but for the smooth field, which is
-// trilinear here.
+// How a stored field on a rectilinear grid is sampled between two time-steps: as on a uniform one, but for
+// the smooth field, which is trilinear here.
 #pragma once
 
 #include "core/field/advance_stored.hpp"
@@ -34,6 +34,15 @@ class RectilinearSampling {
                  int sign,
                  const AdvanceOptions& options,
                  const std::stop_token& stop) const;
+
+    /// Velocities at points at one time, as particles are carried. False: not to be had here, or `stop`
+    /// fired.
+    bool sample_at(const Interval& interval,
+                   std::span<const Vec3> positions,
+                   double time,
+                   std::span<Vec3f> velocities,
+                   bool smoothly,
+                   const std::stop_token& stop) const;
 
     /// Traces running curves up to the simulation time `limit`. Returns false if `stop` fired.
     bool trace(const Interval& interval,

@@ -15,4 +15,25 @@ StoredPair stored_pair(const GridSampler<RectilinearAxes>& field, const AdvanceO
 
 StoredPair stored_pair(const CubicSampler& field, const AdvanceOptions& options);
 
+/// The field at one time, which is that of the pair's time-step alone where it is a time-step's: also then
+/// the same bits as from the pair that begins there.
+template <class Field>
+StoredPair stored_pair_at(const Field& field, const StoredPair& pair, double time) {
+    const auto& steps = [&]() -> const auto& {
+        if constexpr (requires { field.linear; })
+            return field.linear;
+        else
+            return field;
+    }
+    ();
+    StoredPair then = pair;
+    if (pair.velocity1 == nullptr)
+        return then;
+    if (time - steps.time0 == steps.interval)
+        then.velocity0 = pair.velocity1;
+    if (time == steps.time0 || time - steps.time0 == steps.interval)
+        then.velocity1 = nullptr;
+    return then;
+}
+
 } // namespace wakesurf::core

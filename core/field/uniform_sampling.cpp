@@ -28,6 +28,21 @@ bool UniformSampling::advance(const Interval& interval,
                                    options, stop);
 }
 
+bool UniformSampling::sample_at(const Interval& interval,
+                                std::span<const Vec3> positions,
+                                double time,
+                                std::span<Vec3f> velocities,
+                                bool smoothly,
+                                const std::stop_token& stop) const {
+    if (smoothly) {
+        const CubicSampler cubic = smooth(interval);
+        return kernel_samples(cubic) &&
+               sample_stored(cubic, kernel_, positions, time, velocities, stop);
+    }
+    const GridSampler<UniformGrid> field = linear(interval);
+    return !field.gaps && sample_stored(field, kernel_, positions, time, velocities, stop);
+}
+
 bool UniformSampling::trace(const Interval& interval,
                             std::span<Curve> curves,
                             const TraceOptions& options,

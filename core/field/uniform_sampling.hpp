@@ -37,6 +37,15 @@ class UniformSampling {
                  const AdvanceOptions& options,
                  const std::stop_token& stop) const;
 
+    /// Velocities at points at one time, as particles are carried. False: not to be had here, or `stop`
+    /// fired.
+    bool sample_at(const Interval& interval,
+                   std::span<const Vec3> positions,
+                   double time,
+                   std::span<Vec3f> velocities,
+                   bool smoothly,
+                   const std::stop_token& stop) const;
+
     /// Traces running curves up to the simulation time `limit`. Returns false if `stop` fired.
     bool trace(const Interval& interval,
                std::span<Curve> curves,

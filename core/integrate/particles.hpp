@@ -6,6 +6,7 @@
 #include "core/integrate/curve.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 namespace wakesurf::core {
@@ -17,6 +18,12 @@ struct Particles {
     std::span<Vec3> along_t; ///< transported tangent dx/dt, t the surface's other parameter
     std::span<double> time;  ///< simulation time a particle has reached
     std::span<CurveEnd> end; ///< Running, or why it stays where it is
+
+    /// May be left empty together. Where a particle arrives, its velocity there, as Flow::sample_at says it,
+    /// is often to be had for little: advancing then writes it and sets `sampled` to 1. Of the others it
+    /// touches neither.
+    std::span<Vec3f> velocity{};
+    std::span<std::uint8_t> sampled{};
 
     std::size_t count() const { return position.size(); }
 

@@ -15,7 +15,8 @@ namespace wakesurf::server {
 
 namespace {
 
-/// WAKESURF_SIMD=off: to tell a fault of the processor's vectors from one of ours; avx2: for processors that slow down for wider ones.
+/// WAKESURF_SIMD=off: to tell a fault of the processor's vectors from one of ours; avx2: for processors that
+/// slow down for wider ones.
 core::Simd simd_wanted() {
     const char* text = std::getenv("WAKESURF_SIMD");
     const std::string_view value = text != nullptr ? text : "";

@@ -135,7 +135,8 @@ void measure(benchmark::State& state, const Case& which) {
             state.SetLabel("no AVX2 and FMA here: limit kernel skipped");
         }
         if (streaklines) {
-            // By itself: it sweeps the cache, and who came after it would meet another one than who came before.
+            // By itself: it sweeps the cache, and who came after it would meet another one than who came
+            // before.
             const Timed alone = interleave({[&] { return streaklines->run(); }}, repetitions)[0];
             const double peer = 1e-6 * streaklines->vertex_steps() / alone.median;
             state.counters["vtk_streakline_million_per_second"] = peer;

@@ -41,6 +41,7 @@ void register_decode_benchmark();
 
 /// Flow::advance on 30,000 particles, against a bare kernel (the machine's limit) and vtkStreaklineFilter.
 void register_advection_benchmarks();
+void register_sampling_benchmarks();
 
 /// Velocity along paths through meshes of cells, and lookups at random, against vtkStaticCellLocator with its cell cache.
 void register_cells_benchmarks();

@@ -60,6 +60,7 @@ int measure(const server::BenchOptions& options) {
     if (!loaded)
         return server::report_failure(loaded.error());
     register_advection_benchmarks();
+    register_sampling_benchmarks();
     register_cells_benchmarks();
     register_stream_surface_benchmarks();
     register_streak_frame_benchmarks();

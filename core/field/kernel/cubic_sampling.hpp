@@ -1,6 +1,6 @@
-// Velocities of a batch's particles as CubicSampler has them: Catmull-Rom in space over 4^3 nodes, trilinear near obstacles, and four
-// time-steps. A row of four nodes is twelve floats: Lanes::FourNodes. Rows are added up particle by particle whatever the vectors,
-// as one row fills the widest. Twin: linear_sampling.hpp.
+// Velocities of a batch's particles as CubicSampler has them: Catmull-Rom in space over 4^3 nodes, trilinear
+// near obstacles, and four time-steps. A row of four nodes is twelve floats: Lanes::FourNodes. Rows are added
+// up particle by particle whatever the vectors, as one row fills the widest. Twin: linear_sampling.hpp.
 #pragma once
 
 #include "core/field/kernel/linear_sampling.hpp"
@@ -8,7 +8,8 @@
 
 namespace wakesurf::core {
 
-/// Four nodes of a row, twelve floats, in vectors of eight and four: what Lanes::FourNodes is where none has twelve.
+/// Four nodes of a row, twelve floats, in vectors of eight and four: what Lanes::FourNodes is where none has
+/// twelve.
 template <class Lanes>
 struct NodesInTwo {
     using Floats = typename Lanes::Floats;

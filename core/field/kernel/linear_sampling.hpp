@@ -6,7 +6,8 @@
 
 namespace wakesurf::core {
 
-/// Velocities of Lanes::together particles, and their slopes along the cell's axes where tangents are carried: those in y, then those in z.
+/// Velocities of Lanes::together particles, and their slopes along the cell's axes where tangents are
+/// carried: those in y, then those in z.
 template <class Lanes>
 struct KernelSample {
     typename Lanes::Quad value, along_x;
@@ -128,7 +129,8 @@ class LinearSampling {
 
   private:
     alignas(64) float fraction_[3][Rk4Batch::most];
-    /// Shares of the first time-step and of the second, all over each particle's row: the multiplications take them from here.
+    /// Shares of the first time-step and of the second, all over each particle's row: the multiplications
+    /// take them from here.
     alignas(64) float earlier_[3][row * Rk4Batch::most];
     alignas(64) float later_[3][row * Rk4Batch::most];
     std::size_t stride_; ///< from a particle's to the next one's

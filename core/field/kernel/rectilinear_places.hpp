@@ -1,6 +1,6 @@
-// Where the particles of a batch are in the cells of a rectilinear grid: the cell in double at the start of a step, and from there in
-// float, in lengths from the cell's lower end. A particle keeps its cell with both neighbours from step to step, so that a stage
-// only chooses among the three. Twin: uniform_places.hpp.
+// Where the particles of a batch are in the cells of a rectilinear grid: the cell in double at the start of a
+// step, and from there in float, in lengths from the cell's lower end. A particle keeps its cell with both
+// neighbours from step to step, so that a stage only chooses among the three. Twin: uniform_places.hpp.
 #pragma once
 
 #include "core/field/kernel/uniform_places.hpp"
@@ -113,7 +113,8 @@ class RectilinearPlaces {
         alignas(64) float per_width_after[most];
     };
 
-    /// Those that have left their cells since the step before enter others. Who has is found out first, without a branch a particle.
+    /// Those that have left their cells since the step before enter others. Who has is found out first,
+    /// without a branch a particle.
     void
     follow(std::size_t axis, const AxisTable& table, const double (&x)[most], std::size_t end) {
         Rk4Batch::Bits inside = 0;

@@ -1,4 +1,5 @@
-// The batch kernel on AVX2 vectors. Compiled for processors that have them: it includes nothing that has functions.
+// The batch kernel on AVX2 vectors. Compiled for processors that have them: it includes nothing that has
+// functions.
 #include "core/field/kernel/rk4_kernel.hpp"
 
 #if defined(__AVX2__)

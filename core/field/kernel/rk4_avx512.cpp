@@ -1,5 +1,6 @@
-// The batch kernel on AVX-512 vectors: two particles in each. Compiled for processors that have them: it includes nothing that has
-// functions. Multiplies and adds apart, as the others do: a fused operation rounds once where they round twice.
+// The batch kernel on AVX-512 vectors: two particles in each. Compiled for processors that have them: it
+// includes nothing that has functions. Multiplies and adds apart, as the others do: a fused operation rounds
+// once where they round twice.
 #include "core/field/kernel/rk4_kernel.hpp"
 
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
@@ -12,8 +13,8 @@ namespace wakesurf::core {
 
 namespace {
 
-/// Of particles A and B: a row of A's is in the low half of Floats, one of B's in the high half. The vectors of tangents follow each
-/// other as in memory: A's along s, A's along t, B's along s, B's along t.
+/// Of particles A and B: a row of A's is in the low half of Floats, one of B's in the high half. The vectors
+/// of tangents follow each other as in memory: A's along s, A's along t, B's along s, B's along t.
 struct Avx512Lanes {
     static constexpr std::size_t together = 2;
 

@@ -1,6 +1,6 @@
-// What a batch kernel works on: time-steps and up to 32 particles, for one RK4 step each or several. Plain data, because
-// some kernels are compiled for newer processors: an inline function of a shared header that it emitted could
-// replace everybody's (one definition rule) and crash the older ones.
+// What a batch kernel works on: time-steps and up to 32 particles, for one RK4 step each or several. Plain
+// data, because some kernels are compiled for newer processors: an inline function of a shared header that it
+// emitted could replace everybody's (one definition rule) and crash the older ones.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,8 @@ enum class Simd : std::uint8_t {
     Portable, ///< what every processor offers
 };
 
-/// A cell on an axis of a rectilinear grid and its neighbours, in lengths from the cell's lower end. Cells at the border go on for ever.
+/// A cell on an axis of a rectilinear grid and its neighbours, in lengths from the cell's lower end. Cells at
+/// the border go on for ever.
 struct CellReach {
     float below;  ///< what is below is in a cell before the one before
     float lowest; ///< lower end of the cell before
@@ -82,11 +83,16 @@ struct Rk4Batch {
     /// Smooth: shares of the four time-steps at the step's start, middle and end.
     alignas(64) float share[3][4][most] = {};
 
-    /// 0: a step. Else so many at once, all of particles that have the same start, dt and taken: their position, tangent and taken are
-    /// then those after the last step, slow and outside what was so in any of them. The shares of all are those of `share_of_steps`,
-    /// 3 x 4 a step.
+    /// 0: a step. Else so many at once, all of particles that have the same start, dt and taken: their
+    /// position, tangent and taken are then those after the last step, slow and outside what was so in any of
+    /// them. The shares of all are those of `share_of_steps`, 3 x 4 a step.
     std::size_t straight = 0;
     const float* share_of_steps = nullptr;
+
+    /// True: no step. Velocity is found where the particles are, at the times they have; `straight` says that
+    /// these are the same.
+    bool look = false;
+    alignas(64) float velocity[most][4];
 
     // What the kernel says. Bits of lanes.
     alignas(64) double next[3][most];

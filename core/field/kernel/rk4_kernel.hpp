@@ -1,7 +1,8 @@
-// RK4 steps of a batch of particles through stored data, written once for vectors of any make. `Lanes` says how many particles are
-// sampled `together`, 1 or 2, and offers for each of them: in Floats 8 floats, a row of two nodes or one number of 8 particles; in
-// Quad 4, one vector; in Wide 4 doubles. Every operation is the same IEEE operation in the same order whatever the make, so all give
-// the same bits. What samples the field is a class of its own.
+// RK4 steps of a batch of particles through stored data, written once for vectors of any make. `Lanes` says
+// how many particles are sampled `together`, 1 or 2, and offers for each of them: in Floats 8 floats, a row
+// of two nodes or one number of 8 particles; in Quad 4, one vector; in Wide 4 doubles. Every operation is the
+// same IEEE operation in the same order whatever the make, so all give the same bits. What samples the field
+// is a class of its own.
 #pragma once
 
 #include "core/field/kernel/cubic_sampling.hpp"
@@ -28,6 +29,10 @@ class Rk4KernelOf {
         Rk4KernelOf kernel(field, batch);
         kernel.set_out();
         kernel.places_.begin(field, batch.position, kernel.end_);
+        if (batch.look) {
+            kernel.look();
+            return;
+        }
         const bool straight = batch.straight != 0;
         auto& next = straight ? batch.position : batch.next;
         auto& next_tangent = straight ? batch.tangent : batch.next_tangent;
@@ -61,13 +66,26 @@ class Rk4KernelOf {
         }
     }
 
-    /// From the places where the particles are. @param next may be where they are now
-    void step(double (&next)[3][most], double (&next_tangent)[most][8]) {
+    void stay() {
         sampling_.begin(field_, batch_, end_);
         for (std::size_t g = 0; g < end_; g += Floats::size)
             places_.stay(g, [&](const auto& cell, const auto& fraction) {
                 sampling_.place(field_, places_, g, cell, fraction);
             });
+    }
+
+    void look() {
+        if (batch_.share_of_steps != nullptr)
+            share(batch_.share_of_steps);
+        stay();
+        const auto sampling = sampling_.stage(field_, batch_, 0);
+        for (std::size_t i = 0; i < batch_.count; i += Lanes::together)
+            sampling.sample(i).value.store(batch_.velocity[i]);
+    }
+
+    /// From the places where the particles are. @param next may be where they are now
+    void step(double (&next)[3][most], double (&next_tangent)[most][8]) {
+        stay();
         if constexpr (Tangents)
             for (std::size_t i = 0; i < batch_.count; i += Lanes::together)
                 Lanes::narrow(batch_.tangent[i]).store(tangent_[i]);
@@ -91,7 +109,8 @@ class Rk4KernelOf {
         constexpr float weight = Stage == 0 || Stage == 3 ? 1.0f : 2.0f;
         constexpr float reach = Stage == 2 ? 1.0f : 0.5f; // of the next stage
         const auto sampling = sampling_.stage(field_, batch_, (Stage + 1) / 2);
-        // Places follow from samples of a vector of particles: while they wait for the last of these, the next are sampled.
+        // Places follow from samples of a vector of particles: while they wait for the last of these, the
+        // next are sampled.
         for (std::size_t g = 0; g < end_; g += Floats::size) {
             const std::size_t end =
                 g + Floats::size < batch_.count ? g + Floats::size : batch_.count;

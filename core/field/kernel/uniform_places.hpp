@@ -1,5 +1,6 @@
-// Where the particles of a batch are, in cells of a uniform grid: in double at the start of a step, and from there in float, as far as the
-// stages of the step reach. As many particles at once as a vector has floats. Twin: rectilinear_places.hpp.
+// Where the particles of a batch are, in cells of a uniform grid: in double at the start of a step, and from
+// there in float, as far as the stages of the step reach. As many particles at once as a vector has floats.
+// Twin: rectilinear_places.hpp.
 #pragma once
 
 #include "core/field/kernel/rk4_batch.hpp"
@@ -30,8 +31,8 @@ class UniformPlaces {
     using Wide = typename Lanes::Wide;
 
   public:
-    /// Takes the places of lanes 0 to `end`, a multiple of Floats::size. Outside points get the nearest border cell and fractions clamped to it;
-    /// so does NaN, which Wide::max replaces.
+    /// Takes the places of lanes 0 to `end`, a multiple of Floats::size. Outside points get the nearest
+    /// border cell and fractions clamped to it; so does NaN, which Wide::max replaces.
     void
     begin(const StoredPair& field, const double (&position)[3][Rk4Batch::most], std::size_t end) {
         per_spacing_ = Floats::twice_of(static_cast<float>(field.per_spacing[0]),
@@ -58,7 +59,8 @@ class UniformPlaces {
         }
     }
 
-    /// Calls `place(cell, fraction)` for the places `by` (times per_spacing: cells) from where lanes from `g` on, a vector of them, began; cells count from the first one's.
+    /// Calls `place(cell, fraction)` for the places `by` (times per_spacing: cells) from where lanes from `g`
+    /// on, a vector of them, began; cells count from the first one's.
     template <class Place>
     void move(const StoredPair&, std::size_t g, const Floats (&by)[3], const Place& place) {
         Floats cell[3];
@@ -96,7 +98,8 @@ class UniformPlaces {
         nodes_from<Lanes>(field, node_ + g, cell, node);
     }
 
-    /// Tangents `w`, in length units, of particle `i` and those that go together with it: their components in cells, all over each.
+    /// Tangents `w`, in length units, of particle `i` and those that go together with it: their components in
+    /// cells, all over each.
     void in_cells(const Floats& w, std::size_t /*i*/, Floats (&cells)[3]) const {
         const Floats scaled = w * per_spacing_;
         cells[0] = scaled.template each<0>();

@@ -1,5 +1,5 @@
-// Particles in batches through stored data on rectilinear grids: beside the steps in double on the same data, and beside the uniform
-// grid's.
+// Particles in batches through stored data on rectilinear grids: beside the steps in double on the same data,
+// and beside the uniform grid's.
 #include "core/field/advance_particles.hpp"
 #include "core/field/advance_stored.hpp"
 #include "core/field/passage.hpp"
@@ -75,7 +75,8 @@ struct Swarm {
     Particles particles() { return {position, along_s, along_t, time, end}; }
 };
 
-/// Anywhere, on the border, at nodes, and beside the ball. @param together  else every other one is released later
+/// Anywhere, on the border, at nodes, and beside the ball. @param together  else every other one is released
+/// later
 Swarm everywhere(const RectilinearGrid& grid, bool together) {
     Swarm swarm;
     swarm.position = random_points(box, 1500, 3);
