@@ -66,7 +66,7 @@ MovingPlan make_plan(const Flow& flow, const MovingRequest& request, double sepa
     rules.reconnect = p.reconnect;
     rules.obstacle = flow.obstacle();
     rules.max_quads = p.max_quads;
-    // RK4 in steps of a part of a cell is several times faster where it goes in batches, on uniform grids. Its errors are looked at
+    // RK4 in steps of a part of a cell is several times faster where it goes in batches, on grids. Its errors are looked at
     // (step_errors.hpp), and who has too large a one is traced again.
     const bool batches = p.accuracy != Accuracy::Exact && flow.steps_in_batches();
     AdvanceOptions carry;
