@@ -300,13 +300,14 @@ void DatasetCatalogue::give_up(Entry& entry,
                                    "import resumes by itself";
 }
 
+// Who is told of ready time-steps asks for them at once: they are counted once find() has them, and not before.
 bool DatasetCatalogue::show(Entry& entry,
                             const store::ImportProgress& progress,
                             const std::filesystem::path& folder) {
     if (settled(state_of(entry)))
         return false;
     std::shared_ptr<const LoadedDataset> first;
-    if (progress.phase == "import" && !entry.open)
+    if (progress.done > 0 && !entry.open)
         if (auto opened = open_store(folder, options_.cache)) {
             opened->info.dataset = entry.status.dataset;
             opened->info.name = entry.status.name;
@@ -317,7 +318,7 @@ bool DatasetCatalogue::show(Entry& entry,
         entry.open = std::move(first);
     if (settled(entry.status.state))
         return false;
-    entry.status.steps_ready = progress.done;
+    entry.status.steps_ready = entry.open ? progress.done : 0;
     entry.status.steps_total = progress.total;
     entry.status.progress = share(progress.done, progress.total);
     entry.status.remaining = progress.remaining;

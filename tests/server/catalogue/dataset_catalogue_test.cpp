@@ -28,8 +28,10 @@ class Bench {
         : Bench(arguments, std::filesystem::path()) {}
 
     /// With the stores of an earlier one.
-    Bench(const std::vector<std::string>& arguments, const std::filesystem::path& stores) {
-        OpenOptions options{stores.empty() ? folder_ / "cache" : stores, {}, importer_program()};
+    Bench(const std::vector<std::string>& arguments,
+          const std::filesystem::path& stores,
+          const std::filesystem::path& importer = importer_program()) {
+        OpenOptions options{stores.empty() ? folder_ / "cache" : stores, {}, importer};
         options.watch_period = std::chrono::milliseconds(20);
         auto opened = DatasetCatalogue::open(arguments, options, [this](const std::string&) {
             const std::scoped_lock lock(mutex_);
@@ -93,6 +95,40 @@ TEST(DatasetCatalogue, ImportsASourceAndOpensIt) {
     EXPECT_FALSE(open->store->mask().empty());
     EXPECT_EQ(open->flow->domain().hi, open->info.bounds.hi);
     EXPECT_EQ(open->cache->acquire(15).value()->time, 16.0);
+}
+
+/// A program that tells this progress in the importer's place, and does not end until it is stopped.
+std::filesystem::path telling(const TemporaryFolder& folder,
+                              const store::ImportProgress& progress) {
+    const auto program = folder / "importer";
+    write_file(program, "#!/bin/sh\necho '" + store::progress_line(progress) +
+                            "'\nexec tail -f /dev/null\n");
+    std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+    return program;
+}
+
+TEST(DatasetCatalogue, WhatAnEarlierRunImportedCanBeUsedOnceItsTimeStepsAreCounted) {
+    const TemporaryFolder folder;
+    Bench({bundled}, folder / "stores").wait_until_settled("sqcyl");
+    Bench bench({bundled}, folder / "stores", telling(folder, {"done", 16, 16, {}, {}}));
+    const auto status =
+        bench.wait_until("sqcyl", [](const DatasetStatus& each) { return each.steps_ready > 0; });
+    EXPECT_EQ(status.state, DatasetState::Importing) << "its importer has not ended";
+    EXPECT_EQ(status.steps_ready, 16u);
+    const auto open = bench.catalogue->find("sqcyl");
+    ASSERT_TRUE(open.has_value()) << open.error().message;
+    EXPECT_EQ((*open)->cache->acquire(15).value()->time, 16.0);
+}
+
+TEST(DatasetCatalogue, CountsNoTimeStepOfAStoreThatCannotBeOpened) {
+    const TemporaryFolder folder;
+    Bench bench({bundled}, folder / "stores", telling(folder, {"import", 4, 16, {}, {}}));
+    const auto status =
+        bench.wait_until("sqcyl", [](const DatasetStatus& each) { return each.steps_total > 0; });
+    EXPECT_EQ(status.steps_total, 16u);
+    EXPECT_EQ(status.steps_ready, 0u);
+    EXPECT_EQ(bench.catalogue->find("sqcyl").error().message,
+              "sqcyl has no time-step imported yet");
 }
 
 TEST(DatasetCatalogue, KeepsADatasetThatCannotBeImportedWithTheReason) {
