@@ -72,8 +72,10 @@ TEST(Doorbell, EachThingThatIsLeftBeforeARingIsFoundByAThreadThatSleeps) {
         std::vector<std::jthread> threads;
         for (int i = 0; i < sleepers; ++i)
             threads.emplace_back([&] {
-                while (found < things) {
+                for (;;) {
                     const auto seen = bell.rings();
+                    if (found == things)
+                        return;
                     int here = left;
                     while (here > 0 && !left.compare_exchange_weak(here, here - 1)) {
                     }
