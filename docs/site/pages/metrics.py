@@ -2,6 +2,7 @@
 import re
 import subprocess
 import tempfile
+import time
 import urllib.request
 
 from .base import MADE, binary, said, table
@@ -24,6 +25,9 @@ For monitors that only ask whether the server is well, `GET /healthz` answers 20
 """
 
 
+MOST_SCRAPES = 300
+
+
 def scraped():
     with tempfile.TemporaryDirectory() as folder:
         said("generate", "tornado", folder + "/store", "--grid", "8,8,8", "--times", "0:1:4")  # for the cache of its time-steps
@@ -35,8 +39,14 @@ def scraped():
                 session = '{"jsonrpc":"2.0","id":1,"method":"no.such"}'.encode()
                 headers = {"Authorization": "Bearer " + token, "Content-Type": "application/json"}
                 urllib.request.urlopen(urllib.request.Request(address + "/rpc", session, headers), timeout=20).read()
-                with urllib.request.urlopen(urllib.request.Request(address + "/metrics", headers=headers), timeout=20) as answer:
-                    return answer.read().decode()
+                scrape = urllib.request.Request(address + "/metrics", headers=headers)
+                for _ in range(MOST_SCRAPES):
+                    with urllib.request.urlopen(scrape, timeout=20) as answer:
+                        told = answer.read().decode()
+                    if "wakesurf_cache_bytes" in told:
+                        return told
+                    time.sleep(0.1)  # the store is still being imported
+                raise RuntimeError("the server tells of no cache: has the import failed?")
             finally:
                 server.terminate()
                 server.wait(timeout=20)
