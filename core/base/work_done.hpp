@@ -1,5 +1,5 @@
-// How far a piece of work is, as a fraction, and for a surface in simulation time and quads: told by the threads that work, read by those
-// who wait. And what memory it takes, told by the same.
+// How far a piece of work is, as a fraction, and for a surface in simulation time and quads: told by the
+// threads that work, read by those who wait. And what memory it takes, told by the same.
 #pragma once
 
 #include "core/base/work_memory.hpp"
@@ -75,7 +75,8 @@ class WorkPart {
         return out;
     }
 
-    /// What of this part is not done yet, as far as it is known: where work is begun again, it goes on from there.
+    /// What of this part is not done yet, as far as it is known: where work is begun again, it goes on from
+    /// there.
     WorkPart rest() const {
         WorkPart out = *this;
         if (done_ == nullptr)
@@ -105,13 +106,20 @@ class WorkPart {
     /// Null: no one counts.
     WorkMemory* memory() const { return memory_; }
 
-    /// It will hold so many bytes by itself, besides what above() names. False: they are not there, and the work should end.
+    /// It will hold so many bytes by itself, besides what above() names. False: they are not there, and the
+    /// work should end.
     bool holds(std::size_t bytes) const {
         return memory_ == nullptr || memory_->grow_to(others_ + bytes);
     }
 
     /// So many bytes more. False as above.
     bool takes(std::size_t bytes) const { return memory_ == nullptr || memory_->grow(bytes); }
+
+    /// So many bytes of what it holds or has taken are free again.
+    void gives_back(std::size_t bytes) const {
+        if (memory_ != nullptr)
+            memory_->shrink(bytes);
+    }
 
     /// The same memory, and no one is told how far it is.
     WorkPart quietly() const {
