@@ -12,21 +12,22 @@ enum class SurfaceKind { Stream, Path, Streak, Time };
 enum class Direction { Forward, Backward, Both };
 enum class Accuracy { Fast, Balanced, Exact };
 
-/// Of stored velocity between nodes and time-steps. Linear: what the shape functions of a cell give, linear in time, as ParaView shows it;
-/// every grid has it. Smooth: cubic in space and time, of a uniform grid. Closed forms are not interpolated.
+/// Of stored velocity between nodes and time-steps. Linear: what the shape functions of a cell give, linear
+/// in time, as ParaView shows it; every grid has it. Smooth: cubic in space and time, of a uniform grid.
+/// Closed forms are not interpolated.
 enum class Interpolation { Linear, Smooth };
 
-/// On: quads are cut, joined and reconnected, and torn at obstacles, so that the mesh follows the surface. Off: the grid that the rake
-/// begins with stays as it is, as in von Funck, Weinkauf, Theisel, Seidel, Smoke Surfaces, 2008; quads with a particle that has ended
-/// are left out.
+/// On: quads are cut, joined and reconnected, and torn at obstacles, so that the mesh follows the surface.
+/// Off: the grid that the rake begins with stays as it is, as in von Funck, Weinkauf, Theisel, Seidel, Smoke
+/// Surfaces, 2008; quads with a particle that has ended are left out.
 enum class Refine { On, Off };
 
 struct SurfaceParameters {
     SurfaceKind kind = SurfaceKind::Stream;
     double from =
         0.0; ///< where it starts. Stream: time at which the field is frozen; else: the (first) release
-    /// where it ends: before `from` where time runs backward. Stream: `to - from` is the integration time, and `to` need not lie in the
-    /// data; else: shown until
+    /// where it ends: before `from` where time runs backward. Stream: `to - from` is the integration time,
+    /// and `to` need not lie in the data; else: shown until
     double to = 1.0;
     std::optional<Direction>
         direction{}; ///< nothing: as `from` and `to` say (direction_of); what contradicts them is refused
@@ -37,17 +38,16 @@ struct SurfaceParameters {
     Interpolation interpolation = Interpolation::Linear;
     double merge =
         0.35; ///< cells merge where both of their sides are shorter than this part of the separation; 0: never
-    /// degrees: neighbouring cells that meet at more are refined, along the flow and across, those of stream and path
-    /// surfaces down to an eighth of the separation; 180: never
+    /// degrees: neighbouring cells that meet at more are refined, along the flow and across, those of stream
+    /// and path surfaces down to an eighth of the separation; 180: never
     double angle = 20.0;
-    /// part of the largest speed: a particle that is slower counts as at rest and ends, in all four kinds of surface. While the fastest
-    /// crosses the domain, one of a millionth of its speed moves a fifteenth of a step of the 2^16 a side on which positions travel:
-    /// ending it cannot be seen. 0: only what does not move at all
+    /// part of the largest speed: a particle that is slower counts as at rest and ends, in all four kinds of
+    /// surface. While the fastest crosses the domain, one of a millionth of its speed moves a fifteenth of a
+    /// step of the 2^16 a side on which positions travel: ending it cannot be seen. 0: only what does not
+    /// move at all
     double stagnation_speed = 1e-6;
     Refine refine =
         Refine::On; ///< off: `merge`, `angle` and `separation` across the flow count for nothing
-    bool reconnect =
-        true; ///< false: shear is met by cutting cells alone, to measure what reconnecting them gains
     std::uint64_t max_quads = 1'000'000;
     bool deformation = false; ///< compute the deformation array (four more samples a step)
     std::optional<double>

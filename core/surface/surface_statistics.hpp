@@ -33,7 +33,8 @@ struct Emptiness {
 };
 
 struct SurfaceStatistics {
-    /// Particles released from the rake's seeds, by what ended them; of a surface that moves, those of all its rows.
+    /// Particles released from the rake's seeds, by what ended them; of a surface that moves its vertices,
+    /// but for those that lie on the boundary, which are new in every step.
     struct Terminated {
         std::uint64_t domain = 0, time = 0, obstacle = 0, stagnation = 0, budget = 0;
 
@@ -57,8 +58,8 @@ struct SurfaceStatistics {
     std::uint64_t vertex_steps = 0; ///< integrator steps of all columns
     std::uint64_t approximated = 0;
     Terminated terminated;
-    /// Cells of a streak or time surface that were deleted amid living particles, until then: these went apart, or came together, so much
-    /// that no cells between them can follow.
+    /// Cells of a streak or time surface that were deleted amid living particles, until then: these went
+    /// apart, or came together, so much that no cells between them can follow.
     std::optional<std::uint64_t> torn{};
     double max_edge = 0;
     double separation = 0;           ///< longest edge allowed in the end

@@ -1,9 +1,10 @@
-// The accuracies beside each other, on the same requests at random: a balanced surface has at most 1.3 times the quads of an exact one and takes
-// no longer, a fast one neither more quads nor more time than a balanced one.
+// The accuracies beside each other, on the same requests at random: a balanced surface has at most 1.3 times
+// the quads of an exact one and takes no longer, a fast one neither more quads nor more time than a balanced
+// one.
 #include "tests/bench/benchmarks.hpp"
 #include "tests/bench/support/interleaved.hpp"
 #include "tests/bench/support/one_core.hpp"
-#include "tests/support/surfaces_anywhere.hpp"
+#include "tests/bench/support/random_requests.hpp"
 
 #include <benchmark/benchmark.h>
 
@@ -15,69 +16,19 @@ namespace accuracy_bench {
 
 constexpr double most_quads_ratio = 1.3;
 constexpr double most_time_ratio = 1.0;
-constexpr int surfaces = 5;
 constexpr std::array accuracies{core::Accuracy::Exact, core::Accuracy::Balanced,
                                 core::Accuracy::Fast};
 
-struct Request {
-    std::shared_ptr<const core::Flow> flow;
-    core::Rake rake;
-    core::SurfaceParameters parameters;
-
-    /// 0 where there is none: the surface is empty, or too large even when coarse.
-    std::size_t quads(core::Accuracy accuracy) const {
-        core::SurfaceParameters p = parameters;
-        p.accuracy = accuracy;
-        p.max_quads = 100'000;
-        const auto surface = core::build_surface(*flow, rake, p);
-        return surface ? surface->mesh.cells.size() : 0;
-    }
-};
-
-std::vector<Request> requests_of(const core::AnalyticEntry& entry, core::SurfaceKind kind) {
-    std::mt19937 random(16);
-    std::vector<Request> all;
-    for (int i = 0; i < surfaces; ++i) {
-        tests::AskedSurface each = tests::surface_anywhere(entry, kind, 0.05, random);
-        all.push_back({std::move(each.flow), each.rake, each.parameters});
-    }
-    return all;
+/// 0 where there is none: the surface is empty, or too large even when coarse.
+std::size_t quads_of(const RandomRequest& request, core::Accuracy accuracy) {
+    core::SurfaceParameters p = request.parameters;
+    p.accuracy = accuracy;
+    p.max_quads = 100'000;
+    const auto surface = core::build_surface(*request.flow, request.rake, p);
+    return surface ? surface->mesh.cells.size() : 0;
 }
 
-/// From lines in the fluid, a fifth of the domain long, through half of the data.
-std::vector<Request> requests_of(const std::shared_ptr<const server::LoadedDataset>& dataset,
-                                 core::SurfaceKind kind) {
-    const core::Flow& flow = *dataset->flow;
-    const core::Box box = flow.domain();
-    std::mt19937 random(16);
-    const auto part = [&] {
-        return 0.1 + 0.8 * static_cast<double>(random()) / std::mt19937::max();
-    };
-    const auto point = [&] {
-        const double x = 0.5 * part(), y = part();
-        return core::Vec3(x, y, part());
-    };
-    std::vector<Request> all;
-    while (all.size() < surfaces) {
-        const core::Vec3 from = point(), to = glm::mix(from, point(), 0.4);
-        const core::Vec3 a = box.lo + box.extent() * from, b = box.lo + box.extent() * to;
-        if (flow.status(a) != core::PointStatus::Inside ||
-            flow.status(b) != core::PointStatus::Inside)
-            continue;
-        Request request{dataset->flow, {core::Rake::Kind::Line, {a, b}, 12}, {}};
-        const std::vector<double>& times = dataset->info.times;
-        request.parameters.kind = kind;
-        request.parameters.from = times.front();
-        request.parameters.to = 0.5 * (times.front() + times.back());
-        request.parameters.separation = 0.04 * glm::length(b - a);
-        if (kind == core::SurfaceKind::Time)
-            request.parameters.sweep = 0.05 * box.extent();
-        all.push_back(std::move(request));
-    }
-    return all;
-}
-
-void compare(benchmark::State& state, const std::vector<Request>& requests) {
+void compare(benchmark::State& state, const std::vector<RandomRequest>& requests) {
     on_one_core([&] {
         std::array<std::size_t, accuracies.size()> quads{};
         std::vector<Turn> turns;
@@ -85,8 +36,8 @@ void compare(benchmark::State& state, const std::vector<Request>& requests) {
             turns.push_back([&, i] {
                 quads[i] = 0;
                 return seconds_of([&] {
-                    for (const Request& each : requests)
-                        quads[i] += each.quads(accuracies[i]);
+                    for (const RandomRequest& each : requests)
+                        quads[i] += quads_of(each, accuracies[i]);
                 });
             });
         for (auto _ : state) {
@@ -121,10 +72,10 @@ void register_accuracy_benchmarks(const std::shared_ptr<const server::LoadedData
     for (const auto& [kind, word] : tests::every_kind) {
         for (const core::AnalyticEntry& entry : core::analytic_entries())
             add(std::string(entry.name) + '/' + word,
-                [&entry, kind = kind] { return requests_of(entry, kind); });
+                [&entry, kind = kind] { return random_requests(entry, kind); });
         if (dataset->info.times.size() > 1)
             add(std::string("data/") + word,
-                [dataset, kind = kind] { return requests_of(dataset, kind); });
+                [dataset, kind = kind] { return random_requests(dataset, kind); });
     }
 }
 

@@ -1,5 +1,5 @@
-// The benchmarks `wakesurf-bench` knows. Each registers itself with Google Benchmark under a name that says what is
-// measured; targets are printed beside the figures as counters named `target_ms`.
+// The benchmarks `wakesurf-bench` knows. Each registers itself with Google Benchmark under a name that says
+// what is measured; targets are printed beside the figures as counters named `target_ms`.
 #pragma once
 
 #include "server/catalogue/open_dataset.hpp"
@@ -9,8 +9,13 @@
 
 namespace wakesurf::bench {
 
-/// Surfaces of every kind in every closed form and in a dataset: exact, balanced and fast beside each other, in quads and in time.
+/// Surfaces of every kind in every closed form and in a dataset: exact, balanced and fast beside each other,
+/// in quads and in time.
 void register_accuracy_benchmarks(const std::shared_ptr<const server::LoadedDataset>& dataset);
+
+/// The shape of streak and time surfaces in every closed form and in a dataset: slivers, angles, specks and
+/// holes.
+void register_shape_benchmarks(const std::shared_ptr<const server::LoadedDataset>& dataset);
 
 /// What coarsening costs that a quad budget demands, and how much of the budget the surface has then.
 void register_budget_benchmarks();
@@ -43,22 +48,27 @@ void register_decode_benchmark();
 void register_advection_benchmarks();
 void register_sampling_benchmarks();
 
-/// Velocity along paths through meshes of cells, and lookups at random, against vtkStaticCellLocator with its cell cache.
+/// Velocity along paths through meshes of cells, and lookups at random, against vtkStaticCellLocator with its
+/// cell cache.
 void register_cells_benchmarks();
 
-/// Adaptive stream surfaces against vtkStreamSurface at equal longest edge and equal area: time, growth, deviation.
+/// Adaptive stream surfaces against vtkStreamSurface at equal longest edge and equal area: time, growth,
+/// deviation.
 void register_stream_surface_benchmarks();
 
-/// Single steps of a streak surface of 100,000 vertices: whole frames with refinement, on one thread and on two.
+/// Single steps of a streak surface of 100,000 vertices: whole frames with refinement, on one thread and on
+/// two.
 void register_streak_frame_benchmarks();
 
-/// A rake edit of a small surface to its first frame, alone and beside a session with 64 large surfaces being dragged.
+/// A rake edit of a small surface to its first frame, alone and beside a session with 64 large surfaces being
+/// dragged.
 void register_fair_benchmark(const std::string& dataset);
 
 /// A server in a control group of 512 MB beside tenants who take all they are granted, for so many seconds.
 void register_hostile_benchmark(const std::string& dataset, int seconds);
 
-/// A host who joins, edits and downloads beside one viewer's link at full force: 2,048 sockets, refused edits, downloads in a loop.
+/// A host who joins, edits and downloads beside one viewer's link at full force: 2,048 sockets, refused
+/// edits, downloads in a loop.
 void register_flood_benchmark(const std::string& dataset);
 
 /// StoreReader::load of 300 MB time-steps against a plain read() of the same bytes.

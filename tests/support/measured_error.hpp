@@ -1,4 +1,5 @@
-// What a surface states of its errors beside what they are: the distance of its vertices from the exact surface, across it.
+// What a surface states of its errors beside what they are: the distance of its vertices from the exact
+// surface, across it.
 #pragma once
 
 #include "core/surface/surface_builder.hpp"
@@ -26,14 +27,15 @@ struct MeasuredErrors {
     std::vector<double> stated, truth; ///< of vertices that are not uncertain
     std::size_t uncertain = 0, vertices = 0;
 
-    /// True at the 99th percentile, from both sides: not less than the truth, but for what the integrator is allowed on `way`, and at most ten
-    /// times as much, but for what cannot be seen.
-    void check(core::Accuracy accuracy, double separation, double way) const {
+    /// True at the 99th percentile, from both sides: not less than the truth, but for what the integrator is
+    /// allowed on `way`, and at most ten times as much, but for what cannot be seen.
+    /// @param times  what cannot be seen counts this often
+    void check(core::Accuracy accuracy, double separation, double way, double times = 1.0) const {
         const double unseen = separation / (accuracy == core::Accuracy::Exact      ? 50'000.0
                                             : accuracy == core::Accuracy::Balanced ? 50.0
                                                                                    : 4.0);
         EXPECT_LE(at99(truth), at99(stated) + core::trace_tolerance(accuracy) * way);
-        EXPECT_LE(at99(stated), 10.0 * at99(truth) + unseen);
+        EXPECT_LE(at99(stated), 10.0 * at99(truth) + times * unseen);
     }
 };
 

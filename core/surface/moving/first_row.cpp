@@ -1,6 +1,7 @@
 #include "core/surface/moving/first_row.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace wakesurf::core {
@@ -98,7 +99,7 @@ Result<std::vector<VertexId>> attach_row(MovingMesh& mesh,
 
 void join_rows(MovingMesh& mesh, std::span<const VertexId> newer, std::span<const VertexId> older) {
     const auto& place = mesh.vertices.place;
-    std::vector<Cell> cells;
+    std::vector<std::array<VertexId, 4>> quads;
     std::size_t next = 0;
     const auto same_place = [&](VertexId v) { // places ascend in both rows
         while (next < newer.size() && place[newer[next]].column < place[v].column)
@@ -110,8 +111,7 @@ void join_rows(MovingMesh& mesh, std::span<const VertexId> newer, std::span<cons
                           VertexId old_right) {
         if (new_left != no_vertex && new_right != no_vertex && !mesh.vertices.dead(new_left) &&
             !mesh.vertices.dead(new_right))
-            cells.push_back({{new_left, new_right, old_right, old_left},
-                             {no_vertex, no_vertex, no_vertex, no_vertex}});
+            quads.push_back({new_left, new_right, old_right, old_left});
     };
     VertexId left = no_vertex;
     VertexId first = no_vertex;
@@ -127,15 +127,7 @@ void join_rows(MovingMesh& mesh, std::span<const VertexId> newer, std::span<cons
         place[older.back()].column + 1.0 >= mesh.lattice.columns + place[older.front()].column)
         join(left, first, older.back(), older.front());
 
-    std::vector<std::uint8_t> in_row(mesh.vertices.slots(), 0);
-    for (const VertexId v : older)
-        in_row[v] = 1;
-    std::vector<CellIndex> beside;
-    const auto slots = mesh.quads.slots();
-    for (CellIndex i = 0; i < slots.size(); ++i)
-        if (slots[i].live && (in_row[slots[i].cell.corner[0]] || in_row[slots[i].cell.corner[1]]))
-            beside.push_back(i);
-    mesh.quads.append(cells, beside);
+    mesh.triangles.append(quads);
 }
 
 Result<void> lay_patch(MovingMesh& mesh,
@@ -165,17 +157,14 @@ Result<void> lay_patch(MovingMesh& mesh,
     const auto at = [&](std::size_t row, std::size_t column) {
         return static_cast<VertexId>(row * across + column % across);
     };
-    // Row by row: finding neighbours takes twice the memory of the cells among which they are looked for.
-    std::vector<Cell> cells;
-    std::vector<CellIndex> before;
+    // Row by row: finding neighbours takes more memory than the triangles among which they are looked for.
+    std::vector<std::array<VertexId, 4>> quads;
     for (std::size_t row = 0; row < static_cast<std::size_t>(rows); ++row) {
-        cells.clear();
+        quads.clear();
         for (std::size_t column = 0; column < static_cast<std::size_t>(columns.count); ++column)
-            cells.push_back({{at(row, column), at(row, column + 1), at(row + 1, column + 1),
-                              at(row + 1, column)},
-                             {no_vertex, no_vertex, no_vertex, no_vertex}});
-        mesh.quads.append(cells, before);
-        before.assign(mesh.quads.made().begin(), mesh.quads.made().end());
+            quads.push_back({at(row, column), at(row, column + 1), at(row + 1, column + 1),
+                             at(row + 1, column)});
+        mesh.triangles.append(quads);
     }
     return {};
 }

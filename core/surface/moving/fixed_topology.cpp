@@ -1,21 +1,20 @@
 #include "core/surface/moving/fixed_topology.hpp"
 
 #include "core/surface/moving/refinement.hpp"
-#include "core/surface/moving/split_criteria.hpp"
-
-#include <array>
+#include "core/surface/moving/triangle_shape.hpp"
 
 namespace wakesurf::core {
 
 void leave_out_dead(MovingMesh& mesh) {
-    bool any = false;
-    for (CellIndex i = 0; i < mesh.quads.slots().size(); ++i)
-        if (const LinkedCell& slot = mesh.quads[i]; slot.live && has_dead_vertex(mesh, slot.cell)) {
-            mesh.quads.replace(std::array{i}, {}, 0);
-            any = true;
+    for (TriangleId t = 0; t < mesh.triangles.slots().size(); ++t)
+        if (mesh.triangles[t].live && has_dead_vertex(mesh, t)) {
+            const TriangleId other = mesh.triangles[t].across[mesh.triangles[t].mate];
+            mesh.triangles.remove(t);
+            mesh.triangles.remove(other);
         }
-    if (any)
-        remove_unused_vertices(mesh);
+    mesh.triangles.touched().clear();
+    mesh.triangles.loose().clear();
+    remove_unused_vertices(mesh);
 }
 
 } // namespace wakesurf::core

@@ -1,6 +1,10 @@
 #include "core/surface/moving/insertion.hpp"
 
-#include "core/surface/moving/line_interpolation.hpp"
+#include "core/surface/moving/triangle_shape.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace wakesurf::core {
 
@@ -10,154 +14,218 @@ namespace {
 /// separations (double gyre, streak surface).
 constexpr double largest_sagitta = 0.25;
 
-struct ParameterStep {
-    double s, t;
-};
-
-ParameterStep parameter_step(const MovingMesh& mesh, VertexId a, VertexId b) {
-    const MaterialVertices& v = mesh.vertices;
-    return {mesh.lattice.s_between(v.s[a], v.s[b]), v.t[b] - v.t[a]};
-}
+/// Of the doubt, which allows for the worst: what decides whether a vertex is traced again.
+constexpr double of_doubt = 0.5;
 
 Vec3 tangent(const MovingMesh& mesh, VertexId at, const ParameterStep& step) {
     return mesh.vertices.along_s[at] * step.s + mesh.vertices.along_t[at] * step.t;
 }
 
-MaterialPoint average(const MovingMesh& mesh, VertexId a, VertexId b) {
+bool cubic_holds(const Vec3& turn, const Vec3& chord) {
+    return squared(turn) <= 64.0 * largest_sagitta * largest_sagitta * squared(chord);
+}
+
+MaterialPoint between(const MovingMesh& mesh, VertexId a, VertexId b, double part) {
     const MaterialPoint p = mesh.vertices.point(a);
     const MaterialPoint q = mesh.vertices.point(b);
     const RakeLattice& lattice = mesh.lattice;
     MaterialPoint mid;
-    mid.carried = 0.5 * (p.carried + q.carried);
-    mid.s = lattice.wrapped_s(p.s + 0.5 * lattice.s_between(p.s, q.s));
-    mid.t = 0.5 * (p.t + q.t);
+    mid.carried = (1.0 - part) * p.carried + part * q.carried;
+    mid.s = lattice.wrapped_s(p.s + part * lattice.s_between(p.s, q.s));
+    mid.t = p.t + part * (q.t - p.t);
     mid.place.column = lattice.wrapped_column(
-        p.place.column + 0.5 * lattice.columns_between(p.place.column, q.place.column));
-    mid.place.row = 0.5 * (p.place.row + q.place.row);
+        p.place.column + part * lattice.columns_between(p.place.column, q.place.column));
+    mid.place.row = p.place.row + part * (q.place.row - p.place.row);
     mid.birth_area = 0.5f * (p.birth_area + q.birth_area);
     mid.approximated = true;
     mid.error = VertexError::between(p.error, q.error);
     return mid;
 }
 
-/// Change of the tangents along a column edge, over its extent in t.
-struct ColumnChange {
-    Vec3 along_s, along_t;
+/// A cubic triangle by its values and tangents at three vertices, as Bezier points. Its inner point is that
+/// which a quadratic would have.
+class CubicPatch {
+  public:
+    CubicPatch(const MovingMesh& mesh, VertexId a, VertexId b, VertexId c)
+        : ab_(mesh.parameter_step(a, b)), ac_(mesh.parameter_step(a, c)) {
+        const auto& x = mesh.vertices.position;
+        const ParameterStep bc{ac_.s - ab_.s, ac_.t - ab_.t};
+        a_ = {x[a], x[a] + tangent(mesh, a, ab_) / 3.0, x[a] + tangent(mesh, a, ac_) / 3.0};
+        b_ = {x[b], x[b] - tangent(mesh, b, ab_) / 3.0, x[b] + tangent(mesh, b, bc) / 3.0};
+        c_ = {x[c], x[c] - tangent(mesh, c, ac_) / 3.0, x[c] - tangent(mesh, c, bc) / 3.0};
+        const Vec3 sides = (a_[1] + a_[2] + b_[1] + b_[2] + c_[1] + c_[2]) / 6.0;
+        inner_ = 1.5 * sides - (a_[0] + b_[0] + c_[0]) / 6.0;
+    }
+
+    /// The patch is to come near to the value and the tangents of a vertex beyond one of its edges as well.
+    void continue_to(const MovingMesh& mesh, VertexId a, VertexId d) {
+        const ParameterStep ad = mesh.parameter_step(a, d);
+        const double det = ab_.s * ac_.t - ac_.s * ab_.t;
+        const double v = (ad.s * ac_.t - ac_.s * ad.t) / det;
+        const double w = (ab_.s * ad.t - ad.s * ab_.t) / det;
+        const double u = 1.0 - v - w;
+        const Slopes slopes = slopes_at(u, v, w);
+        const Vec3 value = (u * slopes.a + v * slopes.b + w * slopes.c) / 3.0;
+        const std::array<Vec3, 3> missing{mesh.vertices.position[d] - value,
+                                          tangent(mesh, d, ab_) - (slopes.b - slopes.a),
+                                          tangent(mesh, d, ac_) - (slopes.c - slopes.a)};
+        const std::array<double, 3> share{6.0 * u * v * w, 6.0 * w * (u - v), 6.0 * v * (u - w)};
+        for (std::size_t i = 0; i < 3; ++i) {
+            wanted_ += share[i] * missing[i];
+            weight_ += share[i] * share[i];
+        }
+    }
+
+    /// Moves the inner point to where it does that best, unless the slope at the edge from a to b would
+    /// change by more than a quarter: the triangles are too coarse then.
+    void settle() {
+        const Vec3 move = wanted_ / weight_;
+        if (36.0 * squared(move) <= squared(slope_across(0.5))) // not a number must not pass
+            inner_ += move;
+    }
+
+    /// Tangents at `part` of the way from a to b.
+    void set_tangents(double part, MaterialPoint& point) const {
+        const Slopes slopes = slopes_at(1.0 - part, part, 0.0);
+        const Vec3 along = slopes.b - slopes.a;
+        const Vec3 across = slope_across(part);
+        const ParameterStep to_c{ac_.s - part * ab_.s, ac_.t - part * ab_.t};
+        const double det = ab_.s * to_c.t - to_c.s * ab_.t;
+        point.carried.along_s = (to_c.t * along - ab_.t * across) / det;
+        point.carried.along_t = (ab_.s * across - to_c.s * along) / det;
+    }
+
+  private:
+    /// Derivatives by the three barycentric coordinates.
+    struct Slopes {
+        Vec3 a, b, c;
+    };
+
+    Slopes slopes_at(double u, double v, double w) const {
+        const double uu = 3.0 * u * u, vv = 3.0 * v * v, ww = 3.0 * w * w;
+        const double uv = 6.0 * u * v, vw = 6.0 * v * w, uw = 6.0 * u * w;
+        return {uu * a_[0] + uv * a_[1] + uw * a_[2] + vv * b_[1] + vw * inner_ + ww * c_[1],
+                uu * a_[1] + uv * b_[1] + uw * inner_ + vv * b_[0] + vw * b_[2] + ww * c_[2],
+                uu * a_[2] + uv * inner_ + uw * c_[1] + vv * b_[2] + vw * c_[2] + ww * c_[0]};
+    }
+
+    /// From the point at `part` of the way from a to b towards c.
+    Vec3 slope_across(double part) const {
+        const Slopes slopes = slopes_at(1.0 - part, part, 0.0);
+        return slopes.c - (1.0 - part) * slopes.a - part * slopes.b;
+    }
+
+    ParameterStep ab_, ac_;
+    std::array<Vec3, 3> a_; ///< at a, towards b, towards c
+    std::array<Vec3, 3> b_; ///< at b, towards a, towards c
+    std::array<Vec3, 3> c_; ///< at c, towards a, towards b
+    Vec3 inner_;
+    Vec3 wanted_{0.0};
+    double weight_ = 0.0;
 };
 
-ColumnChange column_change(const MovingMesh& mesh, VertexId from, VertexId to) {
-    const MaterialVertices& v = mesh.vertices;
-    const double t = v.t[to] - v.t[from];
-    return {(v.along_s[to] - v.along_s[from]) / t, (v.along_t[to] - v.along_t[from]) / t};
+/// The averaged tangents, corrected so that along the edge they have the cubic's slope; the larger takes
+/// more.
+void set_slope(Carried& mid, const ParameterStep& step, const Vec3& slope) {
+    const Vec3 missing = slope - (mid.along_s * step.s + mid.along_t * step.t);
+    const double s2 = step.s * step.s * squared(mid.along_s);
+    const double t2 = step.t * step.t * squared(mid.along_t);
+    if (!(s2 + t2 > 0.0))
+        return;
+    if (step.s != 0.0)
+        mid.along_s += missing * (s2 / (s2 + t2) / step.s);
+    if (step.t != 0.0)
+        mid.along_t += missing * (t2 / (s2 + t2) / step.t);
 }
 
-/// Takes a correction that is small beside what it corrects; a large one says that the cell is too coarse for it.
-void correct(Vec3& tangent, const Vec3& by) {
-    if (glm::dot(by, by) <= 0.0625 * glm::dot(tangent, tangent))
-        tangent += by;
+/// Far from the mean of those at the ends: the triangles are too coarse to tell.
+bool differs(const Vec3& tangent, const Vec3& mean) {
+    return !(squared(tangent - mean) <= 0.0625 * squared(mean));
 }
 
-/// Middle of a cross side, cubic in the tangent along t: its derivative along the side follows from how both tangents change
-/// along the columns at either end.
-void refine_cross(const MovingMesh& mesh,
-                  Carried& mid,
-                  VertexId a,
-                  VertexId b,
-                  VertexId beyond_a,
-                  VertexId beyond_b,
-                  const Vec3& slope) {
-    const ParameterStep step = parameter_step(mesh, a, b);
-    const ColumnChange at_a = column_change(mesh, a, beyond_a);
-    const ColumnChange at_b = column_change(mesh, b, beyond_b);
-    mid.along_t = 0.5 * (mesh.vertices.along_t[a] + mesh.vertices.along_t[b]);
-    correct(mid.along_t, 0.125 * (step.s * (at_a.along_s - at_b.along_s) +
-                                  step.t * (at_a.along_t - at_b.along_t)));
-    mid.along_s = (slope - step.t * mid.along_t) / step.s;
+/// How far the cubic may be off half-way. Its length is about right, its direction where the surface says it
+/// is.
+Vec3 doubt_of(const EdgeCubic& edge) {
+    const Vec3 at_a = edge.slope(edge.a), at_b = edge.slope(edge.b);
+    const Vec3 chord = edge.b.position - edge.a.position;
+    return cubic_holds(at_a - at_b, chord) ? (at_a + at_b - 2.0 * chord) / 5.0
+                                           : 3.0 / 8.0 * (at_a - at_b);
 }
 
-/// Middle of a column side: the mixed derivative at its ends follows from how the tangent along t changes across.
-void refine_column(const MovingMesh& mesh,
-                   Carried& mid,
-                   VertexId a,
-                   VertexId b,
-                   VertexId beyond_a,
-                   VertexId beyond_b,
-                   const Vec3& slope) {
-    const MaterialVertices& v = mesh.vertices;
-    const double t = v.t[b] - v.t[a];
-    const Vec3 second = column_change(mesh, a, b).along_t;
-    const auto mixed = [&](VertexId here, VertexId beyond) {
-        const ParameterStep across = parameter_step(mesh, here, beyond);
-        return (v.along_t[beyond] - v.along_t[here] - second * across.t) / across.s;
-    };
-    mid.along_s = 0.5 * (v.along_s[a] + v.along_s[b]);
-    correct(mid.along_s, 0.125 * t * (mixed(a, beyond_a) - mixed(b, beyond_b)));
-    mid.along_t = slope / t;
+void add_insertion_error(const EdgeCubic& edge, MaterialPoint& made) {
+    const SurfaceTangents at{made.carried.along_s, made.carried.along_t};
+    const double length = glm::length(edge.b.position - edge.a.position);
+    const Vec3 doubt = doubt_of(edge);
+    made.error.placed.add(at, std::min(at.across(doubt), length));
+    made.error.apart.add(at, std::min(of_doubt * glm::length(doubt), length));
 }
 
 } // namespace
 
 Vec3 edge_turn(const MovingMesh& mesh, VertexId a, VertexId b) {
-    const ParameterStep step = parameter_step(mesh, a, b);
+    const ParameterStep step = mesh.parameter_step(a, b);
     return tangent(mesh, a, step) - tangent(mesh, b, step);
 }
 
-double relative_sagitta(const MovingMesh& mesh, VertexId a, VertexId b) {
-    const double bulge = glm::length(edge_turn(mesh, a, b)) / 8.0;
-    const double chord = mesh.edge_length(a, b);
-    return bulge > 0.0 ? bulge / chord : 0.0;
+Vec3 edge_bend(const MovingMesh& mesh, VertexId a, VertexId b) {
+    const Vec3 turn = edge_turn(mesh, a, b);
+    const Vec3 chord = mesh.edge(a, b);
+    const double l2 = squared(chord);
+    return l2 > 0.0 ? turn - chord * (glm::dot(turn, chord) / l2) : turn;
 }
 
-Midpoint midpoint(const MovingMesh& mesh, VertexId a, VertexId b, InsertionPolicy policy) {
-    MaterialPoint mid = average(mesh, a, b);
-    if (policy == InsertionPolicy::Line)
-        return {mid, 0.0};
-    const ParameterStep step = parameter_step(mesh, a, b);
-    const Vec3 chord = mesh.vertices.position[b] - mesh.vertices.position[a];
-    const Vec3 at_a = tangent(mesh, a, step);
-    const Vec3 at_b = tangent(mesh, b, step);
-    const Vec3 bulge = (at_a - at_b) / 8.0;
-    const double sagitta = glm::length(bulge) / glm::length(chord);
-    if (!(sagitta <= largest_sagitta))
-        return {mid, std::isfinite(sagitta) ? sagitta : 1.0};
-    mid.carried.position += bulge;
-    // The averaged tangents, corrected so that along the edge they give the cubic's slope; the larger takes more.
-    const Vec3 slope = 1.5 * chord - 0.25 * (at_a + at_b);
-    const Vec3 missing = slope - (mid.carried.along_s * step.s + mid.carried.along_t * step.t);
-    const double s2 = step.s * step.s * glm::dot(mid.carried.along_s, mid.carried.along_s);
-    const double t2 = step.t * step.t * glm::dot(mid.carried.along_t, mid.carried.along_t);
-    if (s2 + t2 > 0.0) {
-        if (step.s != 0.0)
-            mid.carried.along_s += missing * (s2 / (s2 + t2) / step.s);
-        if (step.t != 0.0)
-            mid.carried.along_t += missing * (t2 / (s2 + t2) / step.t);
-    }
-    return {mid, sagitta};
+EdgeCubic edge_cubic(const MovingMesh& mesh, VertexId a, VertexId b) {
+    return {mesh.vertices.point(a).carried, mesh.vertices.point(b).carried,
+            mesh.parameter_step(a, b)};
 }
 
-Midpoint
-middle_of_side(const MovingMesh& mesh, CellIndex index, std::size_t side, InsertionPolicy policy) {
-    const Cell& cell = mesh.quads[index].cell;
-    const VertexId a = cell.corner[side];
-    const VertexId b = cell.corner[(side + 1) % 4];
-    Midpoint mid = midpoint(mesh, a, b, policy);
-    if (policy == InsertionPolicy::Line) {
-        const LineBulge line = bulge_of_line(mesh, index, side);
-        mid.point.carried.position += line.offset;
-        mid.bulge = line.share;
+Carried EdgeCubic::at(double part) const {
+    const double rest = 1.0 - part;
+    const Vec3 chord = b.position - a.position;
+    const Vec3 at_a = slope(a), at_b = slope(b);
+    Carried mid = rest * a + part * b;
+    if (!cubic_holds(at_a - at_b, chord))
         return mid;
+    mid.position += part * rest * (rest * (at_a - chord) - part * (at_b - chord));
+    set_slope(mid, step,
+              6.0 * part * rest * chord + rest * (1.0 - 3.0 * part) * at_a +
+                  part * (3.0 * part - 2.0) * at_b);
+    return mid;
+}
+
+MaterialPoint point_between(const MovingMesh& mesh,
+                            VertexId a,
+                            VertexId b,
+                            double part,
+                            const Carried& carried,
+                            const EdgeCubic& edge) {
+    MaterialPoint made = between(mesh, a, b, part);
+    made.carried = carried;
+    add_insertion_error(edge, made);
+    return made;
+}
+
+MaterialPoint point_on_edge(const MovingMesh& mesh, TriangleId t, unsigned k, double part) {
+    const Triangle& here = mesh.triangles[t];
+    const VertexId a = here.begin(k);
+    const VertexId b = here.end(k);
+    MaterialPoint mid = between(mesh, a, b, part);
+    const EdgeCubic edge = edge_cubic(mesh, a, b);
+    const SurfaceTangents mean{mid.carried.along_s, mid.carried.along_t};
+    mid.carried = edge.at(part);
+    if (cubic_holds(edge_turn(mesh, a, b), mesh.edge(a, b))) {
+        const Carried along = mid.carried;
+        CubicPatch patch(mesh, a, b, here.opposite(k));
+        for (unsigned side = 0; side < 3; ++side)
+            if (const TriangleId u = here.across[side]; u != no_triangle)
+                patch.continue_to(mesh, a,
+                                  mesh.triangles[u].opposite(mesh.triangles.facing(t, side)));
+        patch.settle();
+        patch.set_tangents(part, mid);
+        if (differs(mid.carried.along_s, mean.s) || differs(mid.carried.along_t, mean.t))
+            mid.carried = along;
     }
-    if (mid.bulge > largest_sagitta)
-        return mid;
-    const VertexId beyond_a = cell.corner[(side + 3) % 4];
-    const VertexId beyond_b = cell.corner[(side + 2) % 4];
-    const Vec3 chord = mesh.vertices.position[b] - mesh.vertices.position[a];
-    const ParameterStep step = parameter_step(mesh, a, b);
-    const Vec3 slope = 1.5 * chord - 0.25 * (tangent(mesh, a, step) + tangent(mesh, b, step));
-    if (side % 2 == 0)
-        refine_cross(mesh, mid.point.carried, a, b, beyond_a, beyond_b, slope);
-    else
-        refine_column(mesh, mid.point.carried, a, b, beyond_a, beyond_b, slope);
+    add_insertion_error(edge, mid);
     return mid;
 }
 

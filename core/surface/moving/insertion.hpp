@@ -1,5 +1,5 @@
-// Where a new vertex goes: the middle of an edge, by cubic Hermite interpolation with the transported tangents (source: Schneider, Wiebel,
-// Scheuermann, EuroVis 2009), or without them by the cubic through the line's neighbouring vertices (line_interpolation.hpp).
+// Where a new vertex goes: on an edge, by cubic interpolation of places and transported tangents (source:
+// Schneider, Wiebel, Scheuermann, EuroVis 2009; across the edge by the cubic over the triangles round it).
 // Tracing it again from the rake is retrace() in origin.hpp.
 #pragma once
 
@@ -7,25 +7,41 @@
 
 namespace wakesurf::core {
 
-enum class InsertionPolicy { Line, Hermite, Exact };
-
-/// By how much the tangent dx/ds ds + dx/dt dt of the edge from a to b changes along it: that at a less that at b.
+/// By how much the tangent dx/ds ds + dx/dt dt of the edge from a to b changes along it: that at a less that
+/// at b.
 Vec3 edge_turn(const MovingMesh& mesh, VertexId a, VertexId b);
 
-/// How far the cubic through an edge bulges from its chord, over the chord's length: |T_a - T_b| / 8 |b - a|.
-double relative_sagitta(const MovingMesh& mesh, VertexId a, VertexId b);
+/// What of the turn points across the chord: what it changes along the chord is no shape.
+Vec3 edge_bend(const MovingMesh& mesh, VertexId a, VertexId b);
 
-struct Midpoint {
-    MaterialPoint point;
-    double bulge; ///< relative sagitta of the edge; above 0.25 the point lies on the chord
+/// The cubic along an edge.
+struct EdgeCubic {
+    Carried a, b; ///< at its ends
+    ParameterStep step;
+
+    /// At `part` of the way; on the chord where the cubic would bulge by more than a quarter of it. Of the
+    /// tangents only the slope along the edge is of the cubic's order.
+    Carried at(double part) const;
+
+    /// Derivative along the edge, by the part of the way, where the tangents are these.
+    Vec3 slope(const Carried& end) const { return end.along_s * step.s + end.along_t * step.t; }
 };
 
-/// The point in the middle of the parameters of a and b, flagged approximated. Line: on the chord, as the edge alone tells no more.
-Midpoint midpoint(const MovingMesh& mesh, VertexId a, VertexId b, InsertionPolicy policy);
+EdgeCubic edge_cubic(const MovingMesh& mesh, VertexId a, VertexId b);
 
-/// The same for a whole side of a cell, whose other side tells how the tangents change along this one: with it what is inserted
-/// later stays as accurate as what is inserted first (Lamb-Oseen streak at separation 0.05: largest error 7.4e-5 instead of 3.5e-4).
-Midpoint
-middle_of_side(const MovingMesh& mesh, CellIndex index, std::size_t side, InsertionPolicy policy);
+/// The point at `part` of the way along edge k of a triangle, flagged approximated. Its tangents are those of
+/// the cubic patch over that triangle and its neighbours, so that what is inserted later is as accurate as
+/// what is inserted first. Error of the position and, times the edge, of the tangents: fourth order in the
+/// edge. Its error is that of the ends and what interpolation may add.
+MaterialPoint point_on_edge(const MovingMesh& mesh, TriangleId t, unsigned k, double part = 0.5);
+
+/// The point at `part` of the way from a to b that is known to be at `carried`, flagged approximated.
+/// @param edge  between the two when it was interpolated
+MaterialPoint point_between(const MovingMesh& mesh,
+                            VertexId a,
+                            VertexId b,
+                            double part,
+                            const Carried& carried,
+                            const EdgeCubic& edge);
 
 } // namespace wakesurf::core

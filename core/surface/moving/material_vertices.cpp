@@ -75,13 +75,8 @@ void MaterialVertices::set(VertexId v, const MaterialPoint& point) {
     error[v] = point.error;
 }
 
-Particles MaterialVertices::particles(bool tangents) {
-    Particles p{position, {}, {}, time, end};
-    if (tangents) {
-        p.along_s = along_s;
-        p.along_t = along_t;
-    }
-    return p;
+Particles MaterialVertices::particles() {
+    return {position, along_s, along_t, time, end};
 }
 
 void MaterialVertices::renumber(std::span<const VertexId> order) {

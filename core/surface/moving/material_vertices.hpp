@@ -1,5 +1,6 @@
-// The vertices of a moving surface: material points that know where on the rake and when they were released, so that each
-// can be traced again, with the surface's tangents there. Structure of arrays in mesh order, as advection wants it.
+// The vertices of a moving surface: material points that know where on the rake and when they were released,
+// so that each can be traced again, with the surface's tangents there. Structure of arrays in mesh order, as
+// advection wants it.
 #pragma once
 
 #include "core/integrate/carried.hpp"
@@ -16,8 +17,8 @@ namespace wakesurf::core {
 /// Free: carried by the flow. Attached: on the rake, to be released. Unused: an empty slot.
 enum class VertexRole : std::uint8_t { Free, Attached, Unused };
 
-/// Place on the lattice of columns and rows the surface began with: whole numbers there, dyadic fractions where something
-/// was inserted. Merging takes out odd places only, so that neighbouring rows merge alike.
+/// Place among the columns and rows the surface began with: whole numbers there, fractions where something
+/// was inserted.
 struct LatticePlace {
     double column = 0.0;
     double row = 0.0;
@@ -73,8 +74,10 @@ class MaterialVertices {
     /// Overwrites what is known of a vertex, its id and role staying.
     void set(VertexId v, const MaterialPoint& point);
 
+    SurfaceTangents tangents(VertexId v) const { return {along_s[v], along_t[v]}; }
+
     /// For Flow::advance: only free, living vertices are Running.
-    Particles particles(bool tangents);
+    Particles particles();
 
     bool dead(VertexId v) const {
         return end[v] != CurveEnd::Running &&

@@ -9,12 +9,6 @@
 
 namespace wakesurf::core {
 
-namespace {
-
-constexpr std::size_t shown_bytes = 250; ///< a vertex, while the mesh to show is made
-
-} // namespace
-
 Result<Surface> build_moving_surface(const Flow& flow,
                                      const Rake& rake,
                                      const SurfaceParameters& parameters,

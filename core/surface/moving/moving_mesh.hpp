@@ -1,8 +1,8 @@
-// The mesh of a streak or time surface as it moves: material vertices, linked quads, and how the parameter rectangle they
-// came from is laid out.
+// The mesh of a streak or time surface as it moves: material vertices, triangles, and how the parameter
+// rectangle they came from is laid out.
 #pragma once
 
-#include "core/surface/moving/linked_quads.hpp"
+#include "core/surface/moving/material_triangles.hpp"
 #include "core/surface/moving/material_vertices.hpp"
 
 #include <cmath>
@@ -14,6 +14,8 @@ struct RakeLattice {
     double columns = 1.0;
     bool closed = false;
     double last_row = 0.0; ///< of a patch; rows of a streak surface have no last one
+    double facing =
+        1.0; ///< 1 or -1: the sign of the area in (s, t) of the triangles as they are run round
 
     /// From one seed parameter to another the short way round.
     double s_between(double from, double to) const {
@@ -31,21 +33,22 @@ struct RakeLattice {
     }
 };
 
+/// A difference of two places in the parameter rectangle.
+struct ParameterStep {
+    double s, t;
+};
+
 struct MovingMesh {
     MaterialVertices vertices;
-    LinkedQuads quads;
+    MaterialTriangles triangles;
     RakeLattice lattice;
     double time = 0.0; ///< simulation time the living vertices hold at
 
-    /// Row at which the straight edge from `left` to `right` passes the column of `between`, less the row of `between`: on the
-    /// lattice every cell's sides are straight, and whole numbers and halves make this exact.
-    double row_beyond(VertexId left, VertexId right, VertexId between) const {
-        const auto& place = vertices.place;
-        const double whole = lattice.columns_between(place[left].column, place[right].column);
-        const double part = lattice.columns_between(place[left].column, place[between].column);
-        const double rise = place[right].row - place[left].row;
-        return place[left].row - place[between].row + (whole != 0.0 ? rise * (part / whole) : 0.0);
+    ParameterStep parameter_step(VertexId a, VertexId b) const {
+        return {lattice.s_between(vertices.s[a], vertices.s[b]), vertices.t[b] - vertices.t[a]};
     }
+
+    Vec3 edge(VertexId a, VertexId b) const { return vertices.position[b] - vertices.position[a]; }
 
     double edge_length(VertexId a, VertexId b) const {
         return glm::length(vertices.position[a] - vertices.position[b]);
@@ -53,13 +56,16 @@ struct MovingMesh {
 };
 
 inline std::size_t memory_of(const MovingMesh& mesh) {
-    return mesh.vertices.bytes() + mesh.quads.bytes();
+    return mesh.vertices.bytes() + mesh.triangles.bytes();
 }
 
-/// With what a step takes besides: normals, decisions, samples, an array that grows.
-/// @param cuts  as many cells are about to be cut: each becomes two, and a wave of them shares the vertices between
+/// Of a vertex, while the mesh to show is made.
+inline constexpr std::size_t shown_bytes = 250;
+
+/// With what a step takes besides: decisions, samples, an array that grows.
+/// @param cuts  as many edges are about to be cut: each becomes two triangles and a vertex more
 inline std::size_t memory_while_moving(const MovingMesh& mesh, std::size_t cuts = 0) {
-    const std::size_t kept = memory_of(mesh) + cuts * (sizeof(LinkedCell) + vertex_bytes);
+    const std::size_t kept = memory_of(mesh) + cuts * (2 * sizeof(Triangle) + vertex_bytes);
     return kept + kept / 2;
 }
 

@@ -12,13 +12,8 @@ namespace wakesurf::core {
 
 namespace {
 
-constexpr double most_rows = 20'000; ///< that a surface takes to its end
-
-InsertionPolicy policy(Accuracy accuracy) {
-    return accuracy == Accuracy::Fast       ? InsertionPolicy::Line
-           : accuracy == Accuracy::Balanced ? InsertionPolicy::Hermite
-                                            : InsertionPolicy::Exact;
-}
+constexpr double joined_at_most = 11.0 / 7.0; ///< of `merge`: the longest edge that is joined
+constexpr double most_rows = 20'000;          ///< that a surface takes to its end
 
 Origin origin_of(const Rake& rake, const SurfaceParameters& p) {
     if (p.kind == SurfaceKind::Streak)
@@ -41,33 +36,36 @@ MovingPlan make_plan(const Flow& flow, const MovingRequest& request, double sepa
     RefinementRules rules;
     rules.separation = separation;
     rules.coarsest = std::max(separation, coarsest_separation(flow.domain()));
-    rules.merge = p.merge;
+    rules.merge = joined_at_most * p.merge;
     rules.cosine = p.angle >= 180.0 ? -1.0 : std::cos(p.angle * std::numbers::pi / 180.0);
-    // What neighbours are apart by mistake is cut as if the flow had parted them: with ten times the tolerance a fast surface of
-    // sqcyl-foam had 54,506 quads for 39,029, and took longer.
+    // What neighbours are apart by mistake is cut as if the flow had parted them: with ten times the
+    // tolerance a fast surface of sqcyl-foam had 54,506 quads for 39,029, and took longer.
     const double tolerance =
         trace_tolerance(p.accuracy == Accuracy::Fast ? Accuracy::Balanced : p.accuracy);
-    // Where the flow parts seeds that are closer than particles are followed, cuts find the errors: with a millionth here a balanced
-    // time surface behind a sphere had 92,413 quads, an exact one 63,293, and with this 65,125.
+    // Where the flow parts seeds that are closer than particles are followed, cuts find the errors: with a
+    // millionth here a balanced time surface behind a sphere had 92,413 quads, an exact one 63,293, and with
+    // this 65,125.
     rules.least_s = std::max(1e-6, tolerance);
     rules.least_t = rules.least_s * (origin.patch() ? 1.0 : span);
     // Seeds this close that still part beside an obstacle go round it on either side.
     const double seed_distance = separation / 32.0;
     rules.least_s_at_wall = seed_distance / origin.length();
-    rules.least_t_at_wall = origin.patch() ? seed_distance / origin.longest_across() : 0.0;
-    rules.policy = policy(p.accuracy);
-    rules.tangents = p.accuracy == Accuracy::Balanced || p.deformation;
+    rules.least_t_at_wall =
+        seed_distance /
+        (origin.patch() ? origin.longest_across() : std::max(request.largest_speed, 1e-300));
+    rules.policy =
+        p.accuracy == Accuracy::Exact ? InsertionPolicy::Exact : InsertionPolicy::Hermite;
     rules.retrace = p.accuracy == Accuracy::Exact || flow.few_data(p.from, p.to);
-    // Cuts below this showed the errors of fast surfaces, not their shape: 1.4 times the quads of balanced ones.
+    // Cuts below this showed the errors of fast surfaces, not their shape: 1.4 times the quads of balanced
+    // ones.
     if (p.accuracy == Accuracy::Fast) {
         rules.finest = 0.25;
         rules.trusted_error = 0.2;
     }
-    rules.reconnect = p.reconnect;
     rules.obstacle = flow.obstacle();
     rules.max_quads = p.max_quads;
-    // RK4 in steps of a part of a cell is several times faster where it goes in batches, on grids. Its errors are looked at
-    // (step_errors.hpp), and who has too large a one is traced again.
+    // RK4 in steps of a part of a cell is several times faster where it goes in batches, on grids. Its errors
+    // are looked at (step_errors.hpp), and who has too large a one is traced again.
     const bool batches = p.accuracy != Accuracy::Exact && flow.steps_in_batches();
     AdvanceOptions carry;
     carry.method = batches ? AdvanceOptions::Method::Rk4 : AdvanceOptions::Method::Dopri5;

@@ -2,7 +2,6 @@
 
 #include "core/integrate/advance_particle.hpp"
 #include "core/surface/budget_search.hpp"
-#include "core/surface/moving/cell_shape.hpp"
 #include "core/surface/moving/fixed_topology.hpp"
 #include "core/surface/moving/release.hpp"
 #include "core/surface/moving/snapshot.hpp"
@@ -13,7 +12,6 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <chrono>
 #include <cmath>
@@ -22,6 +20,10 @@
 namespace wakesurf::core {
 
 namespace {
+
+/// Between the rows of a patch, of the separation. With all of it an edge between rows that lean by anything
+/// at all would be too long, and columns that come together could not be joined.
+constexpr double patch_spacing = 0.9;
 
 constexpr double patch_bytes = 350.0; ///< a quad, while it is laid
 
@@ -37,18 +39,13 @@ constexpr std::uint64_t check_every =
 constexpr double carry_share = 0.4; // of a step, in what is told of how far it is
 constexpr double sorting_share = 0.125; // of vertices inserted since memory was last in mesh order
 
-/// The larger of `most` and the fastest relative growth of a cell's sides, of those longer than `shortest`. Roots are taken only
-/// of what may exceed `most`.
-double fastest_growth(const MovingMesh& mesh, const Cell& cell, double shortest, double most) {
-    std::array<Vec3, 4> p;
-    std::array<Vec3f, 4> v;
-    for (std::size_t k = 0; k < 4; ++k) {
-        p[k] = mesh.vertices.position[cell.corner[k]];
-        v[k] = mesh.vertices.velocity[cell.corner[k]];
-    }
-    for (std::size_t k = 0; k < 4; ++k) {
-        const Vec3 edge = p[k] - p[(k + 1) % 4];
-        const Vec3 apart(v[k] - v[(k + 1) % 4]);
+/// The larger of `most` and the fastest relative growth of a triangle's edges, of those longer than
+/// `shortest`. Roots are taken only of what may exceed `most`.
+double fastest_growth(const MovingMesh& mesh, const Triangle& t, double shortest, double most) {
+    for (unsigned k = 0; k < 3; ++k) {
+        const VertexId a = t.begin(k), b = t.end(k);
+        const Vec3 edge = mesh.edge(a, b);
+        const Vec3 apart(mesh.vertices.velocity[b] - mesh.vertices.velocity[a]);
         const double length2 = glm::dot(edge, edge);
         const double apart2 = glm::dot(apart, apart);
         if (apart2 < most * most * length2 * (1.0 - 1e-9))
@@ -110,7 +107,6 @@ Result<std::optional<std::uint64_t>> MovingSurface::most_quads(const Flow& flow,
                                                                const Clock& clock,
                                                                const std::stop_token& stop,
                                                                const WorkPart& work) {
-    plan.estimates = false;
     MovingSurface surface(flow, std::move(plan), clock);
     const double from = surface.time();
     auto within = surface.begin(stop, work.quietly());
@@ -122,7 +118,7 @@ Result<std::optional<std::uint64_t>> MovingSurface::most_quads(const Flow& flow,
             return tl::unexpected(within.error());
         if (!*within)
             return std::nullopt;
-        most = std::max<std::uint64_t>(most, surface.state_.mesh.quads.live());
+        most = std::max<std::uint64_t>(most, surface.state_.mesh.triangles.quads());
         if (surface.time() == surface.end_time())
             return most;
         if (stop.stop_requested())
@@ -170,10 +166,14 @@ Result<MovingPlan> MovingSurface::plan_within_budget(const Flow& flow,
 Result<bool> MovingSurface::begin(const std::stop_token& stop, const WorkPart& work) {
     const MovingPlan& plan = *state_.plan;
     MovingMesh& mesh = state_.mesh;
-    mesh.lattice = {plan.columns.count, plan.columns.closed, 0.0};
+    mesh.lattice = {plan.columns.count, plan.columns.closed, 0.0,
+                    plan.origin.patch() ? 1.0 : -time_sign(plan.request.parameters)};
+    if (!refines())
+        mesh.triangles.allow_contacts();
     if (plan.origin.patch()) {
-        const double rows =
-            std::max(1.0, std::ceil(plan.origin.longest_across() / state_.separation - 1e-9));
+        const double rows = std::max(
+            1.0,
+            std::ceil(plan.origin.longest_across() / (patch_spacing * state_.separation) - 1e-9));
         mesh.lattice.last_row = rows;
         const double quads = plan.columns.count * rows;
         if (quads > static_cast<double>(plan.rules.max_quads))
@@ -182,7 +182,7 @@ Result<bool> MovingSurface::begin(const std::stop_token& stop, const WorkPart& w
             return fail(Error::Code::Cancelled, "there is not enough memory for the surface");
         if (auto laid = lay_patch(mesh, plan.origin, *flow_, plan.columns, rows, stop); !laid)
             return tl::unexpected(laid.error());
-        if (const auto within = refine(plan.carry, stop, work); !within || !*within)
+        if (const auto within = refine(mesh.time, plan.carry, stop, work); !within || !*within)
             return within;
     } else {
         if (auto row = attach_row(mesh, plan.origin, *flow_, plan.columns, plan.places, 0.0, stop);
@@ -204,7 +204,8 @@ Result<void> MovingSurface::begin_within_budget(const std::stop_token& stop, con
     return *within ? Result<void>{} : start_coarser(time(), stop, work);
 }
 
-/// Starts again at a separation that keeps the budget, and carries the surface to `until`. New ids: none stands for two vertices.
+/// Starts again at a separation that keeps the budget, and carries the surface to `until`. New ids: none
+/// stands for two vertices.
 Result<void>
 MovingSurface::start_coarser(double until, const std::stop_token& stop, const WorkPart& work) {
     const MovingRequest request = state_.plan->request;
@@ -213,7 +214,7 @@ MovingSurface::start_coarser(double until, const std::stop_token& stop, const Wo
     if (state_.plan->rules.coarsens) // and could not be made coarser as it moved
         search.settle();
     const std::uint32_t vertex_id = state_.mesh.vertices.next_id();
-    const std::uint32_t cell_id = state_.mesh.quads.next_id();
+    const std::uint32_t cell_id = state_.mesh.triangles.next_id();
     state_.mesh = {};
     auto plan = plan_within_budget(*flow_, request, search, stop, *clock_, work);
     if (!plan)
@@ -221,23 +222,27 @@ MovingSurface::start_coarser(double until, const std::stop_token& stop, const Wo
     MovingSurface coarser(*flow_, std::move(*plan), *clock_);
     state_ = std::move(coarser.state_);
     state_.mesh.vertices.number_from(vertex_id);
-    state_.mesh.quads.number_from(cell_id);
+    state_.mesh.triangles.number_from(cell_id);
     if (auto begun = begin_within_budget(stop, work); !begun)
         return begun;
     return advance_to(until, stop, work);
 }
 
 /// False: the mesh has more quads than its rules allow.
-Result<bool> MovingSurface::refine(const AdvanceOptions& carry,
+Result<bool> MovingSurface::refine(double before,
+                                   const AdvanceOptions& carry,
                                    const std::stop_token& stop,
                                    const WorkPart& work) {
     if (!refines()) {
         leave_out_dead(state_.mesh);
-        return state_.mesh.quads.live() <= state_.plan->rules.max_quads;
+        if (!work.holds(memory_while_moving(state_.mesh)))
+            return fail(Error::Code::Cancelled, "there is not enough memory for the surface");
+        return state_.mesh.triangles.quads() <= state_.plan->rules.max_quads;
     }
     RefinementRules rules = state_.plan->rules;
     rules.separation = state_.separation;
-    Refinement refinement(*flow_, state_.plan->origin, rules, carry, refinement_memory_);
+    Refinement refinement(*flow_, state_.plan->origin, rules, before, state_.steps, carry,
+                          refinement_memory_);
     const auto within = refinement.run(state_.mesh, stop, work);
     state_.separation = refinement.rules().separation;
     state_.torn += refinement.unresolved();
@@ -251,17 +256,23 @@ bool MovingSurface::refines() const {
 /// Velocity at every vertex now; the rake's particles leave along it.
 Result<void> MovingSurface::sample_velocity(const std::stop_token& stop) {
     MaterialVertices& v = state_.mesh.vertices;
-    sample_times_.assign(v.slots(), state_.mesh.time);
-    sampled_.resize(v.slots());
-    if (auto sampled =
-            flow_->sample(v.position, sample_times_, sampled_, stop, state_.plan->carry.smooth);
+    const bool smooth = state_.plan->carry.smooth;
+    if (auto sampled = flow_->sample_at(v.position, state_.mesh.time, v.velocity, stop, smooth);
         !sampled)
         return sampled;
-    for (VertexId i = 0; i < v.slots(); ++i) {
-        v.velocity[i] = Vec3f(sampled_[i]);
-        if (v.role[i] != VertexRole::Attached)
-            continue;
-        v.along_t[i] = -sampled_[i];
+    std::vector<VertexId> attached;
+    for (VertexId i = 0; i < v.slots(); ++i)
+        if (v.role[i] == VertexRole::Attached)
+            attached.push_back(i);
+    std::vector<Vec3> places, leaving(attached.size());
+    for (const VertexId i : attached)
+        places.push_back(v.position[i]);
+    const std::vector<double> now(attached.size(), state_.mesh.time);
+    if (auto sampled = flow_->sample(places, now, leaving, stop, smooth); !sampled)
+        return sampled;
+    for (std::size_t k = 0; k < attached.size(); ++k) {
+        const VertexId i = attached[k];
+        v.along_t[i] = -leaving[k];
         v.birth_area[i] = static_cast<float>(glm::length(glm::cross(v.along_s[i], v.along_t[i])));
     }
     return {};
@@ -287,14 +298,14 @@ double MovingSurface::step_length(double to) const {
     const double row = row_spacing * state_.separation / driving;
     if (!refines()) // nothing is interpolated between what has moved
         return std::min(left, row);
-    const auto slots = state_.mesh.quads.slots();
+    const auto slots = state_.mesh.triangles.slots();
     const double shortest = 0.1 * state_.separation;
     const double growth = tbb::parallel_reduce(
         tbb::blocked_range<std::size_t>(0, slots.size(), 4096), 0.0,
         [&](const auto& range, double most) {
             for (std::size_t i = range.begin(); i != range.end(); ++i)
                 if (slots[i].live)
-                    most = fastest_growth(state_.mesh, slots[i].cell, shortest, most);
+                    most = fastest_growth(state_.mesh, slots[i], shortest, most);
             return most;
         },
         [](double a, double b) { return std::max(a, b); });
@@ -328,7 +339,7 @@ Result<void> MovingSurface::step(double to,
             !again)
             return again;
     here.reached(1.0);
-    work.has(state_.mesh.quads.live());
+    work.has(state_.mesh.triangles.quads());
     work.came_to(time(), state_.plan->request.parameters.from);
     return {};
 }
@@ -338,7 +349,8 @@ Result<bool> MovingSurface::move(double to, const std::stop_token& stop, const W
     MovingMesh& mesh = state_.mesh;
     const auto began = clock_->now();
     const double now = next_time(to);
-    const double dt = std::abs(now - mesh.time);
+    const double before = mesh.time;
+    const double dt = std::abs(now - before);
 
     // Release the row on the rake when it would fall too far behind in this step, or for the last time.
     MaterialVertices& v = mesh.vertices;
@@ -350,7 +362,7 @@ Result<bool> MovingSurface::move(double to, const std::stop_token& stop, const W
             if (v.role[i] == VertexRole::Attached)
                 fastest = std::max(fastest, double(glm::length(v.velocity[i])));
         const bool due =
-            mesh.quads.live() == 0 ||
+            mesh.triangles.quads() == 0 ||
             state_.row_travel + fastest * dt > row_spacing * state_.separation * (1.0 + 1e-9);
         if (due || last_release)
             released = release_row(mesh);
@@ -374,7 +386,7 @@ Result<bool> MovingSurface::move(double to, const std::stop_token& stop, const W
         return tl::unexpected(load.error());
     state_.vertex_steps +=
         running * static_cast<std::uint64_t>(std::max(1.0, std::ceil(dt / carry.step - 1e-9)));
-    carry_on_the_dead(mesh, state_.terminated);
+    count_the_dead(mesh, state_.fresh, state_.terminated);
     move_attached(mesh);
     seconds_.load += *load;
     seconds_.advect += elapsed(*clock_, began) - *load;
@@ -391,7 +403,8 @@ Result<bool> MovingSurface::move(double to, const std::stop_token& stop, const W
         join_rows(mesh, *row, released);
     }
     state_.releasing = state_.releasing && !last_release;
-    if (const auto within = refine(carry, stop, work.between(carry_share, 1.0));
+    state_.fresh = v.next_id();
+    if (const auto within = refine(before, carry, stop, work.between(carry_share, 1.0));
         !within || !*within)
         return within;
     ++state_.steps;
@@ -403,7 +416,8 @@ Result<bool> MovingSurface::move(double to, const std::stop_token& stop, const W
     return true;
 }
 
-/// All vertices to `to`, and with them what is known of their errors. Returns the seconds spent waiting for time-steps.
+/// All vertices to `to`, and with them what is known of their errors. Returns the seconds spent waiting for
+/// time-steps.
 Result<double>
 MovingSurface::carry(double to, const AdvanceOptions& options, const std::stop_token& stop) {
     MovingMesh& mesh = state_.mesh;
@@ -412,18 +426,15 @@ MovingSurface::carry(double to, const AdvanceOptions& options, const std::stop_t
     if (state_.plan->estimates &&
         (state_.steps % check_every == 0 || state_.step_errors.too_long(h)))
         sample.emplace(mesh, state_.steps);
-    const auto advanced =
-        flow_->advance(mesh.vertices.particles(state_.plan->rules.tangents), to, options, stop);
+    const auto advanced = flow_->advance(mesh.vertices.particles(), to, options, stop);
     if (!advanced)
         return tl::unexpected(advanced.error());
     mesh.time = to;
     if (sample)
-        if (auto learnt =
-                sample->learn(state_.step_errors, *flow_, mesh, options, carries_tangents(), stop);
-            !learnt)
+        if (auto learnt = sample->learn(state_.step_errors, *flow_, mesh, options, stop); !learnt)
             return tl::unexpected(learnt.error());
     if (state_.plan->estimates && state_.steps % check_every == check_every - 1) {
-        add_step_errors(mesh, state_.step_errors, state_.errors_until, carries_tangents());
+        add_step_errors(mesh, state_.step_errors, state_.errors_until);
         state_.errors_until = to;
         if (auto traced = trace_doubtful(options, stop); !traced)
             return tl::unexpected(traced.error());
@@ -431,22 +442,21 @@ MovingSurface::carry(double to, const AdvanceOptions& options, const std::stop_t
     return advanced->load;
 }
 
-/// Traces again the vertices whose errors have come to more than is trusted: in what the flow stretches and folds they grow, whether
-/// of interpolation or of steps.
+/// Traces again the vertices whose errors have come to more than is trusted: in what the flow stretches and
+/// folds they grow, whether of interpolation or of steps.
 Result<void> MovingSurface::trace_doubtful(const AdvanceOptions& options,
                                            const std::stop_token& stop) {
     const RefinementRules& rules = state_.plan->rules;
     if (!refines() || !rules.retrace || rules.policy == InsertionPolicy::Exact)
         return {};
     std::vector<VertexId> doubtful =
-        vertices_beyond(state_.mesh, rules.trusted_error * state_.separation, carries_tangents());
-    // What was traced with these very steps would come to the same place. Fast surfaces of cells traced 352,840 vertices again to mend the
-    // 6,843 that were interpolated.
+        vertices_beyond(state_.mesh, rules.trusted_error * state_.separation);
+    // What was traced with these very steps would come to the same place. Fast surfaces of cells traced
+    // 352,840 vertices again to mend the 6,843 that were interpolated.
     if (options.method == AdvanceOptions::Method::Dopri5)
         std::erase_if(doubtful,
                       [&](VertexId v) { return state_.mesh.vertices.approximated[v] == 0; });
-    return retrace(state_.mesh, state_.plan->origin, *flow_, doubtful, options, rules.tangents,
-                   stop);
+    return retrace(state_.mesh, state_.plan->origin, *flow_, doubtful, options, stop);
 }
 
 Result<void> MovingSurface::advance_to(double to, std::stop_token stop, const WorkPart& work) {
@@ -460,14 +470,8 @@ Result<void> MovingSurface::advance_to(double to, std::stop_token stop, const Wo
 }
 
 KeyedMesh MovingSurface::mesh() const {
-    return snapshot(
-        state_.mesh, state_.plan->rules.tangents,
-        stated_errors(state_.mesh, state_.step_errors, state_.errors_until, carries_tangents()));
-}
-
-/// Tangents that are carried but not interpolated well say less than the edges do.
-bool MovingSurface::carries_tangents() const {
-    return state_.plan->rules.policy == InsertionPolicy::Hermite;
+    return snapshot(state_.mesh, true,
+                    stated_errors(state_.mesh, state_.step_errors, state_.errors_until));
 }
 
 std::string MovingSurface::validate() const {
@@ -484,7 +488,7 @@ SurfaceStatistics MovingSurface::statistics() const {
     s.steps = state_.steps;
     s.vertex_steps = state_.vertex_steps;
     s.terminated = state_.terminated;
-    s.terminated.time = running_seeds(state_.mesh);
+    s.terminated.time = running(state_.mesh);
     s.torn = state_.torn;
     s.separation = state_.separation;
     s.requested_separation = state_.plan->request.parameters.separation;

@@ -1,6 +1,6 @@
-// A streak or time surface in motion: every vertex is carried in every step, the rake releases new ones, and local
-// operations keep the mesh within its limits. Its state is a value: keep a copy to come back to it. Source: McLoughlin,
-// Laramee, Zhang, Constructing Streak Surfaces for 3D Unsteady Vector Fields, SCCG 2010.
+// A streak or time surface in motion: every vertex is carried in every step, the rake releases new ones, and
+// local operations keep the mesh within its limits. Its state is a value: keep a copy to come back to it.
+// Source: McLoughlin, Laramee, Zhang, Constructing Streak Surfaces for 3D Unsteady Vector Fields, SCCG 2010.
 #pragma once
 
 #include "core/base/clock.hpp"
@@ -31,6 +31,8 @@ struct MovingState {
     std::uint64_t steps = 0;
     std::uint64_t vertex_steps = 0; ///< integrator steps of all vertices
     SurfaceStatistics::Terminated terminated;
+    std::uint32_t fresh =
+        0xffffffffu;        ///< ids from here on were given by the last step's refinement
     std::uint64_t torn = 0; ///< cells, see SurfaceStatistics
     StepErrors step_errors;
     double errors_until = 0.0; ///< the steps before are in the errors of the vertices
@@ -43,9 +45,10 @@ class MovingSurface {
   public:
     /// The surface at `parameters.from`: nothing of a streak surface yet, the whole patch of a time surface.
     /// @param parameters  checked (see check_request)
-    /// @param flow        must outlive the surface
-    /// Where coarse trials show that it would exceed the quad budget, its separation is larger from the start.
-    /// Error: OutOfTime, OverLimit where not even a tenth of the domain would do, Cancelled, what sampling reports.
+    /// @param flow        must outlive the surface Where coarse trials show that it would exceed the quad
+    ///                    budget, its separation is larger from the start.
+    /// Error: OutOfTime, OverLimit where not even a tenth of the domain would do, Cancelled, what sampling
+    /// reports.
     static Result<MovingSurface> start(const Flow& flow,
                                        const Rake& rake,
                                        const SurfaceParameters& parameters,
@@ -53,9 +56,10 @@ class MovingSurface {
                                        const Clock& clock,
                                        const WorkPart& work = {});
 
-    /// Carries the surface over one step, as long as it is safe; not beyond `to`. A surface that would exceed its quad budget is
-    /// begun again, coarser, and carried to where the step leads. Error: OverLimit as for start(), Cancelled (within 50 ms, or because `work` has
-    /// no memory) and what loading time-steps reports; the surface is then of no use but to restore().
+    /// Carries the surface over one step, as long as it is safe; not beyond `to`. A surface that would exceed
+    /// its quad budget is begun again, coarser, and carried to where the step leads. Error: OverLimit as for
+    /// start(), Cancelled (within 50 ms, or because `work` has no memory) and what loading time-steps
+    /// reports; the surface is then of no use but to restore().
     /// @param work  the way from here to `aim`, or to `to` where that is left out
     Result<void> step(double to,
                       std::stop_token stop,
@@ -75,7 +79,8 @@ class MovingSurface {
 
     const MovingState& state() const { return state_; }
 
-    /// Goes back, or forward, to a state this surface had. Stepping on from there leads to the same bytes again.
+    /// Goes back, or forward, to a state this surface had. Stepping on from there leads to the same bytes
+    /// again.
     void restore(const MovingState& state);
 
     /// The mesh as it is now, without dead vertices.
@@ -104,20 +109,19 @@ class MovingSurface {
     Result<void> start_coarser(double until, const std::stop_token& stop, const WorkPart& work);
     Result<bool> move(double to, const std::stop_token& stop, const WorkPart& work);
     Result<double> carry(double to, const AdvanceOptions& options, const std::stop_token& stop);
-    Result<bool>
-    refine(const AdvanceOptions& carry, const std::stop_token& stop, const WorkPart& work);
+    Result<bool> refine(double before,
+                        const AdvanceOptions& carry,
+                        const std::stop_token& stop,
+                        const WorkPart& work);
     Result<void> trace_doubtful(const AdvanceOptions& options, const std::stop_token& stop);
     Result<void> sample_velocity(const std::stop_token& stop);
     double step_length(double to) const;
-    bool carries_tangents() const;
     bool refines() const;
 
     const Flow* flow_;
     const Clock* clock_;
     MovingState state_;
     RefinementMemory refinement_memory_;
-    std::vector<double> sample_times_; ///< memory of sample_velocity
-    std::vector<Vec3> sampled_;
     SurfaceStatistics::Seconds seconds_;
 };
 

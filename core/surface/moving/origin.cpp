@@ -79,7 +79,6 @@ Result<void> retrace(MovingMesh& mesh,
                      const Flow& flow,
                      std::span<const VertexId> vertices,
                      AdvanceOptions options,
-                     bool tangents,
                      std::stop_token stop) {
     std::vector<double> s, t, time;
     for (const VertexId v : vertices) {
@@ -100,12 +99,9 @@ Result<void> retrace(MovingMesh& mesh,
             end[position.size() - 1] = CurveEnd::Obstacle;
     }
     options.method = AdvanceOptions::Method::Dopri5;
-    Particles particles{position, {}, {}, time, end};
-    if (tangents) {
-        particles.along_s = along_s;
-        particles.along_t = along_t;
-    }
-    if (auto advanced = flow.advance(particles, mesh.time, options, stop); !advanced)
+    if (auto advanced =
+            flow.advance({position, along_s, along_t, time, end}, mesh.time, options, stop);
+        !advanced)
         return tl::unexpected(advanced.error());
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         const VertexId v = vertices[i];

@@ -1,5 +1,5 @@
-// Where the material points of a moving surface come from: a rake that releases over time (streak), or a patch released
-// at once (time). The inverse of advection: what it says of (s, t) can be traced again.
+// Where the material points of a moving surface come from: a rake that releases over time (streak), or a
+// patch released at once (time). The inverse of advection: what it says of (s, t) can be traced again.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -16,11 +16,12 @@ namespace wakesurf::core {
 
 class Origin {
   public:
-    /// Streak: t is the release time. @param smooth  the field that velocity on the rake is sampled in, as for Flow::sample
+    /// Streak: t is the release time. @param smooth  the field that velocity on the rake is sampled in, as
+    /// for Flow::sample
     explicit Origin(const Rake& rake, bool smooth = false);
 
-    /// Time: t in 0..1 runs from the rake to `opposite`, a second rake or the rake moved by a vector; all is released at
-    /// `release`.
+    /// Time: t in 0..1 runs from the rake to `opposite`, a second rake or the rake moved by a vector; all is
+    /// released at `release`.
     Origin(const Rake& rake, const Rake& opposite, double release);
     Origin(const Rake& rake, const Vec3& sweep, double release);
 
@@ -41,7 +42,8 @@ class Origin {
     /// Seed parameters that must be vertices: where the curve has corners.
     std::vector<double> corners() const;
 
-    /// Position, tangents and area at release of every (s, t). `along_t` of a streak is minus the velocity there then.
+    /// Position, tangents and area at release of every (s, t). `along_t` of a streak is minus the velocity
+    /// there then.
     /// Error: what sampling reports.
     Result<std::vector<MaterialPoint>> points(const Flow& flow,
                                               std::span<const double> s,
@@ -57,14 +59,13 @@ class Origin {
     bool smooth_ = false;
 };
 
-/// Traces vertices again from where they were released to the mesh's time, in steps of controlled error; they are no longer approximated,
-/// and dead if they do not arrive. Error: what advancing reports.
+/// Traces vertices again from where they were released to the mesh's time, in steps of controlled error; they
+/// are no longer approximated, and dead if they do not arrive. Error: what advancing reports.
 Result<void> retrace(MovingMesh& mesh,
                      const Origin& origin,
                      const Flow& flow,
                      std::span<const VertexId> vertices,
                      AdvanceOptions options,
-                     bool tangents,
                      std::stop_token stop);
 
 } // namespace wakesurf::core

@@ -1,318 +1,359 @@
 #include "core/surface/moving/refinement.hpp"
 
-#include "core/surface/moving/cell_shape.hpp"
-#include "core/surface/moving/insertion_error.hpp"
-#include "core/surface/moving/reconnection.hpp"
-#include "core/surface/moving/surface_tangents.hpp"
-
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
+#include "core/surface/moving/clipping.hpp"
+#include "core/surface/moving/cuts.hpp"
+#include "core/surface/moving/flips.hpp"
+#include "core/surface/moving/insertion.hpp"
+#include "core/surface/moving/joins.hpp"
+#include "core/surface/moving/pairing.hpp"
+#include "core/surface/moving/split_criteria.hpp"
+#include "core/surface/moving/triangle_shape.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
 
 namespace wakesurf::core {
 
 namespace {
 
 constexpr int most_cut_passes = 40;
+/// Passes that look at bends and bulges: what they leave waits a step. A triangle that is nearly straight in
+/// (s, t) but open in space would be cut in every pass.
+constexpr int shape_passes = 3;
 constexpr double coarsening = 1.1;
+constexpr double beside_middle = 0.49;
 
-template <class Visit>
-void for_each_index(std::size_t count, Visit visit) {
-    tbb::this_task_arena::isolate([&] {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1024), [&](const auto& range) {
-            for (std::size_t i = range.begin(); i != range.end(); ++i)
-                visit(i);
-        });
-    });
+std::vector<TriangleId> distinct(std::vector<TriangleId> triangles) {
+    std::sort(triangles.begin(), triangles.end());
+    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+    return triangles;
 }
 
-/// Asks `decide` of every live cell in parallel; `decisions` gets the answers, 0 for empty slots.
-template <class Decide>
-void decide_all(const MovingMesh& mesh, std::vector<std::uint8_t>& decisions, Decide decide) {
-    const auto slots = mesh.quads.slots();
-    decisions.assign(slots.size(), 0);
-    for_each_index(slots.size(), [&](std::size_t i) {
-        if (slots[i].live)
-            decisions[i] = decide(static_cast<CellIndex>(i));
-    });
-}
-
-/// The cells whose decision has any of the bits of `wanted`, in ascending order.
-std::vector<CellIndex> decided(const std::vector<std::uint8_t>& decisions, std::uint8_t wanted) {
-    std::vector<CellIndex> found;
-    for (std::size_t i = 0; i < decisions.size(); ++i)
-        if ((decisions[i] & wanted) != 0)
-            found.push_back(static_cast<CellIndex>(i));
-    return found;
-}
-
-/// The living among `cells` and their neighbours, ascending, each once.
-std::vector<CellIndex> with_neighbours(const MovingMesh& mesh, std::span<const CellIndex> cells) {
-    std::vector<CellIndex> all;
-    for (const CellIndex cell : cells) {
-        if (!mesh.quads[cell].live)
-            continue;
-        all.push_back(cell);
-        for (const auto& side : mesh.quads[cell].across)
-            for (const CellIndex neighbour : side)
-                if (neighbour != no_cell)
-                    all.push_back(neighbour);
-    }
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-    return all;
-}
-
-/// Longest sub-edge of the sides that a cut across `axis` halves.
-double width(const MovingMesh& mesh, CellIndex cell, Axis axis) {
-    const SquaredLengths lengths = squared_lengths(mesh, mesh.quads[cell].cell);
-    const auto side = static_cast<std::size_t>(axis);
-    return std::sqrt(std::max(lengths.longest[side], lengths.longest[side + 2]));
+/// The list, which is empty afterwards; each once, in order.
+std::vector<TriangleId> take(std::vector<TriangleId>& list) {
+    std::vector<TriangleId> taken;
+    taken.swap(list);
+    return distinct(std::move(taken));
 }
 
 } // namespace
 
-void Refinement::find_normals(const MovingMesh& mesh) {
-    const auto slots = mesh.quads.slots();
-    normals_.resize(slots.size());
-    if (rules_.cosine <= -1.0)
+/// Whether an interpolated vertex may be too far off to stay where it is.
+bool Refinement::wants_trace(const MovingMesh& mesh, VertexId made) const {
+    if (mesh.vertices.role[made] != VertexRole::Free)
+        return false;
+    if (rules_.policy == InsertionPolicy::Exact)
+        return true;
+    // Only its own particle says whether a place in a wall is where the surface has come to.
+    return rules_.retrace && (distance(mesh, made) > rules_.trusted_error * rules_.separation ||
+                              flow_.status(mesh.vertices.position[made]) != PointStatus::Inside);
+}
+
+/// Its error in any direction; a number that is none counts as too large.
+double Refinement::distance(const MovingMesh& mesh, VertexId v) const {
+    const double error = mesh.vertices.error[v].apart.length(mesh.vertices.tangents(v));
+    return error >= 0.0 ? error : std::numeric_limits<double>::infinity();
+}
+
+/// A traced vertex between interpolated ones shows their error as a fold, which is cut, and so on. They are
+/// traced as well, unless they are much better than it was.
+void Refinement::trace_with_ends(MovingMesh& mesh, VertexId made, VertexId a, VertexId b) {
+    to_retrace_.push_back(made);
+    if (rules_.policy == InsertionPolicy::Exact)
         return;
-    for_each_index(slots.size(), [&](std::size_t i) {
-        if (slots[i].live)
-            normals_[i] = normal(mesh, slots[i].cell);
-    });
-}
-
-/// Whether `made`, in the middle of a side, may be too far off to stay where it was interpolated.
-bool Refinement::trace_interpolated(MovingMesh& mesh,
-                                    VertexId made,
-                                    CellIndex index,
-                                    std::size_t side) {
-    if (!rules_.retrace)
-        return false;
-    MaterialVertices& vertices = mesh.vertices;
-    const Cell& cell = mesh.quads[index].cell;
-    const std::array corners{side, (side + 1) % 4};
-    std::array<SurfaceTangents, 2> at;
-    for (std::size_t i = 0; i < 2; ++i) {
-        const VertexId end = cell.corner[corners[i]];
-        at[i] = rules_.tangents ? SurfaceTangents{vertices.along_s[end], vertices.along_t[end]}
-                                : tangents_in(mesh, cell, corners[i]);
-    }
-    const double trusted = rules_.trusted_error * rules_.separation;
-    const SurfaceTangents between{0.5 * (at[0].s + at[1].s), 0.5 * (at[0].t + at[1].t)};
-    if (!(vertices.error[made].apart.length(between) > trusted))
-        return false;
-    // A traced vertex between interpolated ones shows their error as a fold, which is cut, and so on. They are traced as well, unless
-    // they are much better than it was.
-    for (std::size_t i = 0; i < 2; ++i) {
-        const VertexId end = cell.corner[corners[i]];
-        if (vertices.approximated[end] != 0 &&
-            vertices.error[end].apart.length(at[i]) > 0.25 * trusted) {
-            vertices.approximated[end] = 0; // once
+    for (const VertexId end : {a, b})
+        if (mesh.vertices.approximated[end] != 0 &&
+            distance(mesh, end) > 0.25 * rules_.trusted_error * rules_.separation) {
+            mesh.vertices.approximated[end] = 0; // once
             to_retrace_.push_back(end);
-            moved_ = true;
         }
-    }
-    return true;
 }
 
-VertexId Refinement::insert(MovingMesh& mesh, CellIndex index, std::size_t side) {
-    const Cell& cell = mesh.quads[index].cell;
-    const VertexId a = cell.corner[side];
-    const VertexId b = cell.corner[(side + 1) % 4];
+VertexId Refinement::insert(MovingMesh& mesh, TriangleId t, unsigned k, double part) {
+    const VertexId a = mesh.triangles[t].begin(k), b = mesh.triangles[t].end(k);
     MaterialVertices& vertices = mesh.vertices;
+    MaterialPoint point = point_on_edge(mesh, t, k, part);
     const bool attached =
         vertices.role[a] == VertexRole::Attached && vertices.role[b] == VertexRole::Attached;
-    Midpoint mid = middle_of_side(mesh, index, side, rules_.policy);
     if (attached) { // on the rake itself: nothing is approximate there
-        mid.point.carried.position = origin_.position(mid.point.s, mid.point.t);
-        mid.point.approximated = false;
-        mid.point.error = {};
-        mid.bulge = 0.0;
+        point.carried.position = origin_.position(point.s, point.t);
+        point.approximated = false;
+        point.error = {};
     }
-    const VertexId v =
-        vertices.add(mid.point, attached ? VertexRole::Attached : VertexRole::Free, mesh.time);
-    bool traced = rules_.policy == InsertionPolicy::Exact;
-    if (!traced && !attached) {
-        add_insertion_error(mesh, v, index, side, rules_.policy);
-        traced = trace_interpolated(mesh, v, index, side);
-    }
-    if (traced) {
-        if (!attached)
-            to_retrace_.push_back(v);
-    } else if (const PointStatus status = flow_.status(mid.point.carried.position);
-               status != PointStatus::Inside) {
-        vertices.end[v] = status == PointStatus::InObstacle ? CurveEnd::Obstacle : CurveEnd::Domain;
-    }
-    return v;
+    return vertices.add(point, attached ? VertexRole::Attached : VertexRole::Free, mesh.time);
 }
 
-/// One pass over the cells in `dirty` (all when it is empty); leaves there the cells the next pass must look at.
-Result<bool> Refinement::cut_pass(MovingMesh& mesh,
-                                  LocalOperations& operations,
-                                  std::vector<CellIndex>& dirty,
-                                  const std::stop_token& stop,
-                                  const WorkPart& work) {
-    const auto decide = [&](CellIndex cell) -> std::uint8_t {
-        return needed_cut(mesh, cell, rules_, flow_, normals_) != Cut::None;
+/// Pairs what has no other half. Odd triangles are handed out with a vertex in the middle of an edge.
+Result<void> Refinement::pair(MovingMesh& mesh, const std::stop_token& stop) {
+    MaterialTriangles& triangles = mesh.triangles;
+
+    struct Hanging {
+        VertexId vertex, a, b;
     };
-    std::vector<CellIndex> wanted;
-    if (dirty.empty()) {
-        find_normals(mesh);
-        decide_all(mesh, decisions_, decide);
-        wanted = decided(decisions_, 1);
-    } else {
-        normals_.resize(mesh.quads.slots().size());
-        for (const CellIndex cell : dirty)
-            normals_[cell] = normal(mesh, mesh.quads[cell].cell);
-        std::copy_if(dirty.begin(), dirty.end(), std::back_inserter(wanted), decide);
-    }
-    if (!work.holds(memory_while_moving(mesh, wanted.size())))
-        return fail(Error::Code::Cancelled, "there is not enough memory for the surface");
-    operations.touched().clear();
-    to_retrace_.clear();
-    moved_ = false;
-    for (const CellIndex cell : wanted) {
-        if (!mesh.quads[cell].live)
+
+    std::vector<Hanging> made;
+    const std::vector<TriangleId> loose = triangles.loose();
+    pair_all(context(mesh), loose, [&](TriangleId t, unsigned k) {
+        const VertexId a = triangles[t].begin(k), b = triangles[t].end(k);
+        made.push_back({insert(mesh, t, k, 0.5), a, b});
+        if (wants_trace(mesh, made.back().vertex))
+            to_retrace_.push_back(made.back().vertex);
+        return made.back().vertex;
+    });
+    if (auto traced = trace_again(mesh, stop); !traced)
+        return traced;
+    // Where its own particle has gone elsewhere it is only drawn: on the edge.
+    MaterialVertices& v = mesh.vertices;
+    for (const auto& [m, a, b] : made) {
+        const double far = std::max(squared_length(mesh, m, a), squared_length(mesh, m, b));
+        if (v.end[m] == CurveEnd::Running && far <= context(mesh).longest_allowed())
             continue;
-        const Cut cut = needed_cut(mesh, cell, rules_, flow_, normals_);
-        const std::size_t before = operations.touched().size();
-        if (cut == Cut::Tear) {
-            unresolved_ += !has_dead_vertex(mesh, mesh.quads[cell].cell);
-            operations.tear(cell);
-            torn_ = true;
-        } else if (cut != Cut::None) {
-            const Axis axis = cut == Cut::AcrossS ? Axis::S : Axis::T;
-            const Axis other = axis == Axis::S ? Axis::T : Axis::S;
-            // Hanging nodes may forbid a cut until the cell is cut the other way; small cells wait for the next step instead.
-            bool done = operations.split(cell, axis);
-            const bool too_long = width(mesh, cell, axis) > rules_.separation;
-            if (!done && (too_long || width(mesh, cell, other) > 0.25 * rules_.separation))
-                done = operations.split(cell, other);
-            if (!done && has_dead_vertex(mesh, mesh.quads[cell].cell)) {
-                operations.tear(cell); // what is dead must not stay
-                torn_ = true;
-            }
-        }
-        normals_.resize(mesh.quads.slots().size());
-        for (std::size_t i = before; i < operations.touched().size(); ++i)
-            if (const CellIndex made = operations.touched()[i]; mesh.quads[made].live)
-                normals_[made] = normal(mesh, mesh.quads[made].cell);
+        v.position[m] = 0.5 * (v.position[a] + v.position[b]);
+        v.end[m] = CurveEnd::Running;
+        v.time[m] = mesh.time;
+        v.approximated[m] = 1;
+        v.error[m].placed.add(v.tangents(m), mesh.edge_length(a, b));
+        v.error[m].apart.add(v.tangents(m), mesh.edge_length(a, b));
     }
-    if (!to_retrace_.empty())
-        if (auto traced = retrace(mesh, origin_, flow_, to_retrace_, trace_, rules_.tangents, stop);
-            !traced)
-            return tl::unexpected(traced.error());
-    dirty = with_neighbours(mesh, operations.touched());
-    if (moved_) // all round the vertices that have been traced again
-        dirty = with_neighbours(mesh, dirty);
-    return !dirty.empty();
+    triangles.touched().clear();
+    return {};
 }
 
-/// Twice where it did something: what one reconnection makes possible the next may need.
-void Refinement::reconnect_pass(MovingMesh& mesh, LocalOperations& operations) {
-    const auto reconnect = [&](std::span<const CellIndex> cells) {
-        for (const CellIndex cell : cells)
-            if (mesh.quads[cell].live)
-                if (const auto how = worthwhile_reconnection(mesh, operations, cell, rules_))
-                    operations.reconnect(cell, *how);
-    };
-    operations.touched().clear();
-    decide_all(mesh, decisions_, [&](CellIndex cell) -> std::uint8_t {
-        return worthwhile_reconnection(mesh, operations, cell, rules_).has_value();
-    });
-    reconnect(decided(decisions_, 1));
-    reconnect(with_neighbours(mesh, operations.touched()));
-}
-
-/// REQUIRES: normals_ of the mesh as it is.
-bool Refinement::merge_pass(MovingMesh& mesh, LocalOperations& operations) {
-    if (rules_.merge <= 0.0)
-        return false;
-    const auto decide = [&](CellIndex cell, Axis axis) {
-        return should_merge(mesh, operations, cell, axis, rules_, flow_, normals_);
-    };
-    decide_all(mesh, decisions_, [&](CellIndex cell) -> std::uint8_t {
-        return static_cast<std::uint8_t>((decide(cell, Axis::S) ? 1 : 0) |
-                                         (decide(cell, Axis::T) ? 2 : 0));
-    });
-    const auto drop = [&](VertexId before, VertexId mid, VertexId after) {
-        return droppable(mesh, before, mid, after, rules_);
-    };
-    bool merged = false;
-    for (const Axis axis : {Axis::S, Axis::T})
-        for (const CellIndex cell : decided(decisions_, axis == Axis::S ? 1 : 2)) {
-            if (!mesh.quads[cell].live || !decide(cell, axis))
-                continue;
-            operations.merge(cell, axis, drop);
-            normals_[cell] = normal(mesh, mesh.quads[cell].cell);
-            merged = true;
-        }
-    return merged;
-}
-
-/// Larger cells are joined until there are few enough. False: that is not allowed, or joining does not help.
-bool Refinement::keep_budget(MovingMesh& mesh, LocalOperations& operations) {
-    if (mesh.quads.live() <= rules_.max_quads)
-        return true;
-    if (!rules_.coarsens)
-        return false;
-    RefinementRules kept = rules_;
-    rules_.merge = std::max(rules_.merge, 0.35);
-    rules_.cosine = -1.0; // a small budget is kept at the cost of the shape
-    while (mesh.quads.live() > rules_.max_quads &&
-           rules_.separation * coarsening <= rules_.coarsest) {
-        rules_.separation *= coarsening;
-        find_normals(mesh);
-        while (mesh.quads.live() > rules_.max_quads && merge_pass(mesh, operations))
-            kept.separation = rules_.separation;
+/// Cuts an edge, or tears the surface where it cannot be followed.
+void Refinement::cut(MovingMesh& mesh, TriangleId t, unsigned k, bool must) {
+    const RefinementContext here = context(mesh);
+    const TriangleId u = mesh.triangles[t].across[k];
+    const bool torn = is_torn(here, t, k);
+    const bool crumb_t = is_crumb(here, t), crumb_u = u != no_triangle && is_crumb(here, u);
+    if (torn || crumb_t || crumb_u) {
+        if (!must || (crumb_t && join_needle(here, t)) || (crumb_u && join_needle(here, u)))
+            return;
+        const std::size_t before = mesh.triangles.live();
+        if (torn || crumb_t)
+            mesh.triangles.tear(t);
+        if ((torn || crumb_u) && u != no_triangle && mesh.triangles[u].live)
+            mesh.triangles.tear(u);
+        unresolved_ += (before - mesh.triangles.live() + 1) / 2;
+        return;
     }
-    rules_ = kept;
-    return mesh.quads.live() <= rules_.max_quads;
+    const VertexId a = mesh.triangles[t].begin(k), b = mesh.triangles[t].end(k);
+    // What has been torn beyond a boundary edge may have been cut in its middle: two vertices at one place
+    // would be a crack.
+    const bool tear = u == no_triangle && !on_rectangle_border(mesh, a, b);
+    const VertexId made = insert(mesh, t, k, tear ? beside_middle : 0.5);
+    mesh.triangles.split(t, k, made);
+    if (wants_trace(mesh, made))
+        trace_with_ends(mesh, made, a, b);
+    else if (const PointStatus status = flow_.status(mesh.vertices.position[made]);
+             status != PointStatus::Inside)
+        mesh.vertices.end[made] =
+            status == PointStatus::InObstacle ? CurveEnd::Obstacle : CurveEnd::Domain;
 }
 
-Result<bool> Refinement::run(MovingMesh& mesh, std::stop_token stop, const WorkPart& work) {
-    LocalOperations operations(
-        mesh, [&](CellIndex cell, std::size_t side) { return insert(mesh, cell, side); });
-    if (!keep_budget(mesh, operations))
-        return false;
-    if (rules_.reconnect)
-        reconnect_pass(mesh, operations);
-    torn_ = false;
-    std::vector<CellIndex> dirty;
+/// Ends the surface where it has left the fluid.
+Result<void> Refinement::clip_at_the_dead(MovingMesh& mesh,
+                                          std::span<const TriangleId> candidates,
+                                          const std::stop_token& stop) {
+    const RefinementContext here = context(mesh);
+    std::vector<EdgeCrossing> crossings = edges_to_the_dead(here, candidates);
+    if (auto found = find_crossings(here, crossings, before_, trace_, stop); !found)
+        return found;
+    std::vector<VertexId> made;
+    clip(here, candidates, crossings, [&](const EdgeCrossing& crossing) {
+        const MaterialPoint point = point_between(mesh, crossing.living, crossing.dead,
+                                                  crossing.part, crossing.carried, crossing.edge);
+        made.push_back(mesh.vertices.add(point, VertexRole::Free, mesh.time));
+        return made.back();
+    });
+    if (rules_.policy != InsertionPolicy::Exact)
+        return {};
+    // Its particle ends about now: what counts is where. One that has ended long ago, elsewhere, is not the
+    // one that was looked for.
+    std::vector<MaterialPoint> found_there;
+    for (const VertexId v : made)
+        found_there.push_back(mesh.vertices.point(v));
+    if (auto traced = retrace(mesh, origin_, flow_, made, trace_, stop); !traced)
+        return traced;
+    for (std::size_t i = 0; i < made.size(); ++i) {
+        const VertexId v = made[i];
+        const Vec3 moved = mesh.vertices.position[v] - found_there[i].carried.position;
+        if (!(squared(moved) <= context(mesh).squared_separation(0.25)))
+            mesh.vertices.set(v, found_there[i]);
+        mesh.vertices.end[v] = CurveEnd::Running;
+        mesh.vertices.time[v] = mesh.time;
+    }
+    return {};
+}
+
+/// Cuts among `candidates`.
+void Refinement::cut_pass(MovingMesh& mesh, std::span<const TriangleId> candidates, bool shape) {
+    const RefinementContext here = context(mesh);
+    for (const WantedCut& edge : wanted_cuts(here, candidates, shape)) {
+        if (stop_.stop_requested())
+            return;
+        // Cut, or turned away, meanwhile: the next pass sees to it.
+        auto there = mesh.triangles.find(edge.a, edge.b);
+        if (there.triangle == no_triangle)
+            there = mesh.triangles.find(edge.b, edge.a);
+        if (there.triangle == no_triangle)
+            continue;
+        cut(mesh, there.triangle, there.k, edge.must);
+    }
+}
+
+Result<void> Refinement::trace_again(MovingMesh& mesh, const std::stop_token& stop) {
+    if (to_retrace_.empty())
+        return {};
+    std::sort(to_retrace_.begin(), to_retrace_.end());
+    to_retrace_.erase(std::unique(to_retrace_.begin(), to_retrace_.end()), to_retrace_.end());
+    std::erase_if(to_retrace_,
+                  [&](VertexId v) { return mesh.vertices.role[v] != VertexRole::Free; });
+    if (auto traced = retrace(mesh, origin_, flow_, to_retrace_, trace_, stop); !traced)
+        return traced;
+    std::vector<TriangleId> round;
+    for (const VertexId v : to_retrace_)
+        if (!mesh.triangles.unused(v)) {
+            mesh.triangles.fan(v, round);
+            for (const TriangleId t : round)
+                mesh.triangles.touched().push_back(t);
+        }
+    to_retrace_.clear();
+    return {};
+}
+
+/// Returns whether the mesh is within its budget.
+Result<bool> Refinement::cut_until_done(MovingMesh& mesh,
+                                        std::vector<TriangleId> candidates,
+                                        int with_shape,
+                                        const std::stop_token& stop,
+                                        const WorkPart& work) {
+    std::vector<TriangleId> all = candidates; // what is left over for the strict passes
     for (int pass = 0; pass < most_cut_passes; ++pass) {
         if (stop.stop_requested())
             return fail(Error::Code::Cancelled, "the surface was cancelled");
-        const auto more = cut_pass(mesh, operations, dirty, stop, work);
-        if (!more)
-            return tl::unexpected(more.error());
-        if (mesh.quads.live() > rules_.max_quads) {
-            if (!keep_budget(mesh, operations))
+        if (!work.holds(memory_while_moving(mesh, candidates.size() / 3)))
+            return fail(Error::Code::Cancelled, "there is not enough memory for the surface");
+        const bool shape = pass < with_shape;
+        if (auto clipped = clip_at_the_dead(mesh, candidates, stop); !clipped)
+            return tl::unexpected(clipped.error());
+        cut_pass(mesh, candidates, shape);
+        if (auto traced = trace_again(mesh, stop); !traced)
+            return tl::unexpected(traced.error());
+        std::vector<TriangleId> touched = take(mesh.triangles.touched());
+        std::vector<TriangleId> queue = touched;
+        flip_all(context(mesh), queue);
+        touched.insert(touched.end(), mesh.triangles.touched().begin(),
+                       mesh.triangles.touched().end());
+        mesh.triangles.touched().clear();
+        all.insert(all.end(), touched.begin(), touched.end());
+        candidates = distinct(std::move(touched));
+        // Much of what is cut is joined again before the step ends.
+        if (mesh.triangles.quads() > 2 * rules_.max_quads) {
+            if (!keep_budget(mesh))
                 return false;
-            dirty.clear();
-            continue;
+            candidates.insert(candidates.end(), mesh.triangles.touched().begin(),
+                              mesh.triangles.touched().end());
+            candidates = distinct(std::move(candidates));
+            all.insert(all.end(), candidates.begin(), candidates.end());
+            mesh.triangles.touched().clear();
         }
-        if (!*more)
+        if (candidates.empty() && !shape)
             break;
+        if (shape && (candidates.empty() || pass + 1 == with_shape)) {
+            pass = with_shape - 1;
+            candidates = distinct(all); // what has waited is looked at strictly
+        }
     }
-    merge_pass(mesh, operations);
-    if (torn_)
-        remove_unused_vertices(mesh);
+    if (auto clipped = clip_at_the_dead(mesh, candidates, stop); !clipped)
+        return tl::unexpected(clipped.error());
+    all.insert(all.end(), mesh.triangles.touched().begin(), mesh.triangles.touched().end());
+    mesh.triangles.touched() = std::move(all);
     return true;
 }
 
+/// Larger cells are joined until there are few enough. False: that is not allowed, or joining does not help.
+bool Refinement::keep_budget(MovingMesh& mesh) {
+    // Odd triangles, which are not known yet, are quads of their own.
+    const std::uint64_t most = rules_.max_quads - rules_.max_quads / 64;
+    if (mesh.triangles.quads() <= most)
+        return true;
+    if (!rules_.coarsens)
+        return mesh.triangles.quads() <= rules_.max_quads;
+    RefinementRules kept = rules_;
+    rules_.merge = std::max(rules_.merge, 0.55);
+    rules_.cosine = -1.0; // a small budget is kept at the cost of the shape
+    while (mesh.triangles.quads() > most && !stop_.stop_requested() &&
+           rules_.separation * coarsening <= rules_.coarsest) {
+        rules_.separation *= coarsening;
+        kept.separation = rules_.separation;
+        std::vector<TriangleId> all;
+        for (TriangleId t = 0; t < mesh.triangles.slots().size(); ++t)
+            if (mesh.triangles[t].live)
+                all.push_back(t);
+        join_all(context(mesh), all);
+    }
+    rules_ = kept;
+    return mesh.triangles.quads() <= rules_.max_quads;
+}
+
+Result<bool> Refinement::run(MovingMesh& mesh, std::stop_token stop, const WorkPart& work) {
+    stop_ = stop;
+    if (!keep_budget(mesh))
+        return false;
+    to_retrace_.clear();
+    MaterialTriangles& triangles = mesh.triangles;
+    const RefinementContext here = context(mesh);
+    Needs needs = scan(here, turn_, scan_);
+    flip_all(here, needs.flipping);
+    std::vector<TriangleId> candidates = std::move(needs.cutting);
+    candidates.insert(candidates.end(), triangles.touched().begin(), triangles.touched().end());
+    triangles.touched().clear();
+    if (auto within =
+            cut_until_done(mesh, distinct(std::move(candidates)), shape_passes, stop, work);
+        !within || !*within)
+        return within;
+    if (rules_.merge > 0.0) {
+        std::vector<TriangleId> small = std::move(needs.joining);
+        small.insert(small.end(), triangles.touched().begin(), triangles.touched().end());
+        small = distinct(std::move(small));
+        erode(here, small);
+        small.insert(small.end(), triangles.touched().begin(), triangles.touched().end());
+        small = distinct(std::move(small));
+        join_all(here, small);
+        small = take(triangles.touched());
+        erode(here, small);
+        small.insert(small.end(), triangles.touched().begin(), triangles.touched().end());
+        // Long inner edges that are no diagonals any more.
+        if (auto within = cut_until_done(mesh, distinct(std::move(small)), 0, stop, work);
+            !within || !*within)
+            return within;
+    }
+    std::vector<TriangleId> changed = take(triangles.touched());
+    drop_specks(here, changed);
+    if (!keep_budget(mesh))
+        return false;
+    changed.insert(changed.end(), triangles.touched().begin(), triangles.touched().end());
+    changed.insert(changed.end(), needs.pairing.begin(), needs.pairing.end());
+    for (const TriangleId t : distinct(std::move(changed)))
+        if (triangles[t].live && is_poor_pair(here, t))
+            triangles.part(t);
+    if (auto paired = pair(mesh, stop); !paired)
+        return tl::unexpected(paired.error());
+    remove_unused_vertices(mesh);
+    if (stop.stop_requested())
+        return fail(Error::Code::Cancelled, "the surface was cancelled");
+    return triangles.quads() <= rules_.max_quads;
+}
+
 void remove_unused_vertices(MovingMesh& mesh) {
-    std::vector<std::uint8_t> used(mesh.vertices.slots(), 0);
-    for (const LinkedCell& slot : mesh.quads.slots())
-        if (slot.live)
-            for_each_vertex(slot.cell, [&](VertexId v) { used[v] = 1; });
-    for (VertexId v = 0; v < used.size(); ++v)
-        if (used[v] == 0 && mesh.vertices.role[v] == VertexRole::Free)
+    std::vector<std::uint8_t> hanging(mesh.vertices.slots(), 0);
+    for (const Triangle& t : mesh.triangles.slots())
+        if (t.live && t.odd())
+            hanging[t.hanging] = 1;
+    for (VertexId v = 0; v < hanging.size(); ++v)
+        if (mesh.triangles.unused(v) && hanging[v] == 0 &&
+            mesh.vertices.role[v] == VertexRole::Free)
             mesh.vertices.remove(v);
 }
 

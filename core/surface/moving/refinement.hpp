@@ -1,37 +1,52 @@
-// Brings a moving surface back within its limits after a step: reconnect, cut, tear, join, until nothing is left to do.
-// Decisions are made in parallel from the mesh as it is, and carried out one after the other in the order of the cells, so
-// that the result does not depend on the number of threads.
+// Brings a moving surface back within its limits after a step: flip, clip, cut or tear, join, and pair. What
+// may need anything is found in parallel from the mesh as it is; it is carried out one after the other, in an
+// order that does not depend on the number of threads.
 #pragma once
 
 #include "core/base/result.hpp"
 #include "core/base/work_done.hpp"
-#include "core/surface/moving/merge_criteria.hpp"
 #include "core/surface/moving/origin.hpp"
-#include "core/surface/moving/refinement_rules.hpp"
-#include "core/surface/moving/split_criteria.hpp"
+#include "core/surface/moving/refinement_context.hpp"
+#include "core/surface/moving/scan.hpp"
 
 #include <cstdint>
+#include <span>
 #include <stop_token>
 #include <vector>
 
 namespace wakesurf::core {
 
-/// Memory kept from step to step; nothing in it outlives one.
+/// Memory kept from step to step; nothing in it outlives one, and a copy has its own.
 struct RefinementMemory {
-    std::vector<Vec3f> normals;          ///< of cell slots
-    std::vector<std::uint8_t> decisions; ///< likewise
+    RefinementMemory() = default;
+
+    RefinementMemory(const RefinementMemory&) {}
+
+    RefinementMemory(RefinementMemory&&) = default;
+
+    RefinementMemory& operator=(const RefinementMemory&) { return *this; }
+
+    RefinementMemory& operator=(RefinementMemory&&) = default;
+    ~RefinementMemory() = default;
+
+    ScanMemory scan;
     std::vector<VertexId> to_retrace;
 };
 
 class Refinement {
   public:
+    /// @param before  simulation time at which the step began
+    /// @param turn    counts the steps
+    /// @param trace   as the mesh was carried with
     Refinement(const Flow& flow,
                const Origin& origin,
                RefinementRules rules,
+               double before,
+               std::uint64_t turn,
                AdvanceOptions trace,
                RefinementMemory& memory)
-        : flow_(flow), origin_(origin), rules_(rules), trace_(trace), normals_(memory.normals),
-          decisions_(memory.decisions), to_retrace_(memory.to_retrace) {}
+        : flow_(flow), origin_(origin), rules_(rules), before_(before), turn_(turn), trace_(trace),
+          scan_(memory.scan), to_retrace_(memory.to_retrace) {}
 
     /// False: the mesh has more quads than the rules allow, and no separation that they allow changes that.
     /// Error: Cancelled (also where there is no memory), and what tracing a vertex again reports.
@@ -45,31 +60,39 @@ class Refinement {
     std::uint64_t unresolved() const { return unresolved_; }
 
   private:
-    Result<bool> cut_pass(MovingMesh& mesh,
-                          LocalOperations& operations,
-                          std::vector<CellIndex>& dirty,
-                          const std::stop_token& stop,
-                          const WorkPart& work);
-    bool merge_pass(MovingMesh& mesh, LocalOperations& operations);
-    void reconnect_pass(MovingMesh& mesh, LocalOperations& operations);
-    bool keep_budget(MovingMesh& mesh, LocalOperations& operations);
-    VertexId insert(MovingMesh& mesh, CellIndex index, std::size_t side);
-    bool trace_interpolated(MovingMesh& mesh, VertexId made, CellIndex index, std::size_t side);
-    void find_normals(const MovingMesh& mesh);
+    RefinementContext context(MovingMesh& mesh) const { return {mesh, flow_, rules_, stop_}; }
+
+    bool keep_budget(MovingMesh& mesh);
+    Result<bool> cut_until_done(MovingMesh& mesh,
+                                std::vector<TriangleId> candidates,
+                                int with_shape,
+                                const std::stop_token& stop,
+                                const WorkPart& work);
+    Result<void> clip_at_the_dead(MovingMesh& mesh,
+                                  std::span<const TriangleId> candidates,
+                                  const std::stop_token& stop);
+    void cut_pass(MovingMesh& mesh, std::span<const TriangleId> candidates, bool shape);
+    void cut(MovingMesh& mesh, TriangleId t, unsigned k, bool must);
+    VertexId insert(MovingMesh& mesh, TriangleId t, unsigned k, double part);
+    Result<void> pair(MovingMesh& mesh, const std::stop_token& stop);
+    bool wants_trace(const MovingMesh& mesh, VertexId made) const;
+    double distance(const MovingMesh& mesh, VertexId v) const;
+    void trace_with_ends(MovingMesh& mesh, VertexId made, VertexId a, VertexId b);
+    Result<void> trace_again(MovingMesh& mesh, const std::stop_token& stop);
 
     const Flow& flow_;
     const Origin& origin_;
     RefinementRules rules_;
+    double before_;
+    std::uint64_t turn_;
     AdvanceOptions trace_;
-    std::vector<Vec3f>& normals_;
-    std::vector<std::uint8_t>& decisions_;
+    ScanMemory& scan_;
     std::vector<VertexId>& to_retrace_;
-    bool moved_ = false; ///< vertices the mesh had have been traced again
-    bool torn_ = false;  ///< cells have been deleted: vertices may be left alone
+    std::stop_token stop_; ///< of run()
     std::uint64_t unresolved_ = 0;
 };
 
-/// Frees the slots of vertices no cell uses, except attached ones.
+/// Frees the slots of vertices that no triangle has and none is handed out with, except attached ones.
 void remove_unused_vertices(MovingMesh& mesh);
 
 } // namespace wakesurf::core

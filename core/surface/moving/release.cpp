@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 namespace wakesurf::core {
 
@@ -50,33 +51,24 @@ void move_attached(MovingMesh& mesh) {
             v.t[i] = v.time[i] = mesh.time;
 }
 
-bool from_seed(const MaterialVertices& v, VertexId i) {
-    const LatticePlace at = v.place[i];
-    return at.column == std::floor(at.column) && at.row == std::floor(at.row);
-}
-
-std::uint64_t running_seeds(const MovingMesh& mesh) {
+std::uint64_t running(const MovingMesh& mesh) {
     const MaterialVertices& v = mesh.vertices;
     std::uint64_t count = 0;
     for (VertexId i = 0; i < v.slots(); ++i)
-        count += v.role[i] == VertexRole::Free && v.end[i] == CurveEnd::Running && from_seed(v, i);
+        count += v.role[i] == VertexRole::Free && v.end[i] == CurveEnd::Running;
     return count;
 }
 
-void carry_on_the_dead(MovingMesh& mesh, SurfaceStatistics::Terminated& terminated) {
-    MaterialVertices& v = mesh.vertices;
-    for (VertexId i = 0; i < v.slots(); ++i) {
-        if (v.role[i] != VertexRole::Free || v.end[i] == CurveEnd::Running ||
-            v.time[i] == mesh.time)
-            continue;
-        v.position[i] += Vec3(v.velocity[i]) * (mesh.time - v.time[i]);
-        v.time[i] = mesh.time;
-        if (!from_seed(v, i))
-            continue;
-        terminated.domain += v.end[i] == CurveEnd::Domain;
-        terminated.obstacle += v.end[i] == CurveEnd::Obstacle;
-        terminated.stagnation += v.end[i] == CurveEnd::Stagnation;
-    }
+void count_the_dead(const MovingMesh& mesh,
+                    std::uint32_t fresh,
+                    SurfaceStatistics::Terminated& terminated) {
+    const MaterialVertices& v = mesh.vertices;
+    for (VertexId i = 0; i < v.slots(); ++i)
+        if (v.role[i] == VertexRole::Free && v.end[i] != CurveEnd::Running && v.id[i] < fresh) {
+            terminated.domain += v.end[i] == CurveEnd::Domain;
+            terminated.obstacle += v.end[i] == CurveEnd::Obstacle;
+            terminated.stagnation += v.end[i] == CurveEnd::Stagnation;
+        }
 }
 
 void sort_memory(MovingMesh& mesh, double share) {
@@ -95,24 +87,34 @@ void sort_memory(MovingMesh& mesh, double share) {
             misplaced += !order.empty() && !before(order.back(), i);
             order.push_back(i);
         }
-    const auto slots = mesh.quads.slots();
-    const std::size_t holes = slots.size() - mesh.quads.live() + v.slots() - order.size();
+    const auto slots = mesh.triangles.slots();
+    const std::size_t holes = slots.size() - mesh.triangles.live() + v.slots() - order.size();
     if (static_cast<double>(misplaced + holes) <= share * static_cast<double>(order.size()))
         return;
     std::sort(order.begin(), order.end(), before);
     std::vector<VertexId> slot_of(v.slots(), no_vertex);
     for (std::size_t i = 0; i < order.size(); ++i)
         slot_of[order[i]] = static_cast<VertexId>(i);
-    std::vector<CellIndex> cells;
-    for (CellIndex i = 0; i < slots.size(); ++i)
-        if (slots[i].live)
-            cells.push_back(i);
-    std::sort(cells.begin(), cells.end(), [&](CellIndex a, CellIndex b) {
-        const VertexId p = slot_of[slots[a].cell.corner[0]];
-        const VertexId q = slot_of[slots[b].cell.corner[0]];
-        return p != q ? p < q : slots[a].id < slots[b].id;
+
+    struct Sorted {
+        VertexId first; ///< of its vertices
+        std::uint32_t quad;
+        TriangleId triangle;
+    };
+
+    std::vector<Sorted> triangles;
+    for (TriangleId t = 0; t < slots.size(); ++t)
+        if (slots[t].live) {
+            const auto& [a, b, c] = slots[t].vertex;
+            triangles.push_back({std::min({slot_of[a], slot_of[b], slot_of[c]}), slots[t].quad, t});
+        }
+    std::sort(triangles.begin(), triangles.end(), [](const Sorted& a, const Sorted& b) {
+        return std::tie(a.first, a.quad, a.triangle) < std::tie(b.first, b.quad, b.triangle);
     });
-    mesh.quads.renumber(cells, slot_of);
+    std::vector<TriangleId> triangle_order;
+    for (const Sorted& each : triangles)
+        triangle_order.push_back(each.triangle);
+    mesh.triangles.renumber(triangle_order, slot_of);
     v.renumber(order);
 }
 

@@ -1,33 +1,44 @@
-// Which cells must be cut or torn: divergence, obstacles, curvature, discontinuity, and what lies beside a dead vertex.
+// Which edges of a moving surface must be cut, and where it is torn instead: divergence, obstacles,
+// curvature, discontinuity.
 // Source: McLoughlin, Laramee, Zhang, SCCG 2010; discontinuity by seed distance: Garth et al. 2008.
 #pragma once
 
-#include "core/field/flow.hpp"
-#include "core/surface/moving/local_operations.hpp"
-#include "core/surface/moving/refinement_rules.hpp"
-
-#include <span>
+#include "core/surface/moving/refinement_context.hpp"
 
 namespace wakesurf::core {
 
-enum class Cut : std::uint8_t { None, AcrossS, AcrossT, Tear };
+/// Why an edge must be cut, the most pressing reason.
+enum class Fault : std::uint8_t { None, Long, Wall, Bulge };
 
-/// @param normals  of every cell slot; empty when curvature does not matter
-Cut needed_cut(const MovingMesh& mesh,
-               CellIndex cell,
-               const RefinementRules& rules,
-               const Flow& flow,
-               std::span<const Vec3f> normals);
+Fault fault_of(const RefinementContext& context, VertexId a, VertexId b);
 
-bool has_dead_vertex(const MovingMesh& mesh, const Cell& cell);
+/// Length of edge_bend() beyond which an edge bulges.
+double least_bend(const RefinementContext& context);
 
-/// True when the chord between two vertices, longer than a quarter of the separation, passes through an obstacle deeper than
-/// a convex wall makes it dip.
-bool crosses_obstacle(const MovingMesh& mesh,
+/// True where the cubic along an edge leaves its chord by more than is drawn straight. @param share  of that
+/// which counts
+bool bulges(const RefinementContext& context, VertexId a, VertexId b, double share = 1.0);
+
+/// True where the edge from a to b passes through an obstacle: its chord does, deeper than a convex wall
+/// makes it dip, and the surface's own middle of the edge is not in the fluid near by.
+bool crosses_obstacle(const RefinementContext& context,
                       VertexId a,
                       VertexId b,
-                      double length,
-                      const RefinementRules& rules,
-                      const Flow& flow);
+                      double squared_length);
+
+/// True for the inner edge of two triangles that are a good quad without it: nobody sees it, so it may be
+/// longer than the separation.
+/// @param waits  also where a side of that quad is too long itself: sides are cut first, and the edge may be
+///               gone then
+bool is_diagonal(const RefinementContext& context, TriangleId t, unsigned k, bool waits);
+
+/// True where the surface cannot be followed across an edge that would have to be cut: its ends were released
+/// too close to each other, or close and part beside an obstacle. A tear there begins at the boundary of the
+/// surface or where seeds are closer still.
+bool is_torn(const RefinementContext& context, TriangleId t, unsigned k);
+
+/// True for a triangle with next to no material, a web with little, or one of next to no height: cutting it
+/// would have no end.
+bool is_crumb(const RefinementContext& context, TriangleId t);
 
 } // namespace wakesurf::core

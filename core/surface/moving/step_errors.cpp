@@ -1,11 +1,7 @@
 #include "core/surface/moving/step_errors.hpp"
 
+#include "core/base/for_each_index.hpp"
 #include "core/integrate/advance_particle.hpp"
-#include "core/surface/moving/surface_tangents.hpp"
-
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,8 +16,8 @@ constexpr double kept = 0.7;   ///< of what was learnt before
 constexpr double share = 1.0 / 32.0; ///< of the vertices
 constexpr double fewest = 16.0;
 
-/// Halving the steps of RK4 leaves a sixteenth of the error where the field is smooth, a quarter where it has a kink. And between
-/// the vertices of the sample others have larger errors.
+/// Halving the steps of RK4 leaves a sixteenth of the error where the field is smooth, a quarter where it has
+/// a kink. And between the vertices of the sample others have larger errors.
 constexpr double of_the_difference = 2.0;
 
 /// Of an error across the surface: the error in any direction, of which that is one of three.
@@ -40,13 +36,9 @@ bool moving(const MaterialVertices& v, VertexId i) {
 
 template <class Visit>
 void for_each_moving(const MovingMesh& mesh, Visit visit) {
-    const std::size_t count = mesh.vertices.slots();
-    tbb::this_task_arena::isolate([&] {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1024), [&](const auto& range) {
-            for (std::size_t i = range.begin(); i != range.end(); ++i)
-                if (const auto v = static_cast<VertexId>(i); moving(mesh.vertices, v))
-                    visit(v);
-        });
+    for_each_index(mesh.vertices.slots(), [&](std::size_t i) {
+        if (const auto v = static_cast<VertexId>(i); moving(mesh.vertices, v))
+            visit(v);
     });
 }
 
@@ -110,7 +102,6 @@ Result<void> StepSample::learn(StepErrors& errors,
                                const Flow& flow,
                                const MovingMesh& mesh,
                                AdvanceOptions options,
-                               bool carried,
                                std::stop_token stop) {
     const MaterialVertices& v = mesh.vertices;
     const double dt = std::abs(mesh.time - from_);
@@ -126,11 +117,11 @@ Result<void> StepSample::learn(StepErrors& errors,
     if (auto advanced = flow.advance({position_, {}, {}, time_, end_}, mesh.time, options, stop);
         !advanced)
         return tl::unexpected(advanced.error());
-    const MeshTangents tangents(mesh, carried);
     for (std::size_t i = 0; i < vertex_.size(); ++i) {
         if (end_[i] != CurveEnd::Running || v.end[vertex_[i]] != CurveEnd::Running)
             continue;
-        const double apart = tangents.at(vertex_[i]).across(position_[i] - v.position[vertex_[i]]);
+        const double apart =
+            mesh.vertices.tangents(vertex_[i]).across(position_[i] - v.position[vertex_[i]]);
         // Error control allows the tolerance, and rare places use it up.
         const double allowed = options.method == AdvanceOptions::Method::Dopri5
                                    ? tolerance * glm::length(position_[i] - start_[i])
@@ -142,22 +133,20 @@ Result<void> StepSample::learn(StepErrors& errors,
     return {};
 }
 
-void add_step_errors(MovingMesh& mesh, const StepErrors& errors, double since, bool carried) {
-    const MeshTangents tangents(mesh, carried);
+void add_step_errors(MovingMesh& mesh, const StepErrors& errors, double since) {
     const double time = std::abs(mesh.time - since);
     for_each_moving(mesh, [&](VertexId i) {
-        const SurfaceTangents at = tangents.at(i);
+        const SurfaceTangents at = mesh.vertices.tangents(i);
         const double across = errors.at(mesh.vertices.position[i]) * time;
         mesh.vertices.error[i].traced.add(at, across);
         mesh.vertices.error[i].apart.add(at, of_across * across);
     });
 }
 
-std::vector<VertexId> vertices_beyond(const MovingMesh& mesh, double trusted, bool carried) {
-    const MeshTangents tangents(mesh, carried);
+std::vector<VertexId> vertices_beyond(const MovingMesh& mesh, double trusted) {
     std::vector<std::uint8_t> beyond(mesh.vertices.slots(), 0);
     for_each_moving(mesh, [&](VertexId i) {
-        beyond[i] = mesh.vertices.error[i].apart.length(tangents.at(i)) > trusted;
+        beyond[i] = mesh.vertices.error[i].apart.length(mesh.vertices.tangents(i)) > trusted;
     });
     std::vector<VertexId> found;
     for (VertexId i = 0; i < beyond.size(); ++i)
@@ -166,14 +155,12 @@ std::vector<VertexId> vertices_beyond(const MovingMesh& mesh, double trusted, bo
     return found;
 }
 
-std::vector<float>
-stated_errors(const MovingMesh& mesh, const StepErrors& errors, double since, bool carried) {
-    const MeshTangents tangents(mesh, carried);
+std::vector<float> stated_errors(const MovingMesh& mesh, const StepErrors& errors, double since) {
     const double time = std::abs(mesh.time - since);
     std::vector<float> stated(mesh.vertices.slots(), 0.0f);
     for_each_moving(mesh, [&](VertexId i) {
         const double pending = errors.at(mesh.vertices.position[i]) * time;
-        const double error = mesh.vertices.error[i].across(tangents.at(i)) + pending;
+        const double error = mesh.vertices.error[i].across(mesh.vertices.tangents(i)) + pending;
         // Nothing is farther than the domain is wide, nor what is no number.
         const double widest = errors.largest_distance();
         stated[i] = static_cast<float>(error < widest ? error : widest);

@@ -1,5 +1,5 @@
-// The error that the integrator's steps make on a moving surface: a sample of its vertices is carried a second time, in finer steps,
-// and what is learnt there holds for the others near by.
+// The error that the integrator's steps make on a moving surface: a sample of its vertices is carried a
+// second time, in finer steps, and what is learnt there holds for the others near by.
 #pragma once
 
 #include "core/base/box.hpp"
@@ -17,8 +17,8 @@ class StepErrors {
     StepErrors() = default;
     explicit StepErrors(const Box& domain);
 
-    /// What is learnt from now on is learnt of steps as long as `h`. What was learnt before counts for less, and as much as it would be
-    /// with such steps.
+    /// What is learnt from now on is learnt of steps as long as `h`. What was learnt before counts for less,
+    /// and as much as it would be with such steps.
     void begin(double h);
 
     /// Nothing is known of steps as long as `h`.
@@ -51,15 +51,14 @@ class StepSample {
     /// @param turn  another sample each
     StepSample(const MovingMesh& mesh, std::uint64_t turn);
 
-    /// Carries them to where the mesh has been carried, in finer steps, and tells `errors` how far across the surface they come from its
-    /// vertices.
-    /// @param carried  the vertices carry their tangents
-    /// REQUIRES: the mesh has been carried with `options`, and is otherwise as it was. Error: what advancing reports.
+    /// Carries them to where the mesh has been carried, in finer steps, and tells `errors` how far across the
+    /// surface they come from its vertices.
+    /// REQUIRES: the mesh has been carried with `options`, and is otherwise as it was. Error: what advancing
+    /// reports.
     Result<void> learn(StepErrors& errors,
                        const Flow& flow,
                        const MovingMesh& mesh,
                        AdvanceOptions options,
-                       bool carried,
                        std::stop_token stop);
 
   private:
@@ -71,14 +70,14 @@ class StepSample {
 };
 
 /// Adds to every moving vertex the errors of the steps since `since`.
-/// @param carried  the vertices carry their tangents
-void add_step_errors(MovingMesh& mesh, const StepErrors& errors, double since, bool carried);
+void add_step_errors(MovingMesh& mesh, const StepErrors& errors, double since);
 
-/// The moving vertices whose error has come to more than `trusted`, and would have less were they traced again.
-std::vector<VertexId> vertices_beyond(const MovingMesh& mesh, double trusted, bool carried);
+/// The moving vertices whose error has come to more than `trusted`, and would have less were they traced
+/// again.
+std::vector<VertexId> vertices_beyond(const MovingMesh& mesh, double trusted);
 
-/// Length across the surface: what the error of every vertex slot has come to, with those of the steps since `since`.
-std::vector<float>
-stated_errors(const MovingMesh& mesh, const StepErrors& errors, double since, bool carried);
+/// Length across the surface: what the error of every vertex slot has come to, with those of the steps since
+/// `since`.
+std::vector<float> stated_errors(const MovingMesh& mesh, const StepErrors& errors, double since);
 
 } // namespace wakesurf::core

@@ -4,12 +4,6 @@
 
 namespace wakesurf::core {
 
-namespace {
-
-constexpr std::size_t shown_bytes = 250; ///< a vertex, while the mesh to show is made
-
-} // namespace
-
 SurfaceHistory::SurfaceHistory(MovingSurface surface, std::size_t budget_bytes)
     : surface_(std::move(surface)), start_(surface_.time()),
       direction_(surface_.end_time() < start_ ? -1.0 : 1.0), budget_(budget_bytes) {
@@ -81,15 +75,19 @@ Result<KeyedMesh> SurfaceHistory::at(double time, std::stop_token stop, const Wo
         return tl::unexpected(there.error());
     work.came_to(time, start_);
     const MovingMesh& mesh = surface_.state().mesh;
-    if (!here.holds(memory_of(mesh) + memory_while_moving(mesh) +
-                    shown_bytes * mesh.vertices.slots()))
+    const std::size_t on_the_way = memory_while_moving(mesh);
+    if (!here.holds(memory_of(mesh) + on_the_way + shown_bytes * mesh.vertices.slots()))
         return fail(Error::Code::Cancelled, "there is not enough memory for the surface");
-    if (surface_.time() == time)
-        return surface_.mesh();
-    MovingSurface shown = surface_; // the last part of the way is no one's checkpoint
-    return shown.advance_to(time, stop, here.quietly().above(memory_of(mesh))).map([&] {
-        return shown.mesh();
-    });
+    const auto shown = [&]() -> Result<KeyedMesh> {
+        if (surface_.time() == time)
+            return surface_.mesh();
+        MovingSurface further = surface_; // the last part of the way is no one's checkpoint
+        return further.advance_to(time, stop, here.quietly().above(memory_of(mesh))).map([&] {
+            return further.mesh();
+        });
+    }();
+    here.gives_back(on_the_way);
+    return shown;
 }
 
 } // namespace wakesurf::core

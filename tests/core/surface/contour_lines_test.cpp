@@ -1,5 +1,4 @@
 #include "core/surface/contour_lines.hpp"
-#include "core/surface/moving/local_operations.hpp"
 #include "tests/support/flat_patch.hpp"
 
 #include <gtest/gtest.h>
@@ -20,18 +19,36 @@ double length(const ContourLine& line) {
     return sum;
 }
 
-/// 6 x 5 cells, some of them cut so that nodes hang on their neighbours; s = x / 6, t = y / 5.
+/// 6 x 5 cells, some of them cut in four so that nodes hang on their neighbours; s = x / 6, t = y / 5.
 QuadComplex hanging() {
-    MovingMesh mesh = flat_patch(6, 5);
-    LocalOperations operations(mesh, [&](CellIndex index, std::size_t side) {
-        const Cell& cell = mesh.quads[index].cell;
-        return insert_middle(mesh, cell.corner[side], cell.corner[(side + 1) % 4]);
-    });
-    for (const CellIndex cell : {0u, 8u, 14u, 21u, 29u})
-        for (const Axis axis : {Axis::S, Axis::T})
-            EXPECT_TRUE(operations.split(cell, axis));
-    EXPECT_EQ(violation(mesh), "");
-    return snapshot(mesh, false).mesh;
+    QuadComplex mesh = snapshot(flat_patch(6, 5), false).mesh;
+    const auto middle = [&](VertexId a, VertexId b) {
+        mesh.position.push_back(0.5 * (mesh.position[a] + mesh.position[b]));
+        mesh.s.push_back(0.5 * (mesh.s[a] + mesh.s[b]));
+        mesh.t.push_back(0.5 * (mesh.t[a] + mesh.t[b]));
+        mesh.approximated.push_back(0);
+        return static_cast<VertexId>(mesh.position.size() - 1);
+    };
+    for (const std::size_t cut : {0u, 8u, 15u, 22u, 25u, 29u}) {
+        const auto corner = mesh.cells[cut].corner;
+        std::array<VertexId, 4> mid;
+        for (std::size_t k = 0; k < 4; ++k) {
+            const VertexId a = corner[k], b = corner[(k + 1) % 4];
+            mid[k] = middle(a, b);
+            for (Cell& cell : mesh.cells)
+                for (std::size_t side = 0; side < 4; ++side)
+                    if (cell.corner[side] == b && cell.corner[(side + 1) % 4] == a)
+                        cell.mid[side] = mid[k];
+        }
+        const VertexId centre = middle(mid[0], mid[2]);
+        mesh.cells[cut] = {{corner[0], mid[0], centre, mid[3]},
+                           {no_vertex, no_vertex, no_vertex, no_vertex}};
+        for (std::size_t k = 1; k < 4; ++k)
+            mesh.cells.push_back({{mid[k - 1], corner[k], mid[k], centre},
+                                  {no_vertex, no_vertex, no_vertex, no_vertex}});
+    }
+    EXPECT_EQ(mesh.validate(), "");
+    return mesh;
 }
 
 void expect_points_apart(const ContourLine& line) {
@@ -125,8 +142,9 @@ TEST(ContourLines, AClosedLineRoundAPeakIsFound) {
 
 TEST(ContourLines, APatchInTwoPartsHasALineInEach) {
     MovingMesh mesh = flat_patch(6, 5);
-    for (CellIndex row = 0; row < 5; ++row)
-        mesh.quads.replace(std::array{CellIndex{6 * row + 2}}, {}, 0);
+    for (TriangleId row = 0; row < 5; ++row)
+        for (const TriangleId half : {0u, 1u})
+            mesh.triangles.remove(2 * (6 * row + 2) + half);
     const QuadComplex torn = snapshot(mesh, false).mesh;
     const auto lines = contour_lines(torn, torn.t, std::array{0.5});
     ASSERT_EQ(lines.size(), 2u);

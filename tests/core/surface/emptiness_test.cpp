@@ -84,6 +84,7 @@ TEST(Emptiness, TwoRakesThatAreTheSameSaySo) {
 TEST(Emptiness, AnEmptySurfaceOfWhichEverythingHasLeftIsNoMistake) {
     SurfaceParameters p = parameters(SurfaceKind::Time);
     p.to = 100.0;
+    p.sweep = Vec3(0.0, 0.0, 0.5);
     const auto why = empty("uniform", line({-5, -1, 0}, {-5, 1, 0}), p);
     ASSERT_TRUE(why);
     EXPECT_EQ(why->reason, Reason::AllLeft);

@@ -1,5 +1,4 @@
 #include "core/surface/keyed_mesh.hpp"
-#include "core/surface/moving/local_operations.hpp"
 #include "tests/support/flat_patch.hpp"
 #include "tests/support/mesh_delta.hpp"
 
@@ -37,22 +36,24 @@ class Edited {
     explicit Edited(unsigned seed) : random_(seed) {}
 
     void edit() {
-        LocalOperations operations(mesh_, [&](CellIndex index, std::size_t side) {
-            const Cell& cell = mesh_.quads[index].cell;
-            return insert_middle(mesh_, cell.corner[side], cell.corner[(side + 1) % 4]);
-        });
+        MaterialTriangles& triangles = mesh_.triangles;
         for (int i = 0; i < 6; ++i) {
-            const auto cell = static_cast<CellIndex>(random_() % mesh_.quads.slots().size());
-            const Axis axis = random_() % 2 == 0 ? Axis::S : Axis::T;
-            if (!mesh_.quads[cell].live)
+            const auto t = static_cast<TriangleId>(random_() % triangles.slots().size());
+            const auto k = static_cast<unsigned>(random_() % 3);
+            if (!triangles[t].live)
                 continue;
-            if (random_() % 8 == 0)
-                operations.tear(cell);
-            else if (random_() % 2 == 0)
-                operations.split(cell, axis);
-            else if (operations.partner(cell, axis) != no_cell)
-                operations.merge(cell, axis, [](VertexId, VertexId, VertexId) { return true; });
+            if (random_() % 8 == 0) {
+                triangles.tear(t);
+            } else if (random_() % 2 == 0) {
+                triangles.split(t, k, insert_middle(mesh_, t, k));
+            } else {
+                const VertexId gone = triangles[t].begin(k), kept = triangles[t].end(k);
+                std::vector<TriangleId> ring;
+                if (triangles.collapsible(gone, kept, ring))
+                    triangles.collapse(gone, kept, ring);
+            }
         }
+        pair_and_clean(mesh_);
         MaterialVertices& v = mesh_.vertices;
         for (int i = 0; i < 5; ++i)
             v.position[random_() % v.slots()].z += 0.125;
@@ -63,7 +64,7 @@ class Edited {
 
     KeyedMesh now() const { return snapshot(mesh_, true); }
 
-    std::size_t live() const { return mesh_.quads.live(); }
+    std::size_t live() const { return mesh_.triangles.live(); }
 
   private:
     MovingMesh mesh_ = flat_patch(6, 5);

@@ -95,7 +95,9 @@ TEST(StatedError, PastAStagnationLineIsThatOfTheSheetNotOfWhatSlidesAlongIt) {
                     p.sweep = Vec3(0.5, 0.0, 0.0);
                 MeasuredErrors sum;
                 measure(sum, *flow, rake, p, 200);
-                sum.check(p.accuracy, p.separation, 3.0 * glm::length(flow->domain().extent()));
+                // Beside the tear the sheet is drawn out so much that cubics along its edges say little.
+                sum.check(p.accuracy, p.separation, 3.0 * glm::length(flow->domain().extent()),
+                          2.5);
                 EXPECT_LE(static_cast<double>(sum.uncertain),
                           0.01 * static_cast<double>(sum.vertices));
             }

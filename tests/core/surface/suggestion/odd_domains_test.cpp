@@ -1,4 +1,6 @@
 // What is suggested where the domain is odd: full of holes, thin, or with a body that fills the inlet.
+#include "core/dataset/time_step_cache.hpp"
+#include "core/field/stored_flow.hpp"
 #include "tests/support/sampled_source.hpp"
 #include "tests/support/suggested_scene.hpp"
 
@@ -10,7 +12,8 @@ namespace {
 
 using tests::suggested, tests::times;
 
-/// Uniform flow along x through a block with a hole in each of n^3 parts, as a folded mesh has them. Counts the lookups.
+/// Uniform flow along x through a block with a hole in each of n^3 parts, as a folded mesh has them. Counts
+/// the lookups.
 class HoledFlow final : public Flow {
   public:
     explicit HoledFlow(double holes) : holes_(holes) {}

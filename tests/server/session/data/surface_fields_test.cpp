@@ -1,4 +1,5 @@
-// The fields of a surface in the states that its clients hold, against formulas: of every kind, in every pass, at any time.
+// The fields of a surface in the states that its clients hold, against formulas: of every kind, in every
+// pass, at any time.
 #include "core/field/analytic_flow.hpp"
 #include "core/field/stored_flow.hpp"
 #include "core/surface/surface_builder.hpp"
@@ -319,11 +320,15 @@ TEST(SurfaceFields, AMeshIsTheSameWithFieldsAndWithout) {
     for (const SurfaceKind kind : kinds) {
         SurfaceBuild plain(store.job(kind, {}), clock);
         SurfaceBuild rich(store.job(kind, {"p", "U", "approximated"}), clock);
+        int compared = 0;
         for (const SurfacePass& pass : all_passes()) {
             const Update without = update_of(plain, pass);
             const Update with = update_of(rich, pass);
-            if (!with.wire.lossless)
+            // A delta leaves vertices in their places, a key frame puts them in order; which is smaller
+            // depends on the fields.
+            if (!with.wire.lossless || with.wire.key != without.wire.key)
                 continue;
+            ++compared;
             EXPECT_EQ(without.wire.state->position, with.wire.state->position);
             EXPECT_EQ(without.wire.state->cells(), with.wire.state->cells());
             ASSERT_EQ(without.wire.state->codes.size(), 3u);
@@ -333,6 +338,7 @@ TEST(SurfaceFields, AMeshIsTheSameWithFieldsAndWithout) {
                 ASSERT_NEAR(value(state, 4, v), value(state, 0, v), 1e-4)
                     << "the velocity's magnitude";
         }
+        EXPECT_GE(compared, 4);
     }
 }
 

@@ -1,0 +1,291 @@
+#include "core/surface/moving/pairing.hpp"
+
+#include "core/surface/moving/triangle_shape.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+#include <vector>
+
+namespace wakesurf::core {
+
+namespace {
+
+constexpr double poor = 0.295; ///< sine of the smallest or largest corner: 17 degrees
+/// Sines that the quads along an alternating path must have, tried in turn.
+constexpr std::array<double, 4> least_on_path{0.48, 0.25, 0.0, -2.0};
+constexpr std::size_t longest_search = 32; ///< triangles
+constexpr int swap_rounds = 4;
+
+class Pairing {
+  public:
+    explicit Pairing(const RefinementContext& context)
+        : context_(context), mesh_(context.mesh), triangles_(context.mesh.triangles) {}
+
+    /// REQUIRED for paths.
+    void remember_searches() {
+        searched_.assign(triangles_.slots().size(), 0);
+        from_.resize(triangles_.slots().size());
+    }
+
+    /// Least sine of the corners of the quad across edge k, or cosine of the bend there if that is less;
+    /// negative where it is not convex.
+    double score(TriangleId t, unsigned k) const {
+        const Triangle& here = triangles_[t];
+        const Triangle& there = triangles_[here.across[k]];
+        const std::array<VertexId, 4> corner{here.begin(k), there.opposite(triangles_.facing(t, k)),
+                                             here.end(k), here.opposite(k)};
+        std::array<Vec3, 4> side;
+        std::array<double, 4> length;
+        for (std::size_t i = 0; i < 4; ++i) {
+            side[i] = mesh_.edge(corner[i], corner[(i + 1) % 4]);
+            length[i] = squared(side[i]);
+        }
+        const Vec3 normal = glm::cross(side[0] + side[1], side[1] + side[2]);
+        const double size = squared(normal);
+        double least = 1.0;
+        for (std::size_t i = 0; i < 4; ++i) {
+            const std::size_t before = (i + 3) % 4;
+            const double scale = std::sqrt(length[i] * length[before] * size);
+            const double sine =
+                scale > 0.0 ? glm::dot(glm::cross(side[before], side[i]), normal) / scale : -1.0;
+            least = std::min(least, sine);
+        }
+        // Of the triangles' normals: a quad is not to be bent over a ridge of the sheet.
+        return std::min(
+            least, cosine_between(glm::cross(side[0], side[1]), glm::cross(side[2], side[3]), 1.0));
+    }
+
+    bool is_forced(TriangleId t) const {
+        return triangles_[t].paired() && too_long(t, triangles_[t].mate);
+    }
+
+    bool too_long(TriangleId t, unsigned k) const {
+        return !(squared_length(mesh_, triangles_[t].begin(k), triangles_[t].end(k)) <=
+                 context_.longest_allowed());
+    }
+
+    bool is_free(TriangleId t) const {
+        return triangles_[t].live && triangles_[t].mate == Triangle::alone;
+    }
+
+    void pair(TriangleId t, unsigned k) { triangles_.pair(t, k, triangles_.take_id()); }
+
+    /// Edges that would be seen, and must not: their triangles are each other's, whoever they belong to.
+    void pair_forced(std::span<const TriangleId> loose) {
+        for (const TriangleId t : loose)
+            for (unsigned k = 0; k < 3 && is_free(t); ++k) {
+                const TriangleId u = triangles_[t].across[k];
+                if (u == no_triangle || !too_long(t, k))
+                    continue;
+                triangles_.part(u);
+                pair(t, k);
+            }
+    }
+
+    void pair_best(std::span<const TriangleId> loose) {
+        struct Candidate {
+            double score;
+            TriangleId t;
+            unsigned k;
+        };
+
+        std::vector<Candidate> candidates;
+        for (const TriangleId t : loose)
+            for (unsigned k = 0; k < 3; ++k)
+                if (const TriangleId u = triangles_[t].across[k];
+                    u != no_triangle && t < u && is_free(t) && is_free(u))
+                    if (const double here = score(t, k); here >= poor)
+                        candidates.push_back({here, t, k});
+        std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+            return std::tuple(-a.score, a.t, a.k) < std::tuple(-b.score, b.t, b.k);
+        });
+        for (const Candidate& best : candidates)
+            if (is_free(best.t) && is_free(triangles_[best.t].across[best.k]))
+                pair(best.t, best.k);
+    }
+
+    /// Another half for `start` by taking apart every other pair on the way to a triangle that has none
+    /// either.
+    bool pair_along_path(TriangleId start, double least) {
+        ++search_;
+        std::vector<TriangleId> queue{start};
+        come_from(start, no_triangle);
+        for (std::size_t i = 0; i < queue.size() && queue.size() < longest_search; ++i) {
+            const TriangleId t = queue[i]; // an even number of steps from the start
+            for (unsigned k = 0; k < 3; ++k) {
+                const TriangleId u = triangles_[t].across[k];
+                if (u == no_triangle || seen(u) || score(t, k) < least)
+                    continue;
+                if (is_free(u) || triangles_[u].odd()) {
+                    triangles_.part(u);
+                    follow_back(t, u);
+                    return true;
+                }
+                const TriangleId next = triangles_[u].across[triangles_[u].mate];
+                if (is_forced(u) || seen(next))
+                    continue;
+                come_from(u, t);
+                come_from(next, u);
+                queue.push_back(next);
+            }
+        }
+        return false;
+    }
+
+    /// Two pairs beside each other become two others where that is better for both together.
+    void swap_pairs(std::span<const TriangleId> around) {
+        for (int round = 0; round < swap_rounds; ++round) {
+            bool any = false;
+            for (const TriangleId t : around)
+                for (unsigned k = 0; k < 3 && swappable(t); ++k)
+                    any = swap(t, k) || any;
+            if (!any)
+                return;
+        }
+    }
+
+  private:
+    bool seen(TriangleId t) const { return searched_[t] == search_; }
+
+    void come_from(TriangleId t, TriangleId before) {
+        searched_[t] = search_;
+        from_[t] = before;
+    }
+
+    void follow_back(TriangleId t, TriangleId u) {
+        for (;;) {
+            const TriangleId before = from_[t];
+            if (before != no_triangle)
+                triangles_.part(t); // from `before`, which is next
+            pair(t, edge_to(t, u));
+            if (before == no_triangle)
+                return;
+            u = before;
+            t = from_[before];
+        }
+    }
+
+    unsigned edge_to(TriangleId t, TriangleId u) const {
+        const auto& across = triangles_[t].across;
+        return across[0] == u ? 0u : across[1] == u ? 1u : 2u;
+    }
+
+    bool beside(TriangleId t, TriangleId u) const {
+        const auto& across = triangles_[t].across;
+        return across[0] == u || across[1] == u || across[2] == u;
+    }
+
+    bool swappable(TriangleId t) const {
+        return triangles_[t].live && triangles_[t].paired() && !is_forced(t);
+    }
+
+    bool swap(TriangleId t, unsigned k) {
+        const TriangleId u = triangles_[t].across[triangles_[t].mate];
+        const TriangleId v = triangles_[t].across[k];
+        if (v == no_triangle || v == u || !swappable(v))
+            return false;
+        const TriangleId w = triangles_[v].across[triangles_[v].mate];
+        if (!beside(u, w) || w == t)
+            return false;
+        const unsigned j = edge_to(u, w);
+        const auto worth = [&](TriangleId x, unsigned edge) {
+            return std::sqrt(std::max(score(x, edge), 0.0));
+        };
+        if (!(worth(t, k) + worth(u, j) >
+              worth(t, triangles_[t].mate) + worth(v, triangles_[v].mate) + 1e-4))
+            return false;
+        triangles_.part(t);
+        triangles_.part(v);
+        pair(t, k);
+        pair(u, j);
+        return true;
+    }
+
+    const RefinementContext& context_;
+    const MovingMesh& mesh_;
+    MaterialTriangles& triangles_;
+    std::uint32_t search_ = 0;
+    std::vector<std::uint32_t> searched_; ///< by which search a triangle was last come to
+    std::vector<TriangleId> from_;        ///< and from which triangle
+};
+
+/// Its longest edge that is not the rake's.
+unsigned side_to_halve(const MovingMesh& mesh, TriangleId t) {
+    const Triangle& here = mesh.triangles[t];
+    unsigned best = 0;
+    double longest = -1.0;
+    for (unsigned k = 0; k < 3; ++k) {
+        const VertexId a = here.begin(k), b = here.end(k);
+        const bool rake = mesh.vertices.role[a] == VertexRole::Attached &&
+                          mesh.vertices.role[b] == VertexRole::Attached;
+        const double length = squared_length(mesh, a, b);
+        if (!rake && length > longest) {
+            longest = length;
+            best = k;
+        }
+    }
+    return best;
+}
+
+} // namespace
+
+bool is_poor_pair(const RefinementContext& context, TriangleId t) {
+    const MovingMesh& mesh = context.mesh;
+    const Triangle& here = mesh.triangles[t];
+    if (here.mate == Triangle::alone)
+        return false;
+    const Pairing pairing(context);
+    for (unsigned k = 0; k < 3; ++k)
+        if ((k != here.mate || here.odd()) && pairing.too_long(t, k))
+            return true;
+    if (!here.odd())
+        return !pairing.is_forced(t) && pairing.score(t, here.mate) < poor;
+    const auto far = [&](VertexId v) {
+        return !(squared_length(mesh, here.hanging, v) <= context.longest_allowed());
+    };
+    return mesh.vertices.dead(here.hanging) || far(here.begin(here.mate)) ||
+           far(here.end(here.mate));
+}
+
+void pair_all(const RefinementContext& context,
+              std::span<const TriangleId> loose,
+              const std::function<VertexId(TriangleId t, unsigned k)>& insert) {
+    MaterialTriangles& triangles = context.mesh.triangles;
+    Pairing pairing(context);
+    const auto still_free = [&](std::span<const TriangleId> from) {
+        std::vector<TriangleId> found;
+        for (const TriangleId t : from)
+            if (pairing.is_free(t))
+                found.push_back(t);
+        std::sort(found.begin(), found.end());
+        found.erase(std::unique(found.begin(), found.end()), found.end());
+        return found;
+    };
+    const std::vector<TriangleId> all = still_free(loose);
+    triangles.loose().clear();
+    pairing.pair_forced(all);
+    // What a forced pair has taken apart looks for another half as well.
+    std::vector<TriangleId> rest = all;
+    rest.insert(rest.end(), triangles.loose().begin(), triangles.loose().end());
+    rest = still_free(rest);
+    pairing.pair_best(rest);
+    rest = still_free(rest);
+    if (!rest.empty())
+        pairing.remember_searches();
+    for (const double least : least_on_path) {
+        for (const TriangleId t : rest)
+            if (pairing.is_free(t) && !context.stop.stop_requested())
+                pairing.pair_along_path(t, least);
+        rest = still_free(rest);
+    }
+    pairing.swap_pairs(all);
+    for (const TriangleId t : rest) {
+        const unsigned k = side_to_halve(context.mesh, t);
+        triangles.leave_odd(t, k, insert(t, k), triangles.take_id());
+    }
+    triangles.loose().clear();
+}
+
+} // namespace wakesurf::core

@@ -1,0 +1,28 @@
+// What the phases of a moving surface's refinement work on.
+#pragma once
+
+#include "core/field/flow.hpp"
+#include "core/surface/moving/moving_mesh.hpp"
+#include "core/surface/moving/refinement_rules.hpp"
+
+#include <stop_token>
+
+namespace wakesurf::core {
+
+struct RefinementContext {
+    MovingMesh& mesh;
+    const Flow& flow;
+    const RefinementRules& rules; ///< as now in force
+    const std::stop_token
+        stop{}; ///< when it is requested every phase ends where it is: the mesh is of no use then
+
+    /// Squared length, from a part of the separation.
+    double squared_separation(double part = 1.0) const {
+        return part * part * rules.separation * rules.separation;
+    }
+
+    /// Longest edge allowed, squared, with what rounding may add: what is made just as long is not cut again.
+    double longest_allowed() const { return squared_separation() * (1.0 + 2e-9); }
+};
+
+} // namespace wakesurf::core
