@@ -17,8 +17,23 @@ constexpr double filament = 0.04;
 /// Of the rake: a triangle that spans as much belongs to a sheet that was released as narrow as it is.
 constexpr double whole_sheet = 0.2;
 
+constexpr double sharp = 0.87; ///< cosine: 30 degrees
+
 constexpr std::size_t speck = 24;      ///< triangles
 constexpr std::size_t much_larger = 4; ///< times
+
+/// A triangle with two sides on the boundary that meet at a sharp angle: what tears leave is not to be ragged.
+bool is_tooth(const MovingMesh& mesh, TriangleId t) {
+    const Triangle& here = mesh.triangles[t];
+    for (unsigned k = 0; k < 3; ++k) {
+        const unsigned before = (k + 2) % 3;
+        if (here.across[k] == no_triangle && here.across[before] == no_triangle &&
+            cosine_between(mesh.edge(here.begin(k), here.end(k)),
+                           mesh.edge(here.begin(k), here.begin(before)), -1.0) > sharp)
+            return true;
+    }
+    return false;
+}
 
 bool may_erode(const RefinementContext& context, TriangleId t, std::vector<TriangleId>& ring) {
     const MovingMesh& mesh = context.mesh;
@@ -39,7 +54,11 @@ bool may_erode(const RefinementContext& context, TriangleId t, std::vector<Trian
     const double span =
         std::max({std::abs(mesh.parameter_step(a, b).s), std::abs(mesh.parameter_step(b, c).s),
                   std::abs(mesh.parameter_step(c, a).s)});
-    if (!(quality(mesh, t) < thin) || span > whole_sheet)
+    if (span > whole_sheet)
+        return false;
+    if (open > 1 && !rim && is_tooth(mesh, t))
+        return true;
+    if (!(quality(mesh, t) < thin))
         return false;
     const unsigned k = longest_edge_of(mesh, t);
     const double length = mesh.edge_length(here.begin(k), here.end(k));
