@@ -1,7 +1,5 @@
 #include "core/surface/moving/crossing.hpp"
 
-#include <cmath>
-#include <optional>
 #include <vector>
 
 namespace wakesurf::core {
@@ -47,8 +45,8 @@ struct Search {
     double tried = 0.5;
     bool done = false;
 
-    /// Just before the time of death would be the end of the step, by the last two; half-way where they do
-    /// not tell, as where particles graze the boundary.
+    /// Just before the part of the way at which a particle would end with the step, by the last two; half-way
+    /// where they do not tell, as where particles graze the boundary.
     double next(double now) const {
         const double middle = 0.5 * (alive + dead);
         if (deaths < 2 || died == died_before)

@@ -1,7 +1,5 @@
 #include "core/surface/moving/material_vertices.hpp"
 
-#include <tuple>
-
 namespace wakesurf::core {
 
 namespace {

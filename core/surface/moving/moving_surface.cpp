@@ -15,7 +15,6 @@
 #include <cassert>
 #include <chrono>
 #include <cmath>
-#include <numbers>
 
 namespace wakesurf::core {
 
@@ -123,7 +122,7 @@ Result<std::optional<std::uint64_t>> MovingSurface::most_quads(const Flow& flow,
             return most;
         if (stop.stop_requested())
             return fail(Error::Code::Cancelled, "the surface was cancelled");
-        within = surface.move(surface.end_time(), stop, work.quietly());
+        within = surface.move(surface.next_time(surface.end_time()), stop, work.quietly());
         work.reached(std::abs(surface.time() - from) / std::abs(surface.end_time() - from));
     }
 }
@@ -246,6 +245,8 @@ Result<bool> MovingSurface::refine(double before,
     const auto within = refinement.run(state_.mesh, stop, work);
     state_.separation = refinement.rules().separation;
     state_.torn += refinement.unresolved();
+    if (stop.stop_requested()) // then the budget was not kept either, or not looked at
+        return fail(Error::Code::Cancelled, "the surface was cancelled");
     return within;
 }
 
@@ -331,7 +332,7 @@ Result<void> MovingSurface::step(double to,
     const double way = std::abs(aim.value_or(to) - time());
     const double part = way > 0.0 ? std::min(1.0, std::abs(reached - time()) / way) : 1.0;
     const WorkPart here = work.rest().between(0.0, part);
-    const auto within = move(to, stop, here);
+    const auto within = move(reached, stop, here);
     if (!within)
         return tl::unexpected(within.error());
     if (!*within)
@@ -344,11 +345,10 @@ Result<void> MovingSurface::step(double to,
     return {};
 }
 
-/// One step. False: the mesh then has more quads than its rules allow, and is of no use.
-Result<bool> MovingSurface::move(double to, const std::stop_token& stop, const WorkPart& work) {
+/// One step, to next_time(). False: the mesh then has more quads than its rules allow, and is of no use.
+Result<bool> MovingSurface::move(double now, const std::stop_token& stop, const WorkPart& work) {
     MovingMesh& mesh = state_.mesh;
     const auto began = clock_->now();
-    const double now = next_time(to);
     const double before = mesh.time;
     const double dt = std::abs(now - before);
 

@@ -107,7 +107,7 @@ class MovingSurface {
     Result<bool> begin(const std::stop_token& stop, const WorkPart& work);
     Result<void> begin_within_budget(const std::stop_token& stop, const WorkPart& work);
     Result<void> start_coarser(double until, const std::stop_token& stop, const WorkPart& work);
-    Result<bool> move(double to, const std::stop_token& stop, const WorkPart& work);
+    Result<bool> move(double now, const std::stop_token& stop, const WorkPart& work);
     Result<double> carry(double to, const AdvanceOptions& options, const std::stop_token& stop);
     Result<bool> refine(double before,
                         const AdvanceOptions& carry,

@@ -85,7 +85,7 @@ VertexId Refinement::insert(MovingMesh& mesh, TriangleId t, unsigned k, double p
 }
 
 /// Pairs what has no other half. Odd triangles are handed out with a vertex in the middle of an edge.
-Result<void> Refinement::pair(MovingMesh& mesh, const std::stop_token& stop) {
+Result<void> Refinement::pair(MovingMesh& mesh) {
     MaterialTriangles& triangles = mesh.triangles;
 
     struct Hanging {
@@ -101,7 +101,7 @@ Result<void> Refinement::pair(MovingMesh& mesh, const std::stop_token& stop) {
             to_retrace_.push_back(made.back().vertex);
         return made.back().vertex;
     });
-    if (auto traced = trace_again(mesh, stop); !traced)
+    if (auto traced = trace_again(mesh); !traced)
         return traced;
     // Where its own particle has gone elsewhere it is only drawn: on the edge.
     MaterialVertices& v = mesh.vertices;
@@ -153,11 +153,10 @@ void Refinement::cut(MovingMesh& mesh, TriangleId t, unsigned k, bool must) {
 
 /// Ends the surface where it has left the fluid.
 Result<void> Refinement::clip_at_the_dead(MovingMesh& mesh,
-                                          std::span<const TriangleId> candidates,
-                                          const std::stop_token& stop) {
+                                          std::span<const TriangleId> candidates) {
     const RefinementContext here = context(mesh);
     std::vector<EdgeCrossing> crossings = edges_to_the_dead(here, candidates);
-    if (auto found = find_crossings(here, crossings, before_, trace_, stop); !found)
+    if (auto found = find_crossings(here, crossings, before_, trace_, stop_); !found)
         return found;
     std::vector<VertexId> made;
     clip(here, candidates, crossings, [&](const EdgeCrossing& crossing) {
@@ -173,7 +172,7 @@ Result<void> Refinement::clip_at_the_dead(MovingMesh& mesh,
     std::vector<MaterialPoint> found_there;
     for (const VertexId v : made)
         found_there.push_back(mesh.vertices.point(v));
-    if (auto traced = retrace(mesh, origin_, flow_, made, trace_, stop); !traced)
+    if (auto traced = retrace(mesh, origin_, flow_, made, trace_, stop_); !traced)
         return traced;
     for (std::size_t i = 0; i < made.size(); ++i) {
         const VertexId v = made[i];
@@ -202,14 +201,14 @@ void Refinement::cut_pass(MovingMesh& mesh, std::span<const TriangleId> candidat
     }
 }
 
-Result<void> Refinement::trace_again(MovingMesh& mesh, const std::stop_token& stop) {
+Result<void> Refinement::trace_again(MovingMesh& mesh) {
     if (to_retrace_.empty())
         return {};
     std::sort(to_retrace_.begin(), to_retrace_.end());
     to_retrace_.erase(std::unique(to_retrace_.begin(), to_retrace_.end()), to_retrace_.end());
     std::erase_if(to_retrace_,
                   [&](VertexId v) { return mesh.vertices.role[v] != VertexRole::Free; });
-    if (auto traced = retrace(mesh, origin_, flow_, to_retrace_, trace_, stop); !traced)
+    if (auto traced = retrace(mesh, origin_, flow_, to_retrace_, trace_, stop_); !traced)
         return traced;
     std::vector<TriangleId> round;
     for (const VertexId v : to_retrace_)
@@ -226,19 +225,18 @@ Result<void> Refinement::trace_again(MovingMesh& mesh, const std::stop_token& st
 Result<bool> Refinement::cut_until_done(MovingMesh& mesh,
                                         std::vector<TriangleId> candidates,
                                         int with_shape,
-                                        const std::stop_token& stop,
                                         const WorkPart& work) {
     std::vector<TriangleId> all = candidates; // what is left over for the strict passes
     for (int pass = 0; pass < most_cut_passes; ++pass) {
-        if (stop.stop_requested())
+        if (stop_.stop_requested())
             return fail(Error::Code::Cancelled, "the surface was cancelled");
         if (!work.holds(memory_while_moving(mesh, candidates.size() / 3)))
             return fail(Error::Code::Cancelled, "there is not enough memory for the surface");
         const bool shape = pass < with_shape;
-        if (auto clipped = clip_at_the_dead(mesh, candidates, stop); !clipped)
+        if (auto clipped = clip_at_the_dead(mesh, candidates); !clipped)
             return tl::unexpected(clipped.error());
         cut_pass(mesh, candidates, shape);
-        if (auto traced = trace_again(mesh, stop); !traced)
+        if (auto traced = trace_again(mesh); !traced)
             return tl::unexpected(traced.error());
         std::vector<TriangleId> touched = take(mesh.triangles.touched());
         std::vector<TriangleId> queue = touched;
@@ -265,7 +263,7 @@ Result<bool> Refinement::cut_until_done(MovingMesh& mesh,
             candidates = distinct(all); // what has waited is looked at strictly
         }
     }
-    if (auto clipped = clip_at_the_dead(mesh, candidates, stop); !clipped)
+    if (auto clipped = clip_at_the_dead(mesh, candidates); !clipped)
         return tl::unexpected(clipped.error());
     all.insert(all.end(), mesh.triangles.touched().begin(), mesh.triangles.touched().end());
     mesh.triangles.touched() = std::move(all);
@@ -298,7 +296,7 @@ bool Refinement::keep_budget(MovingMesh& mesh) {
 }
 
 Result<bool> Refinement::run(MovingMesh& mesh, std::stop_token stop, const WorkPart& work) {
-    stop_ = stop;
+    stop_ = std::move(stop);
     if (!keep_budget(mesh))
         return false;
     to_retrace_.clear();
@@ -309,8 +307,7 @@ Result<bool> Refinement::run(MovingMesh& mesh, std::stop_token stop, const WorkP
     std::vector<TriangleId> candidates = std::move(needs.cutting);
     candidates.insert(candidates.end(), triangles.touched().begin(), triangles.touched().end());
     triangles.touched().clear();
-    if (auto within =
-            cut_until_done(mesh, distinct(std::move(candidates)), shape_passes, stop, work);
+    if (auto within = cut_until_done(mesh, distinct(std::move(candidates)), shape_passes, work);
         !within || !*within)
         return within;
     if (rules_.merge > 0.0) {
@@ -325,7 +322,7 @@ Result<bool> Refinement::run(MovingMesh& mesh, std::stop_token stop, const WorkP
         erode(here, small);
         small.insert(small.end(), triangles.touched().begin(), triangles.touched().end());
         // Long inner edges that are no diagonals any more.
-        if (auto within = cut_until_done(mesh, distinct(std::move(small)), 0, stop, work);
+        if (auto within = cut_until_done(mesh, distinct(std::move(small)), 0, work);
             !within || !*within)
             return within;
     }
@@ -338,10 +335,10 @@ Result<bool> Refinement::run(MovingMesh& mesh, std::stop_token stop, const WorkP
     for (const TriangleId t : distinct(std::move(changed)))
         if (triangles[t].live && is_poor_pair(here, t))
             triangles.part(t);
-    if (auto paired = pair(mesh, stop); !paired)
+    if (auto paired = pair(mesh); !paired)
         return tl::unexpected(paired.error());
     remove_unused_vertices(mesh);
-    if (stop.stop_requested())
+    if (stop_.stop_requested())
         return fail(Error::Code::Cancelled, "the surface was cancelled");
     return triangles.quads() <= rules_.max_quads;
 }

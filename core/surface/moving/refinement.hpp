@@ -66,19 +66,16 @@ class Refinement {
     Result<bool> cut_until_done(MovingMesh& mesh,
                                 std::vector<TriangleId> candidates,
                                 int with_shape,
-                                const std::stop_token& stop,
                                 const WorkPart& work);
-    Result<void> clip_at_the_dead(MovingMesh& mesh,
-                                  std::span<const TriangleId> candidates,
-                                  const std::stop_token& stop);
+    Result<void> clip_at_the_dead(MovingMesh& mesh, std::span<const TriangleId> candidates);
     void cut_pass(MovingMesh& mesh, std::span<const TriangleId> candidates, bool shape);
     void cut(MovingMesh& mesh, TriangleId t, unsigned k, bool must);
     VertexId insert(MovingMesh& mesh, TriangleId t, unsigned k, double part);
-    Result<void> pair(MovingMesh& mesh, const std::stop_token& stop);
+    Result<void> pair(MovingMesh& mesh);
     bool wants_trace(const MovingMesh& mesh, VertexId made) const;
     double distance(const MovingMesh& mesh, VertexId v) const;
     void trace_with_ends(MovingMesh& mesh, VertexId made, VertexId a, VertexId b);
-    Result<void> trace_again(MovingMesh& mesh, const std::stop_token& stop);
+    Result<void> trace_again(MovingMesh& mesh);
 
     const Flow& flow_;
     const Origin& origin_;

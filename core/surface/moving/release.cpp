@@ -1,8 +1,6 @@
 #include "core/surface/moving/release.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 #include <tuple>
 
 namespace wakesurf::core {

@@ -70,7 +70,7 @@ inline double material_area(const MovingMesh& mesh, VertexId a, VertexId b, Vert
     return std::abs(area) > noise ? mesh.lattice.facing * area / size : 0.0;
 }
 
-/// Below it a triangle has next to no material. What is made by hand has more.
+/// Below it a triangle has next to no material.
 constexpr double least_material = 1e-9;
 
 /// How much more area than its material has, by the tangents, a triangle may cover.
