@@ -1,6 +1,5 @@
 // What a step may have brought out of its limits: one look at every triangle of a moving surface in single
-// precision, with some room, then the exact rules for the few of which it says so. Of 210,000 triangles it
-// leaves some 2 % to them.
+// precision, with some room, then the exact rules for the few of which it says so.
 #pragma once
 
 #include "core/surface/moving/refinement_context.hpp"

@@ -46,6 +46,25 @@ TEST(FastSurface, NeedsAtMostAThirdMoreQuadsThanBalancedAndThreeQuartersOfItsSte
     EXPECT_GE(compared, 24);
 }
 
+/// Where webs were cut without end, and the trials of coarser surfaces traced nothing again, none of any
+/// separation fitted.
+TEST(FastSurface, KeepsASmallQuadBudgetWhereTheFlowRollsItUp) {
+    const auto flow = make_analytic_flow("lamb-oseen");
+    for (const std::uint64_t most : {500u, 2000u}) {
+        SurfaceParameters p;
+        p.kind = SurfaceKind::Streak;
+        p.accuracy = Accuracy::Fast;
+        p.to = 20.0;
+        p.separation = 0.002;
+        p.max_quads = most;
+        const Rake rake{Rake::Kind::Line, {{0.2, 0.0, -1.0}, {1.0, 0.0, -1.0}}, 16};
+        const auto surface = build_surface(**flow, rake, p);
+        ASSERT_TRUE(surface) << surface.error().message;
+        EXPECT_LE(surface->statistics.quads, most);
+        EXPECT_GE(surface->statistics.quads, most / 2);
+    }
+}
+
 TEST(FastSurface, RolledUpSheetsHaveNoMoreQuadsThanBalancedOnes) {
     struct Case {
         const char* flow;

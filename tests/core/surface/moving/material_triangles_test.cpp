@@ -134,6 +134,25 @@ TEST(MaterialTriangles, NoJoinTakesAWholePartAwayOrJoinsTwoBoundaries) {
         << "three columns are as few as a tube can have";
 }
 
+TEST(MaterialTriangles, AHoleOfThreeEdgesClosesWhenOneOfThemShrinks) {
+    MovingMesh mesh = flat_patch(4, 4);
+    mesh.triangles.tear(mesh.triangles.find(6, 7).triangle);
+    const auto open = [&] {
+        std::size_t count = 0;
+        for (const Triangle& t : mesh.triangles.slots())
+            count += t.live ? static_cast<std::size_t>(
+                                  std::count(t.across.begin(), t.across.end(), no_triangle))
+                            : 0;
+        return count;
+    };
+    EXPECT_EQ(open(), 16u + 3u);
+    std::vector<TriangleId> ring;
+    ASSERT_TRUE(mesh.triangles.collapsible(7, 6, ring));
+    mesh.triangles.collapse(7, 6, ring);
+    EXPECT_EQ(mesh.triangles.violation(), "");
+    EXPECT_EQ(open(), 16u);
+}
+
 TEST(MaterialTriangles, ATearLeavesNoTwoPartsThatHangTogetherAtAVertex) {
     MovingMesh mesh = flat_patch(4, 4);
     mesh.triangles.tear(mesh.triangles.find(6, 7).triangle);
