@@ -3,6 +3,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <array>
 #include <limits>
 
 namespace wakesurf::core {
@@ -21,6 +22,31 @@ Box box_of(const CellMesh& mesh, const MeshCell& cell) {
     return box;
 }
 
+/// True where a plane along one of the cell's faces has all nodes on one side of it and `p` beyond them: the cell
+/// is within the hull of its nodes.
+bool beyond_nodes(const CellGeometry& geometry, const Vec3& p) {
+    const CellShape shape = geometry.shape();
+    std::array<Vec3, 8> node;
+    const std::size_t count = node_count(shape);
+    for (std::size_t i = 0; i < count; ++i)
+        node[i] = geometry.position(node_local(shape, i)) - p;
+    for (std::size_t f = 0; f < face_count(shape); ++f) {
+        const CellFace corner = face(shape, f);
+        const auto at = [&](std::size_t i) { return node[corner.node[i]]; };
+        const Vec3 normal = corner.count == 3 ? glm::cross(at(1) - at(0), at(2) - at(0))
+                                              : glm::cross(at(2) - at(0), at(3) - at(1));
+        double least = glm::dot(normal, node[0]), most = least;
+        for (std::size_t i = 1; i < count; ++i) {
+            least = std::min(least, glm::dot(normal, node[i]));
+            most = std::max(most, glm::dot(normal, node[i]));
+        }
+        const double tolerance = 1e3 * face_tolerance * (most - least);
+        if (least > tolerance || most < -tolerance)
+            return true;
+    }
+    return false;
+}
+
 } // namespace
 
 bool contains(CellGeometry& geometry, const Vec3& p, Vec3& local) {
@@ -29,6 +55,8 @@ bool contains(CellGeometry& geometry, const Vec3& p, Vec3& local) {
     local = cell_centre(geometry.shape());
     if (geometry.invert(p, local))
         return inside_cell(geometry.shape(), local);
+    if (beyond_nodes(geometry, p))
+        return false;
     for (const double w : {0.1, 0.9}) // twisted: from near every corner
         for (const double v : {0.1, 0.9})
             for (const double u : {0.1, 0.9}) {

@@ -27,6 +27,24 @@ inline Vec3 cell_centre(CellShape shape) {
     return Vec3(0.5);
 }
 
+/// Of a cell's node.
+inline Vec3 node_local(CellShape shape, std::size_t i) {
+    constexpr Vec3 low[] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    switch (shape) {
+    case CellShape::Tetrahedron:
+    case CellShape::Wedge: {
+        const bool wedge = shape == CellShape::Wedge;
+        const std::size_t k = wedge ? i % 3 : i;
+        return {k == 1, k == 2, wedge ? i >= 3 : k == 3};
+    }
+    case CellShape::Pyramid:
+        return i == 4 ? Vec3(0, 0, 1) : low[i];
+    case CellShape::Hexahedron:
+        break;
+    }
+    return low[i % 4] + Vec3(0, 0, i / 4);
+}
+
 /// How far a point lies beyond each face, negative inside; in the order of MeshCell::beyond. Entries past the shape's own
 /// are below every other.
 inline std::array<double, 6> beyond_faces(CellShape shape, const Vec3& u) {

@@ -88,6 +88,38 @@ TEST(CellLocator, AMeshWithoutCellsContainsNothing) {
     EXPECT_EQ(sampler.velocity({0, 0, 0}, 0.0), Vec3(0.0));
 }
 
+TEST(CellLocator, APointOfATwistedCellIsFoundThoughNotFromItsCentre) {
+    const CellMesh cube = block({1, 1, 1}, [](const Vec3& u) { return u; });
+    CellGeometry geometry;
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> part(0.0, 1.0), shift(-0.6, 0.6);
+    int found = 0;
+    for (int i = 0; i < 200'000; ++i) {
+        CellMesh mesh = cube;
+        for (Vec3& point : mesh.points)
+            for (int axis = 0; axis < 3; ++axis)
+                point[axis] += shift(random);
+        geometry.enter(mesh, 0);
+        if (geometry.flat())
+            continue;
+        Vec3 u, local(0.5);
+        for (int axis = 0; axis < 3; ++axis)
+            u[axis] = part(random);
+        const Vec3 p = geometry.position(u);
+        if (geometry.surely_outside(p) || geometry.invert(p, local))
+            continue;
+        bool inside = false;
+        for (int k = 0; k < 8 && !inside; ++k) {
+            local = {k & 1 ? 0.9 : 0.1, k & 2 ? 0.9 : 0.1, k & 4 ? 0.9 : 0.1};
+            inside = geometry.invert(p, local) && inside_cell(CellShape::Hexahedron, local);
+        }
+        geometry.enter(mesh, 0);
+        EXPECT_EQ(contains(geometry, p, local), inside) << i;
+        found += inside;
+    }
+    EXPECT_GT(found, 20);
+}
+
 TEST(CellGeometry, VolumesOfARefinedMeshSumToTheDomains) {
     const CellMesh mesh =
         TwoToOne(
@@ -103,6 +135,10 @@ TEST(CellGeometry, VolumesOfARefinedMeshSumToTheDomains) {
     for (std::uint32_t i = 0; i < mesh.cells.size(); ++i) {
         CellGeometry geometry;
         geometry.enter(mesh, i);
+        for (std::size_t k = 0; k < node_count(geometry.shape()); ++k)
+            EXPECT_LT(glm::length(geometry.position(node_local(geometry.shape(), k)) -
+                                  mesh.points[mesh.cells[i].node[k]]),
+                      1e-15);
         for (int k = 0; k < 27; ++k) {
             Vec3 u(at[k % 3], at[k / 3 % 3], at[k / 9]);
             double part = weight[k % 3] * weight[k / 3 % 3] * weight[k / 9];
