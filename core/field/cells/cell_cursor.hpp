@@ -66,12 +66,12 @@ class CellCursor {
             return PointStatus::Inside;
         }
         local_ = clamp_to_cell(here_.shape(), u);
-        return walk(p, u, usable);
+        return walk(p, u, usable, true);
     }
 
-    /// From the present cell, where `p` is at `u`, outside.
+    /// From the present cell, where `p` is at `u`, outside. @param elsewhere  false: the locator knows it in no cell
     template <class Usable>
-    PointStatus walk(const Vec3& p, Vec3 u, const Usable& usable) {
+    PointStatus walk(const Vec3& p, Vec3 u, const Usable& usable, bool elsewhere) {
         PointStatus beyond = PointStatus::OutsideDomain;
         std::uint32_t at = cell_;
         std::uint32_t before = nowhere;
@@ -95,17 +95,18 @@ class CellCursor {
                 return move({at, u}, p, usable);
         }
         const CellPlace edge{at, u};
-        if (const auto found = domain_->locator.find(p, there_))
-            return move(*found, p, usable);
+        // Without a way of its own, as seen from the nearest place in the last cell.
+        const Vec3 from = anchor_cell_ != nowhere ? anchor_ : here_.position(local_);
+        const bool crossed = !domain_->walls.empty() && domain_->walls.crossed(from, p);
+        if (elsewhere && !crossed)
+            if (const auto found = domain_->locator.find(p, there_))
+                return move(*found, p, usable);
         if (border && at != cell_ && usable(at)) { // the velocity goes on from where the walk ended
             here_.enter(domain_->mesh, at);
             cell_ = at;
             local_ = clamp_to_cell(shape, edge.local);
         }
-        return anchor_cell_ != nowhere && !domain_->walls.empty() &&
-                       domain_->walls.crossed(anchor_, p)
-                   ? PointStatus::InObstacle
-                   : beyond;
+        return crossed ? PointStatus::InObstacle : beyond;
     }
 
     template <class Usable>
@@ -134,7 +135,7 @@ class CellCursor {
         Vec3 u = cell_centre(here_.shape());
         here_.invert(p, u);
         local_ = clamp_to_cell(here_.shape(), u);
-        return walk(p, u, usable);
+        return walk(p, u, usable, false);
     }
 
     /// Takes the place that `there_` is the geometry of, unless something is in the way.

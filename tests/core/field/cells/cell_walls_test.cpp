@@ -163,6 +163,38 @@ TEST(CellWalls, AParticleThatSlidesAlongAWallGoesOn) {
     EXPECT_EQ(at.end, CurveEnd::Running);
 }
 
+TEST(CellWalls, APlaceInAnObstacleIsSaidToBeThereHoweverDeep) {
+    // As snappyHexMesh leaves a ball: cubes whose nodes near it are moved onto it.
+    CellMesh mesh = TwoToOne(
+                        12,
+                        [](const Vec3& c) {
+                            const double away = glm::length(c - 0.5);
+                            return away < 0.28   ? TwoToOne::Kind::Hole
+                                   : away < 0.42 ? TwoToOne::Kind::Fine
+                                                 : TwoToOne::Kind::Coarse;
+                        },
+                        [](const Vec3& u) {
+                            const double away = glm::length(u - 0.5);
+                            return away > 0.265 && away < 0.32 ? 0.5 + 0.3 / away * (u - 0.5) : u;
+                        })
+                        .take();
+    for (const BoundaryFace& each : boundary_faces(mesh)) {
+        const MeshCell& cell = mesh.cells[each.cell];
+        if (glm::length(mesh.points[cell.node[face(cell.shape, each.face).node[0]]] - 0.5) < 0.4)
+            mesh.cells[each.cell].beyond[each.face] = beyond_wall;
+    }
+    const MeshedField field(std::move(mesh), [](const Vec3&) { return Vec3(1, 0, 0); });
+    std::mt19937 random(3);
+    int solid = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const Vec3 p = field.random_point(random);
+        const PointStatus status = field.sampler().status(p);
+        EXPECT_NE(status, PointStatus::OutsideDomain) << p.x << " " << p.y << " " << p.z;
+        solid += status == PointStatus::InObstacle;
+    }
+    EXPECT_GT(solid, 1000);
+}
+
 TEST(CellWalls, ASegmentThroughABentFaceIsFoundOnEitherDiagonal) {
     CellMesh mesh;
     mesh.points = {{0, 0, 0}, {1, 0, 0.4}, {1, 1, 0}, {0, 1, 0.4},
