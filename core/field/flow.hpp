@@ -72,6 +72,9 @@ class Flow {
     /// False: no wall reaches into a box that begins in the fluid, so that all of it is fluid. Cheaper than a status where that is dear.
     virtual bool may_have_wall(const Box&) const { return obstacle(); }
 
+    /// False: no wall is met on the straight way between two places: either both or neither are in a solid. Likewise.
+    virtual bool may_cross_wall(const Vec3&, const Vec3&) const { return obstacle(); }
+
     /// What is solid, to look at, where the flow itself knows its shape; nothing of stored data, whose store has it.
     virtual WallGeometry walls() const { return {}; }
 

@@ -133,6 +133,13 @@ class IntervalFlow final : public Flow {
     Result<void> sample(std::span<const Vec3> positions,
                         std::span<const double> times,
                         std::span<Vec3> velocities,
+    bool may_cross_wall(const Vec3& from, const Vec3& to) const override {
+        if constexpr (requires { sampling_->may_cross_wall(from, to); })
+            return sampling_->may_cross_wall(from, to);
+        else
+            return sampling_->obstacle();
+    }
+
                         std::stop_token stop,
                         bool smoothly) const override {
         const auto [first, last] = std::minmax_element(times.begin(), times.end());

@@ -31,6 +31,10 @@ class CellSampling {
 
     bool may_have_wall(const Box& box) const { return domain_.walls.near(box); }
 
+    bool may_cross_wall(const Vec3& from, const Vec3& to) const {
+        return domain_.walls.may_cross(from, to);
+    }
+
     bool advance(const Interval& interval,
                  const Particles& particles,
                  double to,

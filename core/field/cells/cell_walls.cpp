@@ -60,6 +60,16 @@ std::array<double, 2> roots(double a, double b, double c) {
 
 } // namespace
 
+bool WallPatch::may_meet(const Vec3& from, const Vec3& to) const {
+    const Vec3 normal = glm::cross(b + 0.5 * d, c + 0.5 * d);
+    // The patch is within the hull of its corners.
+    const double x = glm::dot(normal, b), y = glm::dot(normal, c);
+    const double z = triangle ? 0.0 : x + y + glm::dot(normal, d);
+    const double start = glm::dot(normal, from - a), end = glm::dot(normal, to - a);
+    return !(std::min(start, end) > std::max({0.0, x, y, z}) ||
+             std::max(start, end) < std::min({0.0, x, y, z}));
+}
+
 bool WallPatch::left_by(const Vec3& from, const Vec3& to) const {
     const Vec3 way = to - from;
     const double length = glm::length(way);

@@ -36,13 +36,18 @@ bool in_obstacle(const Flow& flow, const Vec3& point) {
     return flow.status(point) == PointStatus::InObstacle;
 }
 
+/// Of a place that can be seen from a point inside an obstacle.
+bool in_same_obstacle(const Flow& flow, const Vec3& inside, const Vec3& point) {
+    return !flow.may_cross_wall(inside, point) || in_obstacle(flow, point);
+}
+
 /// True when a point inside an obstacle is within `depth` of the fluid, and on one side of it only: a chord
 /// that dips into a convex wall, not one that goes through a thin plate.
 bool barely_inside(const Flow& flow, const Vec3& point, double depth) {
     bool found = false;
     for (const Vec3& direction : directions) {
-        const bool ahead = !in_obstacle(flow, point + depth * direction);
-        const bool behind = !in_obstacle(flow, point - depth * direction);
+        const bool ahead = !in_same_obstacle(flow, point, point + depth * direction);
+        const bool behind = !in_same_obstacle(flow, point, point - depth * direction);
         if (ahead && behind)
             return false;
         found = found || ahead || behind;
@@ -96,9 +101,9 @@ bool crosses_obstacle(const RefinementContext& context,
         return false;
     const Vec3& from = context.mesh.vertices.position[a];
     const Vec3& to = context.mesh.vertices.position[b];
-    if (!context.flow.may_have_wall({glm::min(from, to), glm::max(from, to)}))
-        return false;
     const Vec3 middle = 0.5 * (from + to);
+    if (!context.flow.may_cross_wall(from, middle)) // and it begins in the fluid
+        return false;
     const double depth = shallow * context.rules.separation;
     if (!in_obstacle(context.flow, middle) || barely_inside(context.flow, middle, depth))
         return false;

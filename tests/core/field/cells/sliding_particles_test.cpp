@@ -90,7 +90,7 @@ TEST(SlidingParticles, AWallIsSaidToBeNearWhereverAnEdgeBetweenFluidEndsGoesThro
     mark_walls(mesh, [](const Vec3& c) { return std::hypot(c.x, c.y) < 0.51; });
     const MeshedField field(std::move(mesh), [](const Vec3&) { return Vec3(1, 0, 0); });
     std::mt19937 random(3);
-    int through = 0, free = 0;
+    int through = 0, free = 0, passing = 0;
     for (int i = 0; i < 20'000; ++i) {
         const Vec3 a = 0.4 * field.random_point(random), b = a + 0.2 * field.random_point(random);
         const CellSampler sampler = field.sampler();
@@ -98,12 +98,16 @@ TEST(SlidingParticles, AWallIsSaidToBeNearWhereverAnEdgeBetweenFluidEndsGoesThro
             continue;
         const bool near = field.domain.walls.near({glm::min(a, b), glm::max(a, b)});
         const bool crosses = sampler.status(0.5 * (a + b)) == PointStatus::InObstacle;
-        EXPECT_TRUE(near || !crosses);
+        const bool may_cross = field.domain.walls.may_cross(a, b);
+        EXPECT_TRUE(near || !may_cross);
+        EXPECT_TRUE(may_cross || !crosses);
+        passing += near && !may_cross;
         through += crosses;
         free += !near;
     }
     EXPECT_GT(through, 50);
     EXPECT_GT(free, 500);
+    EXPECT_GT(passing, 50);
 }
 
 } // namespace wakesurf::core::sliding_particles_test
