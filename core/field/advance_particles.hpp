@@ -89,21 +89,22 @@ bool advance_particles(const Field& field,
                        int sign,
                        const AdvanceOptions& options,
                        const std::stop_token& stop) {
-    const auto each = [&](std::size_t begin, std::size_t end, const auto& carry) {
+    const auto each = [&](const auto& view, std::size_t begin, std::size_t end, const auto& carry) {
         for (std::size_t i = begin; i != end; ++i) {
             if (!still_to_go(p, i, to, sign))
                 continue;
             ParticleState at = take_out(p, i);
+            restart(view, p.cell, i);
             carry(at);
             put_back(p, i, at);
+            keep_cell(view, p.cell, i);
         }
     };
     if constexpr (FieldInSeries<Field>) {
         if (options.method == AdvanceOptions::Method::Dopri5) {
             std::atomic<bool> whole{true};
             const auto block = [&](const auto& view, std::size_t begin, std::size_t end) {
-                each(begin, end, [&](ParticleState& at) {
-                    restart(view);
+                each(view, begin, end, [&](ParticleState& at) {
                     if (!advance_in_series(view, at, to, options, p.tangents(), stop))
                         whole = false;
                 });
@@ -111,13 +112,11 @@ bool advance_particles(const Field& field,
             return in_blocks(field, p.count(), stop, block) && whole;
         }
     }
-    return in_blocks(field, p.count(), stop,
-                     [&](const auto& view, std::size_t begin, std::size_t end) {
-                         each(begin, end, [&](ParticleState& at) {
-                             restart(view);
-                             advance_particle(view, at, to, options, p.tangents());
-                         });
-                     });
+    return in_blocks(
+        field, p.count(), stop, [&](const auto& view, std::size_t begin, std::size_t end) {
+            each(view, begin, end,
+                 [&](ParticleState& at) { advance_particle(view, at, to, options, p.tangents()); });
+        });
 }
 
 } // namespace wakesurf::core

@@ -9,7 +9,8 @@ Result<void> Flow::sample_at(std::span<const Vec3> positions,
                              double time,
                              std::span<Vec3f> velocities,
                              std::stop_token stop,
-                             bool smooth) const {
+                             bool smooth,
+                             std::span<std::uint32_t>) const {
     const std::vector<double> times(positions.size(), time);
     std::vector<Vec3> exact(positions.size());
     return sample(positions, times, exact, std::move(stop), smooth).map([&] {

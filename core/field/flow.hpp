@@ -91,11 +91,13 @@ class Flow {
     /// Velocity at n points at one time in float. Where particles are carried in batches these are the
     /// kernel's samples, several times as fast and some 1e-6 of the speed from those of sample(); the same
     /// bits as Particles::velocity.
+    /// @param cell  as Particles::cell
     virtual Result<void> sample_at(std::span<const Vec3> positions,
                                    double time,
                                    std::span<Vec3f> velocities,
                                    std::stop_token stop,
-                                   bool smooth = false) const;
+                                   bool smooth = false,
+                                   std::span<std::uint32_t> cell = {}) const;
 };
 
 } // namespace wakesurf::core

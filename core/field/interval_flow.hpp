@@ -76,6 +76,7 @@ class IntervalFlow final : public Flow {
         }
         if (direction == 0)
             return cost;
+        std::vector<std::uint32_t> cell(particles.cell.empty() ? particles.count() : 0, no_cell);
         auto k = static_cast<std::ptrdiff_t>(interval_at(from));
         if (direction < 0 && k > 0 && times[static_cast<std::size_t>(k)] == from)
             --k;
@@ -95,6 +96,8 @@ class IntervalFlow final : public Flow {
                               : border <= to || k == 0;
             reached = last ? to : border;
             Particles here = particles;
+            if (!cell.empty()) // from interval to interval
+                here.cell = cell;
             if (reached != to) { // or who dies later would keep the velocity at the border
                 here.velocity = {};
                 here.sampled = {};
@@ -130,9 +133,6 @@ class IntervalFlow final : public Flow {
             return sampling_->obstacle();
     }
 
-    Result<void> sample(std::span<const Vec3> positions,
-                        std::span<const double> times,
-                        std::span<Vec3> velocities,
     bool may_cross_wall(const Vec3& from, const Vec3& to) const override {
         if constexpr (requires { sampling_->may_cross_wall(from, to); })
             return sampling_->may_cross_wall(from, to);
@@ -140,6 +140,9 @@ class IntervalFlow final : public Flow {
             return sampling_->obstacle();
     }
 
+    Result<void> sample(std::span<const Vec3> positions,
+                        std::span<const double> times,
+                        std::span<Vec3> velocities,
                         std::stop_token stop,
                         bool smoothly) const override {
         const auto [first, last] = std::minmax_element(times.begin(), times.end());
@@ -171,7 +174,8 @@ class IntervalFlow final : public Flow {
                            double time,
                            std::span<Vec3f> velocities,
                            std::stop_token stop,
-                           bool smoothly) const override {
+                           bool smoothly,
+                           std::span<std::uint32_t> cell) const override {
         if constexpr (requires { &Sampling::sample_at; }) {
             const std::size_t k = interval_at(time);
             const auto held =
@@ -183,7 +187,11 @@ class IntervalFlow final : public Flow {
             if (stop.stop_requested())
                 return fail(Error::Code::Cancelled, "sampling was cancelled");
         }
-        return Flow::sample_at(positions, time, velocities, stop, smoothly);
+        const std::vector<double> times(positions.size(), time);
+        std::vector<Vec3> exact(positions.size());
+        return sample_interval(positions, times, exact, {}, stop, smoothly, cell).map([&] {
+            std::copy(exact.begin(), exact.end(), velocities.begin());
+        });
     }
 
   private:
@@ -193,7 +201,8 @@ class IntervalFlow final : public Flow {
                                  std::span<Vec3> velocities,
                                  std::span<const std::uint32_t> chosen,
                                  const std::stop_token& stop,
-                                 bool smoothly) const {
+                                 bool smoothly,
+                                 std::span<std::uint32_t> cell = {}) const {
         const std::size_t count = chosen.empty() ? positions.size() : chosen.size();
         if (count == 0)
             return {};
@@ -208,8 +217,9 @@ class IntervalFlow final : public Flow {
         sampling_->with_field(*held, smoothly, [&](const auto& field) {
             const auto some = [&](const auto& view, std::size_t begin, std::size_t end) {
                 for (std::size_t i = begin; i != end; ++i) {
-                    restart(view);
+                    restart(view, cell, i);
                     velocities[index(i)] = view.velocity(positions[index(i)], times[index(i)]);
+                    keep_cell(view, cell, i);
                 }
             };
             in_blocks(field, count, {}, some, 4096);

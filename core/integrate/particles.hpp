@@ -11,6 +11,8 @@
 
 namespace wakesurf::core {
 
+inline constexpr std::uint32_t no_cell = 0xffffffffu;
+
 /// Structure of arrays, one entry a particle; the two tangents may be left empty together.
 struct Particles {
     std::span<Vec3> position;
@@ -24,6 +26,10 @@ struct Particles {
     /// touches neither.
     std::span<Vec3f> velocity{};
     std::span<std::uint8_t> sampled{};
+
+    /// May be left empty. Of meshes of cells: where to look for a particle first, or no_cell, and afterwards the
+    /// cell it has come to. Changes how fast it is found, not where it goes, unless cells overlap.
+    std::span<std::uint32_t> cell{};
 
     std::size_t count() const { return position.size(); }
 

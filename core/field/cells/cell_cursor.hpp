@@ -32,9 +32,11 @@ class CellCursor {
         return status_;
     }
 
-    /// For another particle: answers as a new cursor, to the bit, but finds the first point at once where that is well inside the cell
-    /// in which the particle before began.
-    void restart() {
+    /// For another particle: answers as a new cursor, to the bit, but finds the first point at once where that is well inside
+    /// @param guess  this cell; or the one in which the particle before began
+    void restart(std::uint32_t guess = nowhere) {
+        if (domain_->one_piece && guess != begun_ && guess < domain_->mesh.cells.size())
+            entered_.enter(domain_->mesh, begun_ = guess);
         cell_ = anchor_cell_ = nowhere;
         asked_ = Vec3(std::numeric_limits<double>::quiet_NaN());
         status_ = PointStatus::OutsideDomain;
@@ -167,7 +169,7 @@ class CellCursor {
     const CellDomain* domain_;
     std::uint32_t cell_ = nowhere;
     std::uint32_t anchor_cell_ = nowhere; ///< where the particle last stayed
-    std::uint32_t begun_ = nowhere;       ///< the cell in which the last particle began
+    std::uint32_t begun_ = nowhere;       ///< the cell to look in first for where a particle begins
     Vec3 local_{0.0};
     Vec3 anchor_{0.0};
     Vec3 asked_{std::numeric_limits<double>::quiet_NaN()};

@@ -70,7 +70,7 @@ class CellSamplerCursor {
     explicit CellSamplerCursor(const CellSampler& field) : field_(field), place_(*field.domain) {}
 
     /// For another particle: see CellCursor.
-    void restart() const { place_.restart(); }
+    void restart(std::uint32_t guess = CellCursor::nowhere) const { place_.restart(guess); }
 
     /// Of the particle that has the cursor.
     SharedCellSteps series_steps(const TraceOptions& options, double sign) const;

@@ -20,6 +20,7 @@ void for_each_array(MaterialVertices& v, Visit visit) {
     visit(v.role);
     visit(v.approximated);
     visit(v.error);
+    visit(v.cell);
 }
 
 } // namespace
@@ -39,6 +40,7 @@ VertexId MaterialVertices::add(const MaterialPoint& point, VertexRole as, double
     set(v, point);
     time[v] = now;
     velocity[v] = Vec3f(0.0f);
+    cell[v] = no_cell;
     end[v] = as == VertexRole::Attached ? CurveEnd::Time : CurveEnd::Running;
     id[v] = next_id_++;
     role[v] = as;
@@ -74,7 +76,7 @@ void MaterialVertices::set(VertexId v, const MaterialPoint& point) {
 }
 
 Particles MaterialVertices::particles() {
-    return {position, along_s, along_t, time, end};
+    return {position, along_s, along_t, time, end, {}, {}, cell};
 }
 
 void MaterialVertices::renumber(std::span<const VertexId> order) {

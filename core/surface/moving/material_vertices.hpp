@@ -55,7 +55,7 @@ struct MaterialPoint {
 /// Of one vertex in all arrays.
 inline constexpr std::size_t vertex_bytes =
     3 * sizeof(Vec3) + 3 * sizeof(double) + sizeof(CurveEnd) + sizeof(LatticePlace) +
-    sizeof(Vec3f) + sizeof(float) + sizeof(std::uint32_t) + sizeof(VertexRole) +
+    sizeof(Vec3f) + sizeof(float) + 2 * sizeof(std::uint32_t) + sizeof(VertexRole) +
     sizeof(std::uint8_t) + sizeof(VertexError);
 
 class MaterialVertices {
@@ -106,6 +106,7 @@ class MaterialVertices {
     std::vector<VertexRole> role;
     std::vector<std::uint8_t> approximated;
     std::vector<VertexError> error;
+    std::vector<std::uint32_t> cell; ///< of a mesh of cells: see Particles
 
   private:
     std::vector<VertexId> free_;

@@ -258,7 +258,8 @@ bool MovingSurface::refines() const {
 Result<void> MovingSurface::sample_velocity(const std::stop_token& stop) {
     MaterialVertices& v = state_.mesh.vertices;
     const bool smooth = state_.plan->carry.smooth;
-    if (auto sampled = flow_->sample_at(v.position, state_.mesh.time, v.velocity, stop, smooth);
+    if (auto sampled =
+            flow_->sample_at(v.position, state_.mesh.time, v.velocity, stop, smooth, v.cell);
         !sampled)
         return sampled;
     std::vector<VertexId> attached;

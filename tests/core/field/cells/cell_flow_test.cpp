@@ -26,6 +26,21 @@ CellMesh refined(std::uint32_t n, const Bend& bend) {
         .take();
 }
 
+std::vector<Vec3> curve_seeds(int count) {
+    std::vector<Vec3> seeds;
+    for (int i = 0; i < count; ++i) // places on faces and nodes among them
+        seeds.push_back(
+            wavy(glm::fract(Vec3(i % 5 == 0 ? 0.125 * (i % 8) : 0.31 * i, 0.0617 * i, 0.5))));
+    return seeds;
+}
+
+AdvanceOptions advance() {
+    AdvanceOptions options;
+    options.method = AdvanceOptions::Method::Dopri5;
+    options.longest_step = 0.1;
+    return options;
+}
+
 std::vector<Curve> curves_from(int count, const Vec3& lo, const Vec3& hi, double duration) {
     std::mt19937 random(29);
     std::uniform_real_distribution<double> part(0.0, 1.0);
@@ -151,6 +166,61 @@ TEST(CellFlow, WhatAParticleIsToldDoesNotDependOnThoseBeforeIt) {
         for (std::size_t part = 0; part < alone.size(); ++part)
             ASSERT_EQ(alone[part], together[part * start.size() + i]) << i << " " << part;
     }
+}
+
+TEST(CellFlow, WhereToLookFirstDoesNotChangeWhereParticlesGo) {
+    const auto swirl = [](const Vec3& p, double t) {
+        return Vec3(0.2 + 0.3 * std::sin(5.0 * p.y + t), 0.3 * std::cos(7.0 * p.x - t), 0.1);
+    };
+    for (const CellMesh& mesh : {block({9, 8, 7}, wavy), refined(8, wavy)}) {
+        const auto flow = meshed_flow(mesh, {0.0, 0.1, 0.3}, swirl);
+        const auto count = static_cast<std::uint32_t>(mesh.cells.size());
+        const std::vector<Vec3> start = curve_seeds(300);
+        std::vector<std::vector<Vec3>> ways;
+        for (const int guess : {0, 1, 2}) {
+            std::vector<Vec3> position = start, s(300, Vec3(1, 0, 0)), t(300, Vec3(0, 1, 0)), way;
+            std::vector<double> time(300, 0.0);
+            std::vector<CurveEnd> end(300, CurveEnd::Running);
+            std::vector<std::uint32_t> cell(guess == 0 ? 0 : 300);
+            std::vector<Vec3f> velocity(300);
+            for (const double to : {0.05, 0.2, 0.25}) {
+                if (guess == 2) // or else where the step before has left them
+                    for (std::uint32_t i = 0; i < 300; ++i)
+                        cell[i] = i % 7 == 0 ? 0xffffffffu : i * 37 % (count + 2);
+                ASSERT_TRUE(
+                    flow->advance({position, s, t, time, end, {}, {}, cell}, to, advance(), {}));
+                ASSERT_TRUE(flow->sample_at(position, to, velocity, {}, false, cell));
+                for (const auto* more : {&position, &s, &t})
+                    way.insert(way.end(), more->begin(), more->end());
+                way.insert(way.end(), velocity.begin(), velocity.end());
+            }
+            ways.push_back(way);
+        }
+        EXPECT_EQ(ways[1], ways[0]);
+        EXPECT_EQ(ways[2], ways[0]);
+    }
+}
+
+TEST(CellFlow, AMovingSurfaceThatIsRestoredGoesOnAsOneThatWasNeverLeft) {
+    const auto flow = meshed_flow(refined(10, wavy), {0.0, 1.0, 2.0}, [](const Vec3& p, double) {
+        return Vec3(0.5 - p.y, p.x - 0.5, 0.05);
+    });
+    SurfaceParameters p;
+    p.kind = SurfaceKind::Streak;
+    p.to = 2.0;
+    p.separation = 0.05;
+    const Rake rake{Rake::Kind::Line, {{0.6, 0.5, 0.4}, {0.9, 0.5, 0.4}}, 16};
+    const SteadyClock clock;
+    auto surface = MovingSurface::start(*flow, rake, p, {}, clock);
+    ASSERT_TRUE(surface) << surface.error().message;
+    ASSERT_TRUE(surface->advance_to(1.2, {}));
+    const MovingState left = surface->state();
+    ASSERT_TRUE(surface->advance_to(2.0, {}));
+    const KeyedMesh never_left = surface->mesh();
+    surface->restore(left);
+    ASSERT_TRUE(surface->advance_to(2.0, {}));
+    EXPECT_EQ(surface->mesh().mesh.position, never_left.mesh.position);
+    EXPECT_GT(never_left.mesh.position.size(), 150u);
 }
 
 TEST(CellFlow, TheVerticesOfABalancedSurfaceLieWhereItsParticlesGoThroughCellsOfAllSizes) {
