@@ -37,16 +37,9 @@ class CarryingSteps {
         const double start = curve.release + curve.last.time;
         std::array w{carried_.along_s, carried_.along_t};
         for (const double middle : {0.25, 0.75}) {
-            const auto slopes = [&] {
-                return steps_.derivatives(step, middle, start + middle * step.dt, w);
-            };
-            const std::array before = w;
-            const auto first = slopes();
-            for (std::size_t i = 0; i < 2; ++i)
-                w[i] += 0.5 * half * first[i];
-            const auto second = slopes();
-            for (std::size_t i = 0; i < 2; ++i)
-                w[i] = before[i] + half * second[i];
+            const auto slope = steps_.gradient(step, middle, start + middle * step.dt);
+            for (Vec3& each : w)
+                each += half * slope(each + 0.5 * half * slope(each));
         }
         carried_.along_s = w[0];
         carried_.along_t = w[1];

@@ -115,19 +115,23 @@ struct GridSampler {
 
     /// Of one or two vectors `w`: they share the slopes.
     std::array<Vec3, 2> derivatives(const Vec3& p, double t, std::span<const Vec3> w) const {
+        std::array<Vec3, 2> result{};
+        std::transform(w.begin(), w.end(), result.begin(), gradient(p, t));
+        return result;
+    }
+
+    /// The same as a function of w, for as long as the field.
+    auto gradient(const Vec3& p, double t) const {
         const CellPoint at = locate(*grid, p);
         const Slopes now = slopes(velocity0, at);
         const Slopes then = velocity1 ? slopes(velocity1, at) : now;
-        std::array<Vec3, 2> result{};
-        for (std::size_t i = 0; i < w.size(); ++i) {
-            const Vec3 step = w[i] / cell_size(*grid, at.cell);
-            result[i] = sum(now, step);
+        return [this, t, now, then, size = cell_size(*grid, at.cell)](const Vec3& w) {
+            const Vec3 step = w / size;
+            Vec3 result = sum(now, step);
             if (velocity1)
-                result[i] += (t - time0) / interval * (sum(then, step) - result[i]);
-            if (gaps && !finite(result[i]))
-                result[i] = Vec3(0.0);
-        }
-        return result;
+                result += (t - time0) / interval * (sum(then, step) - result);
+            return gaps && !finite(result) ? Vec3(0.0) : result;
+        };
     }
 
     NodeShares shares(const Vec3& p) const {

@@ -116,12 +116,9 @@ class TrilinearSteps {
         return StepOutcome::Taken;
     }
 
-    /// (grad v) w at theta of a step.
-    std::array<Vec3, 2> derivatives(const CurveStep& step,
-                                    double theta,
-                                    double time,
-                                    std::span<const Vec3, 2> w) const {
-        return field_.derivatives(Vec3(step.at(theta)), time, w);
+    /// (grad v) w at theta of a step, as a function of w.
+    auto gradient(const CurveStep& step, double theta, double time) const {
+        return field_.gradient(Vec3(step.at(theta)), time);
     }
 
     double inside_until(const CurveStep& step, PointStatus& met) const {

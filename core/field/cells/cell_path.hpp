@@ -133,13 +133,19 @@ inline double leaves_cell(CellShape shape, const PathSeries& local) {
     if (first == infinite)
         return first;
     first = sharpen(face, first);
-    for (std::size_t f = 0; f < 6; ++f) {
-        double at = g[order][f];
+    const auto all_at = [&](double t) {
+        std::array<double, 6> at = g[order];
         for (std::size_t k = order; k-- > 0;)
-            at = at * first + g[k][f];
-        if (f != face && at > 2.0 * beyond)
+            for (std::size_t f = 0; f < 6; ++f)
+                at[f] = at[f] * t + g[k][f];
+        return at;
+    };
+    auto at = all_at(first);
+    for (std::size_t f = 0; f < 6; ++f)
+        if (f != face && at[f] > 2.0 * beyond) {
             first = std::min(first, sharpen(f, first));
-    }
+            at = all_at(first);
+        }
     return first;
 }
 

@@ -7,6 +7,7 @@
 #include "core/field/cells/linear_cell.hpp"
 #include "core/integrate/at_rest.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -87,18 +88,9 @@ class CellSamplerCursor {
         return (v + fit.change.at(pyramid, place_.local()) * part).vector();
     }
 
-    Vec3 derivative(const Vec3& p, double t, const Vec3& w) const {
-        return derivatives(p, t, {&w, 1})[0];
-    }
-
-    std::array<Vec3, 2> derivatives(const Vec3& p, double t, std::span<const Vec3> w) const {
-        return go_to(p, false) ? derivatives_here(place_.local(), t, w) : std::array<Vec3, 2>{};
-    }
-
-    /// The same at local coordinates of the present cell. REQUIRES: a velocity or a path has been asked for.
-    std::array<Vec3, 2>
-    derivatives_here(const Vec3& local, double t, std::span<const Vec3> w) const {
-        std::array<Vec3, 2> result{};
+    /// (grad v) w at local coordinates of the present cell, as a function of w. REQUIRES: a velocity or a path has been asked for; the
+    /// function is used before anything else is.
+    auto gradient_here(const Vec3& local, double t) const {
         const bool pyramid = place_.geometry().pyramid();
         const Fit& fit = fit_[here_];
         auto slope = fit.now.slopes(pyramid, local);
@@ -108,10 +100,20 @@ class CellSamplerCursor {
             for (std::size_t i = 0; i < 3; ++i)
                 slope[i] = slope[i] + change[i] * part;
         }
-        for (std::size_t i = 0; i < w.size(); ++i) {
-            const Vec3 u = place_.geometry().along(local, w[i]);
-            result[i] = (slope[0] * u.x + slope[1] * u.y + slope[2] * u.z).vector();
-        }
+        return [this, local, slope](const Vec3& w) {
+            const Vec3 u = place_.geometry().along(local, w);
+            return (slope[0] * u.x + slope[1] * u.y + slope[2] * u.z).vector();
+        };
+    }
+
+    Vec3 derivative(const Vec3& p, double t, const Vec3& w) const {
+        return derivatives(p, t, {&w, 1})[0];
+    }
+
+    std::array<Vec3, 2> derivatives(const Vec3& p, double t, std::span<const Vec3> w) const {
+        std::array<Vec3, 2> result{};
+        if (go_to(p, false))
+            std::transform(w.begin(), w.end(), result.begin(), gradient_here(place_.local(), t));
         return result;
     }
 

@@ -55,12 +55,10 @@ class CellStepsOf {
         return StepOutcome::Taken;
     }
 
-    /// (grad v) w at theta of the step that was tried last. REQUIRES: it has not been looked at since.
-    std::array<Vec3, 2>
-    derivatives(const CurveStep& step, double theta, double time, std::span<const Vec3> w) const {
+    /// (grad v) w at theta of the step that was tried last, as a function of w. REQUIRES: it has not been looked at since.
+    auto gradient(const CurveStep& step, double theta, double time) const {
         const double t = theta * std::abs(step.dt);
-        return field_.derivatives_here({local_.at(0, t), local_.at(1, t), local_.at(2, t)}, time,
-                                       w);
+        return field_.gradient_here({local_.at(0, t), local_.at(1, t), local_.at(2, t)}, time);
     }
 
     double inside_until(const CurveStep& step, PointStatus& met) const {
