@@ -1,15 +1,18 @@
 #include "core/dataset/cell_neighbours.hpp"
 #include "core/field/cells/cell_sampler.hpp"
+#include "core/surface/moving/moving_surface.hpp"
 #include "tests/bench/benchmarks.hpp"
 #include "tests/bench/support/interleaved.hpp"
 #include "tests/bench/support/one_core.hpp"
 #include "tests/bench/vtk/cell_field.hpp"
 #include "tests/support/cell_meshes.hpp"
+#include "tests/support/meshed_source.hpp"
 
 #include <benchmark/benchmark.h>
 
 #include <memory>
 #include <random>
+#include <stdexcept>
 
 namespace wakesurf::bench {
 
@@ -20,6 +23,7 @@ using core::Vec3;
 constexpr int repetitions = 7;
 constexpr int particles = 400;
 constexpr int steps = 500;
+constexpr double target_vertex_step_ns = 350.0;
 
 /// Potential flow round a cylinder of radius 1/2, with a swing along it.
 Vec3 round_it(const Vec3& p) {
@@ -175,6 +179,52 @@ void measure(benchmark::State& state, const Case& which) {
     }
 }
 
+/// A streak surface on its way round the body.
+void measure_moving_surface(benchmark::State& state, const Case& which) {
+    core::CellMesh mesh = which.mesh();
+    for (const core::BoundaryFace& each : core::boundary_faces(mesh)) {
+        const core::MeshCell& cell = mesh.cells[each.cell];
+        const core::Vec3& corner =
+            mesh.points[cell.node[core::face(cell.shape, each.face).node[0]]];
+        if (corner.x * corner.x + corner.y * corner.y < 1.0)
+            mesh.cells[each.cell].beyond[each.face] = core::beyond_wall;
+    }
+    const auto flow = tests::meshed_flow(std::move(mesh), {0.0, 2.0, 4.0, 6.0, 8.0, 10.0},
+                                         [](const Vec3& p, double) { return round_it(p); });
+    core::SurfaceParameters p;
+    p.kind = core::SurfaceKind::Streak;
+    p.to = 10.0;
+    p.separation = 0.12;
+    const core::Rake rake{core::Rake::Kind::Line, {{-4.0, -0.9, 1.5}, {-4.0, 0.9, 2.5}}, 16};
+    const core::SteadyClock clock;
+    on_one_core([&] {
+        for (auto _ : state) {
+            std::vector<double> seconds;
+            core::SurfaceStatistics made;
+            for (int i = 0; i < 3; ++i) {
+                auto surface = core::MovingSurface::start(*flow, rake, p, {}, clock);
+                if (!surface)
+                    throw std::runtime_error(surface.error().message);
+                seconds.push_back(seconds_of([&] {
+                    if (const auto done = surface->advance_to(p.to, {}); !done)
+                        throw std::runtime_error(done.error().message);
+                }));
+                made = surface->statistics();
+                state.counters["vertices"] =
+                    static_cast<double>(surface->state().mesh.vertices.used());
+            }
+            const Timed taken = summarize(std::move(seconds));
+            state.SetIterationTime(taken.median);
+            state.counters["ns_per_vertex_step"] =
+                1e9 * taken.median / static_cast<double>(made.vertex_steps);
+            state.counters["target_ns"] = target_vertex_step_ns;
+            state.counters["advect_share"] =
+                made.seconds.advect / (made.seconds.advect + made.seconds.refine);
+            state.counters["spread"] = taken.spread;
+        }
+    });
+}
+
 } // namespace cells_bench
 
 void register_cells_benchmarks() {
@@ -182,6 +232,13 @@ void register_cells_benchmarks() {
     for (const Case& each : cases)
         benchmark::RegisterBenchmark((std::string("cells/") + each.name).c_str(),
                                      [each](benchmark::State& state) { measure(state, each); })
+            ->Unit(benchmark::kMillisecond)
+            ->UseManualTime()
+            ->Iterations(1);
+    for (const Case& each : cases)
+        benchmark::RegisterBenchmark(
+            (std::string("cells/moving_surface/") + each.name).c_str(),
+            [each](benchmark::State& state) { measure_moving_surface(state, each); })
             ->Unit(benchmark::kMillisecond)
             ->UseManualTime()
             ->Iterations(1);
