@@ -1,13 +1,15 @@
 #include "core/surface/moving/crossing.hpp"
 
+#include <algorithm>
 #include <vector>
 
 namespace wakesurf::core {
 
 namespace {
 
-constexpr double close_enough = 1e-7; ///< of an edge
+constexpr double close_enough = 2e-7; ///< of an edge
 constexpr int halvings = 24;
+constexpr int halvings_of_guess = 8;
 constexpr int search_rounds = 24;
 
 /// Particles that are carried together from one time to another.
@@ -32,68 +34,75 @@ struct Batch {
                               const std::stop_token& stop) {
         return flow.advance({position, along_s, along_t, time, end}, to, options, stop);
     }
+
+    Result<TraceCost> advance_places(const Flow& flow,
+                                     double to,
+                                     const AdvanceOptions& options,
+                                     const std::stop_token& stop) {
+        return flow.advance({position, {}, {}, time, end}, to, options, stop);
+    }
 };
 
-/// The search on one edge.
+/// The search on one edge, for the particle that ends with the step.
 struct Search {
     EdgeCrossing* of;
+    double died;        ///< when the one at `dead` did
+    double tried;       ///< part of the way
     double alive = 0.0; ///< part of the way at which a particle still lives at the end of the step
     double dead = 1.0;  ///< and at which it does not
-    double died;        ///< when that one did
-    double dead_before = 1.0, died_before = 0.0; ///< of the sample before it
-    int deaths = 1;
-    double tried = 0.5;
+    double last = 1.0;  ///< that lives, by the last two that died
     bool done = false;
 
-    /// Just before the part of the way at which a particle would end with the step, by the last two; half-way
-    /// where they do not tell, as where particles graze the boundary.
-    double next(double now) const {
-        const double middle = 0.5 * (alive + dead);
-        if (deaths < 2 || died == died_before)
-            return middle;
-        const double guess =
-            dead + (now - died) * (dead - dead_before) / (died - died_before) - 0.3 * close_enough;
-        return guess > alive && guess < dead ? guess : middle;
-    }
-
-    void learn(const Carried& carried, bool lives, double time, double now) {
+    void learn(bool lives, double time, double now) {
+        double next = 0.5 * (alive + dead); // where particles graze the boundary
         if (lives) {
             alive = tried;
-            of->part = tried;
-            of->carried = carried;
-            of->found = true;
         } else {
-            dead_before = dead;
-            died_before = died;
+            // By the last two that died. A little beyond: one that lives tells less.
+            const double step = (now - time) * (tried - dead) / (time - died);
+            done = std::abs(step) < close_enough;
+            next = tried + step + 0.3 * close_enough;
+            last = tried + step;
             dead = tried;
             died = time;
-            ++deaths;
         }
-        done = dead - alive < close_enough;
-        tried = next(now);
+        tried = next > alive && next < dead ? next : 0.5 * (alive + dead);
+        done = done || dead - alive < close_enough;
     }
+
+    /// Just inside. With vertices on the boundary itself cells of a straight channel were torn (exact).
+    double part() const { return done ? std::max(alive, last - close_enough) : alive; }
 };
 
-/// On the edge as it is now, its dead end carried on at its last velocity.
-void search_now(const RefinementContext& context, EdgeCrossing& crossing) {
+/// The edge as it is now, its dead end carried on at its last velocity.
+EdgeCubic edge_now(const RefinementContext& context, const EdgeCrossing& crossing) {
     const MaterialVertices& v = context.mesh.vertices;
-    EdgeCubic& edge = crossing.edge;
-    edge = edge_cubic(context.mesh, crossing.living, crossing.dead);
+    EdgeCubic edge = edge_cubic(context.mesh, crossing.living, crossing.dead);
     edge.b.position +=
         Vec3(v.velocity[crossing.dead]) * (context.mesh.time - v.time[crossing.dead]);
+    return edge;
+}
+
+/// The part of the way up to which an edge is inside; 1: all of it.
+double part_inside(const RefinementContext& context, const EdgeCubic& edge, int halvings_of_it) {
     const auto inside = [&](double part) {
         return context.flow.status(edge.at(part).position) == PointStatus::Inside;
     };
     if (inside(1.0))
-        return;
+        return 1.0;
     double low = 0.0, high = 1.0;
-    for (int i = 0; i < halvings; ++i) {
+    for (int i = 0; i < halvings_of_it; ++i) {
         const double middle = 0.5 * (low + high);
         (inside(middle) ? low : high) = middle;
     }
-    crossing.found = low > 0.0;
-    crossing.part = low;
-    crossing.carried = edge.at(low);
+    return low;
+}
+
+void search_now(const RefinementContext& context, EdgeCrossing& crossing) {
+    crossing.edge = edge_now(context, crossing);
+    crossing.part = part_inside(context, crossing.edge, halvings);
+    crossing.found = crossing.part > 0.0 && crossing.part < 1.0;
+    crossing.carried = crossing.edge.at(crossing.part);
 }
 
 } // namespace
@@ -126,34 +135,44 @@ Result<void> find_crossings(const RefinementContext& context,
         }
         living.add(v.point(each.living).carried, now);
         dead.add(v.point(each.dead).carried, v.time[each.dead]);
-        searches.push_back({&each, 0.0, 1.0, v.time[each.dead]});
+        const double guess = part_inside(context, edge_now(context, each), halvings_of_guess);
+        searches.push_back(
+            {&each, v.time[each.dead], guess < 1.0 ? guess + 0.01 * (1.0 - guess) : 0.5});
     }
     for (Batch* batch : {&living, &dead})
         if (auto back = batch->advance(context.flow, before, options, stop); !back)
             return tl::unexpected(back.error());
+    std::vector<Search*> active;
     for (std::size_t i = 0; i < searches.size(); ++i) {
         Search& search = searches[i];
         search.of->edge = {living[i], dead[i],
                            mesh.parameter_step(search.of->living, search.of->dead)};
-        if (living.end[i] != CurveEnd::Running || dead.end[i] != CurveEnd::Running) {
+        if (living.end[i] == CurveEnd::Running && dead.end[i] == CurveEnd::Running)
+            active.push_back(&search);
+        else
             search_now(context, *search.of);
-            search.done = true;
-        }
     }
-    for (int round = 0; round < search_rounds; ++round) {
+    const std::vector<Search*> all = active;
+    for (int round = 0; round < search_rounds && !active.empty(); ++round) {
         Batch trial;
-        std::vector<Search*> active;
-        for (Search& search : searches)
-            if (!search.done) {
-                active.push_back(&search);
-                trial.add(search.of->edge.at(search.tried), before);
-            }
-        if (active.empty())
-            return {};
-        if (auto carried = trial.advance(context.flow, now, options, stop); !carried)
+        for (const Search* search : active)
+            trial.add(search->of->edge.at(search->tried), before);
+        if (auto carried = trial.advance_places(context.flow, now, options, stop); !carried)
             return tl::unexpected(carried.error());
         for (std::size_t i = 0; i < active.size(); ++i)
-            active[i]->learn(trial[i], trial.end[i] == CurveEnd::Running, trial.time[i], now);
+            active[i]->learn(trial.end[i] == CurveEnd::Running, trial.time[i], now);
+        std::erase_if(active, [](const Search* search) { return search->done; });
+    }
+    Batch found;
+    for (const Search* search : all) {
+        search->of->part = search->part();
+        found.add(search->of->edge.at(search->of->part), before);
+    }
+    if (auto carried = found.advance(context.flow, now, options, stop); !carried)
+        return tl::unexpected(carried.error());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        all[i]->of->found = all[i]->of->part > 0.0;
+        all[i]->of->carried = found[i];
     }
     return {};
 }

@@ -15,7 +15,7 @@ namespace wakesurf::core {
 struct EdgeCrossing {
     VertexId living, dead;
     bool found = false;
-    double part = 0.0; ///< of the way from the living to the dead vertex, to 1e-7
+    double part = 0.0; ///< of the way from the living to the dead vertex, to 1e-6
     Carried carried{}; ///< there, at the mesh's time
     EdgeCubic edge{};  ///< from which it was interpolated
 };
