@@ -283,13 +283,16 @@ VertexId MaterialTriangles::beyond_boundary(VertexId v,
 
 void MaterialTriangles::collapse(VertexId gone, VertexId kept, std::span<const TriangleId> ring) {
     for (const TriangleId t : ring) {
-        change(t);
         const unsigned k = slots_[t].edge_from(gone);
         if (slots_[t].edge_from(kept) == 3) {
             slots_[t].vertex[k] = kept;
             ++uses_[kept];
+            if (slots_[t].odd()) // its hanging vertex is no longer on its edge
+                part(t);
+            touched_.push_back(t);
             continue;
         }
+        change(t);
         const unsigned edge = slots_[t].end(k) == kept ? k : (k + 2) % 3;
         const VertexId apex = slots_[t].opposite(edge);
         const TriangleId p = slots_[t].across[(edge + 1) % 3];

@@ -12,16 +12,31 @@ namespace wakesurf::core {
 
 namespace {
 
-constexpr double poor = 0.295; ///< sine of the smallest or largest corner: 17 degrees
+constexpr float poor = 0.295f; ///< sine of the smallest or largest corner: 17 degrees
 /// Sines that the quads along an alternating path must have, tried in turn.
-constexpr std::array<double, 4> least_on_path{0.48, 0.25, 0.0, -2.0};
+constexpr std::array<float, 3> least_on_path{0.4f, 0.0f, -2.0f};
 constexpr std::size_t longest_search = 32; ///< triangles
 constexpr int swap_rounds = 4;
+constexpr std::size_t scores_kept = 1 << 14; ///< a power of two
 
 class Pairing {
   public:
     explicit Pairing(const RefinementContext& context)
-        : context_(context), mesh_(context.mesh), triangles_(context.mesh.triangles) {}
+        : context_(context), mesh_(context.mesh), triangles_(context.mesh.triangles),
+          per_separation_(1.0 / context.rules.separation) {}
+
+    /// Nothing moves while pairs are looked for: most quads are asked for several times.
+    void remember_scores() { known_.assign(scores_kept, {}); }
+
+    /// As score(). REQUIRES: remember_scores().
+    float known_score(TriangleId t, unsigned k) {
+        const TriangleId u = triangles_[t].across[k];
+        const std::uint64_t name = std::uint64_t{std::min(t, u)} << 32 | std::max(t, u);
+        Known& known = known_[(name ^ name >> 23) & (scores_kept - 1)];
+        if (known.name != name)
+            known = {name, t < u ? score(t, k) : score(u, triangles_.facing(t, k))};
+        return known.score;
+    }
 
     /// REQUIRED for paths.
     void remember_searches() {
@@ -31,30 +46,50 @@ class Pairing {
 
     /// Least sine of the corners of the quad across edge k, or cosine of the bend there if that is less;
     /// negative where it is not convex.
-    double score(TriangleId t, unsigned k) const {
+    float score(TriangleId t, unsigned k) const {
         const Triangle& here = triangles_[t];
         const Triangle& there = triangles_[here.across[k]];
         const std::array<VertexId, 4> corner{here.begin(k), there.opposite(triangles_.facing(t, k)),
                                              here.end(k), here.opposite(k)};
-        std::array<Vec3, 4> side;
-        std::array<double, 4> length;
+        // Four corners at a time, in separations; the first side comes last again.
+        std::array<float, 5> x, y, z, length;
         for (std::size_t i = 0; i < 4; ++i) {
-            side[i] = mesh_.edge(corner[i], corner[(i + 1) % 4]);
-            length[i] = squared(side[i]);
+            const Vec3f side(per_separation_ * mesh_.edge(corner[i], corner[(i + 1) % 4]));
+            x[i] = side.x;
+            y[i] = side.y;
+            z[i] = side.z;
         }
-        const Vec3 normal = glm::cross(side[0] + side[1], side[1] + side[2]);
-        const double size = squared(normal);
-        double least = 1.0;
+        x[4] = x[0], y[4] = y[0], z[4] = z[0];
+        for (std::size_t i = 0; i < 5; ++i)
+            length[i] = x[i] * x[i] + y[i] * y[i] + z[i] * z[i];
+        std::array<float, 4> normal_x, normal_y, normal_z, sine;
         for (std::size_t i = 0; i < 4; ++i) {
-            const std::size_t before = (i + 3) % 4;
-            const double scale = std::sqrt(length[i] * length[before] * size);
-            const double sine =
-                scale > 0.0 ? glm::dot(glm::cross(side[before], side[i]), normal) / scale : -1.0;
-            least = std::min(least, sine);
+            normal_x[i] = y[i] * z[i + 1] - z[i] * y[i + 1];
+            normal_y[i] = z[i] * x[i + 1] - x[i] * z[i + 1];
+            normal_z[i] = x[i] * y[i + 1] - y[i] * x[i + 1];
         }
+        // Twice the quad's area vector is the sum of two opposite corners'.
+        const float along_x = normal_x[0] + normal_x[2];
+        const float along_y = normal_y[0] + normal_y[2];
+        const float along_z = normal_z[0] + normal_z[2];
+        const float size = along_x * along_x + along_y * along_y + along_z * along_z;
+        for (std::size_t i = 0; i < 4; ++i) {
+            const float along =
+                normal_x[i] * along_x + normal_y[i] * along_y + normal_z[i] * along_z;
+            const float scale = length[i] * length[i + 1] * size;
+            sine[i] = scale > 0.0f ? along * std::abs(along) / scale : -1.0f; // squared
+        }
+        const float least = *std::min_element(sine.begin(), sine.end());
         // Of the triangles' normals: a quad is not to be bent over a ridge of the sheet.
-        return std::min(
-            least, cosine_between(glm::cross(side[0], side[1]), glm::cross(side[2], side[3]), 1.0));
+        const float here_size =
+            normal_x[0] * normal_x[0] + normal_y[0] * normal_y[0] + normal_z[0] * normal_z[0];
+        const float there_size =
+            normal_x[2] * normal_x[2] + normal_y[2] * normal_y[2] + normal_z[2] * normal_z[2];
+        const float together =
+            normal_x[0] * normal_x[2] + normal_y[0] * normal_y[2] + normal_z[0] * normal_z[2];
+        const float sizes = std::sqrt(here_size * there_size);
+        return std::min(std::copysign(std::sqrt(std::abs(least)), least),
+                        sizes > 0.0f ? together / sizes : 1.0f);
     }
 
     bool is_forced(TriangleId t) const {
@@ -86,7 +121,7 @@ class Pairing {
 
     void pair_best(std::span<const TriangleId> loose) {
         struct Candidate {
-            double score;
+            float score;
             TriangleId t;
             unsigned k;
         };
@@ -96,7 +131,7 @@ class Pairing {
             for (unsigned k = 0; k < 3; ++k)
                 if (const TriangleId u = triangles_[t].across[k];
                     u != no_triangle && t < u && is_free(t) && is_free(u))
-                    if (const double here = score(t, k); here >= poor)
+                    if (const float here = known_score(t, k); here >= poor)
                         candidates.push_back({here, t, k});
         std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
             return std::tuple(-a.score, a.t, a.k) < std::tuple(-b.score, b.t, b.k);
@@ -108,7 +143,7 @@ class Pairing {
 
     /// Another half for `start` by taking apart every other pair on the way to a triangle that has none
     /// either.
-    bool pair_along_path(TriangleId start, double least) {
+    bool pair_along_path(TriangleId start, float least) {
         ++search_;
         std::vector<TriangleId> queue{start};
         come_from(start, no_triangle);
@@ -116,7 +151,7 @@ class Pairing {
             const TriangleId t = queue[i]; // an even number of steps from the start
             for (unsigned k = 0; k < 3; ++k) {
                 const TriangleId u = triangles_[t].across[k];
-                if (u == no_triangle || seen(u) || score(t, k) < least)
+                if (u == no_triangle || seen(u) || known_score(t, k) < least)
                     continue;
                 if (is_free(u) || triangles_[u].odd()) {
                     triangles_.part(u);
@@ -191,10 +226,10 @@ class Pairing {
             return false;
         const unsigned j = edge_to(u, w);
         const auto worth = [&](TriangleId x, unsigned edge) {
-            return std::sqrt(std::max(score(x, edge), 0.0));
+            return std::sqrt(std::max(known_score(x, edge), 0.0f));
         };
         if (!(worth(t, k) + worth(u, j) >
-              worth(t, triangles_[t].mate) + worth(v, triangles_[v].mate) + 1e-4))
+              worth(t, triangles_[t].mate) + worth(v, triangles_[v].mate) + 1e-4f))
             return false;
         triangles_.part(t);
         triangles_.part(v);
@@ -206,6 +241,14 @@ class Pairing {
     const RefinementContext& context_;
     const MovingMesh& mesh_;
     MaterialTriangles& triangles_;
+    double per_separation_;
+
+    struct Known {
+        std::uint64_t name = ~std::uint64_t{0}; ///< of both triangles
+        float score = 0.0f;
+    };
+
+    std::vector<Known> known_;
     std::uint32_t search_ = 0;
     std::vector<std::uint32_t> searched_; ///< by which search a triangle was last come to
     std::vector<TriangleId> from_;        ///< and from which triangle
@@ -265,6 +308,7 @@ void pair_all(const RefinementContext& context,
     };
     const std::vector<TriangleId> all = still_free(loose);
     triangles.loose().clear();
+    pairing.remember_scores();
     pairing.pair_forced(all);
     // What a forced pair has taken apart looks for another half as well.
     std::vector<TriangleId> rest = all;
@@ -274,7 +318,7 @@ void pair_all(const RefinementContext& context,
     rest = still_free(rest);
     if (!rest.empty())
         pairing.remember_searches();
-    for (const double least : least_on_path) {
+    for (const float least : least_on_path) {
         for (const TriangleId t : rest)
             if (pairing.is_free(t) && !context.stop.stop_requested())
                 pairing.pair_along_path(t, least);
