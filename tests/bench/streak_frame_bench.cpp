@@ -1,5 +1,5 @@
-// Frames of an animated streak surface: every step carries 100,000 vertices, refines the mesh and releases
-// what is due.
+// Frames of an animated streak or time surface: every step carries 100,000 vertices, refines the mesh and
+// releases what is due.
 #include "core/surface/moving/moving_surface.hpp"
 #include "tests/bench/benchmarks.hpp"
 #include "tests/bench/support/interleaved.hpp"
@@ -47,15 +47,22 @@ const core::Clock& steady_clock() {
     return clock;
 }
 
+struct Grown {
+    core::SurfaceKind kind;
+    core::Accuracy accuracy;
+};
+
 /// Nearly across the cube, moved on until it has as many vertices as wanted.
-core::MovingSurface grown_surface(core::Accuracy accuracy) {
+core::MovingSurface grown_surface(const Grown& asked) {
     const SampledFlow& sampled = sampled_slow_abc();
     core::SurfaceParameters p;
-    p.kind = core::SurfaceKind::Streak;
+    p.kind = asked.kind;
+    if (asked.kind == core::SurfaceKind::Time)
+        p.sweep = core::Vec3(0.0, 0.0, 2.5);
     p.from = 0.0;
     p.to = static_cast<double>(SampledFlow::period) * sampled.interval;
     p.separation = separation_in_cells * sampled.spacing();
-    p.accuracy = accuracy;
+    p.accuracy = asked.accuracy;
     const core::Rake rake{core::Rake::Kind::Line, {{0.7, 2.0, 3.0}, {5.5, 4.0, 3.5}}, 16};
     auto surface = core::MovingSurface::start(*sampled.flow, rake, p, {}, steady_clock());
     if (!surface)
@@ -71,9 +78,9 @@ void describe(benchmark::State& state, const core::MovingSurface& surface) {
     state.counters["cells"] = static_cast<double>(mesh.triangles.quads());
 }
 
-void measure(benchmark::State& state, core::Accuracy accuracy) {
+void measure(benchmark::State& state, const Grown& asked) {
     on_one_core([&] {
-        core::MovingSurface surface = grown_surface(accuracy);
+        core::MovingSurface surface = grown_surface(asked);
         for (auto _ : state) {
             const core::SurfaceStatistics before = surface.statistics();
             std::vector<double> seconds, snapshots;
@@ -109,8 +116,8 @@ void measure(benchmark::State& state, core::Accuracy accuracy) {
     });
 }
 
-void measure_two_threads(benchmark::State& state, core::Accuracy accuracy) {
-    core::MovingSurface by_one = on_one_core([&] { return grown_surface(accuracy); });
+void measure_two_threads(benchmark::State& state, const Grown& asked) {
+    core::MovingSurface by_one = on_one_core([&] { return grown_surface(asked); });
     core::MovingSurface by_two = by_one;
     tbb::task_arena one(1);
     tbb::task_arena two(2);
@@ -133,10 +140,10 @@ void measure_two_threads(benchmark::State& state, core::Accuracy accuracy) {
 }
 
 void add(const std::string& name,
-         core::Accuracy accuracy,
-         void (*measured)(benchmark::State&, core::Accuracy)) {
+         const Grown& asked,
+         void (*measured)(benchmark::State&, const Grown&)) {
     benchmark::RegisterBenchmark(name.c_str(),
-                                 [=](benchmark::State& state) { measured(state, accuracy); })
+                                 [=](benchmark::State& state) { measured(state, asked); })
         ->Unit(benchmark::kMillisecond)
         ->UseManualTime()
         ->Iterations(1);
@@ -146,10 +153,13 @@ void add(const std::string& name,
 
 void register_streak_frame_benchmarks() {
     using namespace streak_frame_bench;
-    add("streak_frame/fast", core::Accuracy::Fast, measure);
-    add("streak_frame/balanced", core::Accuracy::Balanced, measure);
-    add("streak_frame/two_threads/fast", core::Accuracy::Fast, measure_two_threads);
-    add("streak_frame/two_threads/balanced", core::Accuracy::Balanced, measure_two_threads);
+    constexpr Grown fast{core::SurfaceKind::Streak, core::Accuracy::Fast};
+    constexpr Grown balanced{core::SurfaceKind::Streak, core::Accuracy::Balanced};
+    add("streak_frame/fast", fast, measure);
+    add("streak_frame/balanced", balanced, measure);
+    add("time_frame/balanced", {core::SurfaceKind::Time, core::Accuracy::Balanced}, measure);
+    add("streak_frame/two_threads/fast", fast, measure_two_threads);
+    add("streak_frame/two_threads/balanced", balanced, measure_two_threads);
 }
 
 } // namespace wakesurf::bench

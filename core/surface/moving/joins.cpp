@@ -177,6 +177,46 @@ bool is_short(const RefinementContext& context, double squared_length) {
     return squared_length < context.squared_separation(context.rules.merge);
 }
 
+/// What a and b are beside is near enough to `kept`, one of them, for all edges of the other. Of 30,000 joins
+/// that were tried in a step 26,000 failed at that.
+/// @param t  has both
+bool all_near(const MovingMesh& mesh, TriangleId t, VertexId gone, VertexId kept, double allowed) {
+    const MaterialTriangles& triangles = mesh.triangles;
+    const auto near = [&](VertexId x) { return squared_length(mesh, x, kept) <= allowed; };
+    TriangleId at = t; // counter-clockwise, to where it began or to the boundary
+    do {
+        const unsigned k = triangles[at].edge_from(gone);
+        if (!near(triangles[at].opposite(k)))
+            return false;
+        at = triangles[at].across[(k + 2) % 3];
+    } while (at != no_triangle && at != t);
+    if (at == t)
+        return true;
+    for (at = t; at != no_triangle;) {
+        const unsigned k = triangles[at].edge_from(gone);
+        if (!near(triangles[at].end(k)))
+            return false;
+        at = triangles[at].across[k];
+    }
+    return true;
+}
+
+/// Calls `visit(k, squared length)` for the edges of a triangle that may shrink.
+template <class Visit>
+void each_edge_to_join(const RefinementContext& context, TriangleId t, const Visit& visit) {
+    const MovingMesh& mesh = context.mesh;
+    const Triangle& here = mesh.triangles[t];
+    const double allowed = context.squared_separation();
+    const bool low = quality(mesh, t) < thin_quality;
+    for (unsigned k = 0; k < 3; ++k) {
+        const VertexId a = here.begin(k), b = here.end(k);
+        const double square = squared_length(mesh, a, b);
+        if ((low || is_short(context, square)) && square <= allowed &&
+            (all_near(mesh, t, a, b, allowed) || all_near(mesh, t, b, a, allowed)))
+            visit(k, square);
+    }
+}
+
 /// The edges of `triangles` that may shrink, in order.
 std::vector<Short> short_edges(const RefinementContext& context,
                                std::span<const TriangleId> triangles) {
@@ -187,18 +227,14 @@ std::vector<Short> short_edges(const RefinementContext& context,
         const Triangle& here = mesh.triangles[t];
         if (!here.live || context.stop.stop_requested())
             continue;
-        const bool low = quality(mesh, t) < thin_quality;
-        for (unsigned k = 0; k < 3; ++k) {
+        each_edge_to_join(context, t, [&](unsigned k, double square) {
             const VertexId a = here.begin(k), b = here.end(k);
-            const double square = squared_length(mesh, a, b);
-            if (!(low || is_short(context, square)) || !std::isfinite(square))
-                continue;
             const double length = std::round(1e6 * square / context.squared_separation());
             if (ids[a] < ids[b])
                 edges.push_back({length, a, b, ids[a], ids[b]});
             else
                 edges.push_back({length, b, a, ids[b], ids[a]});
-        }
+        });
     }
     std::sort(edges.begin(), edges.end(), [](const Short& x, const Short& y) {
         return std::tie(x.length, x.id_a, x.id_b) < std::tie(y.length, y.id_a, y.id_b);
@@ -211,6 +247,12 @@ std::vector<Short> short_edges(const RefinementContext& context,
 }
 
 } // namespace
+
+bool may_join(const RefinementContext& context, TriangleId t) {
+    bool found = false;
+    each_edge_to_join(context, t, [&](unsigned, double) { found = true; });
+    return found;
+}
 
 bool join_needle(const RefinementContext& context, TriangleId t) {
     const auto& v = context.mesh.triangles[t].vertex;

@@ -11,6 +11,10 @@ namespace wakesurf::core {
 /// Quality of a triangle one of whose vertices may be better away.
 constexpr double thin_quality = 0.4;
 
+/// True where an edge of the triangle is short, or the triangle thin, and one of its ends could go as far as
+/// lengths tell. Most cannot.
+bool may_join(const RefinementContext& context, TriangleId t);
+
 /// Shrinks edges of `candidates`, and of those triangles that a join changes, the shortest first, where what
 /// comes of it is within all limits.
 void join_all(const RefinementContext& context, std::span<const TriangleId> candidates);

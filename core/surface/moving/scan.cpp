@@ -3,153 +3,203 @@
 #include "core/base/for_each_index.hpp"
 #include "core/surface/moving/cuts.hpp"
 #include "core/surface/moving/flips.hpp"
-#include "core/surface/moving/insertion.hpp"
 #include "core/surface/moving/joins.hpp"
 #include "core/surface/moving/pairing.hpp"
 #include "core/surface/moving/split_criteria.hpp"
 #include "core/surface/moving/triangle_shape.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 namespace wakesurf::core {
 
 namespace {
 
 /// One of so many steps looks at what has not changed for joining and a better other half.
-constexpr std::uint64_t turns = 6;
-
-/// What single precision may be off by, and some more.
-constexpr float room = 1e-4f;
+constexpr std::uint64_t turns = 12;
 
 /// Normals that differ by more: the corners of the quad are not the sums of its triangles' angles.
 constexpr float flat = 0.9f;
 constexpr float poor_corner = 0.31f; ///< sine; with room above that of pairs that are poor
-
-enum Flag : std::uint8_t { dead = 1, long_edge = 2, may_join = 4, web = 8 };
+constexpr float open_corner = 0.6f;  ///< cotangent: 59 degrees, with room above is_diagonal()'s
+constexpr float nearly_flat = 0.99f;
 
 enum Need : std::uint8_t { flipping = 1, cutting = 2, joining = 4, pairing = 8 };
 
+/// So many triangles, and their edges, go through the same arithmetic side by side.
+constexpr std::size_t at_once = 16;
+
+/// What the exact rules have to be asked about some triangles, and the answers.
 class Scan {
   public:
-    Scan(const RefinementContext& context, ScanMemory& memory)
+    Scan(const RefinementContext& context, std::uint64_t turn, ScanMemory& memory)
         : context_(context), mesh_(context.mesh), triangles_(context.mesh.triangles),
-          memory_(memory), longest_(static_cast<float>(context.longest_allowed())),
-          shortest_(static_cast<float>(context.squared_separation(context.rules.merge))) {}
+          looks_(memory.looks), needs_(memory.needs), turn_(turn),
+          cosine_(static_cast<float>(context.rules.cosine)) {}
 
-    void look_at_vertex(VertexId v) const {
-        const MaterialVertices& vertices = mesh_.vertices;
-        if (vertices.role[v] == VertexRole::Unused || context_.stop.stop_requested())
-            return;
-        const double reach = context_.rules.separation;
-        const Vec3& x = vertices.position[v];
-        memory_.near_wall[v] =
-            context_.rules.obstacle && context_.flow.may_have_wall({x - reach, x + reach});
-        memory_.density[v] = vertices.approximated[v] != 0
-                                 ? 0.0f
-                                 : static_cast<float>(glm::length(
-                                       glm::cross(vertices.along_s[v], vertices.along_t[v])));
+    void look_at(std::span<const TriangleId> some) const {
+        Edges edges = edges_of(some);
+        edges.compare(cosine_);
+        std::array<std::uint32_t, at_once> may{};
+        for (std::size_t i = 0; i < edges.count; ++i)
+            may[edges.owner[i]] |= edges.may[i] << (edges.k[i] * edge_bits);
+        for (std::size_t i = 0; i < some.size(); ++i)
+            needs_[some[i]] = needs(some[i], may[i]);
     }
 
-    void look_at(TriangleId t) const {
-        TriangleLook& look = memory_.looks[t];
-        look = {};
-        const auto& [a, b, c] = triangles_[t].vertex;
-        if (has_dead_vertex(mesh_, t)) {
-            look.flags = dead;
-            return;
+    /// Neighbours are anywhere in memory: a quarter of a profile's samples waited for them.
+    void fetch_neighbours(std::size_t begin, std::size_t end) const {
+        for (std::size_t t = begin; t < end; ++t)
+            for (const TriangleId u : triangles_.slots()[t].across)
+                if (u < triangles_.slots().size()) {
+                    __builtin_prefetch(&triangles_.slots()[u]);
+                    __builtin_prefetch(&looks_.of[u]);
+                }
+    }
+
+  private:
+    /// What may be of an edge.
+    enum May : std::uint32_t { cut = 1, flip = 2, part = 4 };
+
+    static constexpr std::uint32_t edge_bits = 3;
+    static constexpr std::uint32_t every_edge = 1 | 1 << edge_bits | 1 << 2 * edge_bits;
+
+    /// Each between two triangles, of which the one with the smaller number, or the only one, owns it.
+    struct Edges {
+        enum Is : std::uint32_t { bent = 1, lengthy = 2, plain = 4, webbed = 8, halved = 16 };
+
+        static constexpr std::size_t most = 3 * at_once;
+        template <class T>
+        using Column = std::array<T, most>;
+
+        std::size_t count = 0;
+        Column<std::uint32_t> owner, k;
+        Column<float> bend; ///< cosine
+        /// Of the angles opposite to the edge, at its beginning and at its end.
+        std::array<Column<float>, 3> cotangent, cotangent_beyond;
+        Column<std::uint32_t> is; ///< bits of Is
+        Column<std::uint32_t> may;
+
+        void compare(float cosine) {
+            for (std::size_t i = 0; i < count; ++i) {
+                const float p = cotangent[0][i], q = cotangent_beyond[0][i];
+                const float p1 = cotangent[1][i], q1 = cotangent_beyond[1][i];
+                const float p2 = cotangent[2][i], q2 = cotangent_beyond[2][i];
+                // The cotangent of a sum of angles is (p q - 1) / (p + q). No branches: vectors have none.
+                const unsigned open = unsigned{std::abs(p) < open_corner} &
+                                      unsigned{std::abs(q) < open_corner} &
+                                      unsigned{std::abs(p1 * q1 - 1.0f) < open_corner * (p1 + q1)} &
+                                      unsigned{std::abs(p2 * q2 - 1.0f) < open_corner * (p2 + q2)} &
+                                      unsigned{bend[i] > nearly_flat};
+                constexpr float most_squared = 1.0f / (poor_corner * poor_corner);
+                const float sum1 = p1 + q1, sum2 = p2 + q2;
+                const float sines1 = (1.0f + p1 * p1) * (1.0f + q1 * q1);
+                const float sines2 = (1.0f + p2 * p2) * (1.0f + q2 * q2);
+                const unsigned fair =
+                    unsigned{1.0f + p * p <= most_squared} &
+                    unsigned{1.0f + q * q <= most_squared} & unsigned{sum1 > 0.0f} &
+                    unsigned{sum2 > 0.0f} & unsigned{sines1 <= most_squared * sum1 * sum1} &
+                    unsigned{sines2 <= most_squared * sum2 * sum2} & unsigned{bend[i] >= flat};
+                const unsigned uneven = unsigned{!(bend[i] >= cosine + look_room)};
+                const unsigned obtuse = unsigned{!(p + q >= look_room)};
+                const unsigned stays = open & is[i] / plain;
+                may[i] = ((is[i] / bent | uneven | (is[i] / lengthy & ~stays)) & 1u) * cut |
+                         ((is[i] / webbed | obtuse) & 1u) * flip |
+                         (is[i] / halved & ~fair & 1u) * part;
+            }
         }
-        const auto& x = mesh_.vertices.position;
-        const std::array<Vec3f, 3> edge{Vec3f(x[b] - x[a]), Vec3f(x[c] - x[b]), Vec3f(x[a] - x[c])};
-        std::array<float, 3> length;
-        for (unsigned k = 0; k < 3; ++k)
-            length[k] = glm::dot(edge[k], edge[k]);
-        const Vec3f normal = glm::cross(edge[0], edge[1]);
-        const float area = glm::length(normal);
-        const float all = length[0] + length[1] + length[2];
-        const float inverse = area > 1e-12f * all ? 1.0f / area : 0.0f;
-        look.normal = normal * inverse;
-        for (unsigned k = 0; k < 3; ++k)
-            look.cotangent[k] = (0.5f * all - length[k]) * inverse;
-        // What is no number, or has no area, is left to the exact rules.
-        if (!(std::max({length[0], length[1], length[2]}) <= (1.0f - room) * longest_) ||
-            inverse == 0.0f)
-            look.flags |= long_edge;
-        if (std::min({length[0], length[1], length[2]}) < shortest_ || !(area >= thin_ * all))
-            look.flags |= may_join;
-        const float density =
-            std::max({memory_.density[a], memory_.density[b], memory_.density[c]});
-        const ParameterStep p = mesh_.parameter_step(a, b);
-        const ParameterStep q = mesh_.parameter_step(a, c);
-        const float material = static_cast<float>(std::abs(p.s * q.t - q.s * p.t));
-        if (density > 0.0f && area > (1.0f - room) * web_density * density * material)
-            look.flags |= web;
+    };
+
+    /// The edges that some triangles own.
+    Edges edges_of(std::span<const TriangleId> some) const {
+        Edges edges;
+        for (std::size_t owner = 0; owner < some.size(); ++owner)
+            for (unsigned k = 0; k < 3; ++k) {
+                edges.owner[edges.count] = static_cast<std::uint32_t>(owner);
+                edges.k[edges.count] = k;
+                edges.count += triangles_[some[owner]].across[k] > some[owner]; // or there is none
+            }
+        for (std::size_t i = 0; i < edges.count; ++i)
+            fill(some[edges.owner[i]], edges.k[i], i, edges);
+        return edges;
     }
 
-    std::uint8_t needs(TriangleId t, bool turn) const {
-        const TriangleLook& look = memory_.looks[t];
-        if ((look.flags & dead) != 0)
+    void fill(TriangleId t, unsigned k, std::size_t i, Edges& edges) const {
+        const Triangle& here = triangles_[t];
+        const TriangleLook& look = looks_.of[t];
+        const TriangleId u = here.across[k];
+        const bool inner = u != no_triangle;
+        const TriangleLook& beyond = looks_.of[inner ? u : t];
+        const unsigned j = inner ? triangles_.facing(t, k) : k;
+        edges.bend[i] = look.normal[0] * beyond.normal[0] + look.normal[1] * beyond.normal[1] +
+                        look.normal[2] * beyond.normal[2];
+        constexpr std::array<unsigned, 5> cycle{0, 1, 2, 0, 1};
+        edges.cotangent[0][i] = look.cotangent[k];
+        edges.cotangent[1][i] = look.cotangent[cycle[k + 1]];
+        edges.cotangent[2][i] = look.cotangent[cycle[k + 2]];
+        edges.cotangent_beyond[0][i] = inner ? beyond.cotangent[j] : 1e9f; // not to be turned
+        edges.cotangent_beyond[1][i] = beyond.cotangent[cycle[j + 2]];
+        edges.cotangent_beyond[2][i] = beyond.cotangent[cycle[j + 1]];
+        constexpr std::uint32_t sides = look_any_long | look_wide;
+        const bool is_plain =
+            ((look.flags & sides) == look_long << k) & ((beyond.flags & sides) == look_long << j);
+        const bool is_web = inner & (((look.flags | beyond.flags) & look_web) != 0);
+        const bool is_half = (here.mate == k) & !here.odd() & is_turn(t);
+        edges.is[i] = (look.flags >> k & look_bent) / look_bent * Edges::bent |
+                      (look.flags >> k & look_long) / look_long * Edges::lengthy |
+                      is_plain * Edges::plain | is_web * Edges::webbed | is_half * Edges::halved;
+    }
+
+    bool is_turn(TriangleId t) const { return (t + turn_) % turns == 0; }
+
+    /// Holes close there: they do not wait for their turn.
+    static bool is_on_border(const Triangle& t) {
+        return std::find(t.across.begin(), t.across.end(), no_triangle) != t.across.end();
+    }
+
+    /// Asks the exact rules. @param may  of each edge that it owns
+    std::uint8_t needs(TriangleId t, std::uint32_t may) const {
+        const std::uint32_t look = looks_.of[t].flags;
+        if ((look & look_dead) != 0)
             return cutting;
         const Triangle& here = triangles_[t];
-        std::uint8_t needs =
-            turn && context_.rules.merge > 0.0 && (look.flags & may_join) != 0 ? joining : 0;
-        bool cut = (look.flags & (long_edge | web)) != 0;
-        bool pair = here.odd() || (look.flags & long_edge) != 0;
-        for (unsigned k = 0; k < 3; ++k) {
-            const TriangleId u = here.across[k];
-            if (u != no_triangle && u < t)
-                continue; // that one looks at this edge
-            const VertexId a = here.begin(k), b = here.end(k);
-            cut = cut || may_bulge(a, b) ||
-                  (memory_.near_wall[a] != 0 &&
-                   crosses_obstacle(context_, a, b, squared_length(mesh_, a, b)));
-            if (u == no_triangle)
-                continue;
-            const TriangleLook& beyond = memory_.looks[u];
-            const float bend = glm::dot(look.normal, beyond.normal);
-            cut = cut || bend < static_cast<float>(context_.rules.cosine) + room;
-            const unsigned j = triangles_.facing(t, k);
-            if ((look.cotangent[k] + beyond.cotangent[j] < room ||
-                 ((look.flags | beyond.flags) & web) != 0) &&
-                should_flip(context_, t, k))
+        std::uint8_t needs = 0;
+        if ((look & look_small) != 0 && context_.rules.merge > 0.0 &&
+            (is_turn(t) || is_on_border(here)) && may_join(context_, t))
+            needs |= joining;
+        for (unsigned k = 0; k < 3 && (may & flip * every_edge) != 0; ++k)
+            if ((may & flip << k * edge_bits) != 0 && should_flip(context_, t, k))
                 needs |= flipping;
-            pair = pair || (turn && here.paired() && here.mate == k &&
-                            (bend < flat || has_poor_corner(look, k, beyond, j)));
-        }
-        if (cut && needs_cut(context_, t))
+        if (((look & (look_no_shape | look_web)) != 0 || (may & cut * every_edge) != 0 ||
+             ((look & look_wall) != 0 && meets_wall(t))) &&
+            needs_cut(context_, t))
             needs |= cutting;
-        if (pair && is_poor_pair(context_, t))
+        const bool sides_long = (look & look_any_long & ~(look_long << here.mate)) != 0;
+        if ((here.odd() || sides_long || (may & part * every_edge) != 0) &&
+            is_poor_pair(context_, t))
             needs |= pairing;
         return needs;
     }
 
-  private:
-    bool may_bulge(VertexId a, VertexId b) const {
-        const float bend = static_cast<float>(least_bend(context_));
-        return context_.rules.cosine > -1.0 &&
-               static_cast<float>(squared(edge_turn(mesh_, a, b))) > (1.0f - room) * bend * bend;
-    }
-
-    /// Of the quad across edge k: opposite to it, or at its ends, where two angles add up.
-    static bool
-    has_poor_corner(const TriangleLook& here, unsigned k, const TriangleLook& beyond, unsigned j) {
-        constexpr float most = 1.0f / (poor_corner * poor_corner);
-        const auto thin = [&](float cotangent) { return 1.0f + cotangent * cotangent > most; };
-        const auto thin_sum = [&](float p, float q) {
-            const float sum = p + q;
-            return !(sum > 0.0f) || (1.0f + p * p) * (1.0f + q * q) > most * sum * sum;
-        };
-        return thin(here.cotangent[k]) || thin(beyond.cotangent[j]) ||
-               thin_sum(here.cotangent[(k + 1) % 3], beyond.cotangent[(j + 2) % 3]) ||
-               thin_sum(here.cotangent[(k + 2) % 3], beyond.cotangent[(j + 1) % 3]);
+    bool meets_wall(TriangleId t) const {
+        const Triangle& here = triangles_[t];
+        for (unsigned k = 0; k < 3; ++k)
+            if (const VertexId a = here.begin(k), b = here.end(k);
+                here.across[k] > t && may_meet_wall(looks_, a) &&
+                crosses_obstacle(context_, a, b, squared_length(mesh_, a, b)))
+                return true;
+        return false;
     }
 
     const RefinementContext& context_;
     const MovingMesh& mesh_;
     const MaterialTriangles& triangles_;
-    ScanMemory& memory_;
-    float longest_, shortest_; ///< squared
-    float thin_ = static_cast<float>(thin_quality / (2.0 * std::sqrt(3.0)));
+    const TriangleLooks& looks_;
+    std::vector<std::uint8_t>& needs_;
+    std::uint64_t turn_;
+    float cosine_;
 };
 
 } // namespace
@@ -157,21 +207,21 @@ class Scan {
 Needs scan(const RefinementContext& context, std::uint64_t turn, ScanMemory& memory) {
     const MovingMesh& mesh = context.mesh;
     const auto slots = mesh.triangles.slots();
-    memory.density.resize(mesh.vertices.slots());
-    memory.near_wall.resize(mesh.vertices.slots());
-    memory.looks.resize(slots.size());
+    look_at_all(context, memory.looks);
     memory.needs.assign(slots.size(), 0);
-    const Scan scan(context, memory);
-    for_each_index(mesh.vertices.slots(),
-                   [&](std::size_t v) { scan.look_at_vertex(static_cast<VertexId>(v)); });
-    const auto each = [&](auto visit) {
-        for_each_index(slots.size(), [&](std::size_t i) {
-            if (slots[i].live && !context.stop.stop_requested())
-                visit(static_cast<TriangleId>(i));
-        });
-    };
-    each([&](TriangleId t) { scan.look_at(t); });
-    each([&](TriangleId t) { memory.needs[t] = scan.needs(t, (t + turn) % turns == 0); });
+    const Scan scan(context, turn, memory);
+    for_each_index((slots.size() + at_once - 1) / at_once, [&](std::size_t block) {
+        std::array<TriangleId, at_once> some;
+        std::size_t count = 0;
+        const std::size_t end = std::min((block + 1) * at_once, slots.size());
+        for (std::size_t t = block * at_once; t < end; ++t) {
+            some[count] = static_cast<TriangleId>(t);
+            count += slots[t].live;
+        }
+        scan.fetch_neighbours(end, std::min(end + at_once, slots.size()));
+        if (!context.stop.stop_requested())
+            scan.look_at({some.data(), count});
+    });
     Needs found;
     for (TriangleId t = 0; t < slots.size(); ++t) {
         const std::uint8_t needs = memory.needs[t];

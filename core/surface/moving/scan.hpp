@@ -3,26 +3,17 @@
 #pragma once
 
 #include "core/surface/moving/refinement_context.hpp"
+#include "core/surface/moving/triangle_looks.hpp"
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
 namespace wakesurf::core {
 
-/// A triangle as far as its neighbours have to know it.
-struct TriangleLook {
-    Vec3f normal{0.0f};               ///< of length 1
-    std::array<float, 3> cotangent{}; ///< [k]: of the angle opposite to edge k
-    std::uint8_t flags = 0;
-};
-
 /// Memory kept from step to step; nothing in it outlives one.
 struct ScanMemory {
-    std::vector<float> density;          ///< of vertex slots: area in space of a unit of material
-    std::vector<std::uint8_t> near_wall; ///< likewise: an edge from it may meet one
-    std::vector<TriangleLook> looks;     ///< of triangle slots
-    std::vector<std::uint8_t> needs;     ///< likewise
+    TriangleLooks looks;
+    std::vector<std::uint8_t> needs; ///< of triangle slots
 };
 
 /// Triangles in order of their slots.
