@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace wakesurf::core::quad_complex_test {
 
 namespace {
@@ -75,6 +77,34 @@ TEST(QuadComplex, ComponentsAreNumberedLargestFirst) {
     label_components(mesh);
     EXPECT_EQ(mesh.component[0], 0u);
     EXPECT_EQ(mesh.component[8], 1u);
+}
+
+/// Quads of a band, whose vertices are numbered in no order that has to do with where they are.
+void add_band(QuadComplex& mesh, VertexId columns, VertexId rows) {
+    const auto first = static_cast<VertexId>(mesh.vertices());
+    const VertexId count = (columns + 1) * (rows + 1);
+    const auto at = [&](VertexId column, VertexId row) {
+        return first + (row * (columns + 1) + column) * 1009 % count;
+    };
+    mesh.position.resize(first + count);
+    for (VertexId row = 0; row < rows; ++row)
+        for (VertexId column = 0; column < columns; ++column)
+            mesh.cells.push_back(Cell{{at(column, row), at(column + 1, row),
+                                       at(column + 1, row + 1), at(column, row + 1)},
+                                      {no_vertex, no_vertex, no_vertex, no_vertex}});
+}
+
+TEST(QuadComplex, WhatHangsTogetherIsOneComponentHoweverItsVerticesAreNumbered) {
+    QuadComplex mesh;
+    add_band(mesh, 3, 60);
+    const std::size_t smaller = mesh.vertices();
+    add_band(mesh, 40, 30);
+    mesh.position.emplace_back(); // of no cell
+    label_components(mesh);
+    std::vector<std::uint32_t> wanted(mesh.vertices(), 0);
+    std::fill_n(wanted.begin(), smaller, 1u);
+    wanted.back() = 2;
+    EXPECT_EQ(mesh.component, wanted);
 }
 
 } // namespace wakesurf::core::quad_complex_test
