@@ -16,7 +16,10 @@ template <class Thing, class Key>
 void radix_sort(std::vector<Thing>& things, Key key) {
     constexpr unsigned bits = 11, buckets = 1u << bits;
     std::vector<Thing> other(things.size());
-    for (unsigned shift = 0; shift < 32; shift += bits) {
+    std::uint32_t all = 0;
+    for (const Thing& thing : things)
+        all |= key(thing);
+    for (unsigned shift = 0; shift < 32 && all >> shift != 0; shift += bits) {
         const auto bucket = [&](const Thing& thing) { return (key(thing) >> shift) % buckets; };
         std::array<std::size_t, buckets> place{};
         for (const Thing& thing : things)
