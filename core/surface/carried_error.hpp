@@ -24,7 +24,12 @@ struct SurfaceTangents {
 
     /// Of a unit of either coordinate. Kept away from zero: where the tangents are parallel, what lies between them is not known.
     double area() const {
-        return std::max(glm::length(glm::cross(s, t)), 1e-4 * glm::length(s) * glm::length(t));
+        const Vec3 normal = glm::cross(s, t);
+        const double square = glm::dot(normal, normal), sides = glm::dot(s, s) * glm::dot(t, t);
+        // That they are far from parallel can be told without their lengths, which are two roots.
+        return square > 1.001e-8 * sides
+                   ? std::sqrt(square)
+                   : std::max(std::sqrt(square), 1e-4 * glm::length(s) * glm::length(t));
     }
 };
 
@@ -34,9 +39,10 @@ struct SurfaceTangents {
 class CarriedError {
   public:
     /// Length across the surface that it has where the tangents are these.
-    double across(const SurfaceTangents& at) const {
-        return volume_ > 0.0f ? double(volume_) / at.area() : 0.0;
-    }
+    double across(const SurfaceTangents& at) const { return across(at.area()); }
+
+    /// @param area  of the tangents there
+    double across(double area) const { return volume_ > 0.0f ? double(volume_) / area : 0.0; }
 
     /// Adds an error that arose where the tangents are these. A particle that had no tangents, since nothing moved where it was
     /// released, has no errors.

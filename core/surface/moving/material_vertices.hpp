@@ -38,7 +38,10 @@ struct VertexError {
                 CarriedDistance::between(a.apart, b.apart)};
     }
 
-    double across(const SurfaceTangents& at) const { return traced.across(at) + placed.across(at); }
+    double across(const SurfaceTangents& at) const {
+        const double area = at.area();
+        return traced.across(area) + placed.across(area);
+    }
 };
 
 /// What a vertex is made from.

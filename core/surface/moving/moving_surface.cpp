@@ -471,8 +471,7 @@ Result<void> MovingSurface::advance_to(double to, std::stop_token stop, const Wo
 }
 
 KeyedMesh MovingSurface::mesh() const {
-    return snapshot(state_.mesh, true,
-                    stated_errors(state_.mesh, state_.step_errors, state_.errors_until));
+    return snapshot(state_.mesh, true, &state_.step_errors, state_.errors_until);
 }
 
 std::string MovingSurface::validate() const {

@@ -19,87 +19,111 @@ float deformation_of(const MaterialVertices& v, VertexId i) {
                : 0.0f;
 }
 
-/// The first two corners are those released last, as those of a cell that the rake has just released.
-void turn_to_youngest(const MovingMesh& mesh, Cell& cell) {
-    const MaterialVertices& v = mesh.vertices;
-    const auto younger = [&](VertexId a, VertexId b) {
-        const double t = (v.t[a] - v.t[b]) * -mesh.lattice.facing;
-        const double s = mesh.lattice.s_between(v.s[a], v.s[b]);
-        return t != 0.0 ? t > 0.0 : s != 0.0 ? s > 0.0 : v.id[a] < v.id[b];
-    };
-    std::size_t first = 0;
-    for (std::size_t k = 1; k < 4; ++k)
-        if (younger(cell.corner[k], cell.corner[first]))
-            first = k;
-    std::rotate(cell.corner.begin(), cell.corner.begin() + static_cast<std::ptrdiff_t>(first),
-                cell.corner.end());
-    std::rotate(cell.mid.begin(), cell.mid.begin() + static_cast<std::ptrdiff_t>(first),
-                cell.mid.end());
+using Corners = std::array<VertexId, 4>;
+
+/// What is called so is in that place.
+struct Named {
+    std::uint32_t name, place;
+};
+
+void sort_by_name(std::vector<Named>& things) {
+    radix_sort(things, [](const Named& thing) { return thing.name; });
 }
 
-/// The vertex in the middle of edge k that an odd triangle beyond it is handed out with.
-VertexId hanging_beyond(const MaterialTriangles& triangles, TriangleId t, unsigned k) {
-    const TriangleId u = triangles[t].across[k];
-    return u != no_triangle && triangles[u].odd() && triangles[u].across[triangles[u].mate] == t
-               ? triangles[u].hanging
-               : no_vertex;
-}
+/// What the triangles are handed out as, in the order of their slots.
+struct Quads {
+    std::vector<Corners> corners; ///< slots
+    std::vector<Named> names;
+    std::vector<Triangle> odd;
+};
 
-/// What a triangle and its other half are handed out as; vertices are slots.
-Cell cell_of(const MovingMesh& mesh, TriangleId t) {
-    const MaterialTriangles& triangles = mesh.triangles;
-    const Triangle& here = triangles[t];
-    const unsigned k = here.mate;
-    Cell cell;
-    if (here.odd()) {
-        cell.corner = {here.opposite(k), here.begin(k), here.hanging, here.end(k)};
-        cell.mid[0] = hanging_beyond(triangles, t, (k + 2) % 3);
-        cell.mid[3] = hanging_beyond(triangles, t, (k + 1) % 3);
-    } else {
-        const TriangleId u = here.across[k];
-        const unsigned j = triangles.facing(t, k);
-        cell.corner = {here.begin(k), triangles[u].opposite(j), here.end(k), here.opposite(k)};
-        cell.mid = {
-            hanging_beyond(triangles, u, (j + 1) % 3), hanging_beyond(triangles, u, (j + 2) % 3),
-            hanging_beyond(triangles, t, (k + 1) % 3), hanging_beyond(triangles, t, (k + 2) % 3)};
+/// One look at each triangle, in the order they have in memory: to look from each quad's first half at its
+/// second, and at what hangs on its sides, takes three times as long.
+Quads quads_of(const MaterialTriangles& triangles) {
+    const auto slots = triangles.slots();
+    Quads quads;
+    quads.corners.reserve(triangles.quads());
+    quads.names.reserve(triangles.quads());
+    std::vector<std::uint32_t> quad(slots.size()); // of first halves
+    for (TriangleId t = 0; t < slots.size(); ++t) {
+        const Triangle& here = slots[t];
+        if (!here.live)
+            continue;
+        const unsigned k = here.mate;
+        if (!here.odd() && here.across[k] < t) {
+            quads.corners[quad[here.across[k]]][1] = here.opposite(k);
+            continue;
+        }
+        quad[t] = static_cast<std::uint32_t>(quads.corners.size());
+        quads.names.push_back({here.quad, quad[t]});
+        if (here.odd()) {
+            quads.odd.push_back(here);
+            quads.corners.push_back({here.opposite(k), here.begin(k), here.hanging, here.end(k)});
+        } else {
+            quads.corners.push_back({here.begin(k), no_vertex, here.end(k), here.opposite(k)});
+        }
     }
-    turn_to_youngest(mesh, cell);
-    return cell;
+    return quads;
+}
+
+/// The slots of vertices that are handed out, in the order of ids.
+std::vector<Named> vertices_of(const MovingMesh& mesh, std::span<const Triangle> odd) {
+    const MaterialVertices& v = mesh.vertices;
+    std::vector<std::uint8_t> hanging(v.slots(), 0);
+    for (const Triangle& each : odd)
+        hanging[each.hanging] = 1;
+    std::vector<Named> vertices;
+    vertices.reserve(v.slots());
+    for (VertexId i = 0; i < v.slots(); ++i)
+        if (hanging[i] != 0 || !mesh.triangles.unused(i))
+            vertices.push_back({v.id[i], i});
+    sort_by_name(vertices);
+    return vertices;
+}
+
+/// Which of a quad's corners was released last. No two have the same s and t.
+std::size_t youngest(const MovingMesh& mesh, const Corners& corner) {
+    const MaterialVertices& v = mesh.vertices;
+    const auto younger = [&](std::size_t i, std::size_t k) {
+        const VertexId a = corner[i], b = corner[k];
+        const double t = (v.t[b] - v.t[a]) * -mesh.lattice.facing;
+        const double s = mesh.lattice.s_between(v.s[b], v.s[a]);
+        // Without branches: no one can tell beforehand which it will be.
+        return i + (k - i) * static_cast<std::size_t>((t > 0.0) | (!(t < 0.0) & (s > 0.0)));
+    };
+    return younger(younger(0, 1), younger(2, 3));
+}
+
+/// Hangs the vertex in the middle of an odd triangle's edge on the cell beyond, where there is one.
+void hang(const MovingMesh& mesh,
+          const Triangle& odd,
+          std::span<const VertexId> place,
+          KeyedMesh& out) {
+    const TriangleId beyond = odd.across[odd.mate];
+    if (beyond == no_triangle)
+        return;
+    const auto id =
+        std::lower_bound(out.cell_id.begin(), out.cell_id.end(), mesh.triangles[beyond].quad);
+    Cell& cell = out.mesh.cells[static_cast<std::size_t>(id - out.cell_id.begin())];
+    for (std::size_t k = 0; k < 4; ++k)
+        if (cell.corner[k] == place[odd.end(odd.mate)] &&
+            cell.corner[(k + 1) % 4] == place[odd.begin(odd.mate)])
+            cell.mid[k] = place[odd.hanging];
 }
 
 } // namespace
 
-KeyedMesh snapshot(const MovingMesh& mesh, bool deformation, std::span<const float> error) {
+KeyedMesh
+snapshot(const MovingMesh& mesh, bool deformation, const StepErrors* errors, double errors_until) {
+    Quads quads = quads_of(mesh.triangles);
     const MaterialVertices& v = mesh.vertices;
-    const auto slots = mesh.triangles.slots();
-    std::vector<std::uint8_t> used(v.slots(), 0);
-
-    /// What is called so is in that slot: of two halves of a quad the first.
-    struct Named {
-        std::uint32_t name, slot;
-    };
-
-    std::vector<Named> vertices, cells;
-    cells.reserve(slots.size() / 2);
-    for (TriangleId t = 0; t < slots.size(); ++t)
-        if (slots[t].live) {
-            for (const VertexId k : slots[t].vertex)
-                used[k] = 1;
-            if (slots[t].odd())
-                used[slots[t].hanging] = 1;
-            if (slots[t].odd() || t < slots[t].across[slots[t].mate])
-                cells.push_back({slots[t].quad, t});
-        }
-    for (VertexId i = 0; i < v.slots(); ++i)
-        if (used[i] != 0)
-            vertices.push_back({v.id[i], i});
-    for (auto* things : {&vertices, &cells})
-        radix_sort(*things, [](const Named& thing) { return thing.name; });
+    std::vector<VertexId> place(v.slots(), no_vertex);
+    std::size_t count = 0;
+    for (const Named& vertex : vertices_of(mesh, quads.odd))
+        place[vertex.place] = static_cast<VertexId>(count++);
 
     KeyedMesh out;
     out.time = mesh.time;
-    std::vector<VertexId> place(v.slots(), no_vertex);
-    const std::size_t count = vertices.size();
     out.vertex_id.resize(count);
     out.mesh.position.resize(count);
     out.mesh.s.resize(count);
@@ -107,32 +131,40 @@ KeyedMesh snapshot(const MovingMesh& mesh, bool deformation, std::span<const flo
     out.mesh.velocity.resize(count);
     out.mesh.approximated.resize(count);
     out.mesh.deformation.resize(deformation ? count : 0);
-    out.mesh.error.resize(error.empty() ? 0 : count);
-    for_each_index(count, [&](std::size_t k) {
-        const auto [name, i] = vertices[k];
-        place[i] = static_cast<VertexId>(k);
-        out.vertex_id[k] = name;
+    out.mesh.error.resize(errors != nullptr ? count : 0);
+    for_each_index(v.slots(), [&](std::size_t slot) {
+        const auto i = static_cast<VertexId>(slot);
+        const VertexId k = place[i];
+        if (k == no_vertex)
+            return;
+        out.vertex_id[k] = v.id[i];
         out.mesh.position[k] = v.position[i];
         out.mesh.s[k] = v.s[i];
         out.mesh.t[k] = v.t[i];
         out.mesh.velocity[k] = v.velocity[i];
+        out.mesh.approximated[k] = v.approximated[i];
         if (deformation)
             out.mesh.deformation[k] = deformation_of(v, i);
-        out.mesh.approximated[k] = v.approximated[i];
-        if (!error.empty())
-            out.mesh.error[k] = error[i];
+        if (errors != nullptr)
+            out.mesh.error[k] = stated_error(mesh, i, *errors, errors_until);
     });
-    out.cell_id.resize(cells.size());
-    out.mesh.cells.resize(cells.size());
-    for_each_index(cells.size(), [&](std::size_t k) {
-        Cell cell = cell_of(mesh, cells[k].slot);
-        for (auto* ids : {&cell.corner, &cell.mid})
-            for (VertexId& id : *ids)
-                if (id != no_vertex)
-                    id = place[id];
-        out.cell_id[k] = cells[k].name;
-        out.mesh.cells[k] = cell;
+
+    // The first two corners are those released last, as those of a cell that the rake has just released.
+    for_each_index(quads.corners.size(), [&](std::size_t k) {
+        const Corners slots = quads.corners[k];
+        const std::size_t first = youngest(mesh, slots);
+        for (std::size_t i = 0; i < 4; ++i)
+            quads.corners[k][i] = place[slots[(first + i) % 4]];
     });
+    sort_by_name(quads.names);
+    out.cell_id.resize(quads.names.size());
+    out.mesh.cells.resize(quads.names.size());
+    for_each_index(quads.names.size(), [&](std::size_t k) {
+        out.cell_id[k] = quads.names[k].name;
+        out.mesh.cells[k].corner = quads.corners[quads.names[k].place];
+    });
+    for (const Triangle& odd : quads.odd)
+        hang(mesh, odd, place, out);
     label_components(out.mesh);
     return out;
 }

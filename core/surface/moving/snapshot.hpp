@@ -4,14 +4,18 @@
 
 #include "core/surface/keyed_mesh.hpp"
 #include "core/surface/moving/moving_mesh.hpp"
+#include "core/surface/moving/step_errors.hpp"
 
-#include <span>
 #include <string>
 
 namespace wakesurf::core {
 
-/// @param error  of the vertex slots, or empty: the mesh then has no errors
-KeyedMesh snapshot(const MovingMesh& mesh, bool deformation, std::span<const float> error = {});
+/// @param errors  of steps, or nothing: the mesh then has no errors
+/// @param errors_until  the steps before are in the errors of the vertices
+KeyedMesh snapshot(const MovingMesh& mesh,
+                   bool deformation,
+                   const StepErrors* errors = nullptr,
+                   double errors_until = 0.0);
 
 /// What keeps a moving mesh sound: links that answer each other, no dead vertex, no edge without length,
 /// nothing turned over in (s, t), each triangle handed out, and all that QuadComplex::validate demands.

@@ -10,8 +10,8 @@ namespace wakesurf::core {
 
 namespace {
 
-constexpr double boxes = 16.0; ///< along each axis of the domain
-constexpr double kept = 0.7;   ///< of what was learnt before
+constexpr int boxes = 16;    ///< along each axis of the domain
+constexpr double kept = 0.7; ///< of what was learnt before
 
 constexpr double share = 1.0 / 32.0; ///< of the vertices
 constexpr double fewest = 16.0;
@@ -46,11 +46,11 @@ void for_each_moving(const MovingMesh& mesh, Visit visit) {
 
 StepErrors::StepErrors(const Box& domain)
     : low_(domain.lo), widest_(glm::length(domain.extent())),
-      scale_(boxes / glm::max(domain.extent(), Vec3(1e-300))),
+      scale_(double(boxes) / glm::max(domain.extent(), Vec3(1e-300))),
       rate_(static_cast<std::size_t>(boxes * boxes * boxes), 0.0f) {}
 
 std::size_t StepErrors::place(const Vec3& position) const {
-    const Vec3 box = glm::clamp(glm::floor((position - low_) * scale_), 0.0, boxes - 1.0);
+    const glm::ivec3 box(glm::clamp((position - low_) * scale_, 0.0, boxes - 1.0));
     return static_cast<std::size_t>((box.z * boxes + box.y) * boxes + box.x);
 }
 
@@ -155,17 +155,14 @@ std::vector<VertexId> vertices_beyond(const MovingMesh& mesh, double trusted) {
     return found;
 }
 
-std::vector<float> stated_errors(const MovingMesh& mesh, const StepErrors& errors, double since) {
-    const double time = std::abs(mesh.time - since);
-    std::vector<float> stated(mesh.vertices.slots(), 0.0f);
-    for_each_moving(mesh, [&](VertexId i) {
-        const double pending = errors.at(mesh.vertices.position[i]) * time;
-        const double error = mesh.vertices.error[i].across(mesh.vertices.tangents(i)) + pending;
-        // Nothing is farther than the domain is wide, nor what is no number.
-        const double widest = errors.largest_distance();
-        stated[i] = static_cast<float>(error < widest ? error : widest);
-    });
-    return stated;
+float stated_error(const MovingMesh& mesh, VertexId v, const StepErrors& errors, double since) {
+    if (!moving(mesh.vertices, v))
+        return 0.0f;
+    const double error = mesh.vertices.error[v].across(mesh.vertices.tangents(v)) +
+                         errors.at(mesh.vertices.position[v]) * std::abs(mesh.time - since);
+    // Nothing is farther than the domain is wide, nor what is no number.
+    const double widest = errors.largest_distance();
+    return static_cast<float>(error < widest ? error : widest);
 }
 
 } // namespace wakesurf::core

@@ -76,8 +76,7 @@ void add_step_errors(MovingMesh& mesh, const StepErrors& errors, double since);
 /// again.
 std::vector<VertexId> vertices_beyond(const MovingMesh& mesh, double trusted);
 
-/// Length across the surface: what the error of every vertex slot has come to, with those of the steps since
-/// `since`.
-std::vector<float> stated_errors(const MovingMesh& mesh, const StepErrors& errors, double since);
+/// Length across the surface: what the error of a vertex has come to, with that of the steps since `since`.
+float stated_error(const MovingMesh& mesh, VertexId v, const StepErrors& errors, double since);
 
 } // namespace wakesurf::core
