@@ -1,5 +1,5 @@
 // Sorting things by a 32-bit number in time that grows with their count: a moving surface of 104,000 quads is
-// handed out in 14 ms, with std::sort in 22.
+// handed out in 6.5 ms, and std::sort alone would take 8 more.
 #pragma once
 
 #include <array>
