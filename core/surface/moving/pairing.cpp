@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace wakesurf::core {
@@ -254,18 +255,23 @@ class Pairing {
     std::vector<TriangleId> from_;        ///< and from which triangle
 };
 
-/// Its longest edge that is not the rake's.
-unsigned side_to_halve(const MovingMesh& mesh, TriangleId t) {
+/// Its longest edge that is not the rake's, of those whose middle is in the fluid if there is one: what is
+/// only drawn there is not to be in a body that the edge goes along.
+unsigned side_to_halve(const RefinementContext& context, TriangleId t) {
+    const MovingMesh& mesh = context.mesh;
     const Triangle& here = mesh.triangles[t];
     unsigned best = 0;
-    double longest = -1.0;
+    std::pair<bool, double> most{false, -1.0};
     for (unsigned k = 0; k < 3; ++k) {
         const VertexId a = here.begin(k), b = here.end(k);
-        const bool rake = mesh.vertices.role[a] == VertexRole::Attached &&
-                          mesh.vertices.role[b] == VertexRole::Attached;
-        const double length = squared_length(mesh, a, b);
-        if (!rake && length > longest) {
-            longest = length;
+        const MaterialVertices& v = mesh.vertices;
+        if (v.role[a] == VertexRole::Attached && v.role[b] == VertexRole::Attached)
+            continue;
+        const bool in_fluid =
+            !context.rules.obstacle ||
+            context.flow.status(0.5 * (v.position[a] + v.position[b])) == PointStatus::Inside;
+        if (const std::pair here_is(in_fluid, squared_length(mesh, a, b)); here_is > most) {
+            most = here_is;
             best = k;
         }
     }
@@ -326,7 +332,7 @@ void pair_all(const RefinementContext& context,
     }
     pairing.swap_pairs(all);
     for (const TriangleId t : rest) {
-        const unsigned k = side_to_halve(context.mesh, t);
+        const unsigned k = side_to_halve(context, t);
         triangles.leave_odd(t, k, insert(t, k), triangles.take_id());
     }
     triangles.loose().clear();
