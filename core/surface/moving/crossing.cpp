@@ -50,7 +50,6 @@ struct Search {
     double tried;       ///< part of the way
     double alive = 0.0; ///< part of the way at which a particle still lives at the end of the step
     double dead = 1.0;  ///< and at which it does not
-    double last = 1.0;  ///< that lives, by the last two that died
     bool done = false;
 
     void learn(bool lives, double time, double now) {
@@ -58,20 +57,15 @@ struct Search {
         if (lives) {
             alive = tried;
         } else {
-            // By the last two that died. A little beyond: one that lives tells less.
+            // By the last two that died. A little beyond, as one that lives tells less; before it at the end.
             const double step = (now - time) * (tried - dead) / (time - died);
-            done = std::abs(step) < close_enough;
-            next = tried + step + 0.3 * close_enough;
-            last = tried + step;
+            next = tried + step + (std::abs(step) < close_enough ? -1.0 : 0.3) * close_enough;
             dead = tried;
             died = time;
         }
         tried = next > alive && next < dead ? next : 0.5 * (alive + dead);
-        done = done || dead - alive < close_enough;
+        done = dead - alive < 2.0 * close_enough;
     }
-
-    /// Just inside. With vertices on the boundary itself cells of a straight channel were torn (exact).
-    double part() const { return done ? std::max(alive, last - close_enough) : alive; }
 };
 
 /// The edge as it is now, its dead end carried on at its last velocity.
@@ -165,7 +159,7 @@ Result<void> find_crossings(const RefinementContext& context,
     }
     Batch found;
     for (const Search* search : all) {
-        search->of->part = search->part();
+        search->of->part = search->alive;
         found.add(search->of->edge.at(search->of->part), before);
     }
     if (auto carried = found.advance(context.flow, now, options, stop); !carried)
