@@ -15,7 +15,7 @@ namespace {
 
 /// So many triangles go through the same arithmetic side by side: the compiler makes vectors of the loops.
 constexpr std::size_t lanes = 16;
-using Lane = std::array<float, lanes>;
+using Floats = std::array<float, lanes>;
 
 enum State : std::uint8_t { gone = 1, near_wall = 2 };
 
@@ -68,9 +68,9 @@ class Onlooker {
   private:
     /// [k]: of the edge from corner k, or at it.
     struct Corners {
-        std::array<Lane, 3> x, y, z, ds, dt;
-        std::array<std::array<Lane, 3>, 6> tangent; ///< along_s, along_t
-        Lane density;
+        std::array<Floats, 3> x, y, z, ds, dt;
+        std::array<std::array<Floats, 3>, 6> tangent; ///< along_s, along_t
+        Floats density;
         std::array<std::uint32_t, lanes> flags;
 
         void gather(const Onlooker& by, std::size_t lane, TriangleId t) {
@@ -99,7 +99,7 @@ class Onlooker {
     };
 
     struct Shape {
-        std::array<Lane, 3> normal, cotangent;
+        std::array<Floats, 3> normal, cotangent;
         std::array<std::uint32_t, lanes> flags{};
     };
 
@@ -109,7 +109,7 @@ class Onlooker {
         constexpr float widest = 2.1f - room;
         const float bend = (1.0f - room) * bend_ * bend_;
         const float thin = static_cast<float>(thin_quality / (2.0 * std::sqrt(3.0)));
-        std::array<Lane, 3> length;
+        std::array<Floats, 3> length;
         for (std::uint32_t k = 0; k < 3; ++k) {
             const std::size_t next = (k + 1) % 3;
             for (std::size_t i = 0; i < lanes; ++i) {
