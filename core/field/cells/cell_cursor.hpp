@@ -32,8 +32,9 @@ class CellCursor {
         return status_;
     }
 
-    /// For another particle: answers as a new cursor, to the bit, but finds the first point at once where that is well inside
-    /// @param guess  this cell; or the one in which the particle before began
+    /// For another particle: answers as a new cursor, to the bit unless cells overlap, but finds the first point at once where that is
+    /// well inside one cell.
+    /// @param guess  that cell; `nowhere`: the one in which the particle before began
     void restart(std::uint32_t guess = nowhere) {
         if (domain_->one_piece && guess != begun_ && guess < domain_->mesh.cells.size())
             entered_.enter(domain_->mesh, begun_ = guess);
