@@ -297,6 +297,8 @@ bool Refinement::keep_budget(MovingMesh& mesh) {
 
 Result<bool> Refinement::run(MovingMesh& mesh, std::stop_token stop, const WorkPart& work) {
     stop_ = std::move(stop);
+    if (!work.holds(memory_while_moving(mesh)))
+        return fail(Error::Code::Cancelled, "there is not enough memory for the surface");
     if (!keep_budget(mesh))
         return false;
     to_retrace_.clear();

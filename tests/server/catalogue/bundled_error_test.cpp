@@ -18,7 +18,8 @@ TEST(StatedError, HoldsFromBothSidesOnTheBundledSimulation) {
     ASSERT_TRUE(dataset) << dataset.error().message;
     for (std::uint32_t seed = 1; seed < 3; ++seed) {
         SCOPED_TRACE(seed);
-        expect_true_errors(*dataset->flow, 7.5, seed, 60);
+        // All vertices. Of some 330 of a surface three are 1e-4 off; a sample of 60 either had them or not.
+        expect_true_errors(*dataset->flow, 7.5, seed, 1000);
     }
 }
 
