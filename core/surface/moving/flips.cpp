@@ -30,7 +30,7 @@ bool should_flip(const RefinementContext& context, TriangleId t, unsigned k) {
     if (u == no_triangle)
         return false;
     const VertexId a = here.begin(k), b = here.end(k), c = here.opposite(k);
-    const VertexId d = mesh.triangles[u].opposite(mesh.triangles.facing(t, k));
+    const VertexId d = mesh.triangles.opposite_beyond(t, k);
     if (c == d)
         return false;
     const double ab = squared_length(mesh, a, b);

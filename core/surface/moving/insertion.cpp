@@ -217,9 +217,8 @@ MaterialPoint point_on_edge(const MovingMesh& mesh, TriangleId t, unsigned k, do
         const Carried along = mid.carried;
         CubicPatch patch(mesh, a, b, here.opposite(k));
         for (unsigned side = 0; side < 3; ++side)
-            if (const TriangleId u = here.across[side]; u != no_triangle)
-                patch.continue_to(mesh, a,
-                                  mesh.triangles[u].opposite(mesh.triangles.facing(t, side)));
+            if (here.across[side] != no_triangle)
+                patch.continue_to(mesh, a, mesh.triangles.opposite_beyond(t, side));
         patch.settle();
         patch.set_tangents(part, mid);
         if (differs(mid.carried.along_s, mean.s) || differs(mid.carried.along_t, mean.t))

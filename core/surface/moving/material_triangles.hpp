@@ -39,7 +39,7 @@ struct Triangle {
 
     /// Edge that begins at a vertex, 3: the triangle does not have it.
     unsigned edge_from(VertexId v) const {
-        // Which it is cannot be foreseen: branches took half of the time of looking at neighbours.
+        // Which it is cannot be foreseen: with branches a scan took a quarter longer.
         return 3u - 3u * (vertex[0] == v) - 2u * (vertex[1] == v) - 1u * (vertex[2] == v);
     }
 
@@ -73,6 +73,11 @@ class MaterialTriangles {
     /// Which edge of the triangle beyond edge k of `t` is the same edge. REQUIRES: there is one.
     unsigned facing(TriangleId t, unsigned k) const {
         return slots_[slots_[t].across[k]].edge_from(slots_[t].end(k));
+    }
+
+    /// The vertex opposite to edge k of `t` in the triangle beyond it. REQUIRES: there is one.
+    VertexId opposite_beyond(TriangleId t, unsigned k) const {
+        return slots_[slots_[t].across[k]].opposite(facing(t, k));
     }
 
     struct Edge {

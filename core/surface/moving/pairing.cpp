@@ -49,8 +49,7 @@ class Pairing {
     /// negative where it is not convex.
     float score(TriangleId t, unsigned k) const {
         const Triangle& here = triangles_[t];
-        const Triangle& there = triangles_[here.across[k]];
-        const std::array<VertexId, 4> corner{here.begin(k), there.opposite(triangles_.facing(t, k)),
+        const std::array<VertexId, 4> corner{here.begin(k), triangles_.opposite_beyond(t, k),
                                              here.end(k), here.opposite(k)};
         // Four corners at a time, in separations; the first side comes last again.
         std::array<float, 5> x, y, z, length;

@@ -143,7 +143,7 @@ bool is_diagonal(const RefinementContext& context, TriangleId t, unsigned k, boo
     if (u == no_triangle)
         return false;
     const VertexId a = here.begin(k), b = here.end(k), c = here.opposite(k);
-    const VertexId d = mesh.triangles[u].opposite(mesh.triangles.facing(t, k));
+    const VertexId d = mesh.triangles.opposite_beyond(t, k);
     bool long_side = false;
     for (const auto& [x, y] : {std::pair{c, a}, {c, b}, {d, a}, {d, b}})
         long_side = long_side || !(squared_length(mesh, x, y) <= context.longest_allowed());

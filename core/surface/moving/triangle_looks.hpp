@@ -53,7 +53,7 @@ struct TriangleLooks {
 /// Cost: O(triangles), in parallel.
 void look_at_all(const RefinementContext& context, TriangleLooks& looks);
 
-/// An edge near a wall may meet it. REQUIRES: look_at_all().
+/// True where an edge from the vertex may meet a wall. REQUIRES: look_at_all().
 bool may_meet_wall(const TriangleLooks& looks, VertexId v);
 
 } // namespace wakesurf::core

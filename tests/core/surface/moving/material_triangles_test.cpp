@@ -121,6 +121,41 @@ TEST(MaterialTriangles, ACollapseIsTheInverseOfASplit) {
         }
 }
 
+TEST(MaterialTriangles, PairsOfWhichBothHalvesSurviveAJoinKeepTheirQuad) {
+    MovingMesh mesh = flat_patch(4, 4);
+    MaterialTriangles& triangles = mesh.triangles;
+    const auto quads = [&] {
+        std::multiset<std::uint32_t> all;
+        for (const Triangle& t : triangles.slots())
+            if (t.live && t.paired())
+                all.insert(t.quad);
+        return all;
+    };
+    const auto before = quads();
+    std::vector<TriangleId> ring;
+    ASSERT_TRUE(triangles.collapsible(12, 13, ring));
+    triangles.collapse(12, 13, ring);
+    EXPECT_EQ(triangles.violation(), "");
+    const auto after = quads();
+    EXPECT_EQ(after.size() + 4, before.size()) << "two quads have lost a half each";
+    EXPECT_TRUE(std::includes(before.begin(), before.end(), after.begin(), after.end()));
+}
+
+TEST(MaterialTriangles, AnOddTriangleLooksForAnotherHalfAfterAJoin) {
+    MovingMesh mesh = flat_patch(4, 4);
+    MaterialTriangles& triangles = mesh.triangles;
+    const auto [t, k] = triangles.find(11, 12);
+    const VertexId middle = insert_middle(mesh, t, k);
+    triangles.part(t);
+    triangles.leave_odd(t, k, middle, triangles.take_id());
+    std::vector<TriangleId> ring;
+    ASSERT_TRUE(triangles.collapsible(12, 13, ring));
+    triangles.collapse(12, 13, ring);
+    ASSERT_TRUE(triangles[t].live);
+    EXPECT_FALSE(triangles[t].odd()) << "its hanging vertex is no longer on its edge";
+    EXPECT_GT(std::count(triangles.loose().begin(), triangles.loose().end(), t), 0);
+}
+
 TEST(MaterialTriangles, NoJoinTakesAWholePartAwayOrJoinsTwoBoundaries) {
     std::vector<TriangleId> ring;
     const MovingMesh one = flat_patch(1, 1);
