@@ -1,5 +1,6 @@
 #include "core/surface/rake.hpp"
 
+#include "core/base/rounding.hpp"
 #include "core/surface/rake_check.hpp"
 
 #include <algorithm>
@@ -67,7 +68,12 @@ Result<ClippedRake> clip_circle(Rake rake, const Box& domain) {
 
 } // namespace
 
-Result<ClippedRake> clip_rake(const Rake& rake, const Box& domain) {
+Result<ClippedRake> clip_rake(const Rake& asked, const Box& domain) {
+    if (auto sound = check_rake(asked); !sound)
+        return tl::unexpected(sound.error());
+    Rake rake = asked;
+    for (Vec3& p : rake.points)
+        p = onto_faces(p, domain);
     if (auto sound = check_rake(rake); !sound)
         return tl::unexpected(sound.error());
     if (rake.kind == Rake::Kind::Circle)
@@ -146,7 +152,10 @@ Vec3 SeedingCurve::at(double s) const {
     const double along = (s * length() - arc_[i]) / (arc_[i + 1] - arc_[i]);
     if (s >= 1.0)
         return points_.back();
-    return glm::mix(points_[i], points_[i + 1], along);
+    // A piece in a face of the domain stays there: rounding would put every other seed outside.
+    const Vec3& a = points_[i];
+    const Vec3& b = points_[i + 1];
+    return glm::clamp(glm::mix(a, b, along), glm::min(a, b), glm::max(a, b));
 }
 
 Vec3 SeedingCurve::tangent(double s) const {

@@ -1,5 +1,6 @@
 #include "core/surface/surface_request.hpp"
 
+#include "core/base/rounding.hpp"
 #include "core/surface/time_direction.hpp"
 
 #include <algorithm>
@@ -54,7 +55,7 @@ Result<void> check_times(const Flow& flow, const SurfaceParameters& p) {
     if (!range)
         return {};
     const auto inside = [&](const char* name, double time) -> Result<void> {
-        if (time >= (*range)[0] && time <= (*range)[1])
+        if (within_rounding(time, (*range)[0], (*range)[1]))
             return {};
         const std::string range_text = time_text((*range)[0]) + " to " + time_text((*range)[1]);
         return fail(Error::Code::OutOfTime,

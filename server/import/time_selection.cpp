@@ -1,5 +1,6 @@
 #include "server/import/time_selection.hpp"
 
+#include "core/base/rounding.hpp"
 #include "server/import/sources/files/file_names.hpp"
 
 #include <algorithm>
@@ -60,8 +61,7 @@ core::Result<std::vector<std::size_t>> select_times(std::span<const double> time
         bool wanted = ranges.empty();
         for (std::size_t r = 0; r < ranges.size(); ++r) {
             const auto& [from, to, every] = ranges[r];
-            const double slack = 1e-9 * std::max(std::abs(from), std::abs(to));
-            if (times[i] >= from - slack && times[i] <= to + slack)
+            if (core::within_rounding(times[i], from, to))
                 wanted = within[r]++ % every == 0 || wanted;
         }
         if (wanted)

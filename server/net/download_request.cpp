@@ -1,5 +1,6 @@
 #include "server/net/download_request.hpp"
 
+#include "core/base/rounding.hpp"
 #include "core/surface/playback/surface_age.hpp"
 #include "core/surface/time_direction.hpp"
 #include "server/session/live/surface_build.hpp"
@@ -100,7 +101,7 @@ core::Result<std::optional<double>> shown_at(const DownloadRequest& request,
     if (!core::moves(p) || request.at_the_end)
         return std::nullopt;
     const auto [first, last] = std::minmax({p.from, p.to});
-    if (request.time && !(*request.time >= first && *request.time <= last))
+    if (request.time && !core::within_rounding(*request.time, first, last))
         return fail(Error::Code::OutOfTime,
                     fmt::format("time {} is outside of {} to {}, which the surface is shown over",
                                 *request.time, first, last),

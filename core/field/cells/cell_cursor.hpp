@@ -1,5 +1,5 @@
 // Follows one particle from cell to cell: the same cell, else the cell beyond the face the point is farthest beyond, else
-// the locator's. Outside of all it stays in the last cell, at the nearest place in it.
+// the locator's. Outside of all it stays in the last cell, at the nearest place in it. Where it begins, beyond by rounding is inside.
 #pragma once
 
 #include "core/base/point_status.hpp"
@@ -138,7 +138,9 @@ class CellCursor {
         Vec3 u = cell_centre(here_.shape());
         here_.invert(p, u);
         local_ = clamp_to_cell(here_.shape(), u);
-        return walk(p, u, usable, false);
+        const PointStatus met = walk(p, u, usable, false);
+        return glm::length(p - here_.position(local_)) <= domain_->rounding ? PointStatus::Inside
+                                                                            : met;
     }
 
     /// Takes the place that `there_` is the geometry of, unless something is in the way.

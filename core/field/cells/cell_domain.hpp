@@ -1,6 +1,7 @@
 // A cell mesh with what finding places in it takes: made once, used by every sampler of its time-steps.
 #pragma once
 
+#include "core/base/rounding.hpp"
 #include "core/field/cells/cell_locator.hpp"
 #include "core/field/cells/cell_walls.hpp"
 
@@ -12,12 +13,14 @@ bool connected(const CellMesh& mesh);
 /// Keeps a reference to the mesh. Thread safety: immutable.
 struct CellDomain {
     explicit CellDomain(const CellMesh& mesh_)
-        : mesh(mesh_), locator(mesh_), walls(mesh_), one_piece(connected(mesh_)) {}
+        : mesh(mesh_), locator(mesh_), walls(mesh_), one_piece(connected(mesh_)),
+          rounding(core::rounding(locator.bounds())) {}
 
     const CellMesh& mesh;
     CellLocator locator;
     CellWalls walls;
-    bool one_piece; ///< all cells hang together by their faces: no blocks, which may overlap
+    bool one_piece;  ///< all cells hang together by their faces: no blocks, which may overlap
+    double rounding; ///< a particle may begin this far beyond the border
 };
 
 } // namespace wakesurf::core

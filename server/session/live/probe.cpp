@@ -1,5 +1,6 @@
 #include "server/session/live/probe.hpp"
 
+#include "core/base/rounding.hpp"
 #include "core/field/sample_scalar.hpp"
 #include "server/catalogue/dataset_suggestion.hpp"
 
@@ -66,9 +67,12 @@ class EitherStop {
 } // namespace
 
 core::Result<ProbeResult>
-probe(const OpenDataset& dataset, const ProbeRequest& request, const std::stop_token& stop) {
+probe(const OpenDataset& dataset, const ProbeRequest& asked, const std::stop_token& stop) {
+    ProbeRequest request = asked;
+    for (core::Vec3& point : request.points)
+        point = core::onto_faces(point, dataset.flow->domain());
     if (const auto range = dataset.flow->time_range();
-        range && !(request.time >= (*range)[0] && request.time <= (*range)[1]))
+        range && !core::within_rounding(request.time, (*range)[0], (*range)[1]))
         return fail(Error::Code::OutOfTime,
                     fmt::format("time {} is outside the data's {} to {}", request.time, (*range)[0],
                                 (*range)[1]),

@@ -33,6 +33,19 @@ TEST(Rake, PartlyOutsideIsCutAtTheDomainsBorder) {
     EXPECT_NEAR(clipped->rake.points[1].x, 0.5, 1e-15);
 }
 
+TEST(Rake, InAFaceThatIsRoundedTo32BitsLiesInThatFaceWithAllItsSeeds) {
+    const Box box{Vec3(0.1f, -0.3f, 0.7f), Vec3(2.1f, 1.7f, 2.7f)};
+    const Rake circle{Rake::Kind::Circle, {{0.1, 0.5, 1.5}, {0.1, 0.9, 1.5}, {0.1, 0.5, 1.9}}, 16};
+    for (const Rake& rake : {line({0.1, 0.1, 1.1}, {0.1, 0.5, 1.3}), circle}) {
+        const auto clipped = clip_rake(rake, box);
+        ASSERT_TRUE(clipped);
+        EXPECT_FALSE(clipped->clipped);
+        const SeedingCurve seeding(clipped->rake);
+        for (int i = 0; i <= 1000; ++i)
+            ASSERT_EQ(seeding.at(i / 1000.0).x, box.lo.x) << i;
+    }
+}
+
 TEST(Rake, OutsideSaysByHowMuch) {
     const auto clipped = clip_rake(line({3, 0, 0}, {3, 1, 0}), unit);
     ASSERT_FALSE(clipped);

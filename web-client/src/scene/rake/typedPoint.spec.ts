@@ -30,6 +30,13 @@ describe('a typed coordinate', () => {
         }
     });
 
+    it('that rounding has put beyond the edge is the edge, without a word', () => {
+        const inlet = Math.fround(0.1); // 0.100000001
+        const { shape, stoppedAt } = withCoordinate(line, 0, 0, 0.1, [inlet, 13, -4, 4, 0, 6]);
+        expect(shape.points[0]).toEqual([inlet, 0.2, 0.29]);
+        expect(stoppedAt).toBeNull();
+    });
+
     it('of the grip moves the whole rake until its first point is at the edge, and keeps its shape', () => {
         const { shape, stoppedAt } = withCoordinate(line, 'middle', 2, 100, bounds);
         expect(shape.points[1]).toEqual([-1.41, 0.2, expect.closeTo(6, 12)]);

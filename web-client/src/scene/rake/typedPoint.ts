@@ -1,5 +1,6 @@
 // A coordinate of a rake that is typed. One outside the domain stops at its edge alone: the other coordinates stay, where a rake
 // that is clipped would move along itself.
+import { rounding } from '../base/rounding.ts';
 import type { Bounds } from '../domain/domainAxes.ts';
 import { gripOf, type Handle } from './rakeHandles.ts';
 import { movedHandle } from './rakeInteraction.ts';
@@ -15,7 +16,7 @@ export interface TypedPoint {
 export function withCoordinate(shape: RakeShape, handle: Handle, axis: Axis, typed: number, bounds: Bounds): TypedPoint {
     const moved = movedTo(shape, handle, axis, typed, bounds);
     const at = coordinateOf(moved, handle, axis);
-    const slack = 1e-9 * (bounds[2 * axis + 1]! - bounds[2 * axis]!);
+    const slack = rounding(bounds[2 * axis]!, bounds[2 * axis + 1]!);
     return { shape: moved, stoppedAt: Math.abs(at - typed) > slack ? at : null };
 }
 

@@ -22,6 +22,14 @@ describe('a first time that is typed', () => {
         });
     });
 
+    it('that rounding has put before the data is their first, without a word', () => {
+        const first = Math.fround(0.1); // 0.100000001
+        expect(typedFrom({ ...streak, from: 0.2 }, 0.1, [first, 5, 10], false)).toEqual({
+            change: { from: first, length: expect.closeTo(6.1, 6) },
+            told: null,
+        });
+    });
+
     it('is any time where the flow is steady, and no other length for a stream surface', () => {
         expect(typedFrom(streak, -3, times, true)).toEqual({ change: { from: -3, length: 11 }, told: null });
         expect(typedFrom({ ...streak, kind: 'stream' }, 7, times, false)).toEqual({ change: { from: 7 }, told: null });

@@ -2,6 +2,7 @@
 // stream surfaces stay in the data, and what has to give way for that is told.
 import type { Direction, SurfaceKind } from '../../protocol/messages.ts';
 import { shortNumber } from '../../scene/base/numbers.ts';
+import { rounding } from '../../scene/base/rounding.ts';
 
 /** Of the intent of a surface. */
 interface Times {
@@ -66,8 +67,9 @@ function inData(time: number, times: readonly number[]): number {
 }
 
 function outsideWords(typed: number, taken: number, times: readonly number[]): string | null {
-    if (typed === taken) return null;
-    const [first, last] = [times[0] ?? taken, times.at(-1) ?? taken].map(shortNumber);
+    const [low, high] = [times[0] ?? taken, times.at(-1) ?? taken];
+    if (Math.abs(typed - taken) <= rounding(low, high)) return null;
+    const [first, last] = [low, high].map(shortNumber);
     return `t = ${shortNumber(typed)} is outside the data, which go from ${first} to ${last}: ${shortNumber(taken)} is taken.`;
 }
 
