@@ -11,6 +11,7 @@
 #include "core/integrate/particles.hpp"
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <stop_token>
@@ -87,6 +88,17 @@ class Flow {
                                 std::span<Vec3> velocities,
                                 std::stop_token stop,
                                 bool smooth = false) const = 0;
+
+    /// Sets gap[i] to 1 where a stored field has no velocity at a point's time: a node's that counts there is no finite number. Such points
+    /// are outside the domain at that time, whatever status() says; what sample() has there goes on from the nodes near by.
+    /// Others stay as they are. Cost: nothing to speak of where the data have no gaps.
+    /// Error: as sample.
+    virtual Result<void> mark_gaps(std::span<const Vec3> /*positions*/,
+                                   std::span<const double> /*times*/,
+                                   std::span<std::uint8_t> /*gap*/,
+                                   std::stop_token /*stop*/) const {
+        return {};
+    }
 
     /// Velocity at n points at one time in float. Where particles are carried in batches these are the
     /// kernel's samples, several times as fast and some 1e-6 of the speed from those of sample(); the same

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <numeric>
@@ -145,29 +146,18 @@ class IntervalFlow final : public Flow {
                         std::span<Vec3> velocities,
                         std::stop_token stop,
                         bool smoothly) const override {
-        const auto [first, last] = std::minmax_element(times.begin(), times.end());
-        if (positions.empty() ||
-            interval_at(*first) == interval_at(*last)) // a moment: the usual case
-            return sample_interval(positions, times, velocities, {}, stop, smoothly);
-        // Interval by interval in time order, so that the window slides once over the data.
-        std::vector<std::uint32_t> interval(positions.size());
-        std::transform(times.begin(), times.end(), interval.begin(),
-                       [&](double time) { return static_cast<std::uint32_t>(interval_at(time)); });
-        std::vector<std::uint32_t> order(positions.size());
-        std::iota(order.begin(), order.end(), 0u);
-        std::stable_sort(order.begin(), order.end(),
-                         [&](auto a, auto b) { return interval[a] < interval[b]; });
-        for (std::size_t begin = 0; begin < order.size();) {
-            std::size_t end = begin;
-            while (end < order.size() && interval[order[end]] == interval[order[begin]])
-                ++end;
-            const std::span<const std::uint32_t> some(order.data() + begin, end - begin);
-            if (auto done = sample_interval(positions, times, velocities, some, stop, smoothly);
-                !done)
-                return done;
-            begin = end;
-        }
-        return {};
+        return by_interval(times, [&](std::span<const std::uint32_t> some) {
+            return sample_interval(positions, times, velocities, some, stop, smoothly);
+        });
+    }
+
+    Result<void> mark_gaps(std::span<const Vec3> positions,
+                           std::span<const double> times,
+                           std::span<std::uint8_t> gap,
+                           std::stop_token stop) const override {
+        return by_interval(times, [&](std::span<const std::uint32_t> some) {
+            return mark_gaps_of_interval(positions, times, gap, some, stop);
+        });
     }
 
     Result<void> sample_at(std::span<const Vec3> positions,
@@ -195,6 +185,98 @@ class IntervalFlow final : public Flow {
     }
 
   private:
+    /// Calls `each(chosen)` with the points of every interval in the order of time, so that the window slides once over the data. Empty: all.
+    template <class Each>
+    Result<void> by_interval(std::span<const double> times, const Each& each) const {
+        const auto [first, last] = std::minmax_element(times.begin(), times.end());
+        if (times.empty() || interval_at(*first) == interval_at(*last)) // a moment: the usual case
+            return each({});
+        std::vector<std::uint32_t> interval(times.size());
+        std::transform(times.begin(), times.end(), interval.begin(),
+                       [&](double time) { return static_cast<std::uint32_t>(interval_at(time)); });
+        std::vector<std::uint32_t> order(times.size());
+        std::iota(order.begin(), order.end(), 0u);
+        std::stable_sort(order.begin(), order.end(),
+                         [&](auto a, auto b) { return interval[a] < interval[b]; });
+        for (std::size_t begin = 0; begin < order.size();) {
+            std::size_t end = begin;
+            while (end < order.size() && interval[order[end]] == interval[order[begin]])
+                ++end;
+            if (auto done = each(std::span<const std::uint32_t>(order.data() + begin, end - begin));
+                !done)
+                return done;
+            begin = end;
+        }
+        return {};
+    }
+
+    /// Of an interval whose time-steps have gaps: calls `use(interval, i)` for each of the points, the interval cut to the one time-step
+    /// that counts at its time where that is a stored one. A gap in the other is none then.
+    template <class Use>
+    void each_at_its_steps(const Interval& held,
+                           std::span<const double> times,
+                           std::span<const std::uint32_t> chosen,
+                           std::size_t count,
+                           const Use& use) const {
+        const Interval first{nullptr, held.first, nullptr, nullptr};
+        const Interval second{nullptr, held.second, nullptr, nullptr};
+        const auto some = [&](std::size_t begin, std::size_t end) {
+            for (std::size_t k = begin; k != end; ++k) {
+                const std::size_t i = chosen.empty() ? k : chosen[k];
+                if (times[i] == held.first->time)
+                    use(first, i);
+                else
+                    use(held.second && times[i] == held.second->time ? second : held, i);
+            }
+        };
+        in_ranges(count, {}, some, 1024);
+    }
+
+    Result<Interval> interval_of(std::span<const double> times,
+                                 std::span<const std::uint32_t> chosen,
+                                 std::size_t count,
+                                 const std::stop_token& stop,
+                                 bool smoothly) const {
+        const auto index = [&](std::size_t i) { return chosen.empty() ? i : chosen[i]; };
+        const std::size_t k = interval_at(times[index(0)]);
+        bool later = false;
+        for (std::size_t i = 0; i < count; ++i)
+            later = later || times[index(i)] > source_.times()[k];
+        return intervals_.acquire(k, needs(later, smoothly), stop);
+    }
+
+    static bool gaps_in(const Interval& held) {
+        return held.first->gaps || (held.second && held.second->gaps);
+    }
+
+    Result<void> mark_gaps_of_interval(std::span<const Vec3> positions,
+                                       std::span<const double> times,
+                                       std::span<std::uint8_t> gap,
+                                       std::span<const std::uint32_t> chosen,
+                                       const std::stop_token& stop) const {
+        const std::size_t count = chosen.empty() ? positions.size() : chosen.size();
+        if (count == 0)
+            return {};
+        const auto held = interval_of(times, chosen, count, stop, false);
+        if (!held)
+            return tl::unexpected(held.error());
+        if (!gaps_in(*held))
+            return {};
+        each_at_its_steps(*held, times, chosen, count, [&](const Interval& steps, std::size_t i) {
+            const auto known = [&](std::size_t node) {
+                const auto speed = [node](const TimeStep& step) { // finite where all three are
+                    const float* v = step.velocity().data() + 3 * node;
+                    return std::abs(double{v[0]}) + std::abs(double{v[1]}) + std::abs(double{v[2]});
+                };
+                return speed(*steps.first) + (steps.second ? speed(*steps.second) : 0.0);
+            };
+            const NodeShares shares = sampling_->shares(positions[i]);
+            if (shares.status == PointStatus::Inside && std::isnan(weighed(shares, known)))
+                gap[i] = 1;
+        });
+        return {};
+    }
+
     /// Points whose times fall into one interval. @param chosen which of them; empty: all
     Result<void> sample_interval(std::span<const Vec3> positions,
                                  std::span<const double> times,
@@ -207,11 +289,7 @@ class IntervalFlow final : public Flow {
         if (count == 0)
             return {};
         const auto index = [&](std::size_t i) { return chosen.empty() ? i : chosen[i]; };
-        const std::size_t k = interval_at(times[index(0)]);
-        bool later = false;
-        for (std::size_t i = 0; i < count; ++i)
-            later = later || times[index(i)] > source_.times()[k];
-        const auto held = intervals_.acquire(k, needs(later, smoothly), stop);
+        const auto held = interval_of(times, chosen, count, stop, smoothly);
         if (!held)
             return tl::unexpected(held.error());
         sampling_->with_field(*held, smoothly, [&](const auto& field) {
@@ -224,6 +302,14 @@ class IntervalFlow final : public Flow {
             };
             in_blocks(field, count, {}, some, 4096);
         });
+        if (gaps_in(*held))
+            each_at_its_steps(
+                *held, times, chosen, count, [&](const Interval& steps, std::size_t i) {
+                    if (held->second && !steps.second)
+                        sampling_->with_field(steps, smoothly, [&](const auto& field) {
+                            velocities[i] = field.velocity(positions[i], times[i]);
+                        });
+                });
         return {};
     }
 

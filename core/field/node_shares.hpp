@@ -4,7 +4,9 @@
 #include "core/base/point_status.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace wakesurf::core {
 
@@ -15,5 +17,25 @@ struct NodeShares {
     std::array<std::size_t, 8> node{};
     std::array<double, 8> share{};
 };
+
+/// Nodes without a value that have no more than this of a point's shares are the rounding of a point on a cell's face or edge: the others
+/// make its value.
+inline constexpr double rounding_share = 1e-6;
+
+/// Value at a point of a field over the nodes; NaN where too much of it has no finite value.
+/// @param value  value(node)
+template <class Value>
+double weighed(const NodeShares& shares, const Value& value) {
+    double sum = 0.0;
+    double known = 0.0;
+    for (std::size_t i = 0; i < shares.count; ++i)
+        if (const double here = value(shares.node[i]); std::isfinite(here)) {
+            sum += shares.share[i] * here;
+            known += shares.share[i];
+        }
+    if (known == 1.0)
+        return sum;
+    return known >= 1.0 - rounding_share ? sum / known : std::numeric_limits<double>::quiet_NaN();
+}
 
 } // namespace wakesurf::core

@@ -80,13 +80,6 @@ bool any(std::size_t size, Is is) {
     return false;
 }
 
-double weighed(const NodeShares& shares, const float* values) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < shares.count; ++i)
-        sum += shares.share[i] * values[shares.node[i]];
-    return sum;
-}
-
 } // namespace
 
 Result<std::vector<float>> sample_scalar(const Flow& flow,
@@ -131,9 +124,12 @@ Result<std::vector<float>> sample_scalar(const Flow& flow,
         parallel(points.size(), stop, [&](std::size_t k) {
             if (!wanted(k))
                 return;
-            double value = weighed(shares[k], *first);
+            const auto at = [&](const float* values) {
+                return weighed(shares[k], [values](std::size_t node) { return values[node]; });
+            };
+            double value = at(*first);
             if (part[k] > 0.0)
-                value += part[k] * (weighed(shares[k], *second) - value);
+                value += part[k] * (at(*second) - value);
             if (std::isfinite(value))
                 out[points[k]] = static_cast<float>(value);
         });

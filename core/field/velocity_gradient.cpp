@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 
@@ -80,6 +81,7 @@ Result<void> each_gradient(const Flow& flow,
     std::vector<Star> stars;
     std::vector<Vec3> asked, velocity;
     std::vector<double> when;
+    std::vector<std::uint8_t> gap;
     for (std::size_t begin = 0; begin < order.size(); begin += most_points) {
         const std::size_t count = std::min(most_points, order.size() - begin);
         const std::span<const std::size_t> points(order.data() + begin, count);
@@ -99,6 +101,16 @@ Result<void> each_gradient(const Flow& flow,
             return fail(Error::Code::Cancelled, "sampling was cancelled");
         if (auto sampled = flow.sample(asked, when, velocity, stop); !sampled)
             return sampled;
+        gap.assign(asked.size(), 0);
+        if (auto marked = flow.mark_gaps(asked, when, gap, stop); !marked)
+            return marked;
+        for (std::size_t i = 0; i < gap.size(); ++i) {
+            auto& inside = stars[i / places].inside;
+            if (gap[i] != 0 && i % places == 0)
+                inside.fill(false);
+            else if (gap[i] != 0)
+                inside[i % places] = false;
+        }
         for (std::size_t i = 0; i < count; ++i)
             take(points[i], gradient_of(stars[i], velocity.data() + places * i));
     }

@@ -53,16 +53,26 @@ Result<std::optional<Emptiness>> at_release(const Flow& flow,
                                             const SurfaceParameters& p,
                                             const std::stop_token& stop) {
     using Reason = Emptiness::Reason;
+    const std::vector<Vec3> points = origins(rake, p);
+    std::vector<std::uint8_t> gap(points.size());
+    if (auto marked = flow.mark_gaps(points, std::vector(points.size(), p.from), gap, stop);
+        !marked)
+        return tl::unexpected(marked.error());
     std::vector<Vec3> inside;
     std::size_t in_body = 0;
     std::size_t outside = 0;
-    for (const Vec3& point : origins(rake, p)) {
-        const PointStatus status = flow.status(point);
+    std::size_t in_gap = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const PointStatus status = flow.status(points[i]);
         in_body += status == PointStatus::InObstacle;
         outside += status == PointStatus::OutsideDomain;
-        if (status == PointStatus::Inside)
-            inside.push_back(point);
+        in_gap += gap[i];
+        if (status == PointStatus::Inside && gap[i] == 0)
+            inside.push_back(points[i]);
     }
+    if (inside.empty() && in_gap > 0)
+        return because(Reason::NotFinite, "the data have no velocity at the rake at this time",
+                       "move the rake to where the data have values, or choose another time");
     if (inside.empty() && outside == 0)
         return because(Reason::InBody, "the whole rake lies inside the body",
                        "move the rake into the fluid");

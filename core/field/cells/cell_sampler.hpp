@@ -4,6 +4,7 @@
 
 #include "core/field/cells/cell_cursor.hpp"
 #include "core/field/cells/cell_path.hpp"
+#include "core/field/cells/cell_shares.hpp"
 #include "core/field/cells/linear_cell.hpp"
 #include "core/integrate/at_rest.hpp"
 
@@ -78,7 +79,7 @@ class CellSamplerCursor {
 
     Vec3 velocity(const Vec3& p, double t) const {
         if (!go_to(p, false))
-            return Vec3(0.0);
+            return field_.gaps ? beside_gap(p, t) : Vec3(0.0);
         const bool pyramid = place_.geometry().pyramid();
         const Fit& fit = fit_[here_];
         const Components v = fit.now.at(pyramid, place_.local());
@@ -165,6 +166,41 @@ class CellSamplerCursor {
         CellPolynomial now;
         CellPolynomial change;
     };
+
+    /// In or near a cell with a gap: the mean of its nodes that have a velocity, by their shares. It meets the field at faces without a gap.
+    Vec3 beside_gap(const Vec3& p, double t) const {
+        const CellDomain& domain = *field_.domain;
+        CellGeometry geometry;
+        auto place = domain.locator.find(p, geometry);
+        if (const auto near = place ? std::nullopt : domain.locator.near(p)) {
+            geometry.enter(domain.mesh, *near);
+            if (geometry.flat())
+                return Vec3(0.0);
+            place = CellPlace{*near, cell_centre(geometry.shape())};
+            geometry.invert(p, place->local);
+            place->local = clamp_to_cell(geometry.shape(), place->local);
+        }
+        Vec3 total(0.0);
+        double weights = 0.0;
+        const NodeShares shares =
+            place ? shares_in_cell(domain.mesh.cells[place->cell], geometry, place->local)
+                  : NodeShares{};
+        for (std::size_t i = 0; i < shares.count; ++i) {
+            const auto at = [&](const float* velocity) {
+                const float* v = velocity + 3 * shares.node[i];
+                return Vec3(v[0], v[1], v[2]);
+            };
+            Vec3 v = at(field_.velocity0);
+            if (field_.velocity1)
+                v += (t - field_.time0) / field_.interval * (at(field_.velocity1) - v);
+            if (!finite(v))
+                continue;
+            const double weight = std::max(shares.share[i], 0.0) + 1e-9;
+            total += weight * v;
+            weights += weight;
+        }
+        return weights > 0.0 ? total / weights : Vec3(0.0);
+    }
 
     /// Returns false where there is no velocity at all.
     bool go_to(const Vec3& p, bool stays) const {

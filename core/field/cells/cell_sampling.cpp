@@ -1,31 +1,34 @@
 #include "core/field/cells/cell_sampling.hpp"
 
 #include "core/field/advance_particles.hpp"
+#include "core/field/cells/cell_shares.hpp"
 #include "core/field/cells/cell_steps.hpp"
 #include "core/field/trace_curves.hpp"
 
 namespace wakesurf::core {
 
+namespace {
+
+/// Whether a point is no farther from the place in the cell where it would be than rounding. What ends at the border of the domain does so
+/// a little beyond it.
+bool beside(const CellCursor& place, const Vec3& point) {
+    const CellGeometry& cell = place.geometry();
+    const Vec3 across =
+        cell.position(clamp_to_cell(cell.shape(), Vec3(1.0))) - cell.position(Vec3(0.0));
+    return glm::length(cell.position(place.local()) - point) <=
+           rounding_share * glm::length(across);
+}
+
+} // namespace
+
 NodeShares CellSampling::shares(const Vec3& position) const {
     CellCursor place(domain_);
-    NodeShares shares;
-    shares.status = place.locate(position, false, [](std::uint32_t) { return true; });
-    if (shares.status != PointStatus::Inside)
-        return shares;
-    const MeshCell& cell = domain_.mesh.cells[place.cell()];
-    shares.count = node_count(cell.shape);
-    for (std::size_t i = 0; i < shares.count; ++i) {
-        // What the node's value is multiplied by is what a field returns that is one there and zero at the others.
-        CellPolynomial one_here;
-        one_here.fit(cell.shape, [&](std::size_t node) {
-            Components value;
-            value.z[0] = node == i ? 1.0 : 0.0;
-            return value;
-        });
-        shares.node[i] = cell.node[i];
-        shares.share[i] = one_here.at(place.geometry().pyramid(), place.local()).z[0];
-    }
-    return shares;
+    const PointStatus status = place.locate(position, false, [](std::uint32_t) { return true; });
+    const bool there = status == PointStatus::Inside ||
+                       (status == PointStatus::OutsideDomain &&
+                        place.cell() != CellCursor::nowhere && beside(place, position));
+    return there ? shares_in_cell(domain_.mesh.cells[place.cell()], place.geometry(), place.local())
+                 : NodeShares{status, 0, {}, {}};
 }
 
 bool CellSampling::advance(const Interval& interval,

@@ -118,10 +118,14 @@ Result<FlowSurvey> survey_flow(const Flow& flow, double time, std::stop_token st
     const std::vector<double> times(places.size(), time);
     if (auto done = flow.sample(places, times, sampled, stop); !done)
         return tl::unexpected(done.error());
+    std::vector<std::uint8_t> gap(places.size());
+    if (auto marked = flow.mark_gaps(places, times, gap, stop); !marked)
+        return tl::unexpected(marked.error());
     survey.velocity.assign(survey.solid.size(), Vec3(0.0));
     double count = 0.0;
     for (std::size_t i = 0; i < sampled.size(); ++i) {
-        if (!usable(sampled[i]))
+        survey.solid[index[i]] = gap[i];
+        if (gap[i] != 0 || !usable(sampled[i]))
             continue;
         survey.velocity[index[i]] = sampled[i];
         survey.mean += sampled[i];

@@ -87,13 +87,21 @@ probe(const OpenDataset& dataset, const ProbeRequest& asked, const std::stop_tok
             return tl::unexpected(field.error());
         result.fields.push_back(std::move(*field));
     }
-    for (const core::Vec3& point : request.points)
-        result.inside.push_back(dataset.flow->status(point) == core::PointStatus::Inside);
+    std::vector<std::uint8_t> gap(request.points.size());
+    if (auto marked = dataset.flow->mark_gaps(request.points, times, gap, stop); !marked)
+        return tl::unexpected(marked.error());
+    for (std::size_t i = 0; i < gap.size(); ++i)
+        result.inside.push_back(gap[i] == 0 && dataset.flow->status(request.points[i]) ==
+                                                   core::PointStatus::Inside);
     // A flow answers everywhere, outside with what it has at the nearest place; that is no one's measurement.
+    constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
     for (ProbeField& field : result.fields)
-        for (std::size_t i = 0; i < field.vectors.size(); ++i)
-            if (!result.inside[i])
-                field.vectors[i] = core::Vec3(std::numeric_limits<double>::quiet_NaN());
+        for (std::size_t i = 0; i < gap.size(); ++i) {
+            if (!result.inside[i] && !field.vectors.empty())
+                field.vectors[i] = core::Vec3(nothing);
+            if (!result.inside[i] && !field.scalars.empty())
+                field.scalars[i] = static_cast<float>(nothing);
+        }
     return result;
 }
 

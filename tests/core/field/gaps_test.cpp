@@ -1,7 +1,9 @@
 // Nodes without a velocity: there the domain ends, at that time.
 #include "core/field/advance_stored.hpp"
 #include "core/field/stored_flow.hpp"
+#include "core/field/velocity_gradient.hpp"
 #include "core/surface/surface_builder.hpp"
+#include "tests/support/cell_meshes.hpp"
 #include "tests/support/sampled_source.hpp"
 #include "tests/support/swarm.hpp"
 
@@ -229,6 +231,80 @@ TEST(Gaps, SurfacesGoRoundThem) {
             for (const Vec3& p : surface->mesh.position)
                 ASSERT_TRUE(finite(p));
         }
+}
+
+/// 8 x 8 x 8 hexahedra, or the same cube as a grid.
+std::vector<Grid> cubes() {
+    RectilinearGrid graded;
+    for (auto& along : graded.coordinates)
+        for (int i = 0; i <= 8; ++i)
+            along.push_back(i == 3 ? 0.76 : 0.25 * i);
+    return {Grid(UniformGrid{{0, 0, 0}, Vec3(0.25), {9, 9, 9}}), Grid(graded),
+            Grid(tests::block({8, 8, 8}, [](const Vec3& u) { return 2.0 * u; }))};
+}
+
+/// Known up to z = 1.75; from t = 2 on only up to z = 1.25.
+Vec3 rising(const Vec3& p, double t) {
+    return p.z > (t > 1.5 ? 1.3 : 1.8) ? Vec3(nan) : Vec3(1.0, 0.3 * p.z, 0.2);
+}
+
+TEST(Gaps, VerticesAtTheBorderHaveTheVelocityOfTheFluid) {
+    const Rake rake{Rake::Kind::Line, {{0.1, 0.3, 1.57}, {0.1, 0.9, 1.71}}, 9};
+    for (const Grid& grid : cubes())
+        for (const auto kind : {SurfaceKind::Stream, SurfaceKind::Path, SurfaceKind::Streak}) {
+            const auto flow = flow_on(grid, rising);
+            const auto surface = build_surface(
+                *flow, rake, {.kind = kind, .from = 0.0, .to = 0.95, .separation = 0.11});
+            ASSERT_TRUE(surface.has_value()) << surface.error().message;
+            const QuadComplex& mesh = surface->mesh;
+            ASSERT_GT(mesh.cells.size(), 10u);
+            for (std::size_t i = 0; i < mesh.vertices(); ++i)
+                ASSERT_LT(
+                    glm::length(Vec3(mesh.velocity[i]) - Vec3(1.0, 0.3 * mesh.position[i].z, 0.2)),
+                    1e-4)
+                    << int(kind) << " at z " << mesh.position[i].z << " of grid " << grid.index();
+        }
+}
+
+TEST(Gaps, AreMarkedAtTheTimesAtWhichTheyAre) {
+    const std::vector<Vec3> points{{1, 1, 1}, {1, 1, 1.25}, {1, 1, 1.4}, {1, 1, 1.75}, {1, 1, 1.9}};
+    const auto marked = [&](const Grid& grid, double time) {
+        std::vector<std::uint8_t> gap(points.size());
+        const auto flow = flow_on(grid, rising);
+        EXPECT_TRUE(flow->mark_gaps(points, std::vector(points.size(), time), gap, {}));
+        return gap;
+    };
+    using Gap = std::vector<std::uint8_t>;
+    for (const Grid& grid : cubes()) {
+        // The border itself has a velocity. Between two times both count, at a stored time that one alone.
+        EXPECT_EQ(marked(grid, 0.5), (Gap{0, 0, 0, 0, 1})) << grid.index();
+        EXPECT_EQ(marked(grid, 1.0), (Gap{0, 0, 0, 0, 1})) << grid.index();
+        EXPECT_EQ(marked(grid, 1.1), (Gap{0, 0, 1, 1, 1})) << grid.index();
+        EXPECT_EQ(marked(grid, 3.0), (Gap{0, 0, 1, 1, 1})) << grid.index();
+    }
+}
+
+TEST(Gaps, AVelocityAtAStoredTimeIsThatOfItsTimeStepAlone) {
+    const std::vector<Vec3> points{{1, 1, 1.6}, {1, 1, 0.5}};
+    const std::vector<double> times{1.0, 1.5};
+    for (const Grid& grid : cubes()) {
+        std::vector<Vec3> velocity(2);
+        ASSERT_TRUE(flow_on(grid, rising)->sample(points, times, velocity, {}));
+        EXPECT_LT(glm::length(velocity[0] - Vec3(1.0, 0.48, 0.2)), 1e-6) << grid.index();
+    }
+}
+
+TEST(Gaps, VorticityBesideThemIsMadeOfTheFluidAlone) {
+    const std::vector<Vec3> points{{1, 1, 1.7}, {1, 1, 1.0}, {1, 1, 1.9}};
+    for (const Grid& grid : cubes()) {
+        const auto found =
+            sample_gradient_fields(std::vector{GradientField::Vorticity}, *flow_on(grid, rising),
+                                   points, std::vector(3, 0.0), {});
+        ASSERT_TRUE(found.has_value());
+        EXPECT_NEAR((*found)[0][0], 0.3, 1e-4) << grid.index();
+        EXPECT_NEAR((*found)[0][1], 0.3, 1e-4) << grid.index();
+        EXPECT_TRUE(std::isnan((*found)[0][2])) << grid.index();
+    }
 }
 
 } // namespace
