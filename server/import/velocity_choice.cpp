@@ -80,7 +80,7 @@ constexpr std::array<FieldInfo::Source, 2> places{FieldInfo::Source::Point,
 
 using Triple = std::array<std::string_view, 3>;
 
-constexpr std::array<Triple, 13> component_names{{{"u", "v", "w"},
+constexpr std::array<Triple, 14> component_names{{{"u", "v", "w"},
                                                   {"velocityx", "velocityy", "velocityz"},
                                                   {"xvelocity", "yvelocity", "zvelocity"},
                                                   {"uvelocity", "vvelocity", "wvelocity"},
@@ -92,7 +92,8 @@ constexpr std::array<Triple, 13> component_names{{{"u", "v", "w"},
                                                   {"uvel", "vvel", "wvel"},
                                                   {"velocity0", "velocity1", "velocity2"},
                                                   {"u0", "u1", "u2"},
-                                                  {"uwind", "vwind", "wwind"}}};
+                                                  {"uwind", "vwind", "wwind"},
+                                                  {"uinterp", "vinterp", "winterp"}}};
 constexpr std::array<Triple, 3> momentum_names{{{"momentumx", "momentumy", "momentumz"},
                                                 {"rhou", "rhov", "rhow"},
                                                 {"rhoux", "rhouy", "rhouz"}}};

@@ -1,6 +1,7 @@
 #include "server/import/sources/netcdf/netcdf_axes.hpp"
 
 #include "server/import/sources/netcdf/netcdf_units.hpp"
+#include "server/import/velocity_choice.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -25,14 +26,6 @@ bool is_one_of(const std::string& text, const std::array<std::string_view, N>& l
     return std::find(list.begin(), list.end(), text) != list.end();
 }
 
-const NetcdfVariable* coordinates_of(const NetcdfFile& file, int dimension) {
-    const auto* variable =
-        file.variable(file.dimensions()[static_cast<std::size_t>(dimension)].name);
-    const bool along = variable != nullptr && variable->dimensions == std::vector<int>{dimension} &&
-                       variable->type != NC_CHAR && variable->type != NC_STRING;
-    return along ? variable : nullptr;
-}
-
 AxisKind kind_of_name(const std::string& name) {
     constexpr std::array<std::string_view, 4> time{"time", "t", "times", "timestep"};
     constexpr std::array<std::string_view, 6> z{"z", "depth", "height", "altitude", "level", "lev"};
@@ -41,6 +34,29 @@ AxisKind kind_of_name(const std::string& name) {
     if (is_one_of(name, z))
         return AxisKind::Z;
     return name == "x" ? AxisKind::X : name == "y" ? AxisKind::Y : AxisKind::Unknown;
+}
+
+// Of a coordinate variable, which models name as they like: x, xh, x_c, zu_3d, x_position.
+AxisKind kind_of_coordinate(const std::string& name) {
+    if (const auto kind = kind_of_name(name); kind != AxisKind::Unknown)
+        return kind;
+    const bool short_name = name.size() <= 3 || name[1] == '_' || name[2] == '_';
+    if (!short_name || name[0] < 'x' || name[0] > 'z')
+        return AxisKind::Unknown;
+    return name[0] == 'x' ? AxisKind::X : name[0] == 'y' ? AxisKind::Y : AxisKind::Z;
+}
+
+// What a variable says about itself.
+AxisKind stated_kind(const NetcdfFile& file, const NetcdfVariable& variable) {
+    const auto axis = lower(file.text(variable, "axis"));
+    const auto standard = lower(file.text(variable, "standard_name"));
+    if (axis == "t" || lower(file.text(variable, "units")).find(" since ") != std::string::npos)
+        return AxisKind::Time;
+    if (axis == "x" || axis == "y" || axis == "z")
+        return axis == "x" ? AxisKind::X : axis == "y" ? AxisKind::Y : AxisKind::Z;
+    if (standard == "projection_x_coordinate" || standard == "projection_y_coordinate")
+        return standard[11] == 'x' ? AxisKind::X : AxisKind::Y;
+    return file.text(variable, "positive").empty() ? AxisKind::Unknown : AxisKind::Z;
 }
 
 tl::unexpected<Error>
@@ -78,6 +94,8 @@ class GridSearch {
   public:
     explicit GridSearch(const NetcdfFile& file) : file_(file) {}
 
+    // A grid with a velocity goes before others; of several the one of most variables.
+
     core::Result<Candidate> run() {
         for (const auto& variable : file_.variables())
             if (auto looked = look_at(variable); !looked)
@@ -96,17 +114,29 @@ class GridSearch {
         if (candidates_.empty())
             return core::fail(
                 Error::Code::Unsupported, file_.name() + " has no variable over x, y and z",
-                "name the dimensions x, y, z or give their coordinates an axis attribute");
-        if (auto together = check_velocities(); !together)
+                "name the dimensions x, y, z, or write a variable along each of them that has its "
+                "coordinates and an axis attribute");
+        const auto rank = [](const Candidate& one) {
+            return std::pair(has_velocity(one), one.variables.size());
+        };
+        const auto& best = std::max_element(candidates_.begin(), candidates_.end(),
+                                            [&](const auto& a, const auto& b) {
+                                                return rank(a.second) < rank(b.second);
+                                            })
+                               ->second;
+        if (auto together = check_velocities(); !together && !has_velocity(best))
             return tl::unexpected(together.error());
-        return std::max_element(candidates_.begin(), candidates_.end(),
-                                [](const auto& a, const auto& b) {
-                                    return a.second.variables.size() < b.second.variables.size();
-                                })
-            ->second;
+        return best;
     }
 
   private:
+    static bool has_velocity(const Candidate& candidate) {
+        std::vector<core::FieldInfo> fields;
+        for (const auto& name : candidate.variables)
+            fields.push_back({name, 1, core::FieldInfo::Source::Point, {0.0, 0.0}, {}});
+        return choose_velocity(fields, {}).has_value();
+    }
+
     core::Result<void> look_at(const NetcdfVariable& variable) {
         if (variable.type == NC_CHAR || variable.type == NC_STRING || variable.type > NC_STRING ||
             variable.dimensions.size() < 2)
@@ -180,30 +210,58 @@ class GridSearch {
 
 } // namespace
 
+// CF names it as its dimension; other models do not. Then it is the one variable along the dimension that says that it is an axis, or, where
+// none does, the one that is named like one.
+const NetcdfVariable* coordinates_of(const NetcdfFile& file, int dimension) {
+    const auto along = [&](const NetcdfVariable& variable) {
+        return variable.dimensions == std::vector<int>{dimension} && variable.type != NC_CHAR &&
+               variable.type != NC_STRING;
+    };
+    const auto* same = file.variable(file.dimensions()[static_cast<std::size_t>(dimension)].name);
+    if (same != nullptr && along(*same))
+        return same;
+    const NetcdfVariable* stated = nullptr;
+    const NetcdfVariable* named = nullptr;
+    std::size_t several = 0;
+    for (const auto& variable : file.variables()) {
+        if (!along(variable))
+            continue;
+        if (stated_kind(file, variable) != AxisKind::Unknown) {
+            if (stated != nullptr)
+                return nullptr;
+            stated = &variable;
+        } else if (kind_of_coordinate(lower(variable.name)) != AxisKind::Unknown) {
+            named = &variable;
+            ++several;
+        }
+    }
+    return stated != nullptr ? stated : several == 1 ? named : nullptr;
+}
+
 core::Result<AxisKind> axis_kind(const NetcdfFile& file, int dimension) {
     const auto& name = file.dimensions()[static_cast<std::size_t>(dimension)].name;
     const auto* variable = coordinates_of(file, dimension);
-    std::string standard = lower(name);
-    if (variable != nullptr) {
-        const auto axis = lower(file.text(*variable, "axis"));
-        const auto units = lower(file.text(*variable, "units"));
-        if (const auto given = lower(file.text(*variable, "standard_name")); !given.empty())
-            standard = given;
-        if (axis == "t" || units.find(" since ") != std::string::npos)
-            return AxisKind::Time;
-        if (auto length = refuse_angles_and_levels(file, name, standard, units); !length)
-            return tl::unexpected(length.error());
-        if (axis == "x" || axis == "y" || axis == "z")
-            return axis == "x" ? AxisKind::X : axis == "y" ? AxisKind::Y : AxisKind::Z;
-        if (standard == "projection_x_coordinate" || standard == "projection_y_coordinate")
-            return standard[11] == 'x' ? AxisKind::X : AxisKind::Y;
-        if (!file.text(*variable, "positive").empty())
-            return AxisKind::Z;
-    } else if (auto length = refuse_angles_and_levels(file, name, standard, {}); !length) {
-        return tl::unexpected(length.error());
+    if (variable == nullptr) {
+        auto length = refuse_angles_and_levels(file, name, lower(name), {});
+        return length.map([&] { return kind_of_name(lower(name)); });
     }
-    const auto kind = kind_of_name(standard);
-    return kind == AxisKind::Unknown ? kind_of_name(lower(name)) : kind;
+    const auto stated = stated_kind(file, *variable);
+    if (stated == AxisKind::Time)
+        return stated;
+    auto standard = lower(file.text(*variable, "standard_name"));
+    if (standard.empty())
+        standard = lower(variable->name);
+    if (auto length = refuse_angles_and_levels(file, variable->name, standard,
+                                               lower(file.text(*variable, "units")));
+        !length)
+        return tl::unexpected(length.error());
+    if (stated != AxisKind::Unknown)
+        return stated;
+    for (const auto& each : {kind_of_name(standard), kind_of_name(lower(name)),
+                             kind_of_coordinate(lower(variable->name))})
+        if (each != AxisKind::Unknown)
+            return each;
+    return AxisKind::Unknown;
 }
 
 core::Result<NetcdfAxis> read_axis(const NetcdfFile& file, int dimension) {

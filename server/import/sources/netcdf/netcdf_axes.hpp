@@ -9,6 +9,10 @@ namespace wakesurf::server {
 
 enum class AxisKind { X, Y, Z, Time, Unknown };
 
+/// The variable that has the coordinates along a dimension: of its name, or else the one along it that states that it is an axis, or is
+/// named like one (xh along ni). Null where there is none, or several.
+const NetcdfVariable* coordinates_of(const NetcdfFile& file, int dimension);
+
 /// By the coordinate variable's axis attribute, units ("... since ..."), standard name and positive attribute, then by the
 /// name of the dimension. Error: Unsupported (longitude and latitude, pressure or sigma levels: no lengths).
 core::Result<AxisKind> axis_kind(const NetcdfFile& file, int dimension);

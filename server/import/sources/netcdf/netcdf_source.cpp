@@ -209,11 +209,11 @@ class NetcdfSource final : public Source {
             times.push_back({file->name(), std::nullopt});
             return {};
         }
-        const auto& [name, length] = file->dimensions()[static_cast<std::size_t>(*grid->time)];
+        const auto length = file->dimensions()[static_cast<std::size_t>(*grid->time)].length;
         if (length == 0)
             return core::fail(Error::Code::Corrupt, file->name() + " has no time-steps yet");
-        const auto* variable = file->variable(name);
-        if (variable == nullptr || variable->dimensions != std::vector<int>{*grid->time}) {
+        const auto* variable = coordinates_of(*file, *grid->time);
+        if (variable == nullptr) {
             for (std::size_t i = 0; i < length; ++i)
                 add_step(*file, entry, i, std::nullopt, times);
             return {};

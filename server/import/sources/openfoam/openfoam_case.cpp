@@ -87,7 +87,24 @@ core::Result<void> check_directions(const std::vector<FoamPatch>& patches,
     return {};
 }
 
-// Regions with the walls of all parts: a part lists those only that touch it in some versions of OpenFOAM.
+// The walls of all parts: a part lists those only that touch it in some versions of OpenFOAM.
+core::Result<void> find_walls(const FoamCase& found, FoamRegion& region) {
+    region.walls.clear();
+    for (const auto& part : found.parts) {
+        const auto file = found.file_at(found.mesh_file(part, region.name, "boundary"));
+        const auto patches = read_foam_patches(file.path, file.name);
+        if (!patches)
+            return tl::unexpected(patches.error());
+        if (auto spatial = check_directions(*patches, found.file); !spatial)
+            return spatial;
+        for (const auto& patch : *patches)
+            if (is_wall(patch.type) && std::find(region.walls.begin(), region.walls.end(),
+                                                 patch.name) == region.walls.end())
+                region.walls.push_back(patch.name);
+    }
+    return {};
+}
+
 core::Result<std::vector<FoamRegion>> find_regions(const FoamCase& found) {
     std::vector<FoamRegion> out;
     const auto first = regions_in(found.folder / found.parts.front() / "constant");
@@ -99,19 +116,8 @@ core::Result<std::vector<FoamRegion>> find_regions(const FoamCase& found) {
                               "decompose the case again, or copy the whole case");
     for (const auto& name : first) {
         FoamRegion region{name, false, {}};
-        for (const auto& part : found.parts) {
-            const auto file =
-                found.file_at(found.relative(part, "constant", name, "polyMesh/boundary"));
-            const auto patches = read_foam_patches(file.path, file.name);
-            if (!patches)
-                return tl::unexpected(patches.error());
-            if (auto spatial = check_directions(*patches, found.file); !spatial)
-                return tl::unexpected(spatial.error());
-            for (const auto& patch : *patches)
-                if (is_wall(patch.type) && std::find(region.walls.begin(), region.walls.end(),
-                                                     patch.name) == region.walls.end())
-                    region.walls.push_back(patch.name);
-        }
+        if (auto walls = find_walls(found, region); !walls)
+            return tl::unexpected(walls.error());
         out.push_back(std::move(region));
     }
     return out;
@@ -203,6 +209,16 @@ std::string FoamCase::relative(const std::string& part,
     return (fs::path(part) / instance / region / file_name).string();
 }
 
+std::string FoamCase::mesh_file(const std::string& part,
+                                const std::string& region,
+                                const std::string& file_name) const {
+    const std::string name = "polyMesh/" + file_name;
+    for (const auto& time : mesh_times)
+        if (std::string here = relative(part, time.name, region, name); foam_file(folder / here))
+            return here;
+    return relative(part, "constant", region, name);
+}
+
 NamedFile FoamCase::file_at(const std::string& relative_name) const {
     if (const auto there = foam_file(folder / relative_name))
         return {*there, there->extension() == ".gz" && !relative_name.ends_with(".gz")
@@ -239,8 +255,11 @@ core::Result<FoamCase> scan_openfoam_case(const fs::path& path) {
     auto chosen = better_of(std::move(found), *processors);
     if (!chosen)
         return chosen;
-    if (auto still = check_foam_mesh_stands_still(*chosen); !still)
-        return tl::unexpected(still.error());
+    if (auto one = keep_times_of_last_mesh(*chosen); !one)
+        return tl::unexpected(one.error());
+    for (auto& region : chosen->regions)
+        if (auto walls = find_walls(*chosen, region); !chosen->mesh_times.empty() && !walls)
+            return tl::unexpected(walls.error());
     find_fields(*chosen);
     return chosen;
 }

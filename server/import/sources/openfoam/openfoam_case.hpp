@@ -32,6 +32,8 @@ struct FoamCase {
     std::vector<FoamTime> times; ///< where every fluid region of every part has a velocity
     std::vector<core::FieldInfo>
         fields; ///< which every fluid region of every part has at all of them; without ranges
+    std::vector<FoamTime>
+        mesh_times; ///< folders with a polyMesh that counts at `times`, newest first
     std::string note;
 
     /// The file of a field or mesh, relative to `folder` and without .gz; `instance` is a time or "constant".
@@ -39,6 +41,9 @@ struct FoamCase {
                          const std::string& instance,
                          const std::string& region,
                          const std::string& file) const;
+    /// A mesh's file as it counts at `times`: that of the newest time folder with one, else that of constant; relative as above.
+    std::string
+    mesh_file(const std::string& part, const std::string& region, const std::string& file) const;
     /// The file as it is, plain or compressed; as named where it is not there.
     NamedFile file_at(const std::string& relative) const;
 };

@@ -1,12 +1,15 @@
-// Does an OpenFOAM case have one mesh for all its time-steps?
+// Which time-steps of an OpenFOAM case have one mesh?
 #pragma once
 
 #include "server/import/sources/openfoam/openfoam_case.hpp"
 
 namespace wakesurf::server {
 
-/// Compares every mesh file in a time folder with the one the first time-step uses; files that are equal but for their
-/// headers are no motion. Error: Unsupported naming the first that differs. Cost: reads those files.
-core::Result<void> check_foam_mesh_stands_still(const FoamCase& found);
+/// Sets `mesh_times`. Compares every mesh file in a time folder with the one used before; files that are equal but for their headers are no
+/// change. snappyHexMesh leaves its mesh in a time folder, and a run from there leaves the fields of the background mesh behind: of the times
+/// those stay that have the last mesh, with a note on the others.
+/// Error: Unsupported naming the first file that differs, where the mesh changes as the run goes: its points move, or it is another one at
+/// every time. Cost: reads those files.
+core::Result<void> keep_times_of_last_mesh(FoamCase& found);
 
 } // namespace wakesurf::server

@@ -62,8 +62,9 @@ core::Result<void> OpenfoamReader::check_files(const FoamTime& time,
 
 core::Result<void> OpenfoamReader::open(const std::string& what) {
     for (const auto& region : found_.regions) {
-        const std::string mesh = found_.relative(part_, "constant", region.name, "polyMesh");
-        if (auto sound = check_foam_cells(found_.folder / mesh, mesh); !sound)
+        const auto mesh =
+            std::filesystem::path(found_.mesh_file(part_, region.name, "owner")).parent_path();
+        if (auto sound = check_foam_cells(found_.folder / mesh, mesh.string()); !sound)
             return sound;
     }
     const VtkMessages messages;

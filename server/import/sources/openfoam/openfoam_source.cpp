@@ -69,8 +69,7 @@ class OpenfoamSource final : public Source {
         for (const auto& part : found_.parts)
             for (const auto& region : found_.regions)
                 for (const char* const name : {"points", "faces", "owner", "neighbour", "boundary"})
-                    files.push_back(found_.file_at(found_.relative(
-                        part, "constant", region.name, std::string("polyMesh/") + name)));
+                    files.push_back(found_.file_at(found_.mesh_file(part, region.name, name)));
         // Points may be those of a time folder.
         std::erase_if(files, [](const NamedFile& file) { return !foam_file(file.path); });
         return fingerprint(files);
