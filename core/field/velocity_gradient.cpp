@@ -117,8 +117,8 @@ Result<void> each_gradient(const Flow& flow,
     return {};
 }
 
-double vorticity(const glm::dmat3& g) {
-    return glm::length(Vec3(g[1].z - g[2].y, g[2].x - g[0].z, g[0].y - g[1].x));
+Vec3 vorticity(const glm::dmat3& g) {
+    return {g[1].z - g[2].y, g[2].x - g[0].z, g[0].y - g[1].x};
 }
 
 double q_criterion(const glm::dmat3& g) {
@@ -131,14 +131,29 @@ double q_criterion(const glm::dmat3& g) {
     return q;
 }
 
+double value_of(GradientField field, const glm::dmat3& gradient) {
+    switch (field) {
+    case GradientField::Vorticity:
+        return glm::length(vorticity(gradient));
+    case GradientField::VorticityX:
+        return vorticity(gradient).x;
+    case GradientField::VorticityY:
+        return vorticity(gradient).y;
+    case GradientField::VorticityZ:
+        return vorticity(gradient).z;
+    case GradientField::QCriterion:
+        return q_criterion(gradient);
+    }
+    return std::numeric_limits<double>::quiet_NaN();
+}
+
 } // namespace
 
 std::optional<GradientField> find_gradient_field(std::string_view name) {
-    if (name == vorticity_name)
-        return GradientField::Vorticity;
-    if (name == q_criterion_name)
-        return GradientField::QCriterion;
-    return std::nullopt;
+    const auto found = std::ranges::find(gradient_field_names, name);
+    if (found == gradient_field_names.end())
+        return std::nullopt;
+    return static_cast<GradientField>(found - gradient_field_names.begin());
 }
 
 Result<std::vector<std::vector<float>>>
@@ -150,9 +165,7 @@ sample_gradient_fields(std::span<const GradientField> fields,
     std::vector<std::vector<float>> out(fields.size(), std::vector<float>(positions.size()));
     const auto keep = [&](std::size_t i, const glm::dmat3& gradient) {
         for (std::size_t k = 0; k < fields.size(); ++k)
-            out[k][i] =
-                static_cast<float>(fields[k] == GradientField::Vorticity ? vorticity(gradient)
-                                                                         : q_criterion(gradient));
+            out[k][i] = static_cast<float>(value_of(fields[k], gradient));
     };
     if (fields.empty())
         return out;

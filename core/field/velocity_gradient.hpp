@@ -6,6 +6,7 @@
 #include "core/base/vec3.hpp"
 #include "core/field/flow.hpp"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -16,16 +17,23 @@
 namespace wakesurf::core {
 
 /// What can be asked for at the vertices of a surface.
-enum class GradientField : std::uint8_t { Vorticity, QCriterion };
+enum class GradientField : std::uint8_t {
+    Vorticity, ///< its magnitude
+    VorticityX,
+    VorticityY,
+    VorticityZ,
+    QCriterion
+};
 
-inline constexpr std::string_view vorticity_name = "vorticity";
-inline constexpr std::string_view q_criterion_name = "q_criterion";
+/// The names that files and frames have for them, in the order of GradientField.
+inline constexpr std::array<std::string_view, 5> gradient_field_names{
+    "vorticity", "vorticity_x", "vorticity_y", "vorticity_z", "q_criterion"};
 
 /// By the names that files and frames have for it.
 std::optional<GradientField> find_gradient_field(std::string_view name);
 
-/// One list of values a field, nothing sampled where there is none. The vorticity is |curl v| in 1/s; the Q criterion, in 1/s^2, is
-/// half of what the squared norm of the rotation rate is above that of the strain rate: positive in a vortex.
+/// One list of values a field, nothing sampled where there is none. The vorticity is curl v, of which there are the magnitude and the
+/// components, in 1/s; the Q criterion, in 1/s^2, is half of what the squared norm of the rotation rate is above that of the strain rate: positive in a vortex.
 ///
 /// Gradients are central differences over two of the flow's finest spacings, of second order; one-sided where a neighbour is outside the
 /// domain or in an obstacle, over shorter steps where both are, NaN where the point is.

@@ -10,8 +10,8 @@ namespace wakesurf::server {
 namespace {
 
 constexpr const char* cure =
-    "set a surface or move its rake to have it computed again, those that need little first; "
-    "the server's log and its memory may tell why it died";
+    "a surface is computed again when it is edited or its rake is moved, or by Compute it on the "
+    "page; begin with those that need little; the server's log and its memory may tell why it died";
 
 std::string reason(unsigned died) {
     return fmt::format(

@@ -136,6 +136,15 @@ void Client::progress(const SurfaceProgress& progress, Telling& telling) {
     });
 }
 
+void Client::ranges(const SurfaceRanges& ranges, Telling& telling) {
+    tell(telling, [&] {
+        return protocol::rpc_notification("surface.ranges",
+                                          {{"surface", ranges.surface},
+                                           {"epoch", ranges.epoch},
+                                           {"ranges", ranges_json(ranges.ranges)}});
+    });
+}
+
 void Client::done(const SurfaceOutcome& outcome, Telling& telling) {
     tell(telling, [&] {
         json parameters{{"surface", outcome.surface}, {"epoch", outcome.epoch}};

@@ -74,6 +74,7 @@ class Client final : public Observer, public GrantHolder {
                  std::span<const Patch> patches,
                  Telling& telling) override;
     void progress(const SurfaceProgress& progress, Telling& telling) override;
+    void ranges(const SurfaceRanges& ranges, Telling& telling) override;
     void done(const SurfaceOutcome& outcome, Telling& telling) override;
     void presence(const std::string& message) override;
     void sent_away(Farewell why) override;

@@ -27,6 +27,17 @@ nlohmann::json pass_json(const PassSeconds& took) {
             {"encode", took.encode}};
 }
 
+nlohmann::json ranges_json(const ValueRanges& ranges) {
+    nlohmann::json out = nlohmann::json::array();
+    for (const auto& [attribute, range] : ranges)
+        out.push_back({{"attribute", attribute},
+                       {"low", range.low},
+                       {"high", range.high},
+                       {"least", range.least},
+                       {"greatest", range.greatest}});
+    return out;
+}
+
 nlohmann::json outcome_json(const SurfaceOutcome& outcome) {
     nlohmann::json out =
         protocol::statistics_json(outcome.statistics, core::peak_resident_memory());

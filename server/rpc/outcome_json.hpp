@@ -10,6 +10,9 @@ namespace wakesurf::server {
 /// {queue, load, compute, encode}
 nlohmann::json pass_json(const PassSeconds& took);
 
+/// [{attribute, low, high, least, greatest}]
+nlohmann::json ranges_json(const ValueRanges& ranges);
+
 nlohmann::json outcome_json(const SurfaceOutcome& outcome);
 
 /// {code, message, kind, hint, limit?}

@@ -68,7 +68,8 @@ void surface_subscribe(const Call& call, const protocol::SurfaceSubscribe& to, R
                   {"lattice", lattice_json((*live)->wanted().lattice)},
                   {"attributes", std::move(attributes)},
                   {"epoch", (*live)->epoch()},
-                  {"resumed", cursor.resumed()}});
+                  {"resumed", cursor.resumed()},
+                  {"ranges", ranges_json((*live)->ranges())}});
     call.client->subscribe(std::move(cursor), *live);
     (*live)->begin_now(); // it may have rested
 }

@@ -171,6 +171,11 @@ SurfaceBuilds::Events Session::build_events() {
         for (const Participant& each : participants_.present())
             each.observer->progress(progress, telling);
     };
+    events.ranges = [this](const SurfaceRanges& ranges) {
+        Telling telling;
+        for (const Participant& each : participants_.present())
+            each.observer->ranges(ranges, telling);
+    };
     events.done = [this](const SurfaceOutcome& outcome) {
         Telling telling;
         for (const Participant& each : participants_.present())

@@ -1,11 +1,14 @@
 """./run once everything is built: which options it adds to those it was given. The set-up and the server are of paper."""
 import fcntl
 import os
+import re
 import shutil
 import stat
 import subprocess
 import tempfile
 import unittest
+
+from real_server import BINARY
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 STEPS = ("begin_setup", "announce", "setup_packages", "setup_npm", "build", "setup_web", "end_setup")
@@ -19,7 +22,9 @@ class RunScriptTest(unittest.TestCase):
         self.state = os.path.join(self.folder.name, "home/state/wakesurf")
         self.write("docker/setup.sh", "release=$root/build/release\nsay() { echo \"$*\" >&2; }\n" +
                    "".join(f"{step}() {{ :; }}\n" for step in STEPS))
-        self.write("build/release/bin/wakesurf", "#!/bin/sh\nprintf '%s\\n' \"$@\"\n")
+        self.write("build/release/bin/wakesurf", "#!/bin/sh\n[ \"$2\" != --help ] || exec cat \"$0.help\"\nprintf '%s\\n' \"$@\"\n")
+        self.help = subprocess.run([BINARY, "serve", "--help"], text=True, check=True, stdout=subprocess.PIPE).stdout
+        self.write("build/release/bin/wakesurf.help", self.help)
         shutil.copy(os.path.join(ROOT, "run"), self.clone)
 
     def write(self, name, text):
@@ -77,6 +82,27 @@ class RunScriptTest(unittest.TestCase):
         self.assertEqual(given[:2], ["serve", "case"])
         self.assertEqual(self.value(given, "--url-file"), "link")
         self.assertEqual(self.value(given, "--frame-origin"), "https://wiki.example")
+        given = self.given("case", "--dt", "0.01", "--start", "5", "other")
+        self.assertEqual(given[:3], ["serve", "case", "other"])
+        self.assertEqual((self.value(given, "--dt"), self.value(given, "--start")), ("0.01", "5"))
+
+    def test_knows_each_option_that_the_program_has(self):
+        options = re.findall(r"^ +(?:-\w,)?(--[\w-]+)( [A-Z]{2,})?", self.help, re.MULTILINE)
+        self.assertGreater(len(options), 15)
+        for option, value in options:
+            if option in ("--help", "--new-token"):
+                continue
+            with self.subTest(option=option):
+                given = self.given(option, *(["8"] if value else []), "case")
+                self.assertEqual(given[:2], ["serve", "case"])
+                self.assertIn(option, given)
+                if value:
+                    self.assertEqual(self.value(given, option), "8")
+
+    def test_says_of_the_commonest_options_nothing_that_the_program_does_not(self):
+        said = subprocess.run([os.path.join(self.clone, "run"), "--help"], text=True, check=True, stdout=subprocess.PIPE).stdout
+        for option in re.findall(r"^  (--[\w-]+)", said, re.MULTILINE):
+            self.assertIn(f"  {option} ", self.help)
 
 
 if __name__ == "__main__":

@@ -141,7 +141,7 @@ function start(app: App): void {
     const clock = new ClockControl({ state, worker, requestFrame });
     const playback = new Playback({ state, edits, clock });
     const figure = new Figure(scene, () => labels.parentElement?.querySelector<HTMLElement>('wakesurf-scalar-bar') ?? null);
-    const film = new FilmMaker({ state, worker, edits, playback, figure });
+    const film = new FilmMaker({ state, view, worker, edits, playback, figure });
     const mesh = new MeshDownload(baseUrl());
     scene.loop.beforeFrame(() => edits.flush());
     scene.loop.beforeFrame(() => clock.flush());

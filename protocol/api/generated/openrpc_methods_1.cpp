@@ -328,7 +328,7 @@ const std::string_view methods_1 = R"json({
      "reader": "analytic",
      "smooth": false,
      "steady": true,
-     "surfaceFields": ["velocity", "deformation", "approximated", "error", "vorticity", "q_criterion"],
+     "surfaceFields": ["velocity", "deformation", "approximated", "error", "vorticity", "vorticity_x", "vorticity_y", "vorticity_z", "q_criterion"],
      "times": [0],
      "velocity": "velocity",
      "why": "built-in closed form"}}}]},

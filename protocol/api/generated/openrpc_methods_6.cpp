@@ -285,12 +285,12 @@ const std::string_view methods_6 = R"json({
   {
    "name": "fields",
    "required": false,
-   "description": "additional attributes of the vertices, in frames and exports: scalar fields of the dataset, its velocity (the magnitude), `deformation`, `approximated`, `error`, `vorticity` (its magnitude), `q_criterion`",
+   "description": "additional attributes of the vertices, in frames and exports: scalar fields of the dataset, its velocity (the magnitude), `deformation`, `approximated`, `error`, `vorticity` (its magnitude), `vorticity_x`, `vorticity_y`, `vorticity_z`, `q_criterion`",
    "schema": {
     "type": "array",
     "maxItems": 4,
     "default": [],
-    "description": "additional attributes of the vertices, in frames and exports: scalar fields of the dataset, its velocity (the magnitude), `deformation`, `approximated`, `error`, `vorticity` (its magnitude), `q_criterion`",
+    "description": "additional attributes of the vertices, in frames and exports: scalar fields of the dataset, its velocity (the magnitude), `deformation`, `approximated`, `error`, `vorticity` (its magnitude), `vorticity_x`, `vorticity_y`, `vorticity_z`, `q_criterion`",
     "items": {"type": "string"}}},
   {
    "name": "default",

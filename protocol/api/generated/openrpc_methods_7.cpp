@@ -356,7 +356,11 @@ const std::string_view methods_7 = R"json({
      "minimum": 0,
      "maximum": 4294967295,
      "description": "counts the surfaces that have been built for the record; it never decreases"},
-    "resumed": {"type": "boolean", "description": "true: the updates after `from` follow, and no keyframe"}},
+    "resumed": {"type": "boolean", "description": "true: the updates after `from` follow, and no keyframe"},
+    "ranges": {
+     "type": "array",
+     "description": "what the values range over, of all states since the surface began to play: moving the clock, or the time at which the field of a stream surface is frozen, only widens them; another edit of the surface or its rake begins them anew",
+     "items": {"$ref": "#/components/schemas/ValueRange"}}},
    "required": ["subscription", "lattice", "attributes", "epoch", "resumed"],
    "additionalProperties": false}},
  "errors": [
@@ -381,6 +385,7 @@ const std::string_view methods_7 = R"json({
      "attributes": ["speed", "s", "t"],
      "epoch": 1,
      "lattice": {"bits": 16, "origin": [-10.1, -10.1, -10.1], "step": 0.000308232},
+     "ranges": [{"attribute": "speed", "greatest": 1.5, "high": 1.5, "least": 0.2, "low": 0.2}],
      "resumed": false,
      "subscription": 1}}}]})json";
 

@@ -83,7 +83,7 @@ const std::string_view schemas_3 = R"json("Surface": {
   "fields": {
    "type": "array",
    "maxItems": 16,
-   "description": "additional attributes of the vertices, in frames and exports: scalar fields of the dataset, its velocity (the magnitude), `deformation`, `approximated`, `error`, `vorticity` (its magnitude), `q_criterion`",
+   "description": "additional attributes of the vertices, in frames and exports: scalar fields of the dataset, its velocity (the magnitude), `deformation`, `approximated`, `error`, `vorticity` (its magnitude), `vorticity_x`, `vorticity_y`, `vorticity_z`, `q_criterion`",
    "items": {"type": "string"}}},
  "required": [
   "surface",
@@ -239,6 +239,23 @@ const std::string_view schemas_3 = R"json("Surface": {
   "seconds",
   "peakBytes",
   "stateSum"],
+ "additionalProperties": false},
+"ValueRange": {
+ "type": "object",
+ "description": "What the values of an attribute range over, for colours.",
+ "properties": {
+  "attribute": {
+   "type": "string",
+   "description": "name of the attribute, as in the frames; `t` stands for the age: of a streak surface the time since the release"},
+  "low": {
+   "type": "number",
+   "description": "lower end, without the last per cent of the surface's area where there are values below zero and it would take more than a fifth of the range"},
+  "high": {
+   "type": "number",
+   "description": "upper end, without the last per cent of the surface's area where it would take more than a fifth of the range"},
+  "least": {"type": "number", "description": "the least of all values"},
+  "greatest": {"type": "number", "description": "the greatest of all values"}},
+ "required": ["attribute", "low", "high", "least", "greatest"],
  "additionalProperties": false},
 "BookmarkFields": {
  "type": "object",

@@ -34,7 +34,7 @@ struct SurfaceRecord {
     core::SurfaceParameters parameters;
     /// additional attributes of the vertices, in frames and exports: scalar fields of the dataset,
     /// its velocity (the magnitude), `deformation`, `approximated`, `error`, `vorticity` (its
-    /// magnitude), `q_criterion`
+    /// magnitude), `vorticity_x`, `vorticity_y`, `vorticity_z`, `q_criterion`
     std::vector<std::string> fields;
 
     bool operator==(const SurfaceRecord&) const = default;
@@ -72,7 +72,7 @@ struct SurfaceSetting {
     std::optional<double> from;
     /// additional attributes of the vertices, in frames and exports: scalar fields of the dataset,
     /// its velocity (the magnitude), `deformation`, `approximated`, `error`, `vorticity` (its
-    /// magnitude), `q_criterion`
+    /// magnitude), `vorticity_x`, `vorticity_y`, `vorticity_z`, `q_criterion`
     std::vector<std::string> fields;
     /// true: make the record only if no one has edited the session and it has no such record yet;
     /// this does not count as an edit, and undo does not take it back

@@ -63,10 +63,13 @@ std::vector<std::string> field_names(const OpenDataset& dataset) {
         for (const store::StoredScalar& each : dataset.store->layout().scalars)
             names.push_back(each.name);
     names.push_back(dataset.info.velocity);
-    for (const auto derived : {core::deformation_name, core::approximated_name, core::error_name,
-                               core::vorticity_name, core::q_criterion_name})
-        if (std::ranges::find(names, derived) == names.end())
-            names.emplace_back(derived);
+    std::vector<std::string_view> derived{core::deformation_name, core::approximated_name,
+                                          core::error_name};
+    derived.insert(derived.end(), core::gradient_field_names.begin(),
+                   core::gradient_field_names.end());
+    for (const std::string_view each : derived)
+        if (std::ranges::find(names, each) == names.end())
+            names.emplace_back(each);
     return names;
 }
 

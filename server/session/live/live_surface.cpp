@@ -98,6 +98,8 @@ std::uint32_t LiveSurface::rebuild(SurfaceJob wanted, bool rest) {
         budgets_ = PassBudgets(!core::moves(wanted.parameters));
     else if (wanted.parameters != wanted_.parameters)
         budgets_.forget();
+    if (!plays_on(wanted_, wanted))
+        ranges_.begin();
     wanted_ = std::move(wanted);
     wanted_.number = number_;
     wanted_.epoch = epoch_;
@@ -342,6 +344,8 @@ void LiveSurface::publish(const SurfacePass& pass, Update update) {
     if (pass.phase == Phase::Final || pass.phase == Phase::Live)
         full_ = pass;
     early_ = full_ ? std::nullopt : std::optional(pass);
+    if (ranges_.add(update.ranges, early_.has_value()) && events_.ranges)
+        events_.ranges({id_, epoch_, ranges_.told()});
     const bool first = !ring_->newest();
     auto state = std::exchange(update.wire.state, nullptr);
     ring_->add(std::make_shared<const Update>(std::move(update)), std::move(state));

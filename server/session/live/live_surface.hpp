@@ -11,6 +11,7 @@
 #include "server/session/live/surface_build.hpp"
 #include "server/session/live/surface_job.hpp"
 #include "server/session/live/surface_waiters.hpp"
+#include "server/session/live/told_ranges.hpp"
 #include "server/session/live/update_ring.hpp"
 #include "server/session/records/observer.hpp"
 
@@ -32,6 +33,7 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
     struct Events {
         std::function<void(const SurfaceProgress&)> progress;
         std::function<void(const SurfaceOutcome&)> done;
+        std::function<void(const SurfaceRanges&)> ranges; ///< may be empty
     };
 
     /// What it runs on. All outlive it.
@@ -127,6 +129,9 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
     /// The pass that the newest state comes from, if that is an early one: what was asked for is not there yet.
     const std::optional<SurfacePass>& early() const { return early_; }
 
+    /// What its values range over since it began to play, as last told.
+    const ValueRanges& ranges() const { return ranges_.told(); }
+
     /// The newest state, if there is one of the current epoch.
     SharedUpdate newest() const { return ring_->newest(); }
 
@@ -206,6 +211,7 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
     std::optional<SurfacePass> early_; ///< the newest one, while there is none of full quality
 
     BuildProgress progress_;
+    ToldRanges ranges_; ///< of this epoch and those before that it plays on from
 
     PassBudgets budgets_{true};
     std::shared_ptr<void> trim_, overtake_, hide_; ///< timers

@@ -7,6 +7,7 @@
 #include "server/base/log_text.hpp"
 #include "server/limits.hpp"
 #include "server/session/live/early_request.hpp"
+#include "server/session/live/told_ranges.hpp"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
@@ -273,11 +274,12 @@ core::Result<Update> SurfaceBuild::encode(Shown shown, const SurfacePass& pass) 
     options.tolerance =
         pass.phase == Phase::Live ? protocol::live_tolerance : protocol::exact_tolerance;
     options.unrelated = shown.source == Source::Nothing || shown.source != last_;
+    Update update;
+    update.ranges = ranges_of(job_, shown.mesh.mesh, shown.fields, time);
     auto encoded = stream_.next(shown.mesh, options, shown.fields);
     if (!encoded)
         return tl::unexpected(encoded.error());
     last_ = shown.source;
-    Update update;
     update.wire = std::move(*encoded);
     update.statistics = std::move(shown.statistics);
     update.time = time;

@@ -84,6 +84,7 @@ LiveSurface& SurfaceBuilds::live_for(const protocol::SurfaceRecord& record) {
         return *entry.live;
     LiveSurface::Events events;
     events.progress = [this](const SurfaceProgress& progress) { events_.progress(progress); };
+    events.ranges = [this](const SurfaceRanges& ranges) { events_.ranges(ranges); };
     events.done = [this](const SurfaceOutcome& outcome) {
         events_.done(outcome);
         built(outcome);

@@ -23,6 +23,7 @@ class SurfaceBuilds {
     struct Events {
         std::function<void(const SurfaceProgress&)> progress;
         std::function<void(const SurfaceOutcome&)> done;
+        std::function<void(const SurfaceRanges&)> ranges;
         /// Begun without an edit, because data came.
         std::function<void(const std::string& surface, std::uint32_t epoch)> rebuilt;
     };

@@ -7,6 +7,7 @@
 #include "core/surface/surface_statistics.hpp"
 #include "protocol/wire/mesh_stream.hpp"
 #include "server/base/pass_seconds.hpp"
+#include "server/base/value_ranges.hpp"
 
 #include <chrono>
 #include <cstddef>
@@ -28,6 +29,7 @@ struct Update {
     double time = 0.0;    ///< simulation time shown
     double seconds = 0.0; ///< to build and encode
     PassSeconds took;
+    ValueRanges ranges;
     std::shared_ptr<core::MemoryAccount::Share>
         memory{}; ///< of the frames, while somebody holds them
 };

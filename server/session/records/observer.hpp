@@ -8,6 +8,7 @@
 #include "protocol/api/record_text.hpp"
 #include "protocol/wire/mesh_stream.hpp"
 #include "server/base/pass_seconds.hpp"
+#include "server/base/value_ranges.hpp"
 #include "server/session/records/session_records.hpp"
 
 #include <cstdint>
@@ -48,6 +49,13 @@ struct SurfaceProgress {
     PassSeconds took; ///< making that state
 };
 
+/// What the values of a surface range over since it began to play.
+struct SurfaceRanges {
+    std::string surface;
+    std::uint32_t epoch = 0;
+    ValueRanges ranges;
+};
+
 /// How an epoch of a surface ended.
 struct SurfaceOutcome {
     std::string surface;
@@ -82,6 +90,9 @@ class Observer {
     /// Not told while a surface plays, nor of times it only passes.
     virtual void progress(const SurfaceProgress& progress, Telling& telling) = 0;
     virtual void done(const SurfaceOutcome& outcome, Telling& telling) = 0;
+
+    /// Told before the state that ranges further is sent.
+    virtual void ranges(const SurfaceRanges& /*ranges*/, Telling& /*telling*/) {}
 
     /// Others came, went or moved: a notification, as text.
     virtual void presence(const std::string& /*message*/) {}

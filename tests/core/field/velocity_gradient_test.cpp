@@ -175,6 +175,25 @@ TEST(VelocityGradient, OfOneFieldIsThatOfBoth) {
     EXPECT_EQ((*q)[0], all.q);
 }
 
+// The ABC flow is its own curl.
+TEST(VelocityGradient, HasTheVorticityAsComponentsWithTheirSigns) {
+    const auto flow = *make_analytic_flow("abc?A=1,B=0.7,C=0.4");
+    const std::vector<Vec3> points = points_in(*flow, 40);
+    const std::vector<double> times(points.size(), 0.7);
+    std::vector<Vec3> velocity(points.size());
+    ASSERT_TRUE(flow->sample(points, times, velocity, {}));
+    constexpr std::array components{GradientField::VorticityX, GradientField::VorticityY,
+                                    GradientField::VorticityZ};
+    const auto found =
+        sample_gradient_fields(components, WithDetail(*flow, 1e-3), points, times, {});
+    ASSERT_TRUE(found);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        EXPECT_EQ(find_gradient_field(gradient_field_names[1 + axis]), components[axis]);
+        for (std::size_t i = 0; i < points.size(); ++i)
+            EXPECT_NEAR((*found)[axis][i], velocity[i][static_cast<int>(axis)], 1e-5);
+    }
+}
+
 TEST(VelocityGradient, OfAPointDoesNotDependOnTheOthersAndTheirTimes) {
     const auto flow = *make_analytic_flow("double-gyre");
     const std::vector<Vec3> points = points_in(*flow, 60);

@@ -8,7 +8,7 @@ export type { SurfaceEpoch } from './generated/rake.ts';
 export type { RakeSetParams as RakeSetting } from './generated/rake.ts';
 export type { ServerInfoResult as ServerInfo } from './generated/server.ts';
 export type { Share as ShareLink } from './generated/share.ts';
-export type { PassSeconds, Statistics as SurfaceStats, Terminations } from './generated/subscription.ts';
+export type { PassSeconds, Statistics as SurfaceStats, Terminations, ValueRange } from './generated/subscription.ts';
 export type { SurfaceSetParams } from './generated/surface.ts';
 export type { ProbeSampleResult as SampledPoints } from './generated/dataset.ts';
 export type { SurfaceSubscribeResult as Subscription } from './generated/subscription.ts';

@@ -14,7 +14,7 @@ function bench() {
     const news = new ServerNews({
         state,
         outcomes: { done: unheard },
-        feed: { done: (_surface, _epoch, error) => void done.push(error), progressed: unheard },
+        feed: { done: (_surface, _epoch, error) => void done.push(error), progressed: unheard, ranged: unheard },
         people: { patched: unheard },
         progress: { progressed: (...what) => void progressed.push(what) },
         dataset: { patched: (entry) => void datasets.push(entry), stepsPatched: unheard },

@@ -16,7 +16,7 @@ const subjects: Readonly<Record<string, string>> = { notDurable: 'durability', d
 
 export interface ServerNewsOptions {
     state: AppState;
-    feed: Pick<SurfaceFeed, 'done' | 'progressed'>;
+    feed: Pick<SurfaceFeed, 'done' | 'progressed' | 'ranged'>;
     outcomes: Pick<SurfaceOutcomes, 'done'>;
     people: Pick<People, 'patched'>;
     progress: Pick<SurfaceProgress, 'progressed'>;
@@ -58,6 +58,9 @@ export class ServerNews {
                 break;
             case 'surface.progress':
                 feed.progressed(notification.surface, notification.epoch, notification.seconds ?? null);
+                break;
+            case 'surface.ranges':
+                feed.ranged(notification.surface, notification.ranges);
                 break;
             case '$/progress': {
                 const { percentage, message = '', time, quadsSoFar, remaining, seconds } = notification.value;

@@ -422,3 +422,59 @@ describe('a dataset that is imported first', () => {
         expect(bench.state.stage.value).toBe('running');
     });
 });
+
+describe('a server that refuses a page while it begins', () => {
+    const busy = new CallError({ kind: 'rpc', code: -32014, message: 'there is not enough memory', hint: '' });
+
+    beforeEach(() => {
+        vi.useFakeTimers();
+        vi.stubGlobal('history', { replaceState: () => undefined });
+        vi.stubGlobal('location', new URL('http://server.example/'));
+    });
+
+    afterEach(() => {
+        vi.useRealTimers();
+        vi.unstubAllGlobals();
+    });
+
+    it.each(['session.join', 'dataset.list', 'dataset.describe'])('is asked again, without a reload: %s', async (method) => {
+        const bench = new Bench();
+        bench.patch('put', 's1');
+        bench.refusals.set(method, busy);
+        bench.controller.connectionChanged({ state: 'open' });
+        await vi.advanceTimersByTimeAsync(10);
+        expect(bench.state.stage.value).toBe('failed');
+        expect(bench.state.notices.all.value.get('start')).toContain('not enough memory');
+        await vi.advanceTimersByTimeAsync(6000);
+        expect(bench.state.stage.value).toBe('running');
+        expect(bench.state.notices.all.value.has('start')).toBe(false);
+    });
+
+    it('is asked again at once by who does not want to wait, and then no more', async () => {
+        const bench = new Bench();
+        bench.patch('put', 's1');
+        bench.refusals.set('dataset.describe', busy);
+        bench.controller.connectionChanged({ state: 'open' });
+        await vi.advanceTimersByTimeAsync(10);
+        bench.state.notices.remedyOf('start')!.act();
+        await vi.advanceTimersByTimeAsync(10);
+        expect(bench.state.stage.value).toBe('running');
+        const calls = bench.calls.length;
+        await vi.advanceTimersByTimeAsync(60_000);
+        expect(bench.calls.length).toBe(calls);
+    });
+
+    it('of one surface leaves the others, and says which and why', async () => {
+        const bench = new Bench();
+        bench.patch('put', 's1');
+        bench.patch('put', 's2');
+        bench.beforeSubscribed = (surface) => {
+            if (surface === 's1') throw busy;
+        };
+        bench.controller.connectionChanged({ state: 'open' });
+        await vi.advanceTimersByTimeAsync(10);
+        expect(bench.state.stage.value).toBe('running');
+        expect(bench.subscribed).toEqual(['s2']);
+        expect(bench.state.notices.all.value.get('surface s1')).toContain('not enough memory');
+    });
+});

@@ -26,6 +26,8 @@ import type { Views } from './view/views.ts';
 const turnMs = 1500;
 /** Someone else may bring a session back from the trash. */
 const lookAgainMs = 5000;
+/** Between two tries of what the server refuses. */
+const longestPauseMs = 60_000;
 
 export interface SessionControllerOptions {
     state: AppState;
@@ -45,6 +47,8 @@ export class SessionController {
     private readonly arrival: Arrival;
     /** Counts connections, and new beginnings in one; what an earlier one began must not go on in the next. */
     private beginning = 0;
+    /** Beginnings in a row that the server has refused. */
+    private failures = 0;
     /** The page has shown this session. */
     private shown = false;
     /** What is to be made again where the server has lost it; while there is such, the page keeps showing it. */
@@ -168,13 +172,19 @@ export class SessionController {
             await this.subscribeAll();
             this.shown = true;
             state.stage.value = 'running';
+            this.failures = 0;
             views.restore();
             this.sayDataset(entry.dataset);
             rememberSession({ session: snapshot.session, created: joined.created ?? '', dataset: entry.dataset });
         } catch (error) {
             if (gone() || isDisconnected(error)) return;
             state.stage.value = 'failed';
-            state.notices.tell('start', error);
+            state.notices.tell('start', error, { label: 'Try again', act: () => void this.begin() });
+            // What was too much for the server now may not be later.
+            const pause = Math.min(lookAgainMs * 2 ** this.failures++, longestPauseMs);
+            setTimeout(() => {
+                if (!gone() && state.stage.value === 'failed') void this.begin();
+            }, pause);
         }
     }
 
@@ -288,12 +298,14 @@ export class SessionController {
         }
     }
 
+    /** One that cannot be sent leaves the others as they are, and says why. */
     private async subscribe(surface: string): Promise<void> {
         const { feed, state } = this.options;
         try {
             await feed.subscribe(surface);
         } catch (error) {
-            if (!isNotFound(error) || state.surfaces.value.has(surface)) throw error;
+            if (isDisconnected(error)) throw error;
+            if (!isNotFound(error) || state.surfaces.value.has(surface)) state.notices.tell(`surface ${surface}`, error);
         }
     }
 

@@ -19,8 +19,8 @@ export class Announcements {
         if (this.all.value.get(about) !== words) this.all.value = new Map(this.all.value).set(about, words);
     }
 
-    tell(about: string, error: unknown): void {
-        this.say(about, error instanceof Error ? error.message : String(error));
+    tell(about: string, error: unknown, remedy: Remedy | null = null): void {
+        this.say(about, error instanceof Error ? error.message : String(error), remedy);
     }
 
     remedyOf(about: string): Remedy | undefined {

@@ -19,6 +19,7 @@ import type {
     SurfaceRecord,
     Vec3,
     SurfaceStats,
+    ValueRange,
 } from '../protocol/messages.ts';
 import { Announcements } from './announcements.ts';
 import { noUnits, type Units } from './units.ts';
@@ -103,6 +104,8 @@ export class AppState {
     readonly requestedEpochs = signal<ReadonlyMap<string, number>>(new Map());
     /** What the server counted on the newest finished state of a surface. */
     readonly outcomes = signal<ReadonlyMap<string, SurfaceStats>>(new Map());
+    /** What the values of a surface range over since it began to play, as everybody is told. */
+    readonly valueRanges = signal<ReadonlyMap<string, readonly ValueRange[]>>(new Map());
     readonly surfaceErrors = signal<ReadonlyMap<string, SurfaceFailure>>(new Map());
     /** Surfaces of which older states were left out, because this client is slower than the server. */
     readonly catchingUp = signal<ReadonlySet<string>>(new Set());

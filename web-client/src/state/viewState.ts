@@ -2,6 +2,7 @@
 // session/, read by both.
 import { signal } from '@preact/signals-core';
 import type { Vec3 } from '../protocol/messages.ts';
+import type { AutomaticRanges } from './automaticRange.ts';
 import { type ClipPlanes, noClip } from './clipPlanes.ts';
 import { type SurfaceLook, usualLook } from './surfaceLook.ts';
 import { noUnits, type Units } from './units.ts';
@@ -58,6 +59,8 @@ export class ViewState {
     readonly panelFolded = signal(false);
     /** By surface; those that are not in it look as usual. */
     readonly looks = signal<ReadonlyMap<string, SurfaceLook>>(new Map());
+    /** What colours stand for while a film is made, by what they show; null: as the surfaces' values are. */
+    readonly fixedRanges = signal<AutomaticRanges | null>(null);
     readonly visibility = signal<Visibility>(allShown);
     readonly clip = signal<ClipPlanes>(noClip);
     /** The parts of the selected surface are listed. */

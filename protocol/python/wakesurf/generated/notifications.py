@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from .records.dataset import Steps
     from .records.session import Patch
     from .records.presence import Participant
-    from .records.subscription import PassSeconds, Statistics
+    from .records.subscription import PassSeconds, Statistics, ValueRange
 
 
 @dataclass(frozen=True)
@@ -104,6 +104,18 @@ class SurfaceProgress(Notification):
 
 
 @dataclass(frozen=True)
+class SurfaceRanges(Notification):
+    """The values of a surface range further than before, or it has become another. Sent before the state that does
+    so, also while the surface plays.
+    """
+
+    method: ClassVar[str] = "surface.ranges"
+    surface: str  # id of the surface
+    epoch: int  # counts the surfaces that have been built for the record; it never decreases
+    ranges: List[ValueRange]  # what the values range over, of all states since the surface began to play: moving ...
+
+
+@dataclass(frozen=True)
 class SurfaceDone(Notification):
     """A surface is complete, or cannot be completed."""
 
@@ -117,7 +129,8 @@ class SurfaceDone(Notification):
 BY_METHOD: Dict[str, Type[Notification]] = {"server.notice": ServerNotice, "$/progress": WorkProgress,
                                             "dataset.patched": DatasetPatched, "cache.patched": CachePatched,
                                             "session.patched": SessionPatched, "presence.patched": PresencePatched,
-                                            "surface.progress": SurfaceProgress, "surface.done": SurfaceDone}
+                                            "surface.progress": SurfaceProgress, "surface.ranges": SurfaceRanges,
+                                            "surface.done": SurfaceDone}
 
 __all__ = ["BY_METHOD", "ServerNotice", "WorkProgress", "DatasetPatched", "CachePatched", "SessionPatched",
-           "PresencePatched", "SurfaceProgress", "SurfaceDone"]
+           "PresencePatched", "SurfaceProgress", "SurfaceRanges", "SurfaceDone"]

@@ -353,7 +353,8 @@ TEST(SurfaceFields, NamesAreFoundInTheDatasetFirst) {
     const auto unknown = find_field(store.dataset(), "T");
     EXPECT_EQ(unknown.error().code, core::Error::Code::InvalidArgument);
     EXPECT_EQ(unknown.error().hint,
-              "there is p, holes, U, deformation, approximated, error, vorticity, q_criterion");
+              "there is p, holes, U, deformation, approximated, error, vorticity, "
+              "vorticity_x, vorticity_y, vorticity_z, q_criterion");
     const auto vector = find_field(store.dataset(), "heat flux");
     EXPECT_NE(vector.error().message.find("a store holds one vector"), std::string::npos);
     const auto names = [&](const std::vector<std::string>& asked) {

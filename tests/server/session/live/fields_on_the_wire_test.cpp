@@ -163,11 +163,11 @@ TEST_F(FieldsOnTheWire, WhatCannotBeSentIsRefusedInWords) {
         << vector;
     EXPECT_EQ(error({"q"})["data"]["hint"],
               "there is p, heat flux magnitude, U, deformation, approximated, error, vorticity, "
-              "q_criterion");
+              "vorticity_x, vorticity_y, vorticity_z, q_criterion");
     EXPECT_EQ(client.result("server.info")["limits"]["fields"], 4);
     EXPECT_EQ(client.result("dataset.describe", {{"dataset", "box"}})["surfaceFields"],
               (json{"p", "heat flux magnitude", "U", "deformation", "approximated", "error",
-                    "vorticity", "q_criterion"}));
+                    "vorticity", "vorticity_x", "vorticity_y", "vorticity_z", "q_criterion"}));
 }
 
 TEST_F(FieldsOnTheWire, ProgressSaysWhatEachPassTook) {

@@ -8,9 +8,11 @@ import {
     type PassSeconds,
     type Statistics,
     type SurfacePhase,
+    type ValueRange,
     passSecondsCheck,
     statisticsCheck,
     surfacePhaseCheck,
+    valueRangeCheck,
 } from './subscription.ts';
 
 /**
@@ -98,6 +100,23 @@ export interface SurfaceProgress {
     seconds?: PassSeconds;
 }
 
+/**
+ * The values of a surface range further than before, or it has become another. Sent before the state that does so,
+ * also while the surface plays.
+ */
+export interface SurfaceRanges {
+    /** id of the surface */
+    surface: string;
+    /** counts the surfaces that have been built for the record; it never decreases */
+    epoch: number;
+    /**
+     * what the values range over, of all states since the surface began to play: moving the clock, or the time at
+     * which the field of a stream surface is frozen, only widens them; another edit of the surface or its rake begins
+     * them anew
+     */
+    ranges: ValueRange[];
+}
+
 /** A surface is complete, or cannot be completed. */
 export interface SurfaceDone {
     /** id of the surface */
@@ -137,6 +156,11 @@ export interface Notifications {
     'presence.patched': PresencePatched;
     /** A state of a surface is on its way to the subscribers. Not sent while the surface plays. */
     'surface.progress': SurfaceProgress;
+    /**
+     * The values of a surface range further than before, or it has become another. Sent before the state that does so,
+     * also while the surface plays.
+     */
+    'surface.ranges': SurfaceRanges;
     /** A surface is complete, or cannot be completed. */
     'surface.done': SurfaceDone;
 }
@@ -172,6 +196,7 @@ export const notificationChecks: { [Name in keyof Notifications]: Check<Notifica
         phase: surfacePhaseCheck,
         seconds: optional(passSecondsCheck),
     }),
+    'surface.ranges': members<SurfaceRanges>({ surface: text, epoch: whole, ranges: list(valueRangeCheck) }),
     'surface.done': members<SurfaceDone>({
         surface: text,
         epoch: whole,

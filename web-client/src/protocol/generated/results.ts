@@ -64,7 +64,7 @@ import {
     shareMakerCheck,
 } from './share.ts';
 import { afterEditCheck, latticeCheck, roleCheck } from './shared.ts';
-import { type SurfaceSubscribeResult, statisticsCheck } from './subscription.ts';
+import { type SurfaceSubscribeResult, statisticsCheck, valueRangeCheck } from './subscription.ts';
 import { type SurfaceListResult, type SurfaceStopResult, surfaceRecordCheck, surfaceSetResultCheck } from './surface.ts';
 import { clockAnswerCheck, clockRecordCheck } from './time.ts';
 
@@ -174,6 +174,7 @@ export const resultChecks: { [Name in keyof Methods]: Check<Methods[Name]['resul
         attributes: list(text),
         epoch: whole,
         resumed: flag,
+        ranges: optional(list(valueRangeCheck)),
     }),
     'surface.unsubscribe': anyObject,
     'frame.ack': anyObject,

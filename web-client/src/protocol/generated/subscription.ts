@@ -206,6 +206,31 @@ export const statisticsCheck = members<Statistics>({
     error: optional(problemCheck),
 });
 
+/** What the values of an attribute range over, for colours. */
+export interface ValueRange {
+    /** name of the attribute, as in the frames; `t` stands for the age: of a streak surface the time since the release */
+    attribute: string;
+    /**
+     * lower end, without the last per cent of the surface's area where there are values below zero and it would take
+     * more than a fifth of the range
+     */
+    low: number;
+    /** upper end, without the last per cent of the surface's area where it would take more than a fifth of the range */
+    high: number;
+    /** the least of all values */
+    least: number;
+    /** the greatest of all values */
+    greatest: number;
+}
+
+export const valueRangeCheck = members<ValueRange>({
+    attribute: text,
+    low: number,
+    high: number,
+    least: number,
+    greatest: number,
+});
+
 /** coarse, refined, final: the quality of the pass; live: a moving surface that plays */
 export const surfacePhases = ['coarse', 'refined', 'final', 'live'] as const;
 export type SurfacePhase = (typeof surfacePhases)[number];
@@ -255,6 +280,12 @@ export interface SurfaceSubscribeResult {
     epoch: number;
     /** true: the updates after `from` follow, and no keyframe */
     resumed: boolean;
+    /**
+     * what the values range over, of all states since the surface began to play: moving the clock, or the time at
+     * which the field of a stream surface is frozen, only widens them; another edit of the surface or its rake begins
+     * them anew
+     */
+    ranges?: ValueRange[];
 }
 
 /** Parameters of surface.unsubscribe. */

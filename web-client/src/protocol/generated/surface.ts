@@ -103,7 +103,8 @@ export interface SurfaceRecord {
     separation: number;
     /**
      * additional attributes of the vertices, in frames and exports: scalar fields of the dataset, its velocity (the
-     * magnitude), `deformation`, `approximated`, `error`, `vorticity` (its magnitude), `q_criterion`
+     * magnitude), `deformation`, `approximated`, `error`, `vorticity` (its magnitude), `vorticity_x`, `vorticity_y`,
+     * `vorticity_z`, `q_criterion`
      */
     fields: string[];
 }
@@ -213,7 +214,8 @@ export interface SurfaceSetParams {
     separation?: number;
     /**
      * additional attributes of the vertices, in frames and exports: scalar fields of the dataset, its velocity (the
-     * magnitude), `deformation`, `approximated`, `error`, `vorticity` (its magnitude), `q_criterion`
+     * magnitude), `deformation`, `approximated`, `error`, `vorticity` (its magnitude), `vorticity_x`, `vorticity_y`,
+     * `vorticity_z`, `q_criterion`
      */
     fields?: string[];
     /**

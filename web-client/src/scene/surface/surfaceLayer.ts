@@ -231,8 +231,8 @@ export class SurfaceLayer {
 }
 
 function coloursOf(style: SurfaceStyle): Partial<SurfaceStyle> {
-    const { source, scalar, map, range, rangeOf, centre, inverted, logarithmic } = style;
-    return { source, scalar, map, range, rangeOf, centre, inverted, logarithmic };
+    const { source, scalar, map, range, rangeOf, beyond, centre, inverted, logarithmic } = style;
+    return { source, scalar, map, range, rangeOf, beyond, centre, inverted, logarithmic };
 }
 
 function setPlanes(vectors: Vector4[], planes: Planes): void {

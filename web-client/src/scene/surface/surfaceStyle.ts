@@ -18,7 +18,9 @@ export interface SurfaceStyle {
     /** Null: from the least to the greatest that there is. */
     range: readonly [number, number] | null;
     /** Whose range that is, for people. */
-    rangeOf: 'surface' | 'data' | 'locked';
+    rangeOf: 'surface' | 'surfaces' | 'data' | 'locked' | 'film';
+    /** The least and the greatest value that lie below and above the range, for people; null: none does. */
+    beyond: readonly [number | null, number | null];
     /** The range is made symmetric round this value. */
     centre: number | null;
     backSide: BackSide;
@@ -53,6 +55,7 @@ export const plainStyle: SurfaceStyle = {
     logarithmic: false,
     range: null,
     rangeOf: 'surface',
+    beyond: [null, null],
     centre: null,
     backSide: 'shaded',
     tIsRelease: false,

@@ -10,11 +10,15 @@ import type { Edits } from '../edits/edits.ts';
 import type { Figure } from './figure.ts';
 import type { Playback } from '../time/playback.ts';
 import { clampTo, type Span } from '../time/timeSteps.ts';
+import type { ViewState } from '../../state/viewState.ts';
+import { automaticRanges } from '../picture/colourRanges.ts';
 import { withUnit } from '../picture/unitsInPicture.ts';
 import { canEncode, VideoEncoding } from './videoEncoding.ts';
 
 const patienceMs = 60_000;
 const askAgainMs = 5000;
+/** Times at which the colours' range is looked up. */
+const looksAtMost = 13;
 export const framesAtMost = 3600;
 
 export interface FilmSetting extends ScreenSize {
@@ -27,7 +31,8 @@ export interface FilmSetting extends ScreenSize {
 }
 
 export interface FilmProgress {
-    state: 'idle' | 'recording' | 'failed';
+    /** measuring: what the colours are to stand for is looked up, before the first frame. */
+    state: 'idle' | 'measuring' | 'recording' | 'failed';
     done: number;
     frames: number;
     /** Why it failed. */
@@ -38,6 +43,7 @@ const idle: FilmProgress = { state: 'idle', done: 0, frames: 0, words: '' };
 
 export interface FilmOptions {
     state: AppState;
+    view: Pick<ViewState, 'lookOf' | 'looks' | 'fixedRanges'>;
     worker: Pick<WorkerClient, 'call'>;
     edits: Pick<Edits, 'intent' | 'gestures'>;
     playback: Playback;
@@ -48,6 +54,12 @@ export interface FilmOptions {
 export function frameTimes([from, to]: readonly [number, number], { fps, seconds }: { fps: number; seconds: number }): number[] {
     const frames = Math.min(framesAtMost, Math.max(2, Math.round(fps * seconds)));
     return Array.from({ length: frames }, (_, i) => from + ((to - from) * i) / (frames - 1));
+}
+
+/** At most so many of them, both ends among them. */
+export function spread(times: readonly number[], most: number): number[] {
+    if (times.length <= most) return [...times];
+    return Array.from({ length: most }, (_, i) => times[Math.round((i * (times.length - 1)) / (most - 1))]!);
 }
 
 /** Whether a surface that moves is drawn as it is at a time, or at its end that is nearer; backward ones end before `from`. */
@@ -70,7 +82,7 @@ export class FilmMaker {
     /** Null where it was cancelled or failed; why is in `progress`. */
     async record(setting: FilmSetting): Promise<Blob | null> {
         const { playback, state, figure } = this.options;
-        if (this.progress.value.state === 'recording') return null;
+        if (this.busy) return null;
         if (!canEncode()) return this.fail('Recording needs a current browser over HTTPS (or on localhost).');
         const size = { width: 2 * Math.floor(setting.width / 2), height: 2 * Math.floor(setting.height / 2) };
         const times = frameTimes(playback.span.value, setting);
@@ -86,6 +98,7 @@ export class FilmMaker {
             begun = true;
             await playback.pause();
             this.options.edits.gestures.begin();
+            await this.fixColours(times);
             for (const [i, time] of times.entries()) {
                 await this.show(time);
                 const background = figure.background.value === 'clear' ? 'white' : figure.background.value;
@@ -102,6 +115,7 @@ export class FilmMaker {
             else this.fail(error instanceof Error ? error.message : String(error));
             return null;
         } finally {
+            this.options.view.fixedRanges.value = null;
             if (begun) await this.putBack(before, frozenAt).catch(() => undefined);
         }
     }
@@ -109,7 +123,24 @@ export class FilmMaker {
     cancel(): void {
         this.cancelled = true;
         // Wakes those who wait for a surface.
-        if (this.progress.value.state === 'recording') this.progress.value = { ...this.progress.value };
+        if (this.busy) this.progress.value = { ...this.progress.value };
+    }
+
+    private get busy(): boolean {
+        return ['measuring', 'recording'].includes(this.progress.value.state);
+    }
+
+    /** Colours mean the same in all frames: what the values range over is looked up before the first. */
+    private async fixColours(times: readonly number[]): Promise<void> {
+        const { state, view } = this.options;
+        const recording = this.progress.value;
+        const looked = spread(times, looksAtMost);
+        for (const [i, time] of automaticRanges(state, view).size === 0 ? [] : looked.entries()) {
+            this.progress.value = { ...recording, state: 'measuring', done: i, frames: looked.length };
+            await this.show(time);
+        }
+        view.fixedRanges.value = automaticRanges(state, view);
+        this.progress.value = recording;
     }
 
     private fail(words: string): null {

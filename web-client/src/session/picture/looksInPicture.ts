@@ -7,6 +7,7 @@ import type { AppState } from '../../state/appState.ts';
 import { planeNumbers } from '../../state/clipPlanes.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
+import { automaticRanges } from './colourRanges.ts';
 import { attributesOf, styleOf } from './surfaceStyleOf.ts';
 
 export interface LooksOptions {
@@ -24,9 +25,11 @@ export function showLooks({ state, view, scene, worker }: LooksOptions): void {
     effect(() => {
         // One that is shown again is new to the scene.
         void state.hiddenSurfaces.value;
+        const fixed = view.fixedRanges.value;
+        const ranges = { automatic: fixed ?? automaticRanges(state, view), fixed: fixed !== null };
         for (const [id, record] of state.surfaces.value) {
             const rake = state.rakes.value.get(record.rake);
-            const facts = { record, rake, dataset: state.dataset.value, speedRange: state.speedRange.value };
+            const facts = { record, rake, dataset: state.dataset.value, speedRange: state.speedRange.value, ...ranges };
             scene.surfaces.setStyle(id, styleOf({ look: view.lookOf(id), ...facts }));
         }
         scene.loop.request();

@@ -16,7 +16,7 @@ const rake = rakeOf('r1', {
     ],
     colour: '#123456',
 });
-const facts = { record, rake, dataset, speedRange: [1, 3] as const };
+const facts = { record, rake, dataset, speedRange: [1, 3] as const, automatic: new Map(), fixed: false };
 
 describe('styleOf', () => {
     it('leaves the range to the surface, takes that of the data where it is to, and the locked one before both', () => {

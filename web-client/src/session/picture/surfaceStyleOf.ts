@@ -1,13 +1,17 @@
 // From the look that someone wants to what the picture needs: names become attributes, ranges those of the dataset.
 import type { DatasetDescription, FieldDescription, RakeRecord, SurfaceRecord, Vec3 } from '../../protocol/messages.ts';
 import type { ColourSource, SurfaceStyle } from '../../scene/surface/surfaceStyle.ts';
+import { steadyRange } from '../../scene/surface/steadyRange.ts';
 import type { SurfaceLook } from '../../state/surfaceLook.ts';
+import { type AutomaticRange, type AutomaticRanges, meaningOf } from '../../state/automaticRange.ts';
 
 export const deformation = 'deformation';
 export const vorticity = 'vorticity';
 export const qCriterion = 'q_criterion';
 export const estimatedError = 'error';
-const derived: readonly string[] = [deformation, vorticity, qCriterion, 'approximated', estimatedError];
+/** Of the vorticity, along x, y and z. */
+export const vorticityComponents = ['vorticity_x', 'vorticity_y', 'vorticity_z'] as const;
+const derived: readonly string[] = [deformation, vorticity, ...vorticityComponents, qCriterion, 'approximated', estimatedError];
 const fieldMark = 'field:';
 const usualColour = '#8fb8de';
 
@@ -17,6 +21,10 @@ export interface StyleFacts {
     rake: RakeRecord | undefined;
     dataset: DatasetDescription | null;
     speedRange: readonly [number, number];
+    /** Of fields for which no one has said a range, by meaningOf(). */
+    automatic: AutomaticRanges;
+    /** They are those of a film. */
+    fixed: boolean;
 }
 
 /** As many further attributes as a surface may have (limits::fields of the server). */
@@ -47,9 +55,9 @@ export function fieldOf(colourBy: string): string | null {
     return derived.includes(colourBy) ? colourBy : null;
 }
 
-/** With a sign that says something: stretched or gathered, turning or straining. */
+/** With a sign that says something: stretched or gathered, turning or straining, this way round or that. */
 export function isSigned(colourBy: string): boolean {
-    return colourBy === deformation || colourBy === qCriterion;
+    return [deformation, qCriterion, ...vorticityComponents].includes(colourBy);
 }
 
 /** Over powers of ten: most of the surface has a small part of what its worst place has. */
@@ -68,7 +76,8 @@ export function attributesOf(look: SurfaceLook): string[] {
     return [...new Set(names.filter((name) => name !== null))];
 }
 
-export function styleOf({ look, record, rake, dataset, speedRange }: StyleFacts): SurfaceStyle {
+export function styleOf(facts: StyleFacts): SurfaceStyle {
+    const { look, record, rake, speedRange } = facts;
     const { colourBy, colour, invert, log, ...same } = look;
     const isStreak = record.kind === 'streak';
     return {
@@ -78,7 +87,7 @@ export function styleOf({ look, record, rake, dataset, speedRange }: StyleFacts)
         colour: colour ?? rake?.colour ?? usualColour,
         inverted: invert,
         logarithmic: log,
-        ...rangeFor(look, dataset, speedRange),
+        ...rangeFor(facts),
         tIsRelease: isStreak,
         tOrigin: isStreak ? record.from : 0,
         areaPerSeed: lengthOf(rake?.points ?? []) * sweepOf(record, speedRange),
@@ -103,15 +112,26 @@ function sourceOf(colourBy: string): ColourSource {
     return 'constant';
 }
 
-function rangeFor(
-    { colourBy, range, rangeOf }: SurfaceLook,
-    dataset: DatasetDescription | null,
-    speedRange: readonly [number, number],
-): Pick<SurfaceStyle, 'range' | 'rangeOf'> {
-    if (range !== null) return { range, rangeOf: 'locked' };
+type RangeStyle = Pick<SurfaceStyle, 'range' | 'rangeOf' | 'beyond'>;
+const nothingBeyond = [null, null] as const;
+
+function rangeFor({ look, record, dataset, speedRange, automatic, fixed }: StyleFacts): RangeStyle {
+    const { colourBy, range, rangeOf } = look;
+    if (range !== null) return { range, rangeOf: 'locked', beyond: nothingBeyond };
     const always = colourBy === 'approximated' || colourBy === 's';
     const known = always || rangeOf === 'data' ? knownRange(colourBy, dataset, speedRange) : null;
-    return { range: known, rangeOf: known === null || always ? 'surface' : 'data' };
+    if (known !== null) return { range: known, rangeOf: always ? 'surface' : 'data', beyond: nothingBeyond };
+    const seen = automatic.get(meaningOf(look, record));
+    // Of a server that does not tell, or has not yet: what the scene finds.
+    if (seen === undefined) return { range: null, rangeOf: 'surface', beyond: nothingBeyond };
+    return { ...endsOf(look, seen), rangeOf: fixed ? 'film' : seen.surfaces > 1 ? 'surfaces' : 'surface' };
+}
+
+/** Rounded outward, so that small changes leave them as they are. */
+function endsOf({ colourBy, log }: SurfaceLook, seen: AutomaticRange): Pick<RangeStyle, 'range' | 'beyond'> {
+    if (log || colourBy === 'age') return { range: [seen.least, seen.greatest], beyond: nothingBeyond };
+    const [low, high] = steadyRange(seen.low, seen.high);
+    return { range: [low, high], beyond: [seen.least < low ? seen.least : null, seen.greatest > high ? seen.greatest : null] };
 }
 
 /** Of all the data. Null: only what has been seen tells. */

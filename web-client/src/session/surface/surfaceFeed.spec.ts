@@ -23,11 +23,13 @@ class Bench {
     shown: number[] = [];
     taken = 0;
     resumed = false;
+    stats: unknown = {};
     feed: SurfaceFeed;
 
     constructor() {
         const worker = {
             ...answering((method) => {
+                if (method === 'surface.stats') return this.stats;
                 this.calls.push(method);
                 return { subscription: 7, resumed: this.resumed };
             }),
@@ -51,6 +53,22 @@ describe('SurfaceFeed', () => {
     });
     afterEach(() => {
         vi.useRealTimers();
+    });
+
+    it('says why there is no surface where that was told before the page came, until it is computed', async () => {
+        const bench = new Bench();
+        const { state, feed } = bench;
+        state.stage.value = 'running';
+        state.surfaces.value = new Map([['s1', surfaceOf('s1')]]);
+        state.activeSurface.value = 's1';
+        const error = { code: -32800, message: 'the server died 3 times in a row', kind: 'cancelled', hint: 'set a surface' };
+        bench.stats = { surface: 's1', epoch: 4, error };
+        await feed.subscribe('s1');
+        await vi.advanceTimersByTimeAsync(0);
+        expect(state.phase.value).toBe('stopped');
+        expect(state.surfaceErrors.value.get('s1')).toEqual({ epoch: 4, text: error.message, stopped: true });
+        feed.requested('s1', 5);
+        expect(state.phase.value).toBe('none');
     });
 
     it('ends the subscription of a surface that is hidden, and begins another when it is shown', async () => {

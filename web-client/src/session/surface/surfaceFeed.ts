@@ -1,7 +1,7 @@
 // The surfaces as they arrive: subscriptions, and what is new in each surface, put on the screen at the next frame. A surface
 // that this page hides has no subscription: the server sends nothing of it.
 import { effect, untracked } from '@preact/signals-core';
-import { errorWords, type PassSeconds, type ReportedError } from '../../protocol/messages.ts';
+import { errorWords, type PassSeconds, type ReportedError, type ValueRange } from '../../protocol/messages.ts';
 import type { FrameLoop } from '../../scene/frameLoop.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import { type AppState, withEntry, withoutEntry } from '../../state/appState.ts';
@@ -48,7 +48,7 @@ export class SurfaceFeed {
             return;
         }
         this.subscribed.add(surface);
-        const { subscription, resumed } = await worker.call('surface.subscribe', { surface }).catch((error: unknown) => {
+        const { subscription, resumed, ranges } = await worker.call('surface.subscribe', { surface }).catch((error: unknown) => {
             this.subscribed.delete(surface);
             throw error;
         });
@@ -59,8 +59,18 @@ export class SurfaceFeed {
             return;
         }
         this.agreed.set(surface, subscription);
+        if (ranges !== undefined) this.ranged(surface, ranges);
         // What is on the screen is of an epoch that the server may number again.
         if (!resumed) state.displayed.value = withoutEntry(state.displayed.value, surface);
+        void this.askWhyNot(surface);
+    }
+
+    /** What has ended without a surface was told to those who were here then. */
+    private async askWhyNot(surface: string): Promise<void> {
+        const stats = await this.options.worker.call('surface.stats', { surface }).catch(() => null);
+        if (stats?.error === undefined || !this.subscribed.has(surface)) return;
+        this.requested(surface, stats.epoch);
+        this.done(surface, stats.epoch, stats.error);
     }
 
     /**
@@ -137,6 +147,12 @@ export class SurfaceFeed {
         requestedEpochs.value = withEntry(requestedEpochs.value, surface, epoch);
     }
 
+    /** Told before the state that has these values. */
+    ranged(surface: string, ranges: readonly ValueRange[]): void {
+        const { valueRanges } = this.options.state;
+        valueRanges.value = withEntry(valueRanges.value, surface, ranges);
+    }
+
     /** What the pass behind a state took on the server. */
     progressed(surface: string, epoch: number, seconds: PassSeconds | null): void {
         if (seconds !== null) this.options.latency.passed(surface, epoch, seconds);
@@ -146,7 +162,9 @@ export class SurfaceFeed {
         const { surfaceErrors } = this.options.state;
         if (error !== null) {
             surfaceErrors.value = withEntry(surfaceErrors.value, surface, {
-                ...{ epoch, text: errorWords(error), stopped: error.kind === 'cancelled' },
+                // What is cancelled has a button beside it; the hint is for programs.
+                ...{ epoch, text: error.kind === 'cancelled' ? error.message : errorWords(error) },
+                stopped: error.kind === 'cancelled',
             });
         } else if (surfaceErrors.value.has(surface)) {
             surfaceErrors.value = withoutEntry(surfaceErrors.value, surface);
@@ -180,5 +198,6 @@ export class SurfaceFeed {
         scene.removeSurface(surface);
         state.displayed.value = withoutEntry(state.displayed.value, surface);
         state.parts.value = withoutEntry(state.parts.value, surface);
+        state.valueRanges.value = withoutEntry(state.valueRanges.value, surface);
     }
 }

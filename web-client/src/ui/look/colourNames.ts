@@ -9,8 +9,10 @@ import {
     estimatedError,
     qCriterion,
     vorticity,
+    vorticityComponents,
 } from '../../session/picture/surfaceStyleOf.ts';
 import type { ColourMap } from '../../state/surfaceLook.ts';
+import { noUnits, type Units } from '../../state/units.ts';
 import type { Choice } from './lookStyles.ts';
 
 export const mapNames: Record<ColourMap, string> = {
@@ -40,7 +42,8 @@ export function colourChoices(
     }));
     const derived = [
         { value: deformation, words: 'Stretching' },
-        { value: vorticity, words: 'Vorticity' },
+        { value: vorticity, words: 'Vorticity (magnitude)' },
+        ...vorticityComponents.map((value) => ({ value, words: vorticityName(value) })),
         { value: qCriterion, words: 'Vortices (Q)' },
         { value: 'approximated', words: 'Approximated' },
         { value: estimatedError, words: 'Estimated error' },
@@ -55,21 +58,42 @@ export function colourChoices(
     ];
 }
 
+function isComponent(name: string): name is (typeof vorticityComponents)[number] {
+    return (vorticityComponents as readonly string[]).includes(name);
+}
+
+function vorticityName(component: (typeof vorticityComponents)[number]): string {
+    return `Vorticity ${component.slice(-1)}`;
+}
+
+/** The unit of time in one of speed, as `m/s` or `m s-1`; empty: not found. */
+function timeIn(speedUnit: string): string {
+    return /(?:\/\s*([^\s/]+)|[\s.·*]([A-Za-zµ]+)\s*(?:\^?-1|⁻¹))\s*$/.exec(speedUnit)?.slice(1).find(Boolean) ?? '';
+}
+
+/** With the unit that follows from that of time, where that is known. */
+function withRate(name: string, time: string, before: string, after = ''): string {
+    return time === '' ? name : `${name} (${before}${time}${after})`;
+}
+
 /** The name and unit of what colours a surface now. */
 export function colourTitle(
     { source, scalar }: SurfaceStyle,
     dataset: DatasetDescription | null,
     kind: SurfaceKind | undefined,
-    lengthUnit = '',
+    units: Units = noUnits,
 ): string {
+    const velocity = dataset?.fields.find(({ name }) => name === dataset.velocity);
+    const time = units.time || timeIn(velocity?.unit ?? '');
     if (source === 's') return 'Position on the rake';
     if (source === 'age') return ageName(kind);
     if (scalar === deformation) return 'Stretching (log₂ of area)';
-    if (scalar === vorticity) return 'Vorticity';
-    if (scalar === qCriterion) return 'Q (above 0: vortex)';
+    if (scalar === vorticity) return withRate('|Vorticity|', time, '1/');
+    if (isComponent(scalar)) return withRate(vorticityName(scalar), time, '1/');
+    if (scalar === qCriterion) return withRate('Q, above 0: vortex', time, '1/', '²');
     if (scalar === 'approximated') return 'Approximated (0: no, 1: yes)';
-    if (scalar === estimatedError) return lengthUnit === '' ? 'Estimated error' : `Estimated error (${lengthUnit})`;
-    const field = dataset?.fields.find(({ name }) => name === (scalar === 'speed' ? dataset.velocity : scalar));
+    if (scalar === estimatedError) return units.length === '' ? 'Estimated error' : `Estimated error (${units.length})`;
+    const field = scalar === 'speed' ? velocity : dataset?.fields.find(({ name }) => name === scalar);
     const name = scalar === 'speed' ? 'Speed' : scalar;
     return field?.unit === undefined ? name : `${name} (${field.unit})`;
 }

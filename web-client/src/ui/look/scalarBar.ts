@@ -1,4 +1,4 @@
-// What the colours of the selected surface mean: the colour table with numbers, as text that can be read aloud.
+// What colours mean: a bar for each field that is seen, with the colour table and numbers, as text that can be read aloud.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { colourTable, fractionOf, tableSize } from '../../scene/surface/colourMap.ts';
 import { colourTicks } from '../../scene/surface/colourTicks.ts';
@@ -17,13 +17,27 @@ export interface ScalarBarModel {
     scene: Pick<FlowScene, 'surfaces'>;
 }
 
-const rangeWords = { surface: 'of this surface', data: 'of all the data', locked: 'locked' };
+const rangeWords = {
+    surface: 'of this surface',
+    surfaces: 'of all surfaces shown',
+    data: 'of all the data',
+    locked: 'locked',
+    film: 'of the whole film',
+};
+/** More would cover the picture. */
+const barsAtMost = 4;
+
+/** What a bar shows, of all surfaces that it is true of. */
+interface Bar {
+    title: string;
+    span: SurfaceSpan;
+    of: string[];
+}
 
 export class ScalarBar extends SignalElement {
     static override properties = { model: { attribute: false } };
     declare model: ScalarBarModel;
-    private span: SurfaceSpan | null = null;
-    private painted: { canvas: HTMLCanvasElement; table: string } | null = null;
+    private bars: Bar[] = [];
 
     static override styles = [
         sharedStyles,
@@ -42,6 +56,9 @@ export class ScalarBar extends SignalElement {
             }
             figure {
                 margin: 0;
+            }
+            figure + figure {
+                margin-top: 8px;
             }
             canvas {
                 display: block;
@@ -78,27 +95,69 @@ export class ScalarBar extends SignalElement {
     ];
 
     override render(): TemplateResult {
-        const { state, view, scene } = this.model;
+        const { state, view } = this.model;
         // Whenever one of these changes, what is drawn may.
-        void [state.displayed.value, view.looks.value, state.surfaces.value, state.speedRange.value];
-        this.span = scene.surfaces.spanOf(state.activeSurface.value ?? '');
-        this.hidden = this.span === null || this.span.style.source === 'constant';
-        if (this.span === null) return html``;
-        const { colours, style } = this.span;
+        void [state.displayed.value, view.looks.value, state.speedRange.value, state.valueRanges.value, view.fixedRanges.value];
+        const all = this.barsShown();
+        this.bars = all.slice(0, barsAtMost);
+        this.hidden = this.bars.length === 0;
+        const more = all.length - this.bars.length;
+        return html`${this.bars.map((bar) => this.bar(bar, all.length > 1))}
+        ${more > 0 ? html`<p class="range">and ${more} more</p>` : nothing}`;
+    }
+
+    /** One for each meaning of colours that is seen, that of the selected surface first. */
+    private barsShown(): Bar[] {
+        const { state, view, scene } = this.model;
+        const active = state.activeSurface.value ?? '';
+        const ids = [...state.surfaces.value.keys()];
+        const bars = new Map<string, Bar>();
+        for (const id of [active, ...ids.filter((each) => each !== active)]) {
+            const record = state.surfaces.value.get(id);
+            const span = scene.surfaces.spanOf(id);
+            if (record === undefined || span === null || span.style.source === 'constant') continue;
+            const { style, colours } = span;
+            const title = colourTitle(style, state.dataset.value, record.kind, view.units.value);
+            const key = JSON.stringify([title, colours, style.map, style.inverted, style.logarithmic, style.rangeOf]);
+            const of = state.rakes.value.get(record.rake)?.name || record.rake;
+            const held = bars.get(key);
+            if (held === undefined) bars.set(key, { title, span, of: [of] });
+            else if (!held.of.includes(of)) held.of.push(of);
+        }
+        return [...bars.values()];
+    }
+
+    private bar({ title, span, of }: Bar, severalBars: boolean): TemplateResult {
+        const { colours, style } = span;
         const [low, high] = colours;
-        const name = colourTitle(style, state.dataset.value, state.surface.value?.kind, view.units.value.length);
         const scale = style.logarithmic ? ', logarithmic' : '';
-        const [from, to] = style.logarithmic
-            ? [shortNumber(low), shortNumber(high)]
-            : placeNumbers(colours, resolutionOf(low, high));
-        const whose = style.source === 'scalar' ? rangeWords[style.rangeOf] : '';
+        const resolution = resolutionOf(low, high);
+        const written = (numbers: readonly [number, number]): string[] =>
+            style.logarithmic ? numbers.map(shortNumber) : placeNumbers(numbers, resolution);
+        const [from, to] = written(colours);
+        const [below, above] = style.beyond;
+        // Made symmetric, the ends may hold what the range did not.
+        const less = below !== null && below < low ? shortNumber(below) : null;
+        const more = above !== null && above > high ? shortNumber(above) : null;
+        const beyond =
+            less !== null && more !== null
+                ? `the last 1 % at each end: from ${less}, to ${more}`
+                : more !== null
+                  ? `the last 1 %: to ${more}`
+                  : less !== null
+                    ? `the last 1 %: from ${less}`
+                    : '';
+        const whose = style.source === 'scalar' || style.rangeOf === 'film' ? rangeWords[style.rangeOf] : '';
         const { ticks, shared } = colourTicks(low, high, style.logarithmic, 5);
-        return html`<figure aria-label=${`Colours: ${name} from ${from} to ${to}${scale}${whose === '' ? '' : `, ${whose}`}`}>
+        const said = [`${title} from ${from} to ${to}${scale}`, whose, beyond].filter((each) => each !== '').join(', ');
+        return html`<figure aria-label=${`Colours: ${said}`} data-table=${`${style.map} ${style.inverted}`}>
             <figcaption>
-                <span>${name}</span>
+                <span>${title}</span>
                 <span class="range">${from} to ${to}${style.logarithmic ? ', log' : ''}</span>
-                ${whose === '' ? nothing : html`<span class="range" id="whose">${whose}</span>`}
-                ${shared === '' ? nothing : html`<span class="range" id="shared">numbers below ${shared}</span>`}
+                ${severalBars ? html`<span class="range">${of.join(', ')}</span>` : nothing}
+                ${whose === '' ? nothing : html`<span class="range whose">${whose}</span>`}
+                ${beyond === '' ? nothing : html`<span class="range beyond">${beyond}</span>`}
+                ${shared === '' ? nothing : html`<span class="range shared">numbers below ${shared}</span>`}
             </figcaption>
             <canvas width=${tableSize} height="1" aria-hidden="true"></canvas>
             <div class="ticks" aria-hidden="true">
@@ -114,15 +173,15 @@ export class ScalarBar extends SignalElement {
         for (const tick of this.renderRoot.querySelectorAll<HTMLElement>('.ticks span')) {
             tick.style.left = `${Number(tick.dataset['at']) * 100}%`;
         }
-        if (this.span === null) return;
-        const { map, inverted } = this.span.style;
-        const canvas = this.renderRoot.querySelector('canvas');
-        const table = `${map} ${inverted}`;
-        // Ranges change with every state, colours seldom.
-        if (canvas === null || (this.painted?.canvas === canvas && this.painted.table === table)) return;
-        this.painted = { canvas, table };
-        const pixels = new Uint8ClampedArray(colourTable(map, inverted).buffer);
-        canvas.getContext('2d')?.putImageData(new ImageData(pixels, tableSize, 1), 0, 0);
+        this.renderRoot.querySelectorAll('figure').forEach((figure, i) => {
+            const canvas = figure.querySelector('canvas');
+            const style = this.bars[i]?.span.style;
+            // Ranges change with every state, colours seldom.
+            if (canvas === null || style === undefined || canvas.dataset['painted'] === figure.dataset['table']) return;
+            canvas.dataset['painted'] = figure.dataset['table'];
+            const pixels = new Uint8ClampedArray(colourTable(style.map, style.inverted).buffer);
+            canvas.getContext('2d')?.putImageData(new ImageData(pixels, tableSize, 1), 0, 0);
+        });
     }
 }
 

@@ -3,7 +3,7 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { signal } from '@preact/signals-core';
 import { sizeFault } from '../../scene/capture.ts';
 import { timeText } from '../../session/picture/writtenNumbers.ts';
-import { framesAtMost, frameTimes, type FilmMaker } from '../../session/out/film.ts';
+import { framesAtMost, frameTimes, type FilmMaker, type FilmProgress } from '../../session/out/film.ts';
 import { canEncode } from '../../session/out/videoEncoding.ts';
 import type { Figure } from '../../session/out/figure.ts';
 import type { Playback } from '../../session/time/playback.ts';
@@ -46,7 +46,7 @@ export class FilmExport extends SignalElement {
         const reason = this.whyNot();
         if (reason !== null) return html`<p>${reason}</p>`;
         const progress = film.progress.value;
-        if (progress.state === 'recording') return this.recording(progress.done, progress.frames);
+        if (progress.state === 'measuring' || progress.state === 'recording') return this.recording(progress);
         const [from, to] = playback.span.value;
         const frames = frameTimes([from, to], { fps: fps.value, seconds: seconds.value }).length;
         const words = this.fault.value === '' ? progress.words : this.fault.value;
@@ -86,14 +86,15 @@ export class FilmExport extends SignalElement {
             ${words === '' ? nothing : html`<p role="alert">${words}</p>`}
             <p>
                 From t = ${timeText(state, from)} to ${timeText(state, to)} in ${frames} frames, each drawn when its
-                surface is there. Background, bar, axes and rake as above.
+                surface is there. Colours mean the same in all of them: their range is looked up first. Background, bar, axes and rake as above.
                 ${others ? 'The others in this session see the time change while you record.' : ''}
             </p>
         `;
     }
 
-    private recording(done: number, frames: number): TemplateResult {
-        return html`<label for="film-progress">Frame ${done} of ${frames}</label>
+    private recording({ state, done, frames }: FilmProgress): TemplateResult {
+        const words = state === 'measuring' ? 'Looking up the range of the colours' : 'Frame';
+        return html`<label for="film-progress">${words} ${done} of ${frames}</label>
             <progress id="film-progress" max=${frames} .value=${done}></progress>
             <div class="row"><button type="button" @click=${() => this.model.film.cancel()}>Cancel</button></div>
             <p>Keep this page visible: browsers do not draw hidden pages.</p>`;

@@ -93,7 +93,7 @@ export class StatusPanel extends SignalElement {
         const count = (value: number | undefined): string => (value === undefined ? '–' : countWords(value));
         return html`<dl>
                 <dt>Surface</dt>
-                <dd class=${phase === 'final' && isDoubtful(outcome) ? 'doubtful' : phase}><span role="status">${statusWords(phase, outcome, view.units.value.length)}</span></dd>
+                <dd class=${phase === 'final' && isDoubtful(outcome) ? 'doubtful' : phase}><span role="status">${displayed === undefined && phase === 'stopped' ? phaseWords.error : statusWords(phase, outcome, view.units.value.length)}</span></dd>
                 <dt>Quads</dt>
                 <dd>${count(displayed?.cells)}</dd>
                 <dt>Vertices</dt>
@@ -112,11 +112,16 @@ export class StatusPanel extends SignalElement {
                     ? html`<p class="problem">${state.surfaceErrors.value.get(id)?.text ?? ''}</p>`
                     : nothing
             }
-            ${
-                phase === 'stopped' && state.role.value !== 'viewer'
-                    ? html`<button type="button" @click=${() => this.model.edits.changeSurface({})}>Compute it again</button>`
-                    : nothing
-            }`;
+            ${phase === 'stopped' ? this.computeIt(displayed === undefined) : nothing}`;
+    }
+
+    private computeIt(first: boolean): TemplateResult {
+        if (this.model.state.role.value === 'viewer') {
+            return html`<p class="problem">Anyone who can edit can have it computed.</p>`;
+        }
+        return html`<button type="button" id="compute" @click=${() => this.model.edits.changeSurface({})}>
+            ${first ? 'Compute it' : 'Compute it again'}
+        </button>`;
     }
 
     /** Beside what it has done. */

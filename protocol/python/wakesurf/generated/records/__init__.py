@@ -15,7 +15,8 @@ from .share import (ShareMaker, Share, SessionShareResult, SessionSharesResult, 
 from .presence import Camera, DraggedRake, Presence, Participant
 from .rake import RakeRecord, SurfaceEpoch, RakeSetResult, RakeListResult
 from .surface import SurfaceRecord, SurfaceSetResult, SurfaceStopResult, SurfaceListResult
-from .subscription import PassSeconds, Terminations, BuildSeconds, Emptiness, Statistics, SurfaceSubscribeResult
+from .subscription import (PassSeconds, Terminations, BuildSeconds, Emptiness, Statistics, ValueRange,
+                           SurfaceSubscribeResult)
 from .bookmark import BookmarkRecord, BookmarkSetResult, BookmarkListResult
 from .annotation import AnnotationRecord, AnnotationSetResult, AnnotationListResult
 from .history import Change, Skip, HistoryDepth, HistoryUndoResult, HistoryRedoResult
@@ -26,11 +27,11 @@ __all__ = ["Lattice", "Problem", "Quantiles", "CacheStanding", "MemoryStanding",
            "Snapshot", "SessionName", "SessionMade", "TimesOfDataset", "NamedDataset", "FileRecords", "SessionFile",
            "Visitor", "SessionEntry", "Patch", "Joined", "ShareMaker", "Share", "Camera", "DraggedRake", "Presence",
            "Participant", "RakeRecord", "SurfaceEpoch", "SurfaceRecord", "SurfaceSetResult", "PassSeconds",
-           "Terminations", "BuildSeconds", "Emptiness", "Statistics", "BookmarkRecord", "AnnotationRecord", "Change",
-           "Skip", "HistoryDepth", "ClockRecord", "ClockAnswer", "RpcDiscoverResult", "ServerInfoResult",
-           "ServerStatsResult", "DatasetListResult", "DatasetSuggestResult", "ProbeSampleResult", "SessionListResult",
-           "SessionStateResult", "SessionDeleteResult", "SessionExportResult", "SessionImportResult",
-           "SessionShareResult", "SessionSharesResult", "SessionUnshareResult", "SessionSetRoleResult", "RakeSetResult",
-           "RakeListResult", "SurfaceStopResult", "SurfaceListResult", "SurfaceSubscribeResult", "BookmarkSetResult",
-           "BookmarkListResult", "AnnotationSetResult", "AnnotationListResult", "HistoryUndoResult",
-           "HistoryRedoResult"]
+           "Terminations", "BuildSeconds", "Emptiness", "Statistics", "ValueRange", "BookmarkRecord",
+           "AnnotationRecord", "Change", "Skip", "HistoryDepth", "ClockRecord", "ClockAnswer", "RpcDiscoverResult",
+           "ServerInfoResult", "ServerStatsResult", "DatasetListResult", "DatasetSuggestResult", "ProbeSampleResult",
+           "SessionListResult", "SessionStateResult", "SessionDeleteResult", "SessionExportResult",
+           "SessionImportResult", "SessionShareResult", "SessionSharesResult", "SessionUnshareResult",
+           "SessionSetRoleResult", "RakeSetResult", "RakeListResult", "SurfaceStopResult", "SurfaceListResult",
+           "SurfaceSubscribeResult", "BookmarkSetResult", "BookmarkListResult", "AnnotationSetResult",
+           "AnnotationListResult", "HistoryUndoResult", "HistoryRedoResult"]

@@ -77,6 +77,16 @@ Statistics = TypedDict("Statistics", {  # Statistics of the newest state of a su
 }, total=False)
 
 
+class ValueRange(TypedDict, total=False):
+    """What the values of an attribute range over, for colours."""
+
+    attribute: str  # name of the attribute, as in the frames; `t` stands for the age: of a streak surface the time ...
+    low: float  # lower end, without the last per cent of the surface's area where there are values below zero and ...
+    high: float  # upper end, without the last per cent of the surface's area where it would take more than a fifth ...
+    least: float  # the least of all values
+    greatest: float  # the greatest of all values
+
+
 class SurfaceSubscribeResult(TypedDict, total=False):
     """What surface.subscribe answers."""
 
@@ -85,3 +95,4 @@ class SurfaceSubscribeResult(TypedDict, total=False):
     attributes: List[str]  # names of the vertices' attributes, in the frames' order
     epoch: int  # counts the surfaces that have been built for the record; it never decreases
     resumed: bool  # true: the updates after `from` follow, and no keyframe
+    ranges: List[ValueRange]  # what the values range over, of all states since the surface began to play: moving ...

@@ -1,0 +1,21 @@
+// What the values of a surface range over, attribute by attribute.
+#pragma once
+
+#include "core/surface/value_range.hpp"
+
+#include <string>
+#include <vector>
+
+namespace wakesurf::server {
+
+/// Of one attribute of the frames.
+struct ToldRange {
+    std::string attribute;
+    core::ValueRange range;
+
+    bool operator==(const ToldRange&) const = default;
+};
+
+using ValueRanges = std::vector<ToldRange>;
+
+} // namespace wakesurf::server
