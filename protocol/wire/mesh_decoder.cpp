@@ -21,10 +21,13 @@ namespace {
 using core::Error;
 
 core::Result<std::vector<AttributeRange>> read_ranges(Numbers& numbers, std::size_t count) {
-    const auto bounds = numbers.take(2 * count);
+    const auto halves = numbers.take(4 * count);
+    const auto end_at = [&](std::size_t i) {
+        return std::bit_cast<double>(std::uint64_t{halves[i]} | std::uint64_t{halves[i + 1]} << 32);
+    };
     std::vector<AttributeRange> ranges;
-    for (std::size_t i = 0; i + 1 < bounds.size(); i += 2)
-        ranges.push_back({std::bit_cast<float>(bounds[i]), std::bit_cast<float>(bounds[i + 1])});
+    for (std::size_t i = 0; i + 3 < halves.size(); i += 4)
+        ranges.push_back({end_at(i), end_at(i + 2)});
     for (const AttributeRange& range : ranges)
         if (!std::isfinite(range.lo) || !std::isfinite(range.hi) || range.lo > range.hi)
             return corrupt("a mesh update has an attribute without a range");

@@ -10,7 +10,7 @@
 namespace wakesurf::protocol {
 
 inline constexpr std::uint16_t frame_magic = 0x5357; ///< "WS" as bytes
-inline constexpr std::uint8_t frame_version = 4;
+inline constexpr std::uint8_t frame_version = 5;
 inline constexpr std::size_t frame_header_bytes = 48;
 
 // What a reader accepts; a writer keeps its frames below 512 KiB.

@@ -118,12 +118,14 @@ struct Step {
     Tolerance tolerance;
 };
 
-/// As the bits of floats.
+/// As the bits of doubles, the low half first.
 void append_ranges(std::vector<std::uint32_t>& numbers, std::span<const AttributeRange> ranges) {
-    for (const AttributeRange& range : ranges) {
-        numbers.push_back(std::bit_cast<std::uint32_t>(range.lo));
-        numbers.push_back(std::bit_cast<std::uint32_t>(range.hi));
-    }
+    for (const AttributeRange& range : ranges)
+        for (const double end : {range.lo, range.hi}) {
+            const auto bits = std::bit_cast<std::uint64_t>(end);
+            numbers.push_back(static_cast<std::uint32_t>(bits));
+            numbers.push_back(static_cast<std::uint32_t>(bits >> 32));
+        }
 }
 
 core::Result<EncodedUpdate> encode(const WireMesh& before, Step step) {

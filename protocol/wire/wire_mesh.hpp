@@ -20,15 +20,15 @@ inline constexpr std::array<std::string_view, 3> surface_attributes{"speed", "s"
 /// Further attributes of a mesh: one array each, one value a vertex.
 using MeshFields = std::vector<std::vector<float>>;
 
-/// What the codes 0 and 65535 of an attribute stand for.
+/// What the codes 0 and 65535 of an attribute stand for. In 64 bits: release times may be seconds since 1970.
 struct AttributeRange {
-    float lo = 0;
-    float hi = 0;
+    double lo = 0;
+    double hi = 0;
 
     double value(std::uint16_t code) const;
 
     /// Codes a unit; 0 for a range without width.
-    double scale() const { return hi > lo ? 65535.0 / (double{hi} - double{lo}) : 0.0; }
+    double scale() const { return hi > lo ? 65535.0 / (hi - lo) : 0.0; }
 
     /// The nearest code; values outside go to the end. REQUIRES: a finite value.
     std::uint16_t code(double value) const { return code(value, scale()); }
@@ -36,7 +36,7 @@ struct AttributeRange {
     /// The same for many values. @param scale  scale()
     std::uint16_t code(double value, double scale) const {
         return static_cast<std::uint16_t>(
-            std::min(std::max((value - double{lo}) * scale + 0.5, 0.0), 65535.0));
+            std::min(std::max((value - lo) * scale + 0.5, 0.0), 65535.0));
     }
 
     bool operator==(const AttributeRange&) const = default;

@@ -10,9 +10,6 @@ namespace wakesurf::protocol {
 
 namespace {
 
-/// Narrowing may cut off the last bits of a value at the end.
-constexpr double slack = 1e-6;
-
 struct Ends {
     double lo, hi;
 };
@@ -52,17 +49,14 @@ AttributeRange range_for(std::span<const double> values, const AttributeRange* h
         return held != nullptr ? *held : AttributeRange{};
     const auto [lo, hi] = ends_of(values);
     if (held == nullptr)
-        return {static_cast<float>(lo), static_cast<float>(hi)};
-    const double allowed = slack * (double{held->hi} - double{held->lo});
+        return {lo, hi};
     AttributeRange range = *held;
-    const double width = std::max(hi, double{held->hi}) - std::min(lo, double{held->lo});
-    if (lo < double{held->lo} - allowed)
-        range.lo = static_cast<float>(lo - 0.5 * width);
-    if (hi > double{held->hi} + allowed)
-        range.hi = static_cast<float>(hi + 0.5 * width);
-    return std::isfinite(range.lo) && std::isfinite(range.hi)
-               ? range
-               : AttributeRange{static_cast<float>(lo), static_cast<float>(hi)};
+    const double width = std::max(hi, held->hi) - std::min(lo, held->lo);
+    if (lo < held->lo)
+        range.lo = lo - 0.5 * width;
+    if (hi > held->hi)
+        range.hi = hi + 0.5 * width;
+    return std::isfinite(range.lo) && std::isfinite(range.hi) ? range : AttributeRange{lo, hi};
 }
 
 } // namespace

@@ -113,7 +113,7 @@ class FramesTest(unittest.TestCase):
     def test_frames_of_another_version_say_what_to_do(self):
         frame = bytearray(golden_frames("sheet")[0])
         frame[2] = 3
-        with self.assertRaisesRegex(FrameError, "version 3.*version 4"):
+        with self.assertRaisesRegex(FrameError, "version 3.*version 5"):
             self.decoder().fold(bytes(frame))
 
     def test_without_its_library_it_says_which_one_is_missing(self):

@@ -26,7 +26,7 @@ Array = NDArray[Any]
 
 __all__ = ["Draco", "FrameError", "Header", "MeshDecoder", "State", "read_header", "word_sum"]
 
-VERSION = 4
+VERSION = 5
 PHASES = ("coarse", "refined", "final", "live")
 _HEADER = struct.Struct("<2s2B3I2H4B2Id2I")
 _BLOCK_VERTICES, _MOST = 1 << 16, 1 << 24  # of a block; vertices or cells of a mesh
@@ -273,7 +273,7 @@ class MeshDecoder:
     def _applied(self, h: Header, update: bytes) -> State:
         numbers = _Numbers(update)
         if h.key:
-            bounds = numbers.take(2 * h.attributes).astype(np.uint32).view(np.float32).reshape(-1, 2)
+            bounds = numbers.take(4 * h.attributes).astype("<u4").view("<f8").reshape(-1, 2)
             if not np.isfinite(bounds).all() or (bounds[:, 0] > bounds[:, 1]).any():
                 raise FrameError("a mesh update has an attribute without a range")
             before = State(h, [(float(lo), float(hi)) for lo, hi in bounds], codes=[_NO_BLOCKS] * h.attributes)

@@ -67,7 +67,7 @@ TEST(MeshFrame, LiesInMemoryAsSpecified) {
     const Bytes bytes = write_frame(sample());
     EXPECT_EQ(number_at<std::uint8_t>(bytes, 0), 'W');
     EXPECT_EQ(number_at<std::uint8_t>(bytes, 1), 'S');
-    EXPECT_EQ(number_at<std::uint8_t>(bytes, 2), 4);
+    EXPECT_EQ(number_at<std::uint8_t>(bytes, 2), 5);
     EXPECT_EQ(number_at<std::uint8_t>(bytes, 3), 3);
     EXPECT_EQ(number_at<std::uint8_t>(bytes, 8), 0x98) << "little-endian epoch";
     EXPECT_EQ(number_at<std::uint16_t>(bytes, 18), 2u) << "frame count";

@@ -187,6 +187,22 @@ TEST(MeshStream, SendsAKeyWhenAnAttributeLeavesItsRangeAndNotAgainSoonAfter) {
     EXPECT_LE(keys, 8);
 }
 
+TEST(MeshStream, KeepsReleaseTimesApartThatAreSecondsSinceLongAgo) {
+    core::KeyedMesh mesh = with_ids(samples::sheet(20, 20));
+    const std::vector<double> since_start = mesh.mesh.t;
+    constexpr double long_ago = 3.8e9; // 32 bits keep multiples of 256 of it
+    for (double& t : mesh.mesh.t)
+        t += long_ago;
+    MeshStream stream(1, 1, lattice);
+    MeshDecoder decoder;
+    const EncodedUpdate update = samples::next(stream, mesh);
+    ASSERT_TRUE(folds(decoder, update) && holds(decoder, update));
+    const double step = std::ranges::max(since_start) / 65535.0;
+    for (std::size_t v = 0; v < since_start.size(); ++v)
+        ASSERT_NEAR(update.state->ranges[2].value(update.state->codes[2][v]) - long_ago,
+                    since_start[v], step);
+}
+
 /// Values of two fields at each vertex, the second with gaps.
 MeshFields some_fields(const core::KeyedMesh& mesh) {
     MeshFields fields(2);

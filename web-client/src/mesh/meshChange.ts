@@ -11,9 +11,11 @@ export interface MeshChange {
     fromNormal: number;
     /** xyz, of length 1. */
     normals: Float32Array;
-    /** s and t, which do not change once a vertex is there. */
+    /** s and t less tFrom, which do not change once a vertex is there. */
     fromSeed: number;
     seeds: Float32Array;
+    /** Release times may be seconds since 1970, of which 32 bits keep minutes. Another one comes with all vertices. */
+    tFrom: number;
     scalars: readonly ScalarChange[];
     fromIndex: number;
     /** Three a triangle. */

@@ -136,7 +136,7 @@ function joined({ pieces, bytes }: Collected): Uint8Array {
 }
 
 function readRanges(numbers: Numbers, attributes: number): AttributeRange[] {
-    const bounds = new Float32Array(numbers.take(2 * attributes).slice().buffer);
+    const bounds = new Float64Array(numbers.take(4 * attributes).slice().buffer);
     return Array.from({ length: attributes }, (_, i) => {
         const range = { lo: bounds[2 * i]!, hi: bounds[2 * i + 1]! };
         if (!Number.isFinite(range.lo) || !Number.isFinite(range.hi) || range.lo > range.hi) {

@@ -5,7 +5,7 @@ import { FrameError } from './frameError.ts';
 import { maxLatticeBits } from './lattice.ts';
 
 export const frameMagic = 0x5357;
-export const frameVersion = 4;
+export const frameVersion = 5;
 export const frameHeaderBytes = 48;
 export const frameCrcAt = 44;
 

@@ -29,7 +29,7 @@ const frame: WorkerEvent = {
         deltas: 0,
         withheld: [],
     },
-    ...{ decodeMs: 1, vertices: 0, triangles: 0, fromVertex: 0, fromNormal: 0, fromSeed: 0, fromIndex: 0 },
+    ...{ decodeMs: 1, vertices: 0, triangles: 0, fromVertex: 0, fromNormal: 0, fromSeed: 0, tFrom: 0, fromIndex: 0 },
     ...{ positions: new Float32Array(), normals: new Float32Array(), seeds: new Float32Array() },
     ...{ indices: new Uint32Array(), scalars: [], parts: null },
 };

@@ -5,7 +5,7 @@ import type { MeshChange, PartsFound, ScalarChange } from '../mesh/meshChange.ts
 import { dequantise, type Lattice } from '../protocol/lattice.ts';
 import type { AppliedUpdate } from '../protocol/meshDecoder.ts';
 import { triangleCount, triangulate } from '../protocol/triangulate.ts';
-import { lastCode, type WireMesh } from '../protocol/wireMesh.ts';
+import { type AttributeRange, lastCode, type WireMesh } from '../protocol/wireMesh.ts';
 import { addNormals } from './normals.ts';
 import { findParts } from './parts.ts';
 import type { PartsWish } from './workerMessages.ts';
@@ -96,6 +96,7 @@ export class DisplayArrays {
             normals,
             fromSeed,
             seeds: this.seedsOf(mesh, fromSeed),
+            tFrom: this.rangeOf(mesh, 't')?.lo ?? 0,
             scalars: this.scalarsOf(mesh),
             fromIndex,
             indices: this.indices.slice(fromIndex, 3 * this.triangles),
@@ -124,7 +125,7 @@ export class DisplayArrays {
     private seedsOf(mesh: WireMesh, from: number): Float32Array {
         const seeds = new Float32Array(2 * (mesh.vertices - from));
         this.fill(mesh, 's', from, seeds, 2, 0);
-        this.fill(mesh, 't', from, seeds, 2, 1);
+        this.fill(mesh, 't', from, seeds, 2, 1, this.rangeOf(mesh, 't')?.lo);
         return seeds;
     }
 
@@ -144,18 +145,30 @@ export class DisplayArrays {
         if (!this.partsAsked || this.partsWish === null) return null;
         this.partsAsked = false;
         const seeds = this.seedsOf(mesh, 0);
-        return findParts(mesh.cells, mesh.vertices, seeds, this.partsWish);
+        return findParts(mesh.cells, mesh.vertices, { seeds, tFrom: this.rangeOf(mesh, 't')?.lo ?? 0 }, this.partsWish);
     }
 
-    /** The values of an attribute from some vertex on; those of one that does not come stay 0. */
-    private fill(mesh: WireMesh, name: string, from: number, into: Float32Array, stride: number, offset: number): void {
-        const channel = this.attributes.indexOf(name);
-        const values = mesh.codes[channel]?.values;
-        const range = mesh.ranges[channel];
+    private rangeOf(mesh: WireMesh, name: string): AttributeRange | undefined {
+        return mesh.ranges[this.attributes.indexOf(name)];
+    }
+
+    /** The values of an attribute, less `origin`, from some vertex on; those of one that does not come stay 0. */
+    private fill(
+        mesh: WireMesh,
+        name: string,
+        from: number,
+        into: Float32Array,
+        stride: number,
+        offset: number,
+        origin = 0,
+    ): void {
+        const values = mesh.codes[this.attributes.indexOf(name)]?.values;
+        const range = this.rangeOf(mesh, name);
         if (values === undefined || range === undefined) return;
         const scale = (range.hi - range.lo) / lastCode;
+        const first = range.lo - origin;
         for (let i = from, at = offset; i < mesh.vertices; ++i, at += stride) {
-            into[at] = range.lo + scale * values[i]!;
+            into[at] = first + scale * values[i]!;
         }
     }
 }

@@ -51,7 +51,7 @@ describe('findParts', () => {
     const seeds = Float32Array.from(Array.from({ length: 20 }, (_, i) => [i < 8 ? 0.2 : 0.8, (i >> 1) / 10]).flat());
 
     it('lists them with their cells and the place of their first vertex', () => {
-        const { parts, hidden } = findParts(cells, 20, seeds, { hidden: [] });
+        const { parts, hidden } = findParts(cells, 20, { seeds, tFrom: 0 }, { hidden: [] });
         expect(parts.map(({ cells: count, hidden: isHidden }) => [count, isHidden])).toEqual([
             [3, false],
             [5, false],
@@ -61,7 +61,7 @@ describe('findParts', () => {
     });
 
     it('hides the part that a place is on, at all of its vertices', () => {
-        const { parts, hidden } = findParts(cells, 20, seeds, { hidden: [[0.79, 0.61]] });
+        const { parts, hidden } = findParts(cells, 20, { seeds, tFrom: 3.8e9 }, { hidden: [[0.79, 3.8e9 + 0.61]] });
         expect(parts.map((part) => part.hidden)).toEqual([false, true]);
         expect([...hidden]).toEqual(Array.from({ length: 20 }, (_, i) => (i < 8 ? 0 : 1)));
     });

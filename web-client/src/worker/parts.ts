@@ -30,20 +30,25 @@ export function rootsOf(cells: Int32Array, vertices: number): Int32Array {
     return parent;
 }
 
-/** @param seeds s and t of each vertex */
-export function findParts(cells: Int32Array, vertices: number, seeds: Float32Array, wish: PartsWish): PartsFound {
+/** @param seeds s and t less tFrom of each vertex */
+export function findParts(
+    cells: Int32Array,
+    vertices: number,
+    { seeds, tFrom }: { seeds: Float32Array; tFrom: number },
+    wish: PartsWish,
+): PartsFound {
     const roots = rootsOf(cells, vertices);
     const cellsOf = new Map<number, number>();
     for (let base = 0; base < cells.length; base += cellStride) {
         const root = roots[cells[base]!]!;
         cellsOf.set(root, (cellsOf.get(root) ?? 0) + 1);
     }
-    const hiddenRoots = new Set(wish.hidden.map((place) => roots[nearest(seeds, place)] ?? -1));
+    const hiddenRoots = new Set(wish.hidden.map(([s, t]) => roots[nearest(seeds, [s, t - tFrom])] ?? -1));
     const parts: SurfacePart[] = [...cellsOf]
         .sort(([a], [b]) => a - b)
         .map(([root, count]) => ({
             cells: count,
-            seed: [seeds[2 * root] ?? 0, seeds[2 * root + 1] ?? 0],
+            seed: [seeds[2 * root] ?? 0, tFrom + (seeds[2 * root + 1] ?? 0)],
             hidden: hiddenRoots.has(root),
         }));
     const hidden = new Uint8Array(vertices);

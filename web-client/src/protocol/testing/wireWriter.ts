@@ -110,7 +110,7 @@ interface Block {
 }
 
 function rangesOf({ key, ranges }: WriteOptions): number[] {
-    return key ? [...new Uint32Array(Float32Array.from(ranges.flat()).buffer)] : [];
+    return key ? [...new Uint32Array(Float64Array.from(ranges.flat()).buffer)] : [];
 }
 
 function writeBlock(
@@ -320,7 +320,7 @@ function pack(head: number[], blocks: Block[], state: PlainState, options: Write
         const bytes = new Uint8Array(frameHeaderBytes + body.length);
         const view = new DataView(bytes.buffer);
         view.setUint16(0, 0x5357, true);
-        view.setUint8(2, 4);
+        view.setUint8(2, 5);
         view.setUint8(3, options.key ? 1 : 0);
         [surface, epoch, seq].forEach((value, i) => view.setUint32(4 + 4 * i, value, true));
         view.setUint16(16, index, true);

@@ -9,7 +9,7 @@ import { plainStyle } from './surfaceStyle.ts';
 function meshOf(vertices: number): TimedMeshChange {
     const t = Array.from({ length: vertices }, (_, i) => i / Math.max(1, vertices - 1));
     return {
-        ...{ time: 0, vertices, triangles: 0, fromVertex: 0, fromNormal: 0, fromSeed: 0, fromIndex: 0, parts: null },
+        ...{ time: 0, vertices, triangles: 0, fromVertex: 0, fromNormal: 0, fromSeed: 0, fromIndex: 0, tFrom: 0, parts: null },
         positions: new Float32Array(3 * vertices),
         normals: new Float32Array(3 * vertices),
         seeds: new Float32Array(t.flatMap((each) => [0.5, each])),
@@ -33,6 +33,16 @@ describe('SurfaceLayer', () => {
         const mask = layer.all[0]?.mask;
         expect(revealedAt(mask!, 0.5, 0.5)).toBe(true);
         expect([mask?.tStart, mask?.tLength]).toEqual([0, 1]);
+    });
+
+    it('keeps release times apart that are seconds since long ago', () => {
+        const layer = new SurfaceLayer();
+        layer.set('s1', { ...meshOf(3), tFrom: 3.8e9 });
+        expect(layer.vertexOf('s1', 1)?.t).toBe(3.8e9 + 0.5);
+        layer.setStyle('s1', { ...plainStyle, painting: true });
+        layer.revealAll('s1', true);
+        const mask = layer.all[0]!.mask!;
+        expect([mask.tStart, mask.tLength]).toEqual([3.8e9, 1]);
     });
 
     it('shows a painted surface that was deleted as it was when that is taken back, however intricate', () => {

@@ -200,7 +200,7 @@ export class SurfaceLayer {
     private showMask({ mask, mesh, materials }: DrawnSurface): void {
         if (mask === null) return;
         mask.cover(mesh.tRange);
-        materials.setMask(mask.texture, mask.tStart, 1 / mask.tLength);
+        materials.setMask(mask.texture, mask.tStart - mesh.tFrom, 1 / mask.tLength);
     }
 
     private wish({ id, mesh }: DrawnSurface): void {

@@ -22,7 +22,7 @@ import type { SurfaceTextures } from './surfaceTextures.ts';
 
 /** A number that nothing on a surface reaches. */
 const far = 1e30;
-const sources = ['constant', 'scalar', 's', 't', 'age'] as const;
+const sources = ['constant', 'scalar', 's', 'age'] as const;
 const backSides = ['same', 'shaded', 'tinted'] as const;
 const patterns = ['none', 'timelines', 'streamlines', 'grid', 'checker'] as const;
 
@@ -79,6 +79,8 @@ export interface MeshFacts {
     time: number;
     scalarRange: readonly [number, number];
     tRange: readonly [number, number];
+    /** What t is counted from in the shaders. */
+    tFrom: number;
     hasStretch: boolean;
 }
 
@@ -136,7 +138,7 @@ export class SurfaceMaterials {
         const ages: [number, number] = first <= last ? [first, last] : [last, first];
         this.ages = ages;
         own.source.value = sources.indexOf(style.source);
-        own.ageOf.value.set(ageStart, ageSign);
+        own.ageOf.value.set(ageStart + ageSign * facts.tFrom, ageSign);
         own.window.value.set(...(sWindow ?? [-far, far]), ...(ageWindow ?? [-far, far]));
         own.painting.value = style.painting;
         own.faded.value = style.faded;
@@ -145,7 +147,7 @@ export class SurfaceMaterials {
         own.constant.value.set(style.colour);
         own.inverted.value = style.inverted;
         own.logarithmic.value = style.logarithmic;
-        const seen = { constant: [0, 1], scalar: facts.scalarRange, s: [0, 1], t: facts.tRange, age: ages }[style.source];
+        const seen = { constant: [0, 1], scalar: facts.scalarRange, s: [0, 1], age: ages }[style.source];
         const [least, greatest] = [seen[0] ?? 0, seen[1] ?? 1];
         // Of zero there is no logarithm.
         const round = style.source === 'scalar' && !style.logarithmic;
@@ -163,7 +165,7 @@ export class SurfaceMaterials {
         own.lines.value = patterns.indexOf(style.lines);
         own.lineDensity.value = style.density;
         own.textured.value = style.texture;
-        own.patternT.value.set(style.tOrigin, ageSign);
+        own.patternT.value.set(style.tOrigin - facts.tFrom, ageSign);
     }
 
     dispose(): void {

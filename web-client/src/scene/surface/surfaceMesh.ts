@@ -38,7 +38,9 @@ export class SurfaceMesh {
     vertices = 0;
     /** Of all values so far, since the buffers were last filled from the start. */
     scalarRange: Range = emptyRange();
-    tRange: Range = emptyRange();
+    /** What t is counted from in its buffer: MeshChange.tFrom. */
+    tFrom = 0;
+    private seenT: Range = emptyRange();
     private vertexCapacity = 0;
     private indexCapacity = 0;
     private readonly used = new Set<Kind>(['position', 'normal', 'seed', 'scalar']);
@@ -58,6 +60,10 @@ export class SurfaceMesh {
         return this.used.has('stretch');
     }
 
+    get tRange(): Range {
+        return [this.tFrom + this.seenT[0], this.tFrom + this.seenT[1]];
+    }
+
     update(change: TimedMeshChange): void {
         const { vertices, triangles, fromVertex, fromSeed, positions, normals, seeds, parts } = change;
         this.reserve(vertices, 3 * triangles);
@@ -66,7 +72,8 @@ export class SurfaceMesh {
         this.refill('position', positions, 3 * fromVertex);
         this.refill('normal', normals, 3 * change.fromNormal);
         this.refill('seed', seeds, 2 * fromSeed);
-        this.tRange = widened(fromSeed === 0 && seeds.length > 0 ? emptyRange() : this.tRange, seeds, 2, 1);
+        this.tFrom = change.tFrom;
+        this.seenT = widened(fromSeed === 0 && seeds.length > 0 ? emptyRange() : this.seenT, seeds, 2, 1);
         for (const each of change.scalars) this.takeScalar(each.name, each.values, each.fromVertex);
         if (parts !== null) this.refill('hiddenPart', parts.hidden, 0);
         const { geometry } = this.mesh;
@@ -94,7 +101,7 @@ export class SurfaceMesh {
             point: [position.getX(i), position.getY(i), position.getZ(i)],
             scalar: this.attribute('scalar').getX(i),
             s: seed.getX(i),
-            t: seed.getY(i),
+            t: this.tFrom + seed.getY(i),
         };
     }
 

@@ -51,7 +51,7 @@ export class SurfacePick {
     grid(view: View, body: BufferGeometry | null, at: ScreenPoint, radius: number, options: PickOptions = {}): PickGrid {
         const size = 2 * radius + 1;
         const corner = { x: at.x - radius, y: at.y - radius };
-        const ids = this.fillScene(body);
+        const surfaces = this.fillScene(body);
         this.layer.shared.respectPaint.value = options.throughPaint !== true;
         const target = this.targetOf(size);
         this.draw(windowOf(view, corner, size), target);
@@ -66,7 +66,7 @@ export class SurfacePick {
         for (let row = size - 1; row >= 0; --row) {
             for (let column = 0; column < size; ++column) {
                 const pixel = 4 * (row * size + column);
-                hits.push(hitOf(places.subarray(pixel, pixel + 4), numbers.subarray(pixel, pixel + 4), ids, view));
+                hits.push(hitOf(places.subarray(pixel, pixel + 4), numbers.subarray(pixel, pixel + 4), surfaces, view));
             }
         }
         return { corner, size, hits };
@@ -77,12 +77,12 @@ export class SurfacePick {
         this.bodyMaterial.dispose();
     }
 
-    private fillScene(body: BufferGeometry | null): string[] {
+    private fillScene(body: BufferGeometry | null): PickedSurface[] {
         if (body !== null) this.scene.add(proxyOf(body, this.bodyMaterial));
         return this.layer.all.map(({ id, mesh, materials }, i) => {
             materials.pickId = firstSurfaceId + i;
             if (mesh.mesh.visible) this.scene.add(proxyOf(mesh.mesh.geometry, materials.pick));
-            return id;
+            return { id, tFrom: mesh.tFrom };
         });
     }
 
@@ -123,14 +123,20 @@ function windowOf({ camera, size: { width, height } }: View, corner: ScreenPoint
     return window;
 }
 
-function hitOf(place: Float32Array, numbers: Float32Array, ids: readonly string[], view: View): PickHit | null {
+interface PickedSurface {
+    id: string;
+    tFrom: number;
+}
+
+function hitOf(place: Float32Array, numbers: Float32Array, surfaces: readonly PickedSurface[], view: View): PickHit | null {
     const id = Math.round(place[3]!);
     if (id < bodyId) return null;
     const point: Vec3 = [place[0]!, place[1]!, place[2]!];
     const [s, t, scalar, depth] = numbers as unknown as [number, number, number, number];
     const { eye } = view;
     const distance = isOrthographic(view.camera) ? depth : Math.hypot(...point.map((x, i) => x - eye[i]!));
-    return { surface: ids[id - firstSurfaceId] ?? null, point, s, t, scalar, distance };
+    const surface = surfaces[id - firstSurfaceId];
+    return { surface: surface?.id ?? null, point, s, t: (surface?.tFrom ?? 0) + t, scalar, distance };
 }
 
 const bodyVertexShader = `

@@ -28,7 +28,7 @@ void main() {
     viewNormal = normalMatrix * normal;
     place = seed;
     float age = ageOf.x + ageOf.y * seed.y;
-    float value = source == 1 ? scalar : source == 2 ? seed.x : source == 3 ? seed.y : age;
+    float value = source == 1 ? scalar : source == 2 ? seed.x : age;
     values = vec4(value, age, stretch, hiddenPart);
     gl_Position = projectionMatrix * inView;
 }`;

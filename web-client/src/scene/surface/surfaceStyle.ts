@@ -2,7 +2,7 @@
 import type { ColourMapName } from './colourMap.ts';
 
 /** Where the number behind the colour comes from; 'scalar': from the server, the others are made from s and t. */
-export type ColourSource = 'constant' | 'scalar' | 's' | 't' | 'age';
+export type ColourSource = 'constant' | 'scalar' | 's' | 'age';
 export type LinePattern = 'none' | 'timelines' | 'streamlines' | 'grid' | 'checker';
 export type BackSide = 'shaded' | 'same' | 'tinted';
 

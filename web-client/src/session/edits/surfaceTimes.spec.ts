@@ -25,7 +25,7 @@ describe('a first time that is typed', () => {
     it('that rounding has put before the data is their first, without a word', () => {
         const first = Math.fround(0.1); // 0.100000001
         expect(typedFrom({ ...streak, from: 0.2 }, 0.1, [first, 5, 10], false)).toEqual({
-            change: { from: first, length: expect.closeTo(6.1, 6) },
+            change: { from: first, length: expect.closeTo(6.1, 6) as number },
             told: null,
         });
     });
