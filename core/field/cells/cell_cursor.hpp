@@ -5,6 +5,7 @@
 #include "core/base/point_status.hpp"
 #include "core/field/cells/cell_domain.hpp"
 
+#include <optional>
 #include <utility>
 
 namespace wakesurf::core {
@@ -101,15 +102,38 @@ class CellCursor {
         // Without a way of its own, as seen from the nearest place in the last cell.
         const Vec3 from = anchor_cell_ != nowhere ? anchor_ : here_.position(local_);
         const bool crossed = !domain_->walls.empty() && domain_->walls.crossed(from, p);
-        if (elsewhere && !crossed)
+        if (elsewhere && !crossed) {
             if (const auto found = domain_->locator.find(p, there_))
                 return move(*found, p, usable);
+            if (const auto found = across_crack(p, from))
+                return move(*found, p, usable);
+        }
         if (border && at != cell_ && usable(at)) { // the velocity goes on from where the walk ended
             here_.enter(domain_->mesh, at);
             cell_ = at;
             local_ = clamp_to_cell(shape, edge.local);
         }
         return crossed ? PointStatus::InObstacle : beyond;
+    }
+
+    /// The nearest place in the cell beyond a crack as wide as a rounding, in which `p` is: cells of different sizes that meet leave some, as
+    /// the nodes of the small ones are not those of the large ones. @param from  where the particle comes from
+    std::optional<CellPlace> across_crack(const Vec3& p, const Vec3& from) {
+        const double widest = 2.0 * domain_->rounding;
+        for (const Vec3& way : {p - here_.position(local_), p - from}) {
+            const double length = glm::length(way);
+            if (!(length > 0.0))
+                continue;
+            const Vec3 beyond = p + way * (widest / length);
+            auto found = domain_->locator.find(beyond, there_);
+            if (!found || (!domain_->walls.empty() && domain_->walls.crossed(from, beyond)))
+                continue;
+            there_.invert(p, found->local);
+            found->local = clamp_to_cell(there_.shape(), found->local);
+            if (glm::length(there_.position(found->local) - p) <= widest)
+                return found;
+        }
+        return std::nullopt;
     }
 
     template <class Usable>

@@ -4,13 +4,17 @@
 #include "server/import/assembly/block_cells.hpp"
 #include "server/import/assembly/boundary_polygons.hpp"
 #include "server/import/assembly/cell_volume.hpp"
+#include "server/import/assembly/disjoint_sets.hpp"
+#include "server/import/assembly/mesh_parts.hpp"
 #include "server/import/assembly/point_merging.hpp"
 #include "server/import/assembly/polyhedron_cutter.hpp"
+#include "server/import/notes.hpp"
 
 #include <vtkPointSet.h>
 #include <vtkPoints.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <set>
 
@@ -23,9 +27,10 @@ using Form = BlockCell::Form;
 
 namespace {
 
-// Two points are the same place when they are closer than this, relative to the diagonal of the box round all: far above
-// the rounding of double coordinates, far below any cell.
-constexpr double same_place = 1e-10;
+// Two points are the same place when they are closer than eight roundings of 32-bit coordinates, which many files have and many programs
+// compute with, but never farther apart than this part of the shortest edge there: boundary layers are thin, and may be far from the origin.
+constexpr double same_place = 0x1p-21;
+constexpr double part_of_edge = 0.1;
 
 void append_points(vtkDataSet& data, std::vector<Vec3>& out) {
     const vtkIdType count = data.GetNumberOfPoints();
@@ -53,6 +58,9 @@ class MeshAssembly {
         for (const auto& block : blocks) {
             cells_.emplace_back(*block);
             points += static_cast<std::size_t>(block->GetNumberOfPoints());
+            auto* const set = vtkPointSet::SafeDownCast(block);
+            single_ = single_ || (set != nullptr && set->GetPoints() != nullptr &&
+                                  set->GetPoints()->GetDataType() == VTK_FLOAT);
         }
         points_.at.reserve(points);
         for (const auto& block : blocks) {
@@ -81,6 +89,7 @@ class MeshAssembly {
         if (auto walled = wall_off_solids(); !walled)
             return tl::unexpected(walled.error());
         describe();
+        add_note(out_.note, note_on_parts(std::get<core::CellMesh>(out_.grid)));
         return std::move(out_);
     }
 
@@ -110,18 +119,70 @@ class MeshAssembly {
                 std::for_each(face.begin(), face.end(), visit);
     }
 
+    // And finds the pieces: structured blocks are one each.
     core::Result<void> mark_used() {
+        DisjointSets together(points_.at.size());
         for (std::size_t b = 0; b < cells_.size(); ++b) {
             out_.curvilinear = (b == 0 || out_.curvilinear) && cells_[b].structured();
+            const bool whole = cells_[b].structured();
+            const auto first = static_cast<std::uint32_t>(points_.first[b]);
             auto marked = visit_cells(b, [&](const BlockCell& cell, std::size_t, bool is_solid) {
+                std::uint32_t before = no_node;
                 if (!is_solid)
-                    visit_points(
-                        cell, [&](std::uint32_t p) { points_.used[points_.first[b] + p] = true; });
+                    visit_points(cell, [&](std::uint32_t p) {
+                        points_.used[first + p] = true;
+                        if (before != no_node && !whole)
+                            together.join(first + before, first + p);
+                        before = p;
+                    });
             });
             if (!marked)
                 return marked;
+            for (std::size_t i = points_.first[b] + 1; whole && i < points_.first[b + 1]; ++i)
+                together.join(first, static_cast<std::uint32_t>(i));
+        }
+        points_.piece.assign(points_.at.size(), no_node);
+        for (std::uint32_t i = 0; i < points_.at.size(); ++i) {
+            if (!points_.used[i])
+                continue;
+            auto& piece = points_.piece[together.lowest(i)]; // of the lowest, which comes first
+            if (piece == no_node)
+                piece = static_cast<std::uint32_t>(points_.pieces++);
+            points_.piece[i] = piece;
         }
         return {};
+    }
+
+    // Sets how far points reach. REQUIRES: all cells have been read without an error before.
+    void find_reach(double rounding) {
+        points_.reach.assign(points_.at.size(), static_cast<float>(rounding));
+        for (std::size_t b = 0; b < cells_.size(); ++b) {
+            const auto at = [&](std::uint32_t p) { return points_.at[points_.first[b] + p]; };
+            static_cast<void>(visit_cells(b, [&](const BlockCell& cell, std::size_t, bool) {
+                double shortest = HUGE_VAL;
+                const auto look = [&](std::uint32_t p, std::uint32_t q) {
+                    if (const double length = glm::length(at(p) - at(q)); length > 0.0)
+                        shortest = std::min(shortest, length);
+                };
+                const std::size_t faces =
+                    cell.form == Form::Standard ? core::face_count(cell.shape) : 0;
+                for (std::size_t f = 0; f < faces; ++f) {
+                    const core::CellFace corners = core::face(cell.shape, f);
+                    for (std::size_t i = 0; i < corners.count; ++i)
+                        look(cell.point[corners.node[i]],
+                             cell.point[corners.node[(i + 1) % corners.count]]);
+                }
+                if (cell.form == Form::Polyhedron)
+                    for (const auto& face : cell.faces)
+                        for (std::size_t i = 0; i < face.size(); ++i)
+                            look(face[i], face[(i + 1) % face.size()]);
+                const auto reach = static_cast<float>(part_of_edge * shortest);
+                visit_points(cell, [&](std::uint32_t p) {
+                    auto& here = points_.reach[points_.first[b] + p];
+                    here = std::min(here, reach);
+                });
+            }));
+        }
     }
 
     static std::vector<Polygon> faces_of(const BlockCell& cell) {
@@ -138,8 +199,8 @@ class MeshAssembly {
         return faces;
     }
 
-    std::vector<BlockFace> faces_at(const std::vector<bool>& marked) {
-        std::vector<BlockFace> found;
+    std::vector<FacePoints> faces_at(const std::vector<bool>& marked) {
+        std::vector<FacePoints> found;
         for (std::size_t b = 0; b < cells_.size(); ++b) {
             const auto visited =
                 visit_cells(b, [&](const BlockCell& cell, std::size_t, bool is_solid) {
@@ -152,7 +213,7 @@ class MeshAssembly {
                     for (auto& face : faces_of(cell)) {
                         for (auto& point : face)
                             point += static_cast<std::uint32_t>(points_.first[b]);
-                        found.push_back({static_cast<std::uint32_t>(b), std::move(face)});
+                        found.push_back(std::move(face));
                     }
                 });
             if (!visited)
@@ -170,9 +231,13 @@ class MeshAssembly {
                 hi = glm::max(hi, points_.at[i]);
             }
         std::vector<std::uint32_t> same;
-        if (cells_.size() > 1)
-            same = merge_points(points_, same_place * glm::length(hi - lo),
-                                [&](const auto& marked) { return faces_at(marked); });
+        if (points_.pieces > 1) {
+            const Vec3 size = single_ ? glm::max(glm::abs(lo), glm::abs(hi)) : hi - lo;
+            const double rounding = same_place * std::max({size.x, size.y, size.z});
+            find_reach(rounding);
+            same = merge_points(points_, [&](const auto& marked) { return faces_at(marked); });
+            note_joined(same, rounding);
+        }
         shared_.clear();
         for (std::size_t b = 0; b < cells_.size(); ++b) {
             auto& nodes = out_.blocks.emplace_back().node_of_point;
@@ -197,7 +262,17 @@ class MeshAssembly {
             }
         }
         out_.source_nodes = mesh_.points.size();
-        points_.at = {};
+        points_ = {};
+    }
+
+    // Of points that differ, or are of one block: files leave both to whoever reads them.
+    void note_joined(const std::vector<std::uint32_t>& same, double rounding) {
+        for (std::size_t b = 0; b < cells_.size(); ++b)
+            for (std::size_t i = points_.first[b]; i < points_.first[b + 1]; ++i)
+                if (same[i] != i &&
+                    (same[i] >= points_.first[b] || points_.at[i] != points_.at[same[i]]))
+                    ++joined_;
+        joined_within_ = rounding;
     }
 
     core::Result<void> build_cells() {
@@ -302,9 +377,11 @@ class MeshAssembly {
     }
 
     void describe() {
-        const auto add = [&](const std::string& words) {
-            out_.note += (out_.note.empty() ? "" : "; ") + words;
-        };
+        const auto add = [&](const std::string& words) { add_note(out_.note, words); };
+        if (joined_ > 0)
+            add(counted(joined_, "point was joined", "points were joined") +
+                " with others at the same place, no farther than " +
+                length_text(joined_within_, 2) + " and a tenth of the shortest edge there");
         if (flat_ > 0)
             add(counted(flat_, "cell without volume was left out",
                         "cells without volume were left out"));
@@ -328,6 +405,9 @@ class MeshAssembly {
     BlockCell cell_;
     std::vector<std::uint32_t> scratch_;
     std::vector<Polygon> faces_;
+    bool single_ = false; ///< coordinates are stored in 32 bits
+    std::size_t joined_ = 0;
+    double joined_within_ = 0.0;
     std::size_t flat_ = 0;
     std::size_t twice_ = 0;
     std::size_t cut_ = 0;

@@ -1,12 +1,12 @@
 #include "server/import/assembly/point_merging.hpp"
 
 #include "core/base/box.hpp"
+#include "server/import/assembly/disjoint_sets.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
-#include <set>
 
 namespace wakesurf::server {
 
@@ -14,41 +14,17 @@ using core::Vec3;
 
 namespace {
 
-constexpr std::uint32_t nowhere = 0xffffffffu;
-
-class Sets {
-  public:
-    explicit Sets(std::size_t size) : parent_(size) {
-        std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
-    }
-
-    std::uint32_t lowest(std::uint32_t i) {
-        while (parent_[i] != i)
-            i = parent_[i] = parent_[parent_[i]];
-        return i;
-    }
-
-    void join(std::uint32_t a, std::uint32_t b) {
-        a = lowest(a);
-        b = lowest(b);
-        parent_[std::max(a, b)] = std::min(a, b);
-    }
-
-  private:
-    std::vector<std::uint32_t> parent_;
-};
+/// Where there are more pieces than this their boxes tell nothing cheaply: every point is looked at.
+constexpr std::size_t most_boxes = 64;
 
 std::vector<core::Box> boxes_of(const BlockPoints& points, double margin) {
-    std::vector<core::Box> boxes;
-    for (std::size_t b = 0; b + 1 < points.first.size(); ++b) {
-        core::Box box{Vec3(HUGE_VAL), Vec3(-HUGE_VAL)};
-        for (std::size_t i = points.first[b]; i < points.first[b + 1]; ++i)
-            if (points.used[i]) {
-                box.lo = glm::min(box.lo, points.at[i] - margin);
-                box.hi = glm::max(box.hi, points.at[i] + margin);
-            }
-        boxes.push_back(box);
-    }
+    std::vector<core::Box> boxes(points.pieces, core::Box{Vec3(HUGE_VAL), Vec3(-HUGE_VAL)});
+    for (std::size_t i = 0; i < points.at.size(); ++i)
+        if (points.used[i]) {
+            core::Box& box = boxes[points.piece[i]];
+            box.lo = glm::min(box.lo, points.at[i] - margin);
+            box.hi = glm::max(box.hi, points.at[i] + margin);
+        }
     return boxes;
 }
 
@@ -56,23 +32,24 @@ bool inside(const core::Box& box, const Vec3& p) {
     return glm::all(glm::lessThanEqual(box.lo, p)) && glm::all(glm::lessThanEqual(p, box.hi));
 }
 
-// Buckets of space a few tolerances wide, by a hash of where they lie.
+// Buckets of space a few times as wide as points reach, by a hash of where they lie.
 class Buckets {
   public:
-    Buckets(const BlockPoints& points, double tolerance)
-        : points_(points), tolerance_(tolerance), width_(8.0 * tolerance) {
-        const auto boxes = boxes_of(points, tolerance);
-        for (std::uint32_t b = 0; b + 1 < points.first.size(); ++b)
-            for (std::size_t i = points.first[b]; i < points.first[b + 1]; ++i)
-                if (points.used[i] && shared(boxes, b, points.at[i]))
-                    entries_.push_back({bucket(points.at[i]), static_cast<std::uint32_t>(i), b});
+    explicit Buckets(const BlockPoints& points)
+        : points_(points),
+          reach_(static_cast<double>(*std::max_element(points.reach.begin(), points.reach.end()))),
+          width_(8.0 * reach_) {
+        const auto boxes =
+            points.pieces > most_boxes ? std::vector<core::Box>() : boxes_of(points, reach_);
+        for (std::size_t i = 0; i < points.at.size(); ++i)
+            if (points.used[i] && (boxes.empty() || shared(boxes, points.piece[i], points.at[i])))
+                entries_.push_back({bucket(points.at[i]), static_cast<std::uint32_t>(i)});
         std::sort(entries_.begin(), entries_.end());
     }
 
     struct Entry {
         std::uint64_t bucket;
         std::uint32_t point;
-        std::uint32_t block;
 
         bool operator<(const Entry& other) const {
             return bucket != other.bucket ? bucket < other.bucket : point < other.point;
@@ -82,27 +59,29 @@ class Buckets {
     const std::vector<Entry>& entries() const { return entries_; }
 
     template <class Visit>
-    void visit_near(const Entry& entry, const Visit& visit) const {
-        const Vec3& p = points_.at[entry.point];
-        std::set<std::uint64_t> seen;
-        for (int corner = 0; corner < 8; ++corner) {
-            const Vec3 q = p + tolerance_ * Vec3(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1,
-                                                 corner & 4 ? 1 : -1);
-            const std::uint64_t key = bucket(q);
-            if (!seen.insert(key).second)
+    void visit_near(std::uint32_t point, const Visit& visit) const {
+        const Vec3& p = points_.at[point];
+        std::array<std::uint64_t, 8> seen{};
+        for (std::size_t corner = 0; corner < 8; ++corner) {
+            const Vec3 q =
+                p + reach_ * Vec3(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+            const std::uint64_t key = seen[corner] = bucket(q);
+            auto* const here = seen.data() + corner;
+            if (std::find(seen.data(), here, key) != here)
                 continue;
-            auto at = std::lower_bound(entries_.begin(), entries_.end(), Entry{key, 0, 0});
+            auto at = std::lower_bound(entries_.begin(), entries_.end(), Entry{key, 0});
             for (; at != entries_.end() && at->bucket == key; ++at)
-                if (at->point != entry.point &&
-                    glm::length(points_.at[at->point] - p) <= tolerance_)
-                    visit(*at);
+                if (at->point != point &&
+                    glm::length(points_.at[at->point] - p) <=
+                        double{std::min(points_.reach[point], points_.reach[at->point])})
+                    visit(at->point);
         }
     }
 
   private:
-    static bool shared(const std::vector<core::Box>& boxes, std::size_t block, const Vec3& p) {
+    static bool shared(const std::vector<core::Box>& boxes, std::size_t piece, const Vec3& p) {
         for (std::size_t b = 0; b < boxes.size(); ++b)
-            if (b != block && inside(boxes[b], p))
+            if (b != piece && inside(boxes[b], p))
                 return true;
         return false;
     }
@@ -118,66 +97,81 @@ class Buckets {
     }
 
     const BlockPoints& points_;
-    double tolerance_;
+    double reach_;
     double width_;
     std::vector<Entry> entries_;
 };
 
-// Places with several points of one block: their points are joined where two blocks have a face between the same places.
-void join_by_faces(const FacesAt& faces_at,
+// Places with several points of one piece: their points are joined where two pieces have a face between the same places.
+void join_by_faces(const BlockPoints& points,
+                   const FacesAt& faces_at,
                    const std::vector<bool>& marked,
-                   Sets& places,
-                   Sets& nodes) {
-    std::map<std::vector<std::uint32_t>, std::vector<BlockFace>> by_places;
+                   DisjointSets& places,
+                   DisjointSets& nodes) {
+    std::map<std::vector<std::uint32_t>, std::vector<FacePoints>> by_places;
     for (auto& face : faces_at(marked)) {
         std::vector<std::uint32_t> key;
-        for (const std::uint32_t point : face.points)
+        for (const std::uint32_t point : face)
             key.push_back(places.lowest(point));
         std::sort(key.begin(), key.end());
         by_places[key].push_back(std::move(face));
     }
     for (const auto& [key, faces] : by_places) {
-        if (faces.size() != 2 || faces[0].block == faces[1].block)
-            continue; // inside a block, or between more than two cells
-        for (const std::uint32_t a : faces[0].points)
-            for (const std::uint32_t b : faces[1].points)
+        if (faces.size() != 2 || points.piece[faces[0][0]] == points.piece[faces[1][0]])
+            continue; // inside a piece, or between more than two cells
+        for (const std::uint32_t a : faces[0])
+            for (const std::uint32_t b : faces[1])
                 if (marked[a] && places.lowest(a) == places.lowest(b))
                     nodes.join(a, b);
     }
 }
 
+// Marks the points of places at which a piece has several.
+std::vector<bool> crowded(const BlockPoints& points,
+                          const std::vector<Buckets::Entry>& entries,
+                          DisjointSets& places) {
+    struct Taken {
+        std::uint32_t place;
+        std::uint32_t piece;
+        auto operator<=>(const Taken&) const = default;
+    };
+
+    std::vector<Taken> taken;
+    taken.reserve(entries.size());
+    for (const auto& entry : entries)
+        taken.push_back({places.lowest(entry.point), points.piece[entry.point]});
+    std::sort(taken.begin(), taken.end());
+    std::vector<std::uint32_t> full;
+    for (std::size_t i = 1; i < taken.size(); ++i)
+        if (taken[i] == taken[i - 1])
+            full.push_back(taken[i].place);
+    std::vector<bool> marked(full.empty() ? 0 : points.at.size(), false);
+    for (const auto& entry : entries)
+        if (!full.empty() &&
+            std::binary_search(full.begin(), full.end(), places.lowest(entry.point)))
+            marked[entry.point] = true;
+    return marked;
+}
+
 } // namespace
 
-std::vector<std::uint32_t>
-merge_points(const BlockPoints& points, double tolerance, const FacesAt& faces_at) {
+std::vector<std::uint32_t> merge_points(const BlockPoints& points, const FacesAt& faces_at) {
     const std::size_t count = points.at.size();
-    Sets places(count);
-    const Buckets buckets(points, tolerance);
+    DisjointSets places(count);
+    const Buckets buckets(points);
     for (const auto& entry : buckets.entries())
-        buckets.visit_near(entry, [&](const auto& other) {
-            if (other.point > entry.point)
-                places.join(entry.point, other.point);
+        buckets.visit_near(entry.point, [&](std::uint32_t other) {
+            if (other > entry.point)
+                places.join(entry.point, other);
         });
-    // Which block already has a point at a place, by the place's lowest point.
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> taken;
-    std::set<std::uint32_t> crowded;
-    for (const auto& entry : buckets.entries()) {
-        const std::uint32_t place = places.lowest(entry.point);
-        if (!taken.emplace(std::pair(place, entry.block), entry.point).second)
-            crowded.insert(place);
-    }
-    Sets nodes(count);
-    std::vector<bool> marked(crowded.empty() ? 0 : count, false);
-    for (const auto& entry : buckets.entries()) {
-        const std::uint32_t place = places.lowest(entry.point);
-        if (crowded.contains(place))
-            marked[entry.point] = true;
-        else
-            nodes.join(place, entry.point);
-    }
-    if (!crowded.empty())
-        join_by_faces(faces_at, marked, places, nodes);
-    std::vector<std::uint32_t> merged(count, nowhere);
+    const std::vector<bool> marked = crowded(points, buckets.entries(), places);
+    DisjointSets nodes(count);
+    for (const auto& entry : buckets.entries())
+        if (marked.empty() || !marked[entry.point])
+            nodes.join(places.lowest(entry.point), entry.point);
+    if (!marked.empty())
+        join_by_faces(points, faces_at, marked, places, nodes);
+    std::vector<std::uint32_t> merged(count);
     for (std::uint32_t i = 0; i < count; ++i)
         merged[i] = nodes.lowest(i);
     return merged;

@@ -187,7 +187,7 @@ TEST(GridAssembly, JoinsBlocksThatShareAFace) {
     EXPECT_EQ(assembly.source_cells, 20u);
 }
 
-// A sheet of two sides between z = 1 and z = 1: points of the lower and the upper half are not the same.
+// A sheet of two sides at z = 1 that ends at y = 1, where both halves have the same points.
 GridPointer with_baffle(double x) {
     auto lower = brick({x, 0, 0}, 1.0, {1, 1, 1});
     auto grid = brick({x, 0, 1}, 1.0, {1, 1, 1});
@@ -195,18 +195,18 @@ GridPointer with_baffle(double x) {
     for (vtkIdType i = 0; i < 8; ++i)
         add_point(*grid, {lower->GetPoint(i)[0], lower->GetPoint(i)[1], lower->GetPoint(i)[2]});
     for (const vtkIdType i : {0, 1, 3, 2, 4, 5, 7, 6})
-        cell.push_back(8 + i);
+        cell.push_back(i < 6 ? 8 + i : i - 4);
     add_cell(*grid, VTK_HEXAHEDRON, cell);
     return grid;
 }
 
 TEST(GridAssembly, KeepsTheTwoSidesOfABaffleApart) {
     const auto one = assemble({with_baffle(0)});
-    EXPECT_EQ(mesh_of(one).points.size(), 16u);
+    EXPECT_EQ(mesh_of(one).points.size(), 14u);
     EXPECT_NEAR(boundary_area(mesh_of(one)), 12.0, 1e-12);
     // Also where it crosses from one block to the next.
     const auto two = assemble({with_baffle(0), with_baffle(1)});
-    EXPECT_EQ(mesh_of(two).points.size(), 24u);
+    EXPECT_EQ(mesh_of(two).points.size(), 21u);
     EXPECT_NEAR(boundary_area(mesh_of(two)), 2 * 10.0, 1e-12);
 }
 

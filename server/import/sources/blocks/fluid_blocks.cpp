@@ -50,8 +50,8 @@ vtkSmartPointer<vtkIdList> solid_cells(vtkUnstructuredGrid& grid) {
     return ids;
 }
 
-core::Result<vtkSmartPointer<vtkDataSet>> fluid_part(vtkUnstructuredGrid& grid,
-                                                     const std::string& file) {
+core::Result<vtkSmartPointer<vtkDataSet>> solid_cells_of(vtkUnstructuredGrid& grid,
+                                                         const std::string& file) {
     if (auto sound = check_mesh(grid, file); !sound)
         return tl::unexpected(sound.error());
     const unsigned char* types = grid.GetCellTypesArray()->GetPointer(0);
@@ -71,7 +71,7 @@ core::Result<vtkSmartPointer<vtkDataSet>> fluid_part(vtkUnstructuredGrid& grid,
     return vtkSmartPointer<vtkDataSet>(extract->GetOutput());
 }
 
-std::string unit_of(vtkDataSet& data, const FieldInfo& field) {
+std::string unit_in(vtkDataSet& data, const FieldInfo& field) {
     vtkDataSetAttributes* attributes = data.GetPointData();
     if (field.source == FieldInfo::Source::Cell)
         attributes = data.GetCellData();
@@ -109,7 +109,7 @@ core::Result<vtkSmartPointer<vtkDataSet>> fluid_part(vtkDataSet& data, const std
         return vtkSmartPointer<vtkDataSet>(&data);
     }
     if (auto* grid = vtkUnstructuredGrid::SafeDownCast(&data); grid != nullptr)
-        return fluid_part(*grid, file);
+        return solid_cells_of(*grid, file);
     return core::fail(Error::Code::Unsupported,
                       file + " is a surface, not a grid of cells in space");
 }
@@ -140,7 +140,7 @@ std::vector<FieldInfo> common_fields(const Blocks& blocks) {
         });
     }
     for (auto& field : out)
-        field.unit = unit_of(*blocks.front(), field);
+        field.unit = unit_in(*blocks.front(), field);
     return out;
 }
 

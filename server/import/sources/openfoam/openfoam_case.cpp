@@ -1,5 +1,6 @@
 #include "server/import/sources/openfoam/openfoam_case.hpp"
 
+#include "server/import/notes.hpp"
 #include "server/import/sources/openfoam/openfoam_file.hpp"
 #include "server/import/sources/openfoam/openfoam_motion.hpp"
 #include "server/import/sources/openfoam/openfoam_times.hpp"
@@ -90,6 +91,7 @@ core::Result<void> check_directions(const std::vector<FoamPatch>& patches,
 // The walls of all parts: a part lists those only that touch it in some versions of OpenFOAM.
 core::Result<void> find_walls(const FoamCase& found, FoamRegion& region) {
     region.walls.clear();
+    region.cyclic.clear();
     for (const auto& part : found.parts) {
         const auto file = found.file_at(found.mesh_file(part, region.name, "boundary"));
         const auto patches = read_foam_patches(file.path, file.name);
@@ -97,10 +99,15 @@ core::Result<void> find_walls(const FoamCase& found, FoamRegion& region) {
             return tl::unexpected(patches.error());
         if (auto spatial = check_directions(*patches, found.file); !spatial)
             return spatial;
+        const auto add = [](std::vector<std::string>& list, const std::string& name) {
+            if (std::find(list.begin(), list.end(), name) == list.end())
+                list.push_back(name);
+        };
         for (const auto& patch : *patches)
-            if (is_wall(patch.type) && std::find(region.walls.begin(), region.walls.end(),
-                                                 patch.name) == region.walls.end())
-                region.walls.push_back(patch.name);
+            if (is_wall(patch.type))
+                add(region.walls, patch.name);
+            else if (patch.type.starts_with("cyclic") && patch.faces > 0)
+                add(region.cyclic, patch.name);
     }
     return {};
 }
@@ -121,6 +128,15 @@ core::Result<std::vector<FoamRegion>> find_regions(const FoamCase& found) {
         out.push_back(std::move(region));
     }
     return out;
+}
+
+std::string note_on_cyclic(const std::vector<std::string>& patches) {
+    std::string names;
+    for (const auto& name : patches)
+        names += (names.empty() ? "" : ", ") + name;
+    return names.empty() ? ""
+                         : "the flow goes on from one cyclic patch to another (" + names +
+                               "), particles do not: they end there";
 }
 
 int components_of(const FoamHeader& header) {
@@ -260,6 +276,9 @@ core::Result<FoamCase> scan_openfoam_case(const fs::path& path) {
     for (auto& region : chosen->regions)
         if (auto walls = find_walls(*chosen, region); !chosen->mesh_times.empty() && !walls)
             return tl::unexpected(walls.error());
+    for (const auto& region : chosen->regions)
+        if (region.fluid)
+            add_note(chosen->note, note_on_cyclic(region.cyclic));
     find_fields(*chosen);
     return chosen;
 }

@@ -20,7 +20,8 @@ struct FoamTime {
 struct FoamRegion {
     std::string name; ///< empty: the only one, or OpenFOAM's region0
     bool fluid = false;
-    std::vector<std::string> walls; ///< its patches of a type of wall, in any part
+    std::vector<std::string> walls;    ///< its patches of a type of wall, in any part
+    std::vector<std::string> cyclic{}; ///< its patches that continue at another one
 };
 
 struct FoamCase {
