@@ -34,6 +34,11 @@ CLI::Validator finite(bool positive) {
 } // namespace
 
 void add_source_options(CLI::App& command, SourceOptions& options) {
+    command.add_option("--velocity", options.velocity,
+                       "The velocity, where it is not to be found by its name: one vector, three "
+                       "scalars U,V,W, or a momentum and its density M,RHO");
+    command.add_flag("--alone", options.alone,
+                     "Only the file that DATASET names, not the numbered files beside it");
     command
         .add_option("--dt", options.dt,
                     "Time from one numbered file to the next, where the files state no times")
@@ -47,6 +52,10 @@ void add_source_options(CLI::App& command, SourceOptions& options) {
 
 std::vector<std::string> arguments_of(const SourceOptions& options) {
     std::vector<std::string> out;
+    if (!options.velocity.empty())
+        out.push_back("--velocity=" + options.velocity);
+    if (options.alone)
+        out.emplace_back("--alone");
     if (options.dt)
         out.push_back("--dt=" + number_text(*options.dt));
     if (options.start)

@@ -1,4 +1,5 @@
-// What a command line says about a dataset besides its name: times that its files do not state, and how far it is trusted.
+// What a command line says about a dataset besides its name: its velocity, times that its files do not state, and how far it
+// is trusted.
 #pragma once
 
 #include <optional>
@@ -14,12 +15,14 @@ namespace wakesurf::server {
 struct SourceOptions {
     std::optional<double> dt; ///< from one numbered file to the next; 1 where only `start` is told
     std::optional<double> start; ///< of the first; 0 where only `dt` is told
-    bool confined = false;       ///< files that it names outside of its own folder are refused
+    std::string velocity;  ///< a vector's name, or three scalars' with commas; empty: by its name
+    bool alone = false;    ///< a file with a number in its name without the series it belongs to
+    bool confined = false; ///< files that it names outside of its own folder are refused
 
     bool times() const { return dt || start; }
 };
 
-/// Declares --dt, --start and --confined.
+/// Declares --velocity, --alone, --dt, --start and --confined.
 void add_source_options(CLI::App& command, SourceOptions& options);
 
 /// As arguments of a command line, exactly.

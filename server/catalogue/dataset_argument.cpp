@@ -64,14 +64,22 @@ core::Result<DatasetArgument> resolve_dataset(const std::string& argument) {
 
 core::Result<void> check_source_options(const DatasetArgument& argument,
                                         const SourceOptions& options) {
-    if (argument.kind == DatasetArgument::Kind::Source || !options.times())
+    if (argument.kind == DatasetArgument::Kind::Source)
         return {};
-    return core::fail(
-        Error::Code::InvalidArgument,
-        std::string(options.dt ? "--dt" : "--start") +
-            " is for numbered files that state no times; " + argument.name +
-            (argument.kind == DatasetArgument::Kind::Flow ? " is a built-in flow" : " is a store"),
-        "leave it out, or import the files with it");
+    const std::string what =
+        argument.name +
+        (argument.kind == DatasetArgument::Kind::Flow ? " is a built-in flow" : " is a store");
+    if (options.times())
+        return core::fail(Error::Code::InvalidArgument,
+                          std::string(options.dt ? "--dt" : "--start") +
+                              " is for numbered files that state no times; " + what,
+                          "leave it out, or import the files with it");
+    if (!options.velocity.empty())
+        return core::fail(Error::Code::InvalidArgument,
+                          "--velocity chooses among the fields of files; " + what +
+                              ", which has one velocity",
+                          "leave it out, or import the files with it");
+    return {};
 }
 
 fs::path default_store_root() {
@@ -88,9 +96,13 @@ fs::path default_store_root() {
     return fs::current_path() / "wakesurf-cache";
 }
 
-fs::path store_folder(const fs::path& root, const DatasetArgument& source) {
+fs::path
+store_folder(const fs::path& root, const DatasetArgument& source, const SourceOptions& options) {
     std::uint64_t hash = 0xcbf29ce484222325u; // FNV-1a
-    for (const char c : source.path.string())
+    const std::string chosen =
+        (options.velocity.empty() ? "" : "\n--velocity=" + options.velocity) +
+        (options.alone ? "\n--alone" : "");
+    for (const char c : source.path.string() + chosen)
         hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
     std::string digits;
     for (int shift = 60; shift >= 0; shift -= 4)

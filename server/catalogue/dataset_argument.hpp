@@ -23,16 +23,18 @@ struct DatasetArgument {
 /// files of a series. Error: NotFound, Io.
 core::Result<DatasetArgument> resolve_dataset(const std::string& argument);
 
-/// Times can be told of sources only: what is stored, or computed, has its own. Error: InvalidArgument, beginning with the option.
+/// Times and velocities can be told of sources only: what is stored, or computed, has its own. Error: InvalidArgument, beginning with the option.
 core::Result<void> check_source_options(const DatasetArgument& argument,
                                         const SourceOptions& options);
 
 /// $WAKESURF_STORE, else $XDG_CACHE_HOME/wakesurf, else ~/.cache/wakesurf, else wakesurf-cache beside the current directory.
 std::filesystem::path default_store_root();
 
-/// <root>/<name>-<16 hex digits of the canonical source path>, so that equal names do not meet.
+/// <root>/<name>-<16 hex digits of the canonical source path>, so that equal names do not meet. Another velocity of the same
+/// files is another folder, and so is a file without its series: a server may show one of them.
 std::filesystem::path store_folder(const std::filesystem::path& root,
-                                   const DatasetArgument& source);
+                                   const DatasetArgument& source,
+                                   const SourceOptions& options = {});
 
 /// Letters, digits, dots, dashes and underscores of a name, for ids and folders; never empty.
 std::string slug(std::string_view name);

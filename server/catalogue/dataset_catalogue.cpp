@@ -88,6 +88,7 @@ core::Result<void> DatasetCatalogue::add(const std::string& text) {
         return fit;
     auto entry = std::make_unique<Entry>();
     entry->argument = std::move(*argument);
+    entry->taken = options_.taken;
     entry->status.name = entry->argument.name;
     if (entry->argument.kind == DatasetArgument::Kind::Flow) {
         auto flow = open_flow(entry->argument);
@@ -125,7 +126,7 @@ void DatasetCatalogue::import_all(const std::stop_token& stop) {
         if (entry->argument.kind == DatasetArgument::Kind::Flow)
             continue;
         if (state_of(*entry) == DatasetState::Stopped) // while the ones before it were imported
-            show_what_is_there(*entry, store_folder(options_.store_root, entry->argument));
+            show_what_is_there(*entry, store_folder_of(*entry));
         else
             import_one(*entry, stop);
         listener_(entry->status.dataset);
@@ -136,6 +137,15 @@ void DatasetCatalogue::import_all(const std::stop_token& stop) {
 DatasetState DatasetCatalogue::state_of(const Entry& entry) const {
     const std::scoped_lock lock(mutex_);
     return entry.status.state;
+}
+
+SourceOptions DatasetCatalogue::taken_of(const Entry& entry) const {
+    const std::scoped_lock lock(mutex_);
+    return entry.taken;
+}
+
+std::filesystem::path DatasetCatalogue::store_folder_of(const Entry& entry) const {
+    return store_folder(options_.store_root, entry.argument, taken_of(entry));
 }
 
 void DatasetCatalogue::watch(const std::stop_token& stop) {
@@ -189,7 +199,7 @@ bool DatasetCatalogue::due(Entry& entry) const {
 void DatasetCatalogue::import_one(Entry& entry, const std::stop_token& stop) {
     if (entry.argument.kind == DatasetArgument::Kind::Store)
         return finish(entry, open_store(entry.argument.path, options_.cache));
-    const auto folder = store_folder(options_.store_root, entry.argument);
+    const auto folder = store_folder_of(entry);
     entry.stamp = source_stamp(entry.argument.path); // before reading: later changes are noticed
     const auto imported = run_import(entry, folder, stop);
     if (!imported && imported.error().code == Error::Code::Cancelled && !stop.stop_requested())
@@ -226,7 +236,7 @@ core::Result<void> DatasetCatalogue::run_import(Entry& entry,
     const std::size_t most =
         memory->bytes() > 0 ? std::max(memory->bytes(), smallest_import) : 0; // 0: its own bound
     ImportCommand command{entry.argument.path, folder, {}, {}, options_.importer, {}, 0, most};
-    command.taken = options_.taken;
+    command.taken = taken_of(entry);
     return run_import_process(command, listener, source.get_token());
 }
 
@@ -267,6 +277,39 @@ bool DatasetCatalogue::start_import(std::string_view dataset) {
     again_.notify_all();
     listener_(std::string(dataset));
     return true;
+}
+
+core::Result<void> DatasetCatalogue::choose_velocity(std::string_view dataset,
+                                                     const std::string& velocity) {
+    {
+        const std::scoped_lock lock(mutex_);
+        Entry* const entry = find_entry(dataset);
+        if (entry == nullptr)
+            return core::fail(Error::Code::NotFound, "there is no dataset of this name",
+                              "list them with dataset.list");
+        SourceOptions wish = entry->taken;
+        wish.velocity = velocity;
+        if (auto fit = check_source_options(entry->argument, wish); !fit)
+            return fit;
+        if (entry->taken.velocity == velocity ||
+            (entry->open && entry->open->info.velocity == velocity))
+            return {};
+        if (entry->open || entry->status.state != DatasetState::Failed)
+            return core::fail(
+                Error::Code::InvalidArgument,
+                entry->status.name + " is shown with the velocity " +
+                    (entry->open ? entry->open->info.velocity : "that its files suggest"),
+                "whoever runs the server can serve it again beside this: wakesurf serve CASE "
+                "--velocity " +
+                    velocity);
+        entry->taken = std::move(wish);
+        entry->status.state = DatasetState::Importing;
+        entry->status.error.reset();
+        wanted_again_ = true;
+    }
+    again_.notify_all();
+    listener_(std::string(dataset));
+    return {};
 }
 
 // What is open stays open as long as it is the same series: with its cache, and with ranges known now.

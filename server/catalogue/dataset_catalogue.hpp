@@ -66,9 +66,15 @@ class DatasetCatalogue {
     /// Begins an import that was stopped again, where it ended. False when it was not stopped.
     bool start_import(std::string_view dataset);
 
+    /// Imports a dataset of which nothing is there, as its velocity was not clear, with this one; it holds until the server ends.
+    /// Nothing where it is shown with that velocity already. Error: NotFound; InvalidArgument for a store or a built-in flow, and
+    /// where the dataset is shown with another velocity: nobody's flow changes under their surfaces.
+    core::Result<void> choose_velocity(std::string_view dataset, const std::string& velocity);
+
   private:
     struct Entry {
         DatasetArgument argument;
+        SourceOptions taken; ///< its velocity guarded as the status is
         DatasetStatus status;
         std::shared_ptr<const LoadedDataset> open;
         std::stop_source running; ///< its import under way
@@ -90,6 +96,8 @@ class DatasetCatalogue {
     std::string unused_id(const std::string& name) const;
     Entry* find_entry(std::string_view dataset) const;
     DatasetState state_of(const Entry& entry) const;
+    SourceOptions taken_of(const Entry& entry) const;
+    std::filesystem::path store_folder_of(const Entry& entry) const;
     void import_all(const std::stop_token& stop);
     void import_one(Entry& entry, const std::stop_token& stop);
     core::Result<void>

@@ -132,7 +132,7 @@ open_dataset(const DatasetArgument& argument,
         return open_flow(argument);
     if (argument.kind == DatasetArgument::Kind::Store)
         return open_store(argument.path, options.cache);
-    const auto folder = store_folder(options.store_root, argument);
+    const auto folder = store_folder(options.store_root, argument, options.taken);
     ImportCommand command{argument.path, folder, {}, {}, options.importer};
     command.taken = options.taken;
     return run_import_process(command, listener, stop).and_then([&] {

@@ -46,8 +46,8 @@ void add_import_options(CLI::App& command, ImportOptions& options) {
         ->transform(as_memory_size());
     command
         .add_option("--fields", options.fields,
-                    "Fields to import, a,b (default: the velocity, all scalars, and the magnitudes "
-                    "of other vectors)")
+                    "Fields to keep beside the velocity, a,b (default: all scalars, and the "
+                    "magnitudes of other vectors)")
         ->delimiter(',');
     command.add_option("--times", options.times,
                        "T0:T1[:EVERY], several with commas: only time-steps in one of these");

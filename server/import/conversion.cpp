@@ -186,7 +186,7 @@ class Conversion {
     }
 
     core::Result<void> open_again() {
-        auto source = open_source(request_.source);
+        auto source = open_source(request_.source, request_.taken);
         if (!source)
             return tl::unexpected(source.error());
         plan_.source = std::move(*source);

@@ -1,5 +1,6 @@
 #include "server/import/field_choice.hpp"
 
+#include "server/import/notes.hpp"
 #include "server/import/sources/physical_units.hpp"
 #include "server/import/velocity_choice.hpp"
 
@@ -29,8 +30,9 @@ bool called_one_of(const FieldInfo& field, const Names& names) {
     return std::find(names.begin(), names.end(), lower) != names.end();
 }
 
-bool is_mask(const FieldInfo& field) {
+bool is_mask(const FieldInfo& field, const std::vector<std::string>& no_masks) {
     return field.components == 1 &&
+           std::find(no_masks.begin(), no_masks.end(), field.name) == no_masks.end() &&
            (called_one_of(field, fluid_names) || called_one_of(field, solid_names));
 }
 
@@ -73,7 +75,7 @@ core::Result<void> check_units(const std::vector<FieldInfo>& parts) {
         return {};
     return core::fail(Error::Code::Unsupported,
                       "the parts of the velocity have different units: " + units,
-                      "convert them to one unit, or choose others with --fields");
+                      "convert them to one unit, or choose others with --velocity");
 }
 
 // Part of file names: lower case, digits and single dashes.
@@ -97,15 +99,16 @@ std::string stored_name(const FieldInfo& field) {
 
 // Of points before cells.
 std::vector<FieldInfo> possible_scalars(const std::vector<FieldInfo>& fields,
-                                        const FieldParts& velocity) {
+                                        const FieldParts& velocity,
+                                        const std::vector<std::string>& no_masks) {
     std::vector<FieldInfo> out;
     for (const auto source : {FieldInfo::Source::Point, FieldInfo::Source::Cell})
         for (const auto& field : fields) {
             const bool component = velocity.arrays.size() > 1 && contains(velocity.arrays, field);
             const bool vector = field.components == 3 && !contains(velocity.arrays, field) &&
                                 field.name != velocity.arrays.front().name;
-            if (field.source == source && (field.components == 1 || vector) && !is_mask(field) &&
-                !component)
+            if (field.source == source && (field.components == 1 || vector) &&
+                !is_mask(field, no_masks) && !component)
                 out.push_back(field);
         }
     return out;
@@ -127,9 +130,10 @@ std::vector<FieldInfo> each_name_once(const std::vector<FieldInfo>& fields) {
 }
 
 void choose_scalars(const std::vector<FieldInfo>& fields,
-                    const std::vector<std::string>& wanted,
+                    const FieldWish& wish,
                     FieldChoice& choice) {
-    const auto found = possible_scalars(fields, choice.velocity);
+    const auto& wanted = wish.kept;
+    const auto found = possible_scalars(fields, choice.velocity, wish.no_masks);
     std::vector<FieldInfo> named;
     std::copy_if(found.begin(), found.end(), std::back_inserter(named),
                  [&](const FieldInfo& field) {
@@ -195,10 +199,10 @@ std::vector<FieldInfo> FieldChoice::arrays() const {
 }
 
 core::Result<FieldChoice> choose_fields(const std::vector<FieldInfo>& fields,
-                                        const std::vector<std::string>& wanted) {
-    if (auto known = check_wanted(fields, wanted); !known)
+                                        const FieldWish& wish) {
+    if (auto known = check_wanted(fields, wish.kept); !known)
         return tl::unexpected(known.error());
-    auto velocity = choose_velocity(fields, wanted);
+    auto velocity = choose_velocity(fields, wish.velocity);
     if (!velocity)
         return tl::unexpected(velocity.error());
     if (auto same = check_units(velocity->parts.arrays); !same)
@@ -209,11 +213,14 @@ core::Result<FieldChoice> choose_fields(const std::vector<FieldInfo>& fields,
     choice.why = std::move(velocity->why);
     for (const auto source : {FieldInfo::Source::Cell, FieldInfo::Source::Point})
         for (const auto& field : fields)
-            if (is_mask(field) && field.source == source)
+            if (is_mask(field, wish.no_masks) && field.source == source)
                 choice.mask = field;
     choice.mask_marks_solid = choice.mask && called_one_of(*choice.mask, solid_names);
-    choose_scalars(fields, wanted, choice);
+    choose_scalars(fields, wish, choice);
     note_what_is_left_out(fields, choice);
+    for (const auto& name : wish.no_masks)
+        add_note(choice.note,
+                 name + " is a scalar, and no mask as its name says: it is not 0 or 1 everywhere");
     return choice;
 }
 

@@ -23,6 +23,13 @@ struct ChosenScalar {
     core::FieldInfo info() const;
 };
 
+struct FieldWish {
+    std::vector<std::string> kept; ///< --fields: beside the velocity; none: all
+    std::string velocity;          ///< --velocity; empty: by its name
+    std::vector<std::string>
+        no_masks{}; ///< arrays with the name of a mask and other values than 0 and 1
+};
+
 struct FieldChoice {
     FieldParts velocity;
     std::string velocity_name; ///< for people: U; u, v, w; Momentum / Density
@@ -37,12 +44,12 @@ struct FieldChoice {
 };
 
 /// Velocity: the array chosen by velocity_choice.hpp. Mask: the 1-component array called mask, fluid, fluid_mask or
-/// vtkValidPointMask (1 = fluid), or solid, solid_mask or obstacle (1 = solid). Scalars: all other 1-component arrays, and the
-/// magnitudes of other vectors as `NAME magnitude`; or those among `wanted` (--fields) where it names some; of two of one name
+/// vtkValidPointMask (1 = fluid), or solid, solid_mask or obstacle (1 = solid), unless `wish.no_masks` has it. Scalars: all other 1-component arrays, and the
+/// magnitudes of other vectors as `NAME magnitude`; or those among `wish.kept` where it names some; of two of one name
 /// that of the points, but an array before a magnitude.
 /// Error: NotFound (no velocity; a wanted field is not there), InvalidArgument (several candidates), Unsupported (a
 /// momentum without its density, parts in different units), each listing what there is.
 core::Result<FieldChoice> choose_fields(const std::vector<core::FieldInfo>& fields,
-                                        const std::vector<std::string>& wanted);
+                                        const FieldWish& wish = {});
 
 } // namespace wakesurf::server

@@ -1,5 +1,6 @@
 #include "server/import/import_plan.hpp"
 
+#include "server/import/assembly/obstacle_mask.hpp"
 #include "server/import/progress_marks.hpp"
 #include "server/import/sources/series/series_times.hpp"
 
@@ -49,8 +50,8 @@ core::Result<Times> times_of(const SourceDescription& source, const SourceOption
     Times out;
     for (const double place : source.places)
         out.values.push_back(start + dt * place);
-    out.note = "the files carry no times: " + time_text(start) + " and then every " +
-               time_text(dt) + ", by --start and --dt, are used";
+    out.note = "times: " + time_text(start) + " and then every " + time_text(dt) +
+               ", by --start and --dt, are used";
     if (source.places.back() + 1.0 > static_cast<double>(source.places.size()))
         out.note += "; where numbers of files are missing, so are times";
     return out;
@@ -71,6 +72,23 @@ core::Result<store::StoreSource> files_of(const Source& source,
     return out;
 }
 
+// A fraction of 0 and 1 at first may be between them at the last time-step. What cannot be read is told when it is its turn.
+bool drops_its_mask(const ImportPlan& plan, FieldWish& wish) {
+    if (!plan.choice.mask)
+        return false;
+    const std::size_t last = plan.steps.size() - 1;
+    for (const std::size_t index : {std::size_t{0}, last}) {
+        const auto step = plan.source->read(plan.steps[index], {*plan.choice.mask});
+        if (step && !is_zero_or_one(step->blocks, *plan.choice.mask)) {
+            wish.no_masks.push_back(plan.choice.mask->name);
+            return true;
+        }
+        if (last == 0)
+            break;
+    }
+    return false;
+}
+
 } // namespace
 
 std::string ImportPlan::step_name(std::size_t index) const {
@@ -82,7 +100,7 @@ std::string ImportPlan::step_name(std::size_t index) const {
 }
 
 core::Result<ImportPlan> make_plan(const ImportRequest& request) {
-    auto source = open_source(request.source);
+    auto source = open_source(request.source, request.taken);
     if (!source)
         return tl::unexpected(source.error());
     const SourceDescription& description = (*source)->description();
@@ -109,11 +127,15 @@ core::Result<ImportPlan> make_plan(const ImportRequest& request) {
         plan.times.push_back(times->values[step]);
     plan.time_note = std::move(times->note);
     plan.source = std::move(*source);
-    auto choice = choose_fields(plan.source->description().fields, request.fields);
-    if (!choice)
-        return core::fail(choice.error().code, plan.step_name(0) + ": " + choice.error().message,
-                          choice.error().hint);
-    plan.choice = std::move(*choice);
+    FieldWish wish{request.fields, request.taken.velocity};
+    do {
+        auto choice = choose_fields(plan.source->description().fields, wish);
+        if (!choice)
+            return core::fail(choice.error().code,
+                              plan.step_name(0) + ": " + choice.error().message,
+                              choice.error().hint);
+        plan.choice = std::move(*choice);
+    } while (drops_its_mask(plan, wish));
     progress_marks().surveyed = true;
     return plan;
 }

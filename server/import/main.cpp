@@ -150,8 +150,7 @@ int main(int argc, char** argv) {
     auto* folder =
         app.add_option("STORE_DIR", wish.store, "the store's folder, created if missing");
     app.add_option("--fields", wish.request.fields,
-                   "names of the velocity (or of its parts), of scalars, and of vectors to keep "
-                   "the magnitudes of")
+                   "scalars to keep beside the velocity, and vectors to keep the magnitudes of")
         ->delimiter(',');
     app.add_option(
         "--times", times,

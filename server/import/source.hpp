@@ -4,6 +4,7 @@
 
 #include "core/base/result.hpp"
 #include "core/dataset/dataset_info.hpp"
+#include "server/base/source_options.hpp"
 #include "store/store_manifest.hpp"
 
 #include <vtkDataSet.h>
@@ -66,8 +67,10 @@ class Source {
                                           const std::vector<core::FieldInfo>& fields) = 0;
 };
 
-/// The reader of the format that `path` (a file, or the first of a numbered series, or a pattern of one) is in.
+/// The reader of the format that `path` (a file, or any of a numbered series, or a pattern of one) is in.
+/// @param wish  the velocity somebody asks for decides which blocks are fluid, and which fields every time-step must have
 /// Error: NotFound, Io, Unsupported (the formats there are), Corrupt.
-core::Result<std::unique_ptr<Source>> open_source(const std::filesystem::path& path);
+core::Result<std::unique_ptr<Source>> open_source(const std::filesystem::path& path,
+                                                  const SourceOptions& wish = {});
 
 } // namespace wakesurf::server

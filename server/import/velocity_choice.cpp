@@ -1,8 +1,10 @@
 #include "server/import/velocity_choice.hpp"
 
+#include "server/import/velocity_names.hpp"
+
 #include <algorithm>
 #include <array>
-#include <cctype>
+#include <functional>
 #include <optional>
 #include <string_view>
 
@@ -15,20 +17,6 @@ namespace {
 
 using Fields = std::vector<FieldInfo>;
 
-// Lower case, letters and digits only: "Velocity_X" and "velocity-x" are one name.
-std::string plain(std::string_view name) {
-    std::string out;
-    for (const char c : name)
-        if (std::isalnum(static_cast<unsigned char>(c)) != 0)
-            out += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return out;
-}
-
-template <class Names>
-bool any_of(const Names& names, const std::string& name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 template <class Condition>
 Fields pick(const Fields& fields, const Condition& condition) {
     Fields out;
@@ -36,81 +24,12 @@ Fields pick(const Fields& fields, const Condition& condition) {
     return out;
 }
 
-bool is_momentum(const FieldInfo& field) {
-    constexpr std::array<std::string_view, 5> names{"momentum", "rhou", "rhov", "rhouvw",
-                                                    "momentumdensity"};
-    return field.components == 3 && any_of(names, plain(field.name));
-}
-
-bool is_density(const FieldInfo& field) {
-    constexpr std::array<std::string_view, 3> names{"density", "rho", "massdensity"};
-    return field.components == 1 && any_of(names, plain(field.name));
-}
-
-bool is_named_velocity(const FieldInfo& field) {
-    constexpr std::array<std::string_view, 3> names{"u", "velocity", "vel"};
-    return field.components == 3 && any_of(names, plain(field.name));
-}
-
-bool is_average(const std::string& name) {
-    constexpr std::array<std::string_view, 6> words{"mean", "avg",   "average",
-                                                    "rms",  "prime", "fluct"};
-    return std::any_of(words.begin(), words.end(),
-                       [&](std::string_view word) { return name.find(word) != std::string::npos; });
-}
-
-bool speaks_of_velocity(const FieldInfo& field) {
-    const std::string name = plain(field.name);
-    return field.components == 3 && name.find("velocity") != std::string::npos && !is_average(name);
-}
-
-// Vectors whose names tell that they are no velocity.
-bool is_something_else(const FieldInfo& field) {
-    constexpr std::array<std::string_view, 11> words{
-        "momentum",   "vorticity", "gradient", "grad", "normal",  "displacement",
-        "coordinate", "shear",     "force",    "curl", "magnetic"};
-    const std::string name = plain(field.name);
-    return is_momentum(field) ||
-           std::any_of(words.begin(), words.end(),
-                       [&](std::string_view word) { return name.find(word) != std::string::npos; });
+bool is_vector(const FieldInfo& field, VectorName meaning) {
+    return field.components == 3 && meaning_of_vector(field.name) == meaning;
 }
 
 constexpr std::array<FieldInfo::Source, 2> places{FieldInfo::Source::Point,
                                                   FieldInfo::Source::Cell};
-
-using Triple = std::array<std::string_view, 3>;
-
-constexpr std::array<Triple, 14> component_names{{{"u", "v", "w"},
-                                                  {"velocityx", "velocityy", "velocityz"},
-                                                  {"xvelocity", "yvelocity", "zvelocity"},
-                                                  {"uvelocity", "vvelocity", "wvelocity"},
-                                                  {"velocityu", "velocityv", "velocityw"},
-                                                  {"vx", "vy", "vz"},
-                                                  {"ux", "uy", "uz"},
-                                                  {"velx", "vely", "velz"},
-                                                  {"xvel", "yvel", "zvel"},
-                                                  {"uvel", "vvel", "wvel"},
-                                                  {"velocity0", "velocity1", "velocity2"},
-                                                  {"u0", "u1", "u2"},
-                                                  {"uwind", "vwind", "wwind"},
-                                                  {"uinterp", "vinterp", "winterp"}}};
-constexpr std::array<Triple, 3> momentum_names{{{"momentumx", "momentumy", "momentumz"},
-                                                {"rhou", "rhov", "rhow"},
-                                                {"rhoux", "rhouy", "rhouz"}}};
-
-std::optional<Fields>
-triple_of(const Fields& fields, const Triple& names, FieldInfo::Source source) {
-    Fields parts;
-    for (const auto name : names) {
-        const auto found = std::find_if(fields.begin(), fields.end(), [&](const FieldInfo& f) {
-            return f.components == 1 && f.source == source && plain(f.name) == name;
-        });
-        if (found == fields.end())
-            return std::nullopt;
-        parts.push_back(*found);
-    }
-    return parts;
-}
 
 std::string joined(const Fields& fields) {
     std::string out;
@@ -119,16 +38,32 @@ std::string joined(const Fields& fields) {
     return out;
 }
 
-class Choice {
+std::string choose_one(const Fields& fields) {
+    const bool vectors = std::any_of(fields.begin(), fields.end(),
+                                     [](const FieldInfo& f) { return f.components == 3; });
+    return std::string("choose ") + (vectors ? "one with --velocity NAME, or " : "") +
+           "three scalars with --velocity U,V,W";
+}
+
+VelocityChoice made(Fields parts, Fields divisor, std::string why) {
+    if (parts.front().source == FieldInfo::Source::Cell)
+        why += "; its cell values are averaged to the points";
+    std::string name = joined(parts) + (divisor.empty() ? "" : " / " + divisor.front().name);
+    return {{std::move(parts), std::move(divisor), 3}, std::move(name), std::move(why)};
+}
+
+using Found = core::Result<std::optional<VelocityChoice>>;
+
+// The rules where nobody says which field it is.
+class Rules {
   public:
-    Choice(const Fields& fields, bool asked) : fields_(fields), asked_(asked) {}
+    explicit Rules(const Fields& fields) : fields_(fields) {}
 
     // The outer list is empty where the rules find nothing.
-    core::Result<std::optional<VelocityChoice>> run() const {
-        using Rule =
-            core::Result<std::optional<VelocityChoice>> (Choice::*)(FieldInfo::Source) const;
-        constexpr std::array<Rule, 5> rules{&Choice::named, &Choice::components, &Choice::spoken_of,
-                                            &Choice::momentum, &Choice::only};
+    Found run() const {
+        using Rule = Found (Rules::*)(FieldInfo::Source) const;
+        constexpr std::array<Rule, 6> rules{&Rules::named,    &Rules::components, &Rules::qualified,
+                                            &Rules::momentum, &Rules::spoken_of,  &Rules::only};
         for (const Rule rule : rules)
             for (const auto source : places) {
                 auto found = (this->*rule)(source);
@@ -138,17 +73,7 @@ class Choice {
         return std::nullopt;
     }
 
-    VelocityChoice made(Fields parts, Fields divisor, std::string name, std::string why) const {
-        if (asked_)
-            why = "chosen by --fields" + (divisor.empty() ? std::string() : "; " + why);
-        if (parts.front().source == FieldInfo::Source::Cell)
-            why += "; its cell values are averaged to the points";
-        return {{std::move(parts), std::move(divisor), 3}, std::move(name), std::move(why)};
-    }
-
   private:
-    using Found = core::Result<std::optional<VelocityChoice>>;
-
     template <class Condition>
     Found vector(FieldInfo::Source source, const Condition& condition, const char* why) const {
         const Fields here = pick(fields_, [&](const FieldInfo& f) {
@@ -157,67 +82,172 @@ class Choice {
         if (here.size() > 1)
             return core::fail(Error::Code::InvalidArgument,
                               "several fields could be the velocity: " + listed(here),
-                              "choose one with --fields NAME");
+                              choose_one(fields_));
         if (here.empty())
             return std::nullopt;
-        return made(here, {}, here.front().name, why);
+        return made(here, {}, why);
     }
 
-    Found named(FieldInfo::Source source) const {
+    Found called(FieldInfo::Source source, VectorName meaning, const char* why) const {
         const bool alone = std::count_if(fields_.begin(), fields_.end(), [&](const FieldInfo& f) {
                                return f.components == 3 && f.source == source;
                            }) == 1;
-        return vector(source, is_named_velocity,
-                      alone ? "the only 3-component field"
-                            : "the only 3-component field with the name of a velocity");
+        return vector(
+            source, [&](const FieldInfo& f) { return is_vector(f, meaning); },
+            alone ? "the only 3-component field" : why);
     }
 
-    Found components(FieldInfo::Source source) const {
-        std::vector<Fields> found;
-        for (const Triple& names : component_names)
-            if (auto parts = triple_of(fields_, names, source))
-                found.push_back(std::move(*parts));
+    static Found
+    triple(const std::vector<Components>& found, const Fields& divisor, const char* why) {
         if (found.size() > 1)
             return core::fail(Error::Code::InvalidArgument,
                               "several fields could be the velocity: " + joined(found[0]) + " or " +
                                   joined(found[1]),
-                              "choose three with --fields U,V,W");
+                              "choose three with --velocity U,V,W");
         if (found.empty())
             return std::nullopt;
-        return made(found[0], {}, joined(found[0]),
-                    "three fields with the names of its components");
+        return made(found[0], divisor, why);
     }
 
-    Found spoken_of(FieldInfo::Source source) const {
-        return vector(source, speaks_of_velocity,
-                      "the only 3-component field whose name suggests a velocity");
+    Found named(FieldInfo::Source source) const {
+        return called(source, VectorName::Velocity,
+                      "the only 3-component field with the name of a velocity");
+    }
+
+    Found components(FieldInfo::Source source) const {
+        return triple(velocity_components(fields_, source), {},
+                      "three fields with the names of its components");
+    }
+
+    Found qualified(FieldInfo::Source source) const {
+        return called(source, VectorName::Qualified,
+                      "the only 3-component field whose name suggests the fluid's velocity");
     }
 
     Found momentum(FieldInfo::Source source) const {
-        Fields parts =
-            pick(fields_, [&](const FieldInfo& f) { return f.source == source && is_momentum(f); });
-        for (const Triple& names : momentum_names)
-            if (parts.empty())
-                parts = triple_of(fields_, names, source).value_or(Fields());
+        const Fields vectors = pick(fields_, [&](const FieldInfo& f) {
+            return f.source == source && is_vector(f, VectorName::Momentum);
+        });
         const Fields density =
             pick(fields_, [&](const FieldInfo& f) { return f.source == source && is_density(f); });
-        const bool one_vector =
-            parts.size() == 1 || (parts.size() == 3 && parts[0].components == 1);
-        if (!one_vector || density.size() != 1)
+        if (density.size() != 1 || vectors.size() > 1)
             return std::nullopt;
-        return made(parts, density, joined(parts) + " / " + density.front().name,
-                    "there is no velocity, so the momentum is divided by the density");
+        const char* const why = "there is no velocity of the fluid, so the momentum is divided by "
+                                "the density";
+        if (vectors.size() == 1)
+            return made(vectors, density, why);
+        return triple(momentum_components(fields_, source), density, why);
+    }
+
+    Found spoken_of(FieldInfo::Source source) const {
+        return called(source, VectorName::Unclear,
+                      "the only 3-component field whose name suggests a velocity");
     }
 
     Found only(FieldInfo::Source source) const {
+        const auto meaning = [](const FieldInfo& f) { return meaning_of_vector(f.name); };
         return vector(
             source,
-            [&](const FieldInfo& f) { return asked_ ? !is_momentum(f) : !is_something_else(f); },
-            "the only 3-component field");
+            [&](const FieldInfo& f) {
+                return meaning(f) != VectorName::Other && meaning(f) != VectorName::Momentum;
+            },
+            "the only 3-component field whose name does not say that it is something else");
     }
 
     const Fields& fields_;
-    bool asked_;
+};
+
+std::string trimmed(std::string_view text) {
+    while (!text.empty() && text.front() == ' ')
+        text.remove_prefix(1);
+    while (!text.empty() && text.back() == ' ')
+        text.remove_suffix(1);
+    return std::string(text);
+}
+
+// What somebody asks for by name.
+class Wish {
+  public:
+    Wish(const Fields& fields, const std::string& text) : fields_(fields), names_{text} {
+        if (has(text))
+            return;
+        names_.clear();
+        for (std::string_view rest = text;;) {
+            const auto comma = rest.find(',');
+            names_.push_back(trimmed(rest.substr(0, comma)));
+            if (comma == std::string_view::npos)
+                return;
+            rest.remove_prefix(comma + 1);
+        }
+    }
+
+    core::Result<VelocityChoice> find() const {
+        for (const auto& name : names_)
+            if (!has(name))
+                return core::fail(Error::Code::NotFound,
+                                  "there is no field " + name + "; there is " + listed(fields_),
+                                  "--velocity takes the name of one vector, or of three scalars");
+        for (const auto source : places)
+            if (auto found = find_in(source))
+                return *found;
+        if (names_.size() == 1 && all_of(3) && meaning_of_vector(names_[0]) == VectorName::Momentum)
+            return core::fail(Error::Code::Unsupported,
+                              "momentum is not velocity; the fields are " + listed(fields_),
+                              "name its density as well: --velocity MOMENTUM,DENSITY");
+        return core::fail(Error::Code::Unsupported,
+                          "no velocity is made of " + listed(pick(fields_, is_named())),
+                          "--velocity takes one vector, three scalars, or a momentum and its "
+                          "density, all at points or all in cells");
+    }
+
+  private:
+    bool has(const std::string& name) const {
+        return std::any_of(fields_.begin(), fields_.end(),
+                           [&](const FieldInfo& f) { return f.name == name; });
+    }
+
+    std::function<bool(const FieldInfo&)> is_named() const {
+        return [this](const FieldInfo& f) {
+            return std::find(names_.begin(), names_.end(), f.name) != names_.end();
+        };
+    }
+
+    bool all_of(int components) const {
+        return std::ranges::all_of(pick(fields_, is_named()),
+                                   [&](const FieldInfo& f) { return f.components == components; });
+    }
+
+    std::optional<VelocityChoice> find_in(FieldInfo::Source source) const {
+        Fields parts;
+        for (const auto& name : names_)
+            for (const auto& field : fields_)
+                if (field.name == name && field.source == source)
+                    parts.push_back(field);
+        std::string shape;
+        for (const auto& part : parts)
+            shape += std::to_string(part.components);
+        if (parts.size() != names_.size())
+            return std::nullopt;
+        Fields divisor;
+        if (shape == "3" && is_vector(parts[0], VectorName::Momentum)) {
+            divisor = pick(fields_,
+                           [&](const FieldInfo& f) { return f.source == source && is_density(f); });
+            if (divisor.size() != 1)
+                return std::nullopt;
+        } else if (shape == "31" || shape == "1111") {
+            divisor = {parts.back()};
+            parts.pop_back();
+        } else if (shape != "3" && shape != "111") {
+            return std::nullopt;
+        }
+        const char* const why = divisor.empty() ? "chosen by --velocity"
+                                                : "chosen by --velocity; the momentum is divided "
+                                                  "by the density";
+        return made(std::move(parts), std::move(divisor), why);
+    }
+
+    const Fields& fields_;
+    std::vector<std::string> names_;
 };
 
 } // namespace
@@ -231,13 +261,13 @@ std::string listed(const Fields& fields) {
     return out.empty() ? "no array that all its parts have" : out;
 }
 
-std::set<std::string> possible_velocity(const Fields& fields) {
+std::set<std::string> possible_velocity(const Fields& fields, const std::string& wish) {
     std::set<std::string> out;
     const auto add = [&](const Fields& some) {
         for (const auto& field : some)
             out.insert(field.name);
     };
-    if (const auto velocity = choose_velocity(fields, {})) {
+    if (const auto velocity = choose_velocity(fields, wish)) {
         add(velocity->parts.arrays);
         add(velocity->parts.divisor);
     } else {
@@ -246,46 +276,22 @@ std::set<std::string> possible_velocity(const Fields& fields) {
     return out;
 }
 
-core::Result<VelocityChoice> choose_velocity(const Fields& fields,
-                                             const std::vector<std::string>& wanted) {
-    const Fields asked = pick(fields, [&](const FieldInfo& f) {
-        return std::find(wanted.begin(), wanted.end(), f.name) != wanted.end();
-    });
-    if (!asked.empty()) {
-        auto choice = Choice(asked, true).run();
-        if (!choice)
-            return tl::unexpected(choice.error());
-        if (choice->has_value())
-            return std::move(**choice);
-        if (std::any_of(asked.begin(), asked.end(), is_momentum))
-            return core::fail(Error::Code::Unsupported,
-                              "momentum is not velocity; the fields are " + listed(fields),
-                              "name its density as well: --fields MOMENTUM,DENSITY");
-    }
-    auto choice = Choice(fields, false).run();
+core::Result<VelocityChoice> choose_velocity(const Fields& fields, const std::string& wish) {
+    if (!wish.empty())
+        return Wish(fields, wish).find();
+    auto choice = Rules(fields).run();
     if (!choice)
         return tl::unexpected(choice.error());
     if (choice->has_value())
         return std::move(**choice);
-    // Three scalars of any names are a velocity where somebody says so and nothing else is one.
-    Fields three;
-    for (const auto& name : wanted)
-        for (const auto source : places)
-            for (const auto& field : asked)
-                if (field.name == name && field.source == source && field.components == 1 &&
-                    (three.empty() ||
-                     (three.front().source == source && three.back().name != name)))
-                    three.push_back(field);
-    if (three.size() == 3 && wanted.size() == 3)
-        return Choice(fields, true).made(three, {}, joined(three), "");
     const bool vectors = std::any_of(fields.begin(), fields.end(),
                                      [](const FieldInfo& f) { return f.components == 3; });
     return core::fail(Error::Code::NotFound,
                       std::string(vectors ? "no field is a velocity" : "there is no vector field") +
                           "; there is " + listed(fields),
-                      vectors ? "if one of them is, choose it with --fields NAME"
-                              : "write the velocity as one array of 3 components, or as three "
-                                "called u, v and w");
+                      vectors ? "if one of them is, " + choose_one(fields)
+                              : "write the velocity as one array of 3 components, or " +
+                                    choose_one(fields));
 }
 
 } // namespace wakesurf::server

@@ -18,14 +18,17 @@ struct VelocityChoice {
 };
 
 /// In this order, of points before cells: a vector called U, velocity or vel (any case); three arrays called u, v, w or the
-/// like; a vector whose name speaks of a velocity that is no average; a momentum with its density; the only vector whose
-/// name does not tell that it is something else. `wanted` (--fields), where it names any of these, goes before everything.
-/// Error: as choose_fields.
+/// like; a vector whose name leaves no doubt that it is the fluid's velocity; a momentum with its density; a vector whose
+/// name speaks of a velocity; the only vector whose name does not say that it is something else, as a grid's velocity does.
+/// `wish` (--velocity) goes before everything: one vector, three scalars, or a momentum and its density, with commas between.
+/// Error: NotFound (no velocity; what is wished is not there), InvalidArgument (several candidates), Unsupported (a momentum
+/// without its density; what is wished is no velocity), each listing what there is.
 core::Result<VelocityChoice> choose_velocity(const std::vector<core::FieldInfo>& fields,
-                                             const std::vector<std::string>& wanted);
+                                             const std::string& wish);
 
-/// Names of the arrays that choose_velocity takes of `fields` without --fields; of all vectors, where it finds none or several.
-std::set<std::string> possible_velocity(const std::vector<core::FieldInfo>& fields);
+/// Names of the arrays that choose_velocity takes of `fields`; of all vectors, where it finds none or several.
+std::set<std::string> possible_velocity(const std::vector<core::FieldInfo>& fields,
+                                        const std::string& wish);
 
 /// "p (1 component, point), U (3 components, cell)", or "no array that all its parts have".
 std::string listed(const std::vector<core::FieldInfo>& fields);

@@ -104,6 +104,19 @@ HttpResponse nothing_there() {
     return http_error(404, "there is nothing at this path", "README.md lists the paths");
 }
 
+/// No path has two slashes together: an address that ends in one came before "/rpc". No token mends that.
+std::optional<HttpResponse> doubled_slash(const std::string& path) {
+    if (!path.starts_with('/') || path.find("//") == std::string::npos)
+        return std::nullopt;
+    std::string meant;
+    for (const char c : path)
+        if (c != '/' || !meant.ends_with('/'))
+            meant += c;
+    return http_error(404, "the path has two slashes together",
+                      "ask for " + meant +
+                          ": leave out the slash at the end of the address before it");
+}
+
 /// Meshes of sessions a share link is not for.
 bool out_of_reach(std::string_view path, const Visitor& visitor) {
     constexpr std::string_view sessions = "/api/v1/sessions/";
@@ -116,6 +129,8 @@ bool out_of_reach(std::string_view path, const Visitor& visitor) {
 } // namespace
 
 tl::expected<Admitted, HttpResponse> Routes::admit_upgrade(const HttpRequest& request) {
+    if (auto mistaken = doubled_slash(request.path))
+        return tl::unexpected(std::move(*mistaken));
     auto visitor = gate_.check(request);
     if (!visitor)
         return tl::unexpected(http_error(visitor.error()));
@@ -183,6 +198,10 @@ std::optional<HttpResponse> Routes::answer_open(const HttpRequest& request) {
     const bool file = files_.has(request.path);
     const bool in = request.path == login_path;
     const bool out = request.path == logout_path;
+    if (auto mistaken = doubled_slash(request.path)) {
+        const auto refusal = gate_.check_health(request);
+        return refusal ? http_error(*refusal) : std::move(*mistaken);
+    }
     if (!file && !in && !out && request.path != health_path)
         return std::nullopt;
     const auto refusal = file          ? gate_.check_file(request)

@@ -116,12 +116,21 @@ void dataset_open(const Call& call, const protocol::DatasetOpen& of, Reply reply
     const std::string& id = of.dataset;
     const auto token = work_token(call, of.work_done_token);
     ImportWaiters* const imports = call.context.imports;
-    const auto status = imports != nullptr ? imports->status(id)
-                                           : core::fail(core::Error::Code::NotFound,
-                                                        "there is no dataset of this name");
+    const bool editor = role_of(call) != Role::Viewer;
+    if (!of.velocity.empty() && !editor)
+        return reply.fault(protocol::RpcFault{protocol::RpcCode::NotPermitted,
+                                              "a viewer may not choose the velocity of a dataset",
+                                              "ask someone who may edit",
+                                              {},
+                                              {}});
+    const auto there = core::fail(core::Error::Code::NotFound, "there is no dataset of this name");
+    if (imports != nullptr && !of.velocity.empty())
+        if (const auto chosen = imports->choose_velocity(id, of.velocity); !chosen)
+            return reply.fault(chosen.error());
+    const auto status =
+        imports != nullptr ? imports->status(id) : core::Result<DatasetStatus>(there);
     if (!status)
         return reply.fault(status.error());
-    const bool editor = role_of(call) != Role::Viewer;
     auto place = take(call, Use::Wait);
     if (!place)
         return reply.fault(place.error());

@@ -32,6 +32,11 @@ class ImportWaiters {
         return catalogue_.status(dataset);
     }
 
+    /// As of the catalogue.
+    core::Result<void> choose_velocity(const std::string& dataset, const std::string& velocity) {
+        return catalogue_.choose_velocity(dataset, velocity);
+    }
+
     /// Calls the waiter once the import is ready, has failed or was stopped, at once if it is ready or has failed already, or
     /// after `patience` with how it stands then: at once without any. An import that was stopped begins again. Returns a
     /// ticket for leave(); 0 once the waiter has been called. Error, by the waiter: NotFound, OverLimit.

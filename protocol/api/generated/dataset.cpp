@@ -14,6 +14,7 @@ void read(CheckedJson& in, DatasetDescribe& out) {
 void read(CheckedJson& in, DatasetOpen& out) {
     out.dataset = in.text("dataset", 256);
     out.timeout_ms = in.count_or("timeoutMs", 0, limits::wait_ms, limits::wait_ms);
+    out.velocity = in.text_or("velocity", "", 256);
     out.work_done_token = in.token_if("workDoneToken", true);
 }
 

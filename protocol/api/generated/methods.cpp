@@ -12,7 +12,7 @@ using Names = std::string_view;
 
 constexpr Names of_cancel_request[]{"id"};
 constexpr Names of_dataset_describe[]{"dataset"};
-constexpr Names of_dataset_open[]{"dataset", "timeoutMs", "workDoneToken"};
+constexpr Names of_dataset_open[]{"dataset", "timeoutMs", "velocity", "workDoneToken"};
 constexpr Names of_dataset_suggest[]{"dataset"};
 constexpr Names of_cache_status[]{"dataset"};
 constexpr Names of_probe_sample[]{"dataset", "points", "time", "fields"};

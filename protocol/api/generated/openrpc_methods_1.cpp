@@ -355,6 +355,15 @@ const std::string_view methods_1 = R"json({
     "description": "how long to wait, at most; 0: do not wait",
     "x-unit": "ms"}},
   {
+   "name": "velocity",
+   "required": false,
+   "description": "velocity of files in which it is not clear, by name: a vector, three scalars `u,v,w`, or a momentum and its density; empty: by the names of the fields. For editors; it holds until the server ends. The error of a dataset that failed lists what could be meant",
+   "schema": {
+    "type": "string",
+    "maxLength": 256,
+    "default": "",
+    "description": "velocity of files in which it is not clear, by name: a vector, three scalars `u,v,w`, or a momentum and its density; empty: by the names of the fields. For editors; it holds until the server ends. The error of a dataset that failed lists what could be meant"}},
+  {
    "name": "workDoneToken",
    "required": false,
    "description": "on a WebSocket: $/progress reports the progress of the work with this token",

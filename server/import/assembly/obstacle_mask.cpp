@@ -17,12 +17,17 @@ using core::FieldInfo;
 
 namespace {
 
+vtkDataArray* mask_array(vtkDataSet& block, const FieldInfo& field) {
+    return field.source == FieldInfo::Source::Point
+               ? block.GetPointData()->GetArray(field.name.c_str())
+               : block.GetCellData()->GetArray(field.name.c_str());
+}
+
 // One value a point or cell: whether it is solid.
 core::Result<std::vector<bool>> read_array(vtkDataSet& block, const FieldChoice& choice) {
     const FieldInfo& mask = *choice.mask;
     const bool of_points = mask.source == FieldInfo::Source::Point;
-    vtkDataArray* array = of_points ? block.GetPointData()->GetArray(mask.name.c_str())
-                                    : block.GetCellData()->GetArray(mask.name.c_str());
+    vtkDataArray* const array = mask_array(block, mask);
     const vtkIdType wanted = of_points ? block.GetNumberOfPoints() : block.GetNumberOfCells();
     if (array == nullptr || array->GetNumberOfTuples() != wanted)
         return core::fail(Error::Code::NotFound, "has no whole field " + mask.name);
@@ -81,6 +86,16 @@ core::Result<std::vector<std::uint8_t>> fluid_nodes(BlockList blocks, const Fiel
 }
 
 } // namespace
+
+bool is_zero_or_one(BlockList blocks, const FieldInfo& field) {
+    return std::all_of(blocks.begin(), blocks.end(), [&](const auto& block) {
+        vtkDataArray* const array = mask_array(*block, field);
+        for (vtkIdType i = 0; array != nullptr && i < array->GetNumberOfTuples(); ++i)
+            if (const double value = array->GetComponent(i, 0); value != 0.0 && value != 1.0)
+                return false;
+        return true;
+    });
+}
 
 core::Result<ObstacleMask> read_mask(BlockList blocks, const FieldChoice& choice) {
     ObstacleMask mask;

@@ -18,6 +18,9 @@ struct ObstacleMask {
     bool operator==(const ObstacleMask&) const = default;
 };
 
+/// Whether an array holds 0 and 1 only: one that does not is no mask, whatever its name. Also where a block does not have it.
+bool is_zero_or_one(BlockList blocks, const core::FieldInfo& field);
+
 /// Of a grid a node is solid where the array is; cell values are averaged to the nodes first and count from one half. Of a
 /// mesh a cell is solid where the array is, or where all its points are.
 /// Error, to be read after the file's name: Corrupt (values other than 0 and 1), NotFound.

@@ -25,7 +25,7 @@ namespace {
 
 struct Format {
     bool (*is_it)(const fs::path&);
-    core::Result<std::unique_ptr<Source>> (*open)(const fs::path&);
+    core::Result<std::unique_ptr<Source>> (*open)(const fs::path&, const SourceOptions&);
 };
 
 // .g is a grid of Exodus, which is NetCDF, or of Plot3D.
@@ -53,14 +53,14 @@ const Format* format_of(const fs::path& path) {
 
 } // namespace
 
-core::Result<std::unique_ptr<Source>> open_source(const fs::path& path) {
+core::Result<std::unique_ptr<Source>> open_source(const fs::path& path, const SourceOptions& wish) {
     const std::string name = path.filename().string();
     std::error_code error;
     const Format* format = format_of(path);
     if (format == nullptr && fs::is_directory(path, error))
         return choose_in_folder(path,
                                 [](const fs::path& file) { return format_of(file) != nullptr; })
-            .and_then([](const fs::path& chosen) { return open_source(chosen); });
+            .and_then([&](const fs::path& chosen) { return open_source(chosen, wish); });
     if (!is_pattern(path) || fs::exists(path, error)) {
         const auto size = core::PosixDisk().size(path);
         if (!size && !fs::is_directory(path, error))
@@ -75,7 +75,7 @@ core::Result<std::unique_ptr<Source>> open_source(const fs::path& path) {
                           "NetCDF (.nc), Plot3D (.xyz, .x, .g, .q, .p3d), VTK (.vti, .vtr, .vts, "
                           ".vtu, their .pvt*, .vtm, "
                           ".vtk, .vtkhdf) and collections of it (.pvd, .series)");
-    return format->open(path);
+    return format->open(path, wish);
 }
 
 } // namespace wakesurf::server

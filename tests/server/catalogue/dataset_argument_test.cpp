@@ -66,6 +66,11 @@ TEST(DatasetArgument, EqualNamesInDifferentPlacesHaveDifferentStores) {
     DatasetArgument b{Kind::Source, "run", "", "/b/run.pvd"};
     EXPECT_NE(store_folder("/s", a), store_folder("/s", b));
     EXPECT_EQ(store_folder("/s", a), store_folder("/s", a));
+    SourceOptions water, alone;
+    water.velocity = "U.water";
+    alone.alone = true;
+    EXPECT_NE(store_folder("/s", a), store_folder("/s", a, water));
+    EXPECT_NE(store_folder("/s", a), store_folder("/s", a, alone));
     const std::string name = store_folder("/s", a).filename();
     EXPECT_EQ(name.size(), std::string("run-").size() + 16);
     EXPECT_TRUE(name.starts_with("run-"));

@@ -107,6 +107,38 @@ std::filesystem::path telling(const TemporaryFolder& folder,
     return program;
 }
 
+TEST(DatasetCatalogue, AVelocityThatIsNotClearIsChosenWhileNothingIsShown) {
+    const TemporaryFolder folder;
+    auto two = sample_vti();
+    two.points = vti_array("U.air", 3, two.point_count(), [](std::size_t) { return 1.0; }) +
+                 vti_array("U.water", 3, two.point_count(), [](std::size_t) { return 2.0; });
+    write_file(folder / "two.vti", two.text());
+    Bench bench({(folder / "two.vti").string(), "flow:abc"});
+    const auto unclear = bench.wait_until_settled("two");
+    ASSERT_EQ(unclear.state, DatasetState::Failed);
+    EXPECT_NE(unclear.error->message.find("U.air (3 components, point), U.water (3 components, "
+                                          "point) (choose one with --velocity NAME"),
+              std::string::npos)
+        << unclear.error->message;
+    ASSERT_TRUE(bench.catalogue->choose_velocity("two", "U.oil").has_value());
+    EXPECT_NE(bench.wait_until_settled("two").error->message.find("there is no field U.oil"),
+              std::string::npos);
+    ASSERT_TRUE(bench.catalogue->choose_velocity("two", "U.water").has_value());
+    EXPECT_EQ(bench.wait_until_settled("two").state, DatasetState::Ready);
+    EXPECT_EQ(bench.catalogue->find("two").value()->info.velocity, "U.water");
+    EXPECT_TRUE(bench.catalogue->choose_velocity("two", "U.water").has_value()) << "as it is";
+    const auto other = bench.catalogue->choose_velocity("two", "U.air");
+    ASSERT_FALSE(other.has_value());
+    EXPECT_EQ(other.error().message, "two is shown with the velocity U.water");
+    EXPECT_EQ(bench.catalogue->find("two").value()->info.velocity, "U.water");
+    EXPECT_EQ(bench.catalogue->choose_velocity("none", "U").error().code,
+              core::Error::Code::NotFound);
+    EXPECT_NE(bench.catalogue->choose_velocity("abc", "U")
+                  .error()
+                  .message.find("abc is a built-in flow, which has one velocity"),
+              std::string::npos);
+}
+
 TEST(DatasetCatalogue, WhatAnEarlierRunImportedCanBeUsedOnceItsTimeStepsAreCounted) {
     const TemporaryFolder folder;
     Bench({bundled}, folder / "stores").wait_until_settled("sqcyl");

@@ -415,8 +415,29 @@ TEST_F(EnsightSource, RefusesWhatItCannotRead) {
         "FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: g\nVARIABLE\nvector per node: 7 U u.*\n",
         "time set 7");
     expect_refusal(
-        "FORMAT\ntype: ensight gold\nTIME\ntime set: 1\nnumber of steps: 2\ntime values: 1 1\n",
-        "increasing");
+        "FORMAT\ntype: ensight gold\nTIME\ntime set: 1\nnumber of steps: 2\nfilename numbers: 1\n"
+        "time values: 1 2\n",
+        "each with a file number");
+}
+
+TEST_F(EnsightSource, TakesTheFilesThatARestartListsLast) {
+    const auto opened = [&](const std::string& rest) {
+        std::istringstream in("FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: g\nVARIABLE\n"
+                              "vector per node: 1 U u.*\nTIME\ntime set: 1\n" +
+                              rest);
+        return parse_ensight_case(in, folder_.path(), "flow.case").value();
+    };
+    const std::string times = "time values: 0 1 2 1 2 3\n";
+    const auto numbered = opened("number of steps: 6\nfilename start number: 10\n"
+                                 "filename increment: 10\n" +
+                                 times);
+    EXPECT_EQ(numbered.times, (std::vector<double>{0, 1, 2, 3}));
+    EXPECT_EQ(numbered.time_sets.front().numbers, (std::vector<int>{10, 40, 50, 60}));
+    EXPECT_EQ(numbered.time_note,
+              "times go back at file 40, as after a restart: they are sorted; left out, as another "
+              "was written later for the same time: file 20, file 30");
+    const auto counted = opened("number of steps: 6\n" + times);
+    EXPECT_EQ(counted.file_at(counted.variables.front().file, 2)->name, "u.4");
 }
 
 TEST_F(EnsightSource, RefusesNumbersThatAreNoneAndCountsNoMoreFilesThanTimes) {

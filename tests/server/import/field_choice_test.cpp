@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <utility>
+
 namespace wakesurf::server::field_choice_test {
 namespace {
 
@@ -16,14 +19,14 @@ FieldInfo cell(const std::string& name, int components) {
     return {name, components, FieldInfo::Source::Cell, {}, {}};
 }
 
-std::string velocity(const Fields& fields, const std::vector<std::string>& wanted = {}) {
-    const auto choice = choose_fields(fields, wanted);
+std::string velocity(const Fields& fields, const std::string& wish = {}) {
+    const auto choice = choose_fields(fields, {{}, wish});
     return choice ? choice->velocity_name : "refused: " + choice.error().message;
 }
 
 std::vector<std::string> stems(const Fields& fields, const std::vector<std::string>& wanted = {}) {
     std::vector<std::string> out;
-    const auto choice = choose_fields(fields, wanted).value();
+    const auto choice = choose_fields(fields, {wanted, {}}).value();
     for (const auto& scalar : choice.scalars)
         out.push_back(scalar.stored.stem);
     return out;
@@ -74,7 +77,7 @@ TEST(FieldChoice, KeepsAScalarThatIsNamedAsTheMagnitudeOfAVector) {
     EXPECT_FALSE(choice.scalars[1].is_magnitude());
     EXPECT_EQ(choice.note, "stored as magnitudes, since a store holds one vector: B; "
                            "left out, since a store holds one vector: F");
-    const auto named = choose_fields(fields, {"U", "F"}).value();
+    const auto named = choose_fields(fields, {{"U", "F"}, {}}).value();
     ASSERT_EQ(named.scalars.size(), 1u);
     EXPECT_EQ(named.scalars[0].field.name, "F") << "someone who names the vector means it";
 }
@@ -103,11 +106,11 @@ TEST(FieldChoice, NeverTakesAMomentumForAVelocity) {
     EXPECT_EQ(velocity({point("Momentum", 3), point("Density", 1), point("Velocity", 3)}),
               "Velocity");
     EXPECT_NE(velocity({point("Momentum", 3)}).find("no field is a velocity"), std::string::npos);
-    EXPECT_NE(velocity({point("Momentum", 3)}, {"Momentum"}).find("momentum is not velocity"),
+    EXPECT_NE(velocity({point("Momentum", 3)}, "Momentum").find("momentum is not velocity"),
               std::string::npos);
-    EXPECT_EQ(velocity({point("Momentum", 3), point("Density", 1), point("B", 3)},
-                       {"Momentum", "Density"}),
-              "Momentum / Density");
+    EXPECT_EQ(
+        velocity({point("Momentum", 3), point("Density", 1), point("B", 3)}, "Momentum,Density"),
+        "Momentum / Density");
 }
 
 TEST(FieldChoice, ListsTheCandidatesWhereItIsNotClear) {
@@ -115,10 +118,122 @@ TEST(FieldChoice, ListsTheCandidatesWhereItIsNotClear) {
     EXPECT_NE(refusal.find("wind (3 components, point), B (3 components, point)"),
               std::string::npos)
         << refusal;
-    EXPECT_EQ(velocity({point("wind", 3), point("B", 3)}, {"B"}), "B");
+    EXPECT_EQ(velocity({point("wind", 3), point("B", 3)}, "B"), "B");
     EXPECT_NE(velocity({point("vorticity", 3)}).find("there is vorticity"), std::string::npos);
-    EXPECT_EQ(velocity({point("vorticity", 3)}, {"vorticity"}), "vorticity"); // someone says so
-    EXPECT_EQ(velocity({point("a", 1), point("b", 1), point("c", 1)}, {"b", "c", "a"}), "b, c, a");
+    EXPECT_EQ(velocity({point("vorticity", 3)}, "vorticity"), "vorticity"); // someone says so
+    EXPECT_EQ(velocity({point("a", 1), point("b", 1), point("c", 1)}, "b, c,a"), "b, c, a");
+}
+
+TEST(FieldChoice, NeverTakesTheVelocityOfSomethingElseForTheFluids) {
+    for (const char* const other : {"Grid_Velocity",
+                                    "gridVelocity",
+                                    "GRIDVEL",
+                                    "mesh velocity",
+                                    "Umesh",
+                                    "U_mesh",
+                                    "Angular_Velocity",
+                                    "friction velocity",
+                                    "FrictionVelocity",
+                                    "velocity_wall",
+                                    "wall_velocity",
+                                    "velocity_rms",
+                                    "VelocityGradient",
+                                    "VelocityX_mean",
+                                    "mean_velocity_x",
+                                    "UxMean",
+                                    "sound velocity",
+                                    "UPrime",
+                                    "slip_velocity",
+                                    "solid velocity",
+                                    "velocity_x",
+                                    "group_velocity",
+                                    "particle_velocity",
+                                    "moving frame velocity"}) {
+        EXPECT_EQ(velocity({point("Density", 1), point("Momentum", 3), point(other, 3)}),
+                  "Momentum / Density")
+            << other;
+        EXPECT_EQ(velocity({point(other, 3), cell("U", 3)}), "U") << other;
+        EXPECT_TRUE(velocity({point(other, 3), point("p", 1)}).starts_with("refused:")) << other;
+        EXPECT_EQ(velocity({point(other, 3), point("p", 1)}, other), other) << "someone says so";
+    }
+    for (const char* const other : {"Relative_Velocity", "velocity_mean", "UMean", "B"})
+        EXPECT_EQ(velocity({point("rho", 1), point("rhoU", 3), point(other, 3)}), "rhoU / rho")
+            << other;
+}
+
+TEST(FieldChoice, AsksWhereTwoPhasesCouldBeMeant) {
+    for (const auto& [one, other] : {std::pair{"U.air", "U.water"},
+                                     {"U.air", "U.particles"},
+                                     {"gas velocity", "LiquidVelocity [m/s]"},
+                                     {"velocity_1", "velocity_2"}}) {
+        const Fields fields{cell(one, 3), cell(other, 3), cell("p", 1)};
+        const auto refused = choose_fields(fields);
+        ASSERT_FALSE(refused.has_value()) << one;
+        EXPECT_EQ(refused.error().message, std::string("several fields could be the velocity: ") +
+                                               one + " (3 components, cell), " + other +
+                                               " (3 components, cell)");
+        EXPECT_EQ(refused.error().hint, "choose one with --velocity NAME, or three scalars with "
+                                        "--velocity U,V,W");
+        EXPECT_EQ(velocity(fields, other), other);
+    }
+}
+
+TEST(FieldChoice, KnowsTheUsualNamesOfComponents) {
+    const std::vector<std::array<const char*, 3>> usual{
+        {"U", "V", "W"},
+        {"v1", "v2", "v3"},
+        {"vel1", "vel2", "vel3"},
+        {"velx", "vely", "velz"},
+        {"vx1", "vx2", "vx3"},
+        {"x_velocity", "y_velocity", "z_velocity"},
+        {"X Velocity", "Y Velocity", "Z Velocity"},
+        {"Velocity[i]", "Velocity[j]", "Velocity[k]"},
+        {"Velocity[i] (m/s)", "Velocity[j] (m/s)", "Velocity[k] (m/s)"},
+        {"Velocity[0]", "Velocity[1]", "Velocity[2]"},
+        {"Velocity:0", "Velocity:1", "Velocity:2"},
+        {"u_x", "u_y", "u_z"},
+        {"velocity_u", "velocity_v", "velocity_w"},
+        {"u_component_of_wind", "v_component_of_wind", "w_component_of_wind"},
+        {"UX", "UY", "UZ"}};
+    for (const auto& [x, y, z] : usual) {
+        const std::string joined = std::string(x) + ", " + y + ", " + z;
+        EXPECT_EQ(velocity({cell("p", 1), cell(z, 1), cell(y, 1), cell(x, 1)}), joined);
+    }
+    EXPECT_EQ(velocity({point("rho", 1), point("mom1", 1), point("mom2", 1), point("mom3", 1)}),
+              "mom1, mom2, mom3 / rho");
+    EXPECT_EQ(velocity({point("dens", 1), point("XMomentum", 1), point("YMomentum", 1),
+                        point("ZMomentum", 1)}),
+              "XMomentum, YMomentum, ZMomentum / dens");
+    for (const char* const statistic : {"u_mean", "u'", "u_rms", "uu", "grid_u"})
+        EXPECT_TRUE(
+            velocity({point(statistic, 1), point("v", 1), point("w", 1)}).starts_with("refused:") ||
+            std::string(statistic) == "u'")
+            << statistic;
+    const Fields both{point("u", 1), point("v", 1), point("w", 1),
+                      point("U", 1), point("V", 1), point("W", 1)};
+    EXPECT_EQ(velocity(both), "refused: several fields could be the velocity: u, v, w or U, V, W");
+    EXPECT_EQ(velocity(both, "U,V,W"), "U, V, W");
+}
+
+TEST(FieldChoice, TakesWhatIsAskedForOrSaysWhyNot) {
+    const Fields fields{point("U", 3), cell("U", 3),  point("Momentum", 3), point("rho", 1),
+                        cell("p", 1),  point("T", 1), point("a,b", 3)};
+    EXPECT_EQ(velocity(fields, "Momentum"), "Momentum / rho");
+    EXPECT_EQ(velocity(fields, "Momentum,rho"), "Momentum / rho");
+    EXPECT_EQ(velocity(fields, "a,b"), "a,b");
+    const auto words = [&](const std::string& wish) {
+        const auto refused = choose_fields(fields, {{}, wish});
+        return refused ? std::string() : refused.error().message + " (" + refused.error().hint;
+    };
+    EXPECT_NE(words("V").find("there is no field V; there is U (3 components, point)"),
+              std::string::npos);
+    EXPECT_NE(words("T").find("no velocity is made of T (1 component, point)"), std::string::npos);
+    EXPECT_NE(words("T,rho").find("no velocity is made of"), std::string::npos);
+    EXPECT_NE(words("T,rho,p").find("all at points or all in cells"), std::string::npos);
+    const auto kept = choose_fields(fields, {{"T", "a,b"}, "Momentum"}).value();
+    EXPECT_EQ(kept.velocity_name, "Momentum / rho");
+    EXPECT_EQ(kept.scalars.size(), 2u) << "--fields keeps, and chooses no velocity";
+    EXPECT_EQ(choose_fields(fields, {{"a,b"}, {}})->velocity_name, "U");
 }
 
 TEST(FieldChoice, StoresScalarsUnderNamesOfTheirOwn) {

@@ -204,18 +204,37 @@ TEST_F(NetcdfSource, JoinsNumberedFiles) {
     const auto last = (*source)->read(3, components());
     EXPECT_EQ(last->blocks[0]->GetPointData()->GetArray("u")->GetTuple1(0), 11.0); // step 1 there
     EXPECT_EQ((*source)->files(3)->front().name, "part_1.nc");
-    Flow again;
-    again.times = {1.0};
-    write_flow(folder_ / "part_2.nc", again);
-    expect_failure(open_source(folder_ / "part_1.nc"), Error::Code::Corrupt,
-                   "time-step 0 of part_2.nc comes after time-step 1 of part_1.nc");
 }
 
-TEST_F(NetcdfSource, RefusesTimesThatDoNotRise) {
+TEST_F(NetcdfSource, TakesWhatARestartWroteLast) {
+    for (const double first : {0.0, 1.0}) { // 0, 1 and 1, 2
+        Flow flow;
+        flow.times = {first, first + 1};
+        write_flow(folder_ / ("part_" + std::to_string(static_cast<int>(first)) + ".nc"), flow);
+    }
+    const auto parts = open_source(folder_ / "part_0.nc").value();
+    EXPECT_EQ(parts->description().times, (std::vector<double>{0, 1, 2}));
+    EXPECT_EQ(parts->files(1)->front().name, "part_1.nc");
+    EXPECT_EQ(parts->description().time_note,
+              "left out, as another was written later for the same time: time-step 1 of part_0.nc");
     Flow flow;
-    flow.times = {1, 2, 2};
-    expect_failure(open_source(write(flow)), Error::Code::Corrupt,
-                   "time-step 1 of flow.nc and time-step 2 of flow.nc have the same time, 2");
+    flow.times = {1, 2, 3, 2, 4};
+    const auto source = open_source(write(flow)).value();
+    EXPECT_EQ(source->description().times, (std::vector<double>{1, 2, 3, 4}));
+    for (const auto& [step, in_file] : {std::pair{1u, 3}, {2u, 2}, {3u, 4}})
+        EXPECT_EQ(source->read(step, components())
+                      ->blocks[0]
+                      ->GetPointData()
+                      ->GetArray("u")
+                      ->GetTuple1(0),
+                  1.0 + 10.0 * in_file);
+    EXPECT_EQ(source->description().time_note,
+              "times go back at time-step 3 of flow.nc, as after a restart: they are sorted; "
+              "left out, as another was written later for the same time: time-step 1 of flow.nc");
+}
+
+TEST_F(NetcdfSource, RefusesTimesThatAreNone) {
+    Flow flow;
     flow.times = {1, std::nan(""), 2};
     expect_failure(open_source(write(flow)), Error::Code::Corrupt, "time-step 1 of flow.nc has no");
 }

@@ -215,8 +215,10 @@ TEST_F(Plot3dSource, ReadsOneSolutionAndAListOfFiles) {
     expect_steps(open_source(folder_ / "list.p3d"), {0.25, 4});
     put("list.p3d", R"({"filenames":[{"time":4,"xyz":"one.x","q":"one.q"},
                                      {"time":4,"xyz":"one.x","q":"late.q"}]})");
-    expect_failure(open_source(folder_ / "list.p3d"), Error::Code::Corrupt,
-                   "one.q and late.q have the same time, 4");
+    const auto again = open_source(folder_ / "list.p3d").value();
+    EXPECT_EQ(again->description().times, (std::vector<double>{4}));
+    EXPECT_EQ(again->files(0)->front().name, "late.q") << "written last";
+    EXPECT_NE(again->description().time_note.find("for the same time: one.q"), std::string::npos);
     for (const char* outside : {"../../etc/passwd", "/etc/passwd"}) {
         put("list.p3d",
             std::string(R"({"filenames":[{"time":4,"xyz":"one.x","q":")") + outside + "\"}]}");

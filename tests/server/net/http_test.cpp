@@ -92,6 +92,21 @@ TEST_F(Http, WantsATokenForEverythingElse) {
     EXPECT_EQ(get("/ws", server_->bearer()).status, 426);
 }
 
+TEST_F(Http, SaysWhichPathIsMeantWhereTwoSlashesAreTogether) {
+    for (const auto& [asked, meant] : {std::pair{"//rpc", "/rpc"},
+                                       {"//ws", "/ws"},
+                                       {"///openrpc.json", "/openrpc.json"},
+                                       {"/api/v1//sessions/main", "/api/v1/sessions/main"}})
+        for (const Headers& headers : {Headers{}, server_->bearer()}) {
+            const HttpReply reply = get(asked, headers);
+            EXPECT_EQ(reply.status, 404) << asked;
+            EXPECT_NE(reply.body.find(std::string("ask for ") + meant + ":"), std::string::npos)
+                << reply.body;
+        }
+    EXPECT_EQ(http(server_->port(), "POST", "//rpc").status, 404);
+    EXPECT_EQ(get("/rpc").status, 401) << "what is there still wants its token";
+}
+
 TEST_F(Http, ExchangesTheTokenForACookieThatOpensEverything) {
     const auto login = [&](const std::string& body, Headers headers) {
         return http(server_->port(), "POST", "/api/v1/login", std::move(headers), body);

@@ -25,9 +25,10 @@ bool has_vector(const Fields& here) {
                        [](const FieldInfo& field) { return field.components == 3; });
 }
 
-std::vector<bool> find_fluid(const std::vector<Fields>& of_blocks, const Fields& all) {
+std::vector<bool>
+find_fluid(const std::vector<Fields>& of_blocks, const Fields& all, const std::string& wish) {
     std::vector<bool> out;
-    const auto velocity = choose_velocity(all, {});
+    const auto velocity = choose_velocity(all, wish);
     for (const auto& here : of_blocks)
         out.push_back(velocity ? has_names_of(here, velocity->parts.arrays) : has_vector(here));
     if (std::find(out.begin(), out.end(), true) == out.end())
@@ -37,14 +38,14 @@ std::vector<bool> find_fluid(const std::vector<Fields>& of_blocks, const Fields&
 
 } // namespace
 
-BlockRoles block_roles(const Blocks& blocks) {
+BlockRoles block_roles(const Blocks& blocks, const std::string& velocity) {
     Fields all;
     std::vector<Fields> of_blocks(blocks.size());
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         add_fields(*blocks[i], of_blocks[i]);
         add_fields(*blocks[i], all);
     }
-    BlockRoles out{find_fluid(of_blocks, all), {}, {}};
+    BlockRoles out{find_fluid(of_blocks, all, velocity), {}, {}};
     Blocks fluid;
     std::vector<std::string> left_out;
     for (std::size_t i = 0; i < blocks.size(); ++i)

@@ -73,7 +73,8 @@ void scale_points(vtkDataSet& data, double factor) {
 
 class CgnsSource final : public Source {
   public:
-    explicit CgnsSource(FileSeries series) : series_(std::move(series)) {}
+    CgnsSource(FileSeries series, std::string velocity)
+        : series_(std::move(series)), velocity_(std::move(velocity)) {}
 
     core::Result<void> open() {
         description_.name = series_.name;
@@ -86,6 +87,8 @@ class CgnsSource final : public Source {
                 return tl::unexpected(survey.error());
             if (i == 0)
                 units = survey->units;
+            if (auto rising = check_order(i, survey->times); !rising)
+                return rising;
             if (survey->times.empty()) {
                 steps_.push_back({i, std::nullopt});
                 times.push_back({listed(i).name, std::nullopt, false, series_.entries[i].number});
@@ -102,6 +105,7 @@ class CgnsSource final : public Source {
         description_.times = std::move(settled->times);
         description_.time_note = std::move(settled->note);
         description_.places = std::move(settled->places);
+        keep(settled->order);
         add_note(description_.note, units.note);
         return load(0, {true, {}}, units).and_then([&](const std::vector<Zone>& zones) {
             return describe(zones);
@@ -150,6 +154,27 @@ class CgnsSource final : public Source {
     }
 
   private:
+    // VTK looks a time up among those of the file as if they were sorted, and would read another time-step.
+    core::Result<void> check_order(std::size_t entry, const std::vector<double>& times) const {
+        const auto back = std::adjacent_find(times.begin(), times.end(),
+                                             [](double a, double b) { return !(a < b); });
+        if (back == times.end())
+            return {};
+        const auto step = static_cast<std::size_t>(back - times.begin());
+        return core::fail(Error::Code::Unsupported,
+                          "time-step " + std::to_string(step + 1) + " of " + listed(entry).name +
+                              " is at time " + time_text(times[step + 1]) + ", after time " +
+                              time_text(times[step]) + ": within one file times must increase",
+                          "write what follows a restart into a file of its own");
+    }
+
+    void keep(const std::vector<std::size_t>& order) {
+        std::vector<Step> kept;
+        for (const std::size_t i : order)
+            kept.push_back(steps_[i]);
+        steps_ = std::move(kept);
+    }
+
     struct Step {
         std::size_t file = 0;
         std::optional<double> time;
@@ -164,7 +189,7 @@ class CgnsSource final : public Source {
         Blocks blocks;
         for (const auto& zone : zones)
             blocks.push_back(zone.block);
-        BlockRoles roles = block_roles(blocks);
+        BlockRoles roles = block_roles(blocks, velocity_);
         Blocks fluid;
         for (std::size_t i = 0; i < zones.size(); ++i)
             if (roles.fluid[i])
@@ -228,6 +253,7 @@ class CgnsSource final : public Source {
     }
 
     FileSeries series_;
+    std::string velocity_; ///< asked for; may be empty
     std::vector<Step> steps_;
     SourceDescription description_;
     std::set<std::string> solids_; ///< places of the zones without the velocity
@@ -239,11 +265,12 @@ bool is_cgns(const std::filesystem::path& path) {
     return lower_extension(path) == ".cgns";
 }
 
-core::Result<std::unique_ptr<Source>> open_cgns(const std::filesystem::path& path) {
-    auto series = open_file_series(path);
+core::Result<std::unique_ptr<Source>> open_cgns(const std::filesystem::path& path,
+                                                const SourceOptions& wish) {
+    auto series = open_file_series(path, wish.alone);
     if (!series)
         return tl::unexpected(series.error());
-    auto source = std::make_unique<CgnsSource>(std::move(*series));
+    auto source = std::make_unique<CgnsSource>(std::move(*series), wish.velocity);
     if (auto opened = source->open(); !opened)
         return tl::unexpected(opened.error());
     return source;

@@ -10,6 +10,7 @@ bool is_cgns(const std::filesystem::path& path);
 
 /// Fields as vtkCGNSReader names them: VelocityX, Y, Z are Velocity, MomentumX, Y, Z are Momentum. Boundary patches are
 /// left out. Zones without the velocity are solids. Reads the first time-step. Error: as open_source.
-core::Result<std::unique_ptr<Source>> open_cgns(const std::filesystem::path& path);
+core::Result<std::unique_ptr<Source>> open_cgns(const std::filesystem::path& path,
+                                                const SourceOptions& wish = {});
 
 } // namespace wakesurf::server

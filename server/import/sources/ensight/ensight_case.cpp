@@ -1,6 +1,7 @@
 #include "server/import/sources/ensight/ensight_case.hpp"
 
 #include "server/import/sources/files/named_path.hpp"
+#include "server/import/sources/series/series_times.hpp"
 #include "server/import/velocity_choice.hpp"
 
 #include <algorithm>
@@ -80,6 +81,24 @@ struct Numbering {
     }
 };
 
+// A restart lists times again: the files that stay are those listed last.
+core::Result<void> keep_last_of_each_time(EnsightTimeSet& set) {
+    std::vector<TimedEntry> entries;
+    for (std::size_t i = 0; i < set.times.size(); ++i) {
+        if (set.numbers.size() == i)
+            set.numbers.push_back(static_cast<int>(i));
+        entries.push_back({"file " + std::to_string(set.numbers[i]), set.times[i]});
+    }
+    return settle_times(std::move(entries)).map([&](SeriesTimes settled) {
+        std::vector<int> numbers;
+        for (const std::size_t i : settled.order)
+            numbers.push_back(set.numbers[i]);
+        set.numbers = std::move(numbers);
+        set.times = std::move(settled.times);
+        set.note = std::move(settled.note);
+    });
+}
+
 core::Result<std::vector<EnsightTimeSet>> time_sets_of(const std::vector<Line>& lines,
                                                        const std::string& name) {
     std::vector<EnsightTimeSet> out;
@@ -130,13 +149,14 @@ core::Result<std::vector<EnsightTimeSet>> time_sets_of(const std::vector<Line>& 
     for (std::size_t i = 0; i < out.size(); ++i)
         if (out[i].numbers.empty() && !numberings[i].apply(out[i]))
             return damaged;
-    for (const auto& set : out)
-        if (set.times.empty() || (!set.numbers.empty() && set.numbers.size() < set.times.size()) ||
-            std::adjacent_find(set.times.begin(), set.times.end(), std::greater_equal<>()) !=
-                set.times.end())
+    for (auto& set : out) {
+        if (set.times.empty() || (!set.numbers.empty() && set.numbers.size() < set.times.size()))
             return core::fail(Error::Code::Corrupt,
                               name + ": time set " + std::to_string(set.id) +
-                                  " does not have increasing times, each with a file number");
+                                  " does not have times, each with a file number");
+        if (auto rising = keep_last_of_each_time(set); !rising)
+            return tl::unexpected(rising.error());
+    }
     return out;
 }
 
@@ -190,24 +210,25 @@ core::Result<void> find_variables(EnsightCase& found, const std::vector<Line>& l
 }
 
 // The times are the velocity's; what has no value at one of them is left out.
-core::Result<void> find_times(EnsightCase& found) {
+core::Result<void> find_times(EnsightCase& found, const std::string& wish) {
     const auto& all = found.variables;
     std::vector<FieldInfo> fields;
     for (const auto& one : all)
         fields.push_back(one.field);
-    const auto chosen = choose_velocity(fields, {});
+    const auto chosen = choose_velocity(fields, wish);
     auto velocity = std::find_if(all.begin(), all.end(), [&](const EnsightVariable& one) {
         return chosen ? one.field.name == chosen->parts.arrays.front().name
                       : one.field.components == 3;
     });
     if (velocity == all.end())
-        velocity = all.begin(); // three scalars of any names are one where --fields says so
+        velocity = all.begin(); // what there is to choose from is told once all is read
     if (velocity == all.end())
         return core::fail(Error::Code::NotFound, found.name + " has no vector variable",
                           "write the velocity as `vector per node` or `vector per element`");
     const auto* set = set_of(found.time_sets, velocity->file);
     found.times = set == nullptr ? std::vector<double>{0.0} : set->times;
     found.timeless = set == nullptr;
+    found.time_note = set == nullptr ? "" : set->note;
     std::string left_out;
     std::erase_if(found.variables, [&](const EnsightVariable& one) {
         const auto* own = set_of(found.time_sets, one.file);
@@ -241,8 +262,7 @@ core::Result<NamedFile> EnsightCase::file_at(const EnsightFile& file, double tim
                                ? 0
                                : static_cast<std::size_t>(later - set->times.begin()) - 1;
         const auto count = std::min(out.find_first_not_of('*', first), out.size()) - first;
-        std::string digits =
-            std::to_string(set->numbers.empty() ? static_cast<int>(index) : set->numbers[index]);
+        std::string digits = std::to_string(set->numbers[index]);
         if (digits.size() < count)
             digits.insert(0, count - digits.size(), '0');
         out.replace(first, count, digits);
@@ -252,16 +272,18 @@ core::Result<NamedFile> EnsightCase::file_at(const EnsightFile& file, double tim
     });
 }
 
-core::Result<EnsightCase> read_ensight_case(const fs::path& path) {
+core::Result<EnsightCase> read_ensight_case(const fs::path& path, const std::string& velocity) {
     const std::string name = path.filename().string();
     std::ifstream in(path);
     if (!in)
         return core::fail(Error::Code::NotFound, name + " is not there or cannot be read");
-    return parse_ensight_case(in, path.parent_path(), name);
+    return parse_ensight_case(in, path.parent_path(), name, velocity);
 }
 
-core::Result<EnsightCase>
-parse_ensight_case(std::istream& in, const fs::path& folder, const std::string& name) {
+core::Result<EnsightCase> parse_ensight_case(std::istream& in,
+                                             const fs::path& folder,
+                                             const std::string& name,
+                                             const std::string& velocity) {
     EnsightCase found;
     found.folder = folder;
     found.name = name;
@@ -296,7 +318,7 @@ parse_ensight_case(std::istream& in, const fs::path& folder, const std::string& 
         return core::fail(Error::Code::Corrupt, found.name + " names no geometry file");
     if (auto ok = find_variables(found, sections["VARIABLE"]); !ok)
         return tl::unexpected(ok.error());
-    if (auto ok = find_times(found); !ok)
+    if (auto ok = find_times(found, velocity); !ok)
         return tl::unexpected(ok.error());
     return found;
 }

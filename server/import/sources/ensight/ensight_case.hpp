@@ -28,7 +28,8 @@ struct EnsightVariable {
 struct EnsightTimeSet {
     int id = 0;
     std::vector<double> times;
-    std::vector<int> numbers; ///< of the files; empty where the case names none
+    std::vector<int> numbers; ///< of the files, one each
+    std::string note{};       ///< on times that are listed again; may be empty
 };
 
 struct EnsightCase {
@@ -39,6 +40,7 @@ struct EnsightCase {
     std::vector<EnsightTimeSet> time_sets;
     std::vector<double> times; ///< of the velocity
     bool timeless = false;     ///< the case states none: `times` is 0
+    std::string time_note;     ///< on times that are listed again; may be empty
     std::string note;
 
     const EnsightVariable* find(const core::FieldInfo& field) const;
@@ -47,11 +49,15 @@ struct EnsightCase {
     core::Result<NamedFile> file_at(const EnsightFile& file, double time) const;
 };
 
+/// @param velocity  asked for: the times are its; may be empty
 /// Error: NotFound, Io, Corrupt, Unsupported (EnSight 6, several time-steps in one file, no vector).
-core::Result<EnsightCase> read_ensight_case(const std::filesystem::path& path);
+core::Result<EnsightCase> read_ensight_case(const std::filesystem::path& path,
+                                            const std::string& velocity = {});
 
 /// The same of a text. @param folder  that the case's files lie in
-core::Result<EnsightCase>
-parse_ensight_case(std::istream& in, const std::filesystem::path& folder, const std::string& name);
+core::Result<EnsightCase> parse_ensight_case(std::istream& in,
+                                             const std::filesystem::path& folder,
+                                             const std::string& name,
+                                             const std::string& velocity = {});
 
 } // namespace wakesurf::server

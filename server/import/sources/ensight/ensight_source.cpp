@@ -41,11 +41,13 @@ void attach(vtkDataSet& data, vtkDataArray& values, const FieldInfo& field) {
 
 class EnsightSource final : public Source {
   public:
-    explicit EnsightSource(EnsightCase found) : found_(std::move(found)) {
+    EnsightSource(EnsightCase found, std::string velocity)
+        : found_(std::move(found)), velocity_(std::move(velocity)) {
         description_.name = fs::path(found_.name).stem().string();
         description_.reader = "EnSight Gold";
         description_.times = found_.times;
         description_.note = found_.note;
+        description_.time_note = found_.time_note;
         if (found_.timeless) {
             description_.places = {0.0};
             description_.time_note = "the case has no times";
@@ -158,11 +160,11 @@ class EnsightSource final : public Source {
             add_note(description_.note, "left out, as files are missing: " + left_out);
     }
 
-    static std::set<std::string> velocity_among(const std::vector<EnsightVariable>& variables) {
+    std::set<std::string> velocity_among(const std::vector<EnsightVariable>& variables) const {
         std::vector<FieldInfo> fields;
         for (const auto& one : variables)
             fields.push_back(one.field);
-        return possible_velocity(fields);
+        return possible_velocity(fields, velocity_);
     }
 
     // Which parts are fluid, and the variables that all of them have; the others are left out.
@@ -197,7 +199,7 @@ class EnsightSource final : public Source {
         Blocks blocks;
         for (const auto& [number, volume] : volumes)
             blocks.push_back(volume);
-        BlockRoles roles = block_roles(blocks);
+        BlockRoles roles = block_roles(blocks, velocity_);
         auto is_fluid = roles.fluid.begin();
         for (const auto& [number, volume] : volumes)
             if (!*is_fluid++)
@@ -309,6 +311,7 @@ class EnsightSource final : public Source {
     }
 
     EnsightCase found_;
+    std::string velocity_; ///< asked for; may be empty
     EnsightGeometry geometry_;
     std::string geometry_file_;
     std::set<std::size_t> on_blocks_; ///< parts with faces
@@ -327,11 +330,12 @@ bool is_ensight(const fs::path& path) {
     return ending == ".case" || ending == ".encas";
 }
 
-core::Result<std::unique_ptr<Source>> open_ensight(const fs::path& path) {
-    auto found = read_ensight_case(path);
+core::Result<std::unique_ptr<Source>> open_ensight(const fs::path& path,
+                                                   const SourceOptions& wish) {
+    auto found = read_ensight_case(path, wish.velocity);
     if (!found)
         return tl::unexpected(found.error());
-    auto source = std::make_unique<EnsightSource>(std::move(*found));
+    auto source = std::make_unique<EnsightSource>(std::move(*found), wish.velocity);
     return source->prepare().map([&]() -> std::unique_ptr<Source> { return std::move(source); });
 }
 

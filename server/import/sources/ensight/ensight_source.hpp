@@ -10,6 +10,7 @@ bool is_ensight(const std::filesystem::path& path);
 /// Blocks: the parts of three dimensions. Walls: those of two dimensions on the points of the blocks which are called
 /// wall, or on which the velocity is zero at the first and last time-steps. Particles are left out. Values are 32 bits.
 /// Error: as read_ensight_case and Source::read of the first time-step.
-core::Result<std::unique_ptr<Source>> open_ensight(const std::filesystem::path& path);
+core::Result<std::unique_ptr<Source>> open_ensight(const std::filesystem::path& path,
+                                                   const SourceOptions& wish = {});
 
 } // namespace wakesurf::server

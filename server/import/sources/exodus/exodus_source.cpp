@@ -7,6 +7,7 @@
 #include "server/import/sources/blocks/wall_patches.hpp"
 #include "server/import/sources/files/netcdf_size.hpp"
 #include "server/import/sources/files/source_files.hpp"
+#include "server/import/sources/series/series_times.hpp"
 #include "server/import/vtk_messages.hpp"
 
 #include <vtkCellData.h>
@@ -54,7 +55,8 @@ bool is_flat(vtkDataSet& data) {
 
 class ExodusSource final : public Source {
   public:
-    explicit ExodusSource(const fs::path& path) : file_{path, path.filename().string()} {
+    ExodusSource(const fs::path& path, std::string velocity)
+        : file_{path, path.filename().string()}, velocity_(std::move(velocity)) {
         description_.name = path.stem().string();
         description_.reader = "vtkExodusIIReader (Exodus II)";
     }
@@ -67,15 +69,18 @@ class ExodusSource final : public Source {
         vtkInformation* info = reader_->GetOutputInformation(0);
         const int steps = info->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
         const double* times = info->Get(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
-        description_.times.assign(times, times + steps);
-        if (std::adjacent_find(description_.times.begin(), description_.times.end(),
-                               std::greater_equal<>()) != description_.times.end())
-            return core::fail(Error::Code::Corrupt, file_.name + " does not have increasing times");
-        if (description_.times.empty()) {
-            description_.times = {0.0};
-            description_.places = {0.0};
-            description_.time_note = "the file has no times";
-        }
+        std::vector<TimedEntry> entries;
+        for (int i = 0; i < steps; ++i)
+            entries.push_back({step_name(static_cast<std::size_t>(i)), times[i]});
+        if (entries.empty())
+            entries.push_back({step_name(0), std::nullopt});
+        auto settled = settle_times(std::move(entries));
+        if (!settled)
+            return tl::unexpected(settled.error());
+        description_.times = std::move(settled->times);
+        description_.places = std::move(settled->places);
+        description_.time_note = steps == 0 ? "the file has no times" : std::move(settled->note);
+        order_ = std::move(settled->order);
         for (int i = 0; i < reader_->GetNumberOfPointResultArrays(); ++i)
             if (std::string name = reader_->GetPointResultArrayName(i);
                 name.starts_with("DISPL") || name.starts_with("displ") || name.starts_with("Displ"))
@@ -83,7 +88,7 @@ class ExodusSource final : public Source {
         const auto first = load(0, nullptr);
         if (!first)
             return tl::unexpected(first.error());
-        BlockRoles roles = block_roles(first->blocks);
+        BlockRoles roles = block_roles(first->blocks, velocity_);
         solid_ = std::move(roles.fluid);
         solid_.flip();
         description_.fields = std::move(roles.fields);
@@ -150,16 +155,20 @@ class ExodusSource final : public Source {
         }
     }
 
+    std::string step_name(std::size_t in_file) const {
+        return "time-step " + std::to_string(in_file) + " of " + file_.name;
+    }
+
     core::Result<SourceStep> load(std::size_t step, const std::vector<FieldInfo>* fields) {
-        const std::string what = "time-step " + std::to_string(step) + " of " + file_.name;
-        const double time = description_.times.at(step);
+        const std::string what = step_name(order_.at(step));
         try {
             if (reader_ == nullptr)
                 if (auto opened = open(); !opened)
                     return give_up(opened.error());
             choose_fields(fields);
             const VtkMessages messages;
-            reader_->UpdateTimeStep(time);
+            reader_->SetTimeStep(static_cast<int>(order_[step])); // of two with one time either
+            reader_->Update();
             if (auto clean = messages.verdict(what); !clean)
                 return give_up(clean.error());
             return take(what, fields);
@@ -211,8 +220,10 @@ class ExodusSource final : public Source {
     }
 
     NamedFile file_;
+    std::string velocity_; ///< asked for; may be empty
     vtkSmartPointer<vtkExodusIIReader> reader_;
     SourceDescription description_;
+    std::vector<std::size_t> order_; ///< of each time its place in the file
     std::vector<bool> solid_; ///< of each block of three-dimensional elements: without the velocity
 };
 
@@ -233,8 +244,8 @@ bool is_exodus(const fs::path& path) {
     return ending != ".g" || signature.starts_with("CDF") || signature == "\x89HDF";
 }
 
-core::Result<std::unique_ptr<Source>> open_exodus(const fs::path& path) {
-    auto source = std::make_unique<ExodusSource>(path);
+core::Result<std::unique_ptr<Source>> open_exodus(const fs::path& path, const SourceOptions& wish) {
+    auto source = std::make_unique<ExodusSource>(path, wish.velocity);
     return source->prepare().map([&]() -> std::unique_ptr<Source> { return std::move(source); });
 }
 

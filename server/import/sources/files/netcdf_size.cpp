@@ -19,7 +19,7 @@ using core::Error;
 
 namespace {
 
-constexpr std::uint64_t most = std::uint64_t{1} << 60; // bytes: beyond, a header is damaged
+constexpr std::uint64_t largest = std::uint64_t{1} << 60; // bytes: beyond, a header is damaged
 
 // What the header says, number by number; everything is big-endian and padded to four bytes.
 class Header {
@@ -41,7 +41,8 @@ class Header {
                 return std::nullopt;
         if (records_ == 0 || record_ends_ == 0)
             return fixed_ends_;
-        if (record_bytes_ > most || (record_bytes_ > 0 && records_ - 1 > most / record_bytes_))
+        if (record_bytes_ > largest ||
+            (record_bytes_ > 0 && records_ - 1 > largest / record_bytes_))
             return std::nullopt;
         return std::max(fixed_ends_, record_ends_ + (records_ - 1) * record_size());
     }
@@ -64,7 +65,7 @@ class Header {
     }
 
     bool skip(std::uint64_t bytes) {
-        sound_ = sound_ && bytes < most;
+        sound_ = sound_ && bytes < largest;
         if (sound_)
             in_.seekg(static_cast<std::streamoff>((bytes + 3) / 4 * 4), std::ios::cur);
         return sound_ && in_.good();
@@ -104,7 +105,7 @@ class Header {
                 return false;
             const auto bytes = bytes_of(number(4));
             const auto values = number(count_);
-            if (bytes == 0 || values > most / 8 || !skip(bytes * values))
+            if (bytes == 0 || values > largest / 8 || !skip(bytes * values))
                 return false;
         }
         return sound_;
@@ -124,7 +125,7 @@ class Header {
                 return false;
             if (d == 0 && lengths_[id] == 0)
                 record = true;
-            else if (lengths_[id] != 0 && values > most / lengths_[id])
+            else if (lengths_[id] != 0 && values > largest / lengths_[id])
                 return false;
             else
                 values *= lengths_[id];
@@ -134,7 +135,7 @@ class Header {
         const auto bytes = bytes_of(number(4));
         number(count_); // the size, wrong for large variables
         const auto begin = number(offset_);
-        if (!sound_ || bytes == 0 || values > most / 8 || begin > most)
+        if (!sound_ || bytes == 0 || values > largest / 8 || begin > largest)
             return false;
         if (!record) {
             fixed_ends_ = std::max(fixed_ends_, begin + values * bytes);

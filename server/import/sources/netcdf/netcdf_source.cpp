@@ -136,7 +136,8 @@ core::Result<void> add_field(vtkDataSet& data,
 
 class NetcdfSource final : public Source {
   public:
-    explicit NetcdfSource(FileSeries series) : series_(std::move(series)) {}
+    NetcdfSource(FileSeries series, std::string velocity)
+        : series_(std::move(series)), velocity_(std::move(velocity)) {}
 
     core::Result<void> open() {
         description_.name = series_.name;
@@ -151,6 +152,7 @@ class NetcdfSource final : public Source {
         description_.times = std::move(settled->times);
         description_.time_note = std::move(settled->note);
         description_.places = std::move(settled->places);
+        keep(settled->order);
         return describe();
     }
 
@@ -183,6 +185,13 @@ class NetcdfSource final : public Source {
     }
 
   private:
+    void keep(const std::vector<std::size_t>& order) {
+        std::vector<Step> kept;
+        for (const std::size_t i : order)
+            kept.push_back(steps_[i]);
+        steps_ = std::move(kept);
+    }
+
     struct Step {
         std::size_t file = 0;
         std::size_t time = 0;
@@ -269,16 +278,17 @@ class NetcdfSource final : public Source {
         });
     }
 
-    // Of what is the velocity unless a user names another; none where that is not clear.
+    // None where it is not clear what the velocity is.
     std::vector<std::string> velocity_names() const {
         std::vector<std::string> out;
-        if (const auto chosen = choose_velocity(description_.fields, {}))
+        if (const auto chosen = choose_velocity(description_.fields, velocity_))
             for (const auto& array : chosen->parts.arrays)
                 out.push_back(array.name);
         return out;
     }
 
     FileSeries series_;
+    std::string velocity_;  ///< asked for; may be empty
     std::string reference_; ///< that times are counted from
     std::optional<std::string> time_unit_;
     std::vector<Step> steps_;
@@ -292,11 +302,12 @@ bool is_netcdf(const std::filesystem::path& path) {
     return extension == ".nc" || extension == ".nc4" || extension == ".cdf";
 }
 
-core::Result<std::unique_ptr<Source>> open_netcdf(const std::filesystem::path& path) {
-    auto series = open_file_series(path);
+core::Result<std::unique_ptr<Source>> open_netcdf(const std::filesystem::path& path,
+                                                  const SourceOptions& wish) {
+    auto series = open_file_series(path, wish.alone);
     if (!series)
         return tl::unexpected(series.error());
-    auto source = std::make_unique<NetcdfSource>(std::move(*series));
+    auto source = std::make_unique<NetcdfSource>(std::move(*series), wish.velocity);
     if (auto opened = source->open(); !opened)
         return tl::unexpected(opened.error());
     return source;

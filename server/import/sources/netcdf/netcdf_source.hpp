@@ -12,6 +12,7 @@ bool is_netcdf(const std::filesystem::path& path);
 /// One block: an image where the nodes are evenly spaced (to a millionth of the spacing, or to what single precision
 /// keeps of a coordinate), else a rectilinear grid. Fill values, missing values and those outside the valid range are
 /// NaN. Reads the first time-step. Error: as open_source.
-core::Result<std::unique_ptr<Source>> open_netcdf(const std::filesystem::path& path);
+core::Result<std::unique_ptr<Source>> open_netcdf(const std::filesystem::path& path,
+                                                  const SourceOptions& wish = {});
 
 } // namespace wakesurf::server

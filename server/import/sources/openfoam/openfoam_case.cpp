@@ -254,8 +254,9 @@ fs::path openfoam_folder(const fs::path& path) {
                                                                      : folder / "..";
 }
 
-core::Result<FoamCase> scan_openfoam_case(const fs::path& path) {
+core::Result<FoamCase> scan_openfoam_case(const fs::path& path, const std::string& velocity) {
     FoamCase found;
+    found.velocity = velocity;
     found.folder = openfoam_folder(path);
     std::error_code error;
     fs::path whole = fs::weakly_canonical(found.folder, error);

@@ -28,6 +28,7 @@ struct FoamCase {
     std::filesystem::path folder;
     std::string name;               ///< for people: of the folder
     std::string file;               ///< what was given, for errors
+    std::string velocity;           ///< asked for; may be empty
     std::vector<std::string> parts; ///< folders with a mesh each: "" alone, or processor0 and so on
     std::vector<FoamRegion> regions;
     std::vector<FoamTime> times; ///< where every fluid region of every part has a velocity
@@ -49,9 +50,10 @@ struct FoamCase {
     NamedFile file_at(const std::string& relative) const;
 };
 
-/// `path`: a case's folder, its .foam or .OpenFOAM file or its system/controlDict.
+/// `path`: a case's folder, its .foam or .OpenFOAM file or its system/controlDict. @param velocity  asked for; may be empty
 /// Error: NotFound (no mesh, no times), Unsupported (a mesh that moves, collated files), Corrupt, Io.
-core::Result<FoamCase> scan_openfoam_case(const std::filesystem::path& path);
+core::Result<FoamCase> scan_openfoam_case(const std::filesystem::path& path,
+                                          const std::string& velocity = {});
 
 /// The case's folder, where `path` is one of what scan_openfoam_case takes.
 std::filesystem::path openfoam_folder(const std::filesystem::path& path);

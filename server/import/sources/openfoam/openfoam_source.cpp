@@ -175,8 +175,9 @@ bool is_openfoam(const fs::path& path) {
            ending == ".OpenFOAM";
 }
 
-core::Result<std::unique_ptr<Source>> open_openfoam(const fs::path& path) {
-    auto found = scan_openfoam_case(path);
+core::Result<std::unique_ptr<Source>> open_openfoam(const fs::path& path,
+                                                    const SourceOptions& wish) {
+    auto found = scan_openfoam_case(path, wish.velocity);
     if (!found)
         return tl::unexpected(found.error());
     auto source = std::make_unique<OpenfoamSource>(std::move(*found));

@@ -12,6 +12,7 @@ bool is_openfoam(const std::filesystem::path& path);
 /// Blocks: one a fluid region and processor. Walls: the patches of a type of wall. Solids: the boundaries of regions
 /// without a velocity. Values are VTK's, 32 bits, of the cells; point fields and particles are left out.
 /// Error: as scan_openfoam_case and Source::read of the first time-step.
-core::Result<std::unique_ptr<Source>> open_openfoam(const std::filesystem::path& path);
+core::Result<std::unique_ptr<Source>> open_openfoam(const std::filesystem::path& path,
+                                                    const SourceOptions& wish = {});
 
 } // namespace wakesurf::server

@@ -3,6 +3,7 @@
 #include "server/import/notes.hpp"
 #include "server/import/progress_marks.hpp"
 #include "server/import/sources/openfoam/openfoam_file.hpp"
+#include "server/import/velocity_names.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -43,18 +44,27 @@ fields_at_times(const FoamCase& found, const std::string& part, const std::strin
     return out;
 }
 
-// U, or else the vector field that most times have.
+bool is_of_something_else(const std::string& name) {
+    return meaning_of_vector(name) == VectorName::Other;
+}
+
+// What is asked for, U, or else the vector field that most times have and whose name does not say that it is something else.
 std::string velocity_name(const FoamCase& found, const std::vector<NamesAtTimes>& regions) {
     std::map<std::string, std::size_t> counts;
     for (const auto& region : regions)
         for (const auto& [value, here] : region)
             for (const auto& name : here.second)
                 ++counts[name];
+    if (const auto first = found.velocity.substr(0, found.velocity.find(','));
+        counts.contains(first))
+        return first;
     if (counts.contains("U"))
         return "U";
     std::string best;
     for (const auto& [name, count] : counts) {
-        if (!best.empty() && counts[best] >= count)
+        const bool other = is_of_something_else(name);
+        const bool alike = is_of_something_else(best) == other;
+        if (!best.empty() && (alike ? counts[best] >= count : other))
             continue;
         for (std::size_t r = 0; r < regions.size(); ++r) {
             const auto last = std::find_if(

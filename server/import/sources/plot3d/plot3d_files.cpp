@@ -131,14 +131,14 @@ bool is_plot3d_grid(const fs::path& path) {
            extensions.end();
 }
 
-core::Result<Plot3dFiles> find_plot3d_files(const fs::path& path) {
+core::Result<Plot3dFiles> find_plot3d_files(const fs::path& path, bool alone) {
     if (is_meta(path))
         return read_meta(path);
     const bool grid_given = is_plot3d_grid(path);
     const auto first = grid_given ? first_solution_of(path) : core::Result<fs::path>(path);
     if (!first)
         return tl::unexpected(first.error());
-    const auto solutions = numbered_files(*first);
+    const auto solutions = numbered_files(*first, alone && !grid_given);
     if (!solutions)
         return tl::unexpected(solutions.error());
     const auto grid = grid_given ? core::Result<fs::path>(path)

@@ -20,7 +20,8 @@ struct Plot3dFiles {
 bool is_plot3d_grid(const std::filesystem::path& path);
 
 /// `path`: the grid, a solution, a pattern of solutions, or a .p3d text. Error: NotFound (no grid, no solutions),
+/// @param alone  of a numbered series only the solution that is named
 /// InvalidArgument (several grids), Corrupt, Io.
-core::Result<Plot3dFiles> find_plot3d_files(const std::filesystem::path& path);
+core::Result<Plot3dFiles> find_plot3d_files(const std::filesystem::path& path, bool alone);
 
 } // namespace wakesurf::server

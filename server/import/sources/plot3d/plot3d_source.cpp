@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
+#include <set>
 
 namespace wakesurf::server {
 
@@ -37,6 +38,12 @@ void lay_out(vtkMultiBlockPLOT3DReader& reader, const Plot3dLayout& layout) {
         reader.SetByteOrderToBigEndian();
     else
         reader.SetByteOrderToLittleEndian();
+}
+
+// Many programs write 0, or a constant, for each. After a restart some are there twice.
+bool are_times(const std::vector<double>& headers) {
+    return std::ranges::all_of(headers, [](double t) { return std::isfinite(t); }) &&
+           2 * std::set(headers.begin(), headers.end()).size() > headers.size();
 }
 
 class Plot3dSource final : public Source {
@@ -111,21 +118,21 @@ class Plot3dSource final : public Source {
             entries.push_back({step.solution.name, step.time});
         }
         const bool listed = files_.steps.front().time.has_value();
-        const bool rising =
-            std::all_of(headers.begin(), headers.end(),
-                        [](double t) { return std::isfinite(t); }) &&
-            std::adjacent_find(headers.begin(), headers.end(),
-                               [](double a, double b) { return !(a < b); }) == headers.end();
-        for (std::size_t i = 0; !listed && rising && i < headers.size(); ++i)
+        const bool stated = !listed && are_times(headers);
+        for (std::size_t i = 0; stated && i < headers.size(); ++i)
             entries[i].time = headers[i];
         auto settled = settle_times(entries);
         if (!settled)
             return tl::unexpected(settled.error());
         description_.times = std::move(settled->times);
         description_.places = std::move(settled->places);
-        if (!listed && !rising)
-            description_.time_note =
-                "the times in the solutions do not increase: 0, 1, 2, ... are used";
+        description_.time_note =
+            listed || stated ? std::move(settled->note)
+                             : "the times in the solutions do not increase: 0, 1, 2, ... are used";
+        std::vector<Plot3dStep> kept;
+        for (const std::size_t i : settled->order)
+            kept.push_back(std::move(files_.steps[i]));
+        files_.steps = std::move(kept);
         return {};
     }
 
@@ -175,8 +182,9 @@ bool is_plot3d(const std::filesystem::path& path) {
     return is_plot3d_grid(path) || lower_extension(path) == ".q";
 }
 
-core::Result<std::unique_ptr<Source>> open_plot3d(const std::filesystem::path& path) {
-    auto files = find_plot3d_files(path);
+core::Result<std::unique_ptr<Source>> open_plot3d(const std::filesystem::path& path,
+                                                  const SourceOptions& wish) {
+    auto files = find_plot3d_files(path, wish.alone);
     if (!files)
         return tl::unexpected(files.error());
     auto source = std::make_unique<Plot3dSource>(std::move(*files));

@@ -14,6 +14,7 @@ bool is_plot3d(const std::filesystem::path& path);
 /// Each grid of the file is a block, the cells of blanked nodes marked. Fields: Momentum, Density, StagnationEnergy and the Velocity VTK
 /// makes of the first two. Times are those of the solutions' headers where they rise, else 0, 1, 2, ... Reads the
 /// first time-step. Error: as open_source.
-core::Result<std::unique_ptr<Source>> open_plot3d(const std::filesystem::path& path);
+core::Result<std::unique_ptr<Source>> open_plot3d(const std::filesystem::path& path,
+                                                  const SourceOptions& wish = {});
 
 } // namespace wakesurf::server

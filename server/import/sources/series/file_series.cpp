@@ -8,13 +8,13 @@
 
 namespace wakesurf::server {
 
-core::Result<FileSeries> open_file_series(const std::filesystem::path& source) {
+core::Result<FileSeries> open_file_series(const std::filesystem::path& source, bool alone) {
     const std::string extension = lower_extension(source);
     if (extension == ".pvd")
         return read_pvd_series(source);
     if (extension == ".series")
         return read_json_series(source);
-    auto numbered = numbered_files(source);
+    auto numbered = numbered_files(source, alone);
     if (!numbered)
         return tl::unexpected(numbered.error());
     FileSeries series{numbered->name, extension.empty() ? "" : extension.substr(1), {}, {}};

@@ -28,11 +28,14 @@ struct FileSeries {
     std::string kind;                         ///< pvd, vtm.series, vtu series, vtu
     std::vector<std::filesystem::path> index; ///< the file that lists the others, if there is one
     std::vector<SeriesEntry> entries;         ///< in order, at least one
+    std::vector<std::string>
+        left_out{}; ///< files of parts that the list names again for the same time
 };
 
 /// `source`: a .pvd, a .series, any file of a numbered series or a pattern of one, a file alone. The files need not
 /// exist yet. Error: NotFound, Io, Corrupt, InvalidArgument.
-core::Result<FileSeries> open_file_series(const std::filesystem::path& source);
+/// @param alone  of a numbered series only the file that is named
+core::Result<FileSeries> open_file_series(const std::filesystem::path& source, bool alone);
 
 /// As of files/source_files.hpp.
 core::Result<std::vector<store::SourceFile>> fingerprint(const std::vector<ListedFile>& files);

@@ -24,7 +24,8 @@ namespace {
 struct DataSetElement {
     ListedFile file;
     std::optional<double> time;
-    std::string part; ///< what tells it from other parts of its time-step
+    std::string part;      ///< what tells it from other parts of its time-step
+    std::size_t place = 0; ///< in the file
 };
 
 core::Result<DataSetElement> read_element(vtkXMLDataElement& element,
@@ -70,6 +71,7 @@ core::Result<std::vector<DataSetElement>> read_elements(const std::filesystem::p
         auto element = read_element(*nested, file.parent_path(), name);
         if (!element)
             return tl::unexpected(element.error());
+        element->place = out.size();
         out.push_back(std::move(*element));
     }
     if (out.empty())
@@ -89,25 +91,45 @@ core::Result<void> sort_by_time(std::vector<DataSetElement>& elements, const std
     return {};
 }
 
-core::Result<void>
-add(FileSeries& series, DataSetElement& element, std::vector<std::string>& parts) {
-    auto& entries = series.entries;
-    if (entries.empty() || !element.time || *entries.back().time != *element.time) {
-        entries.push_back({{}, element.time, {}});
-        parts.clear();
+using Group = std::vector<DataSetElement>;
+
+// Files for one part of one time, next to each other at every time and as many of them each, are parts without a number: a
+// restart would have written the times one after the other.
+bool are_parts_without_numbers(const std::vector<Group>& times) {
+    return std::all_of(times.begin(), times.end(), [&](const Group& group) {
+        return group.size() > 1 && group.size() == times.front().size() &&
+               std::adjacent_find(group.begin(), group.end(), [](const auto& a, const auto& b) {
+                   return a.part != b.part || a.place + 1 != b.place || a.file.path == b.file.path;
+               }) == group.end();
+    });
+}
+
+// Of a part that is named twice for one time, as after a restart, the last.
+SeriesEntry entry_of(Group& group, std::vector<std::string>& left_out) {
+    SeriesEntry out{{}, group.front().time, {}};
+    std::vector<std::string> parts;
+    for (auto& element : group) {
+        const auto same = std::find(parts.begin(), parts.end(), element.part);
+        if (same == parts.end()) {
+            parts.push_back(element.part);
+            out.parts.push_back(std::move(element.file));
+            continue;
+        }
+        auto& before = out.parts[static_cast<std::size_t>(same - parts.begin())];
+        left_out.push_back(before.name);
+        before = std::move(element.file);
     }
-    const auto same = std::find(parts.begin(), parts.end(), element.part);
-    if (same != parts.end()) {
-        const auto& first = entries.back().parts[static_cast<std::size_t>(same - parts.begin())];
-        return core::fail(Error::Code::Corrupt,
-                          series.index.front().filename().string() + " gives " + first.name +
-                              " and " + element.file.name + " the same time, " +
-                              time_text(*element.time),
-                          "give the parts of a time-step different part numbers");
+    return out;
+}
+
+std::vector<Group> by_times(std::vector<DataSetElement> elements) {
+    std::vector<Group> out;
+    for (auto& element : elements) {
+        if (out.empty() || !element.time || !same_time(*out.back().front().time, *element.time))
+            out.emplace_back();
+        out.back().push_back(std::move(element));
     }
-    parts.push_back(element.part);
-    entries.back().parts.push_back(std::move(element.file));
-    return {};
+    return out;
 }
 
 } // namespace
@@ -120,10 +142,15 @@ core::Result<FileSeries> read_pvd_series(const std::filesystem::path& file) {
     if (auto sorted = sort_by_time(*elements, name); !sorted)
         return tl::unexpected(sorted.error());
     FileSeries series{file.stem().string(), "pvd", {file}, {}};
-    std::vector<std::string> parts;
-    for (auto& element : *elements)
-        if (auto added = add(series, element, parts); !added)
-            return tl::unexpected(added.error());
+    auto times = by_times(std::move(*elements));
+    if (are_parts_without_numbers(times))
+        return core::fail(Error::Code::Corrupt,
+                          name + " gives " + times.front()[0].file.name + " and " +
+                              times.front()[1].file.name + " the same time, " +
+                              time_text(times.front()[0].time.value_or(0.0)),
+                          "give the parts of a time-step different part numbers");
+    for (auto& group : times)
+        series.entries.push_back(entry_of(group, series.left_out));
     const auto odd = std::find_if(series.entries.begin(), series.entries.end(), [&](const auto& e) {
         return e.parts.size() != series.entries.front().parts.size();
     });

@@ -7,7 +7,6 @@
 #include "server/import/sources/vtk/xml_header.hpp"
 #include "server/import/vtk_messages.hpp"
 
-#include <fstream>
 #include <string_view>
 
 namespace wakesurf::server {
@@ -26,22 +25,13 @@ core::Result<XmlHeader> header_of(const ListedFile& file) {
     return header;
 }
 
-std::string joined(const std::string& block, const std::string& name) {
-    return block.empty() || name.empty() ? block + name : block + "/" + name;
+bool is_of_blocks(const std::filesystem::path& path) {
+    const auto extension = lower_extension(path);
+    return extension == ".vtm" || extension == ".vtmb";
 }
 
-// VTK's parser drops the text of elements: <DataArray ... Name="TimeValue" ... format="ascii"> 0.5 </DataArray>.
-std::optional<double> text_time(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(in), {}};
-    const auto name = text.find("TimeValue");
-    const auto open = text.rfind('<', name);
-    const auto close = text.find('>', name);
-    if (name == std::string::npos || close == std::string::npos)
-        return std::nullopt;
-    if (text.substr(open, close - open).find("ascii") == std::string::npos)
-        return std::nullopt;
-    return finite_number(text.substr(close + 1, text.find('<', close) - close - 1));
+std::string joined(const std::string& block, const std::string& name) {
+    return block.empty() || name.empty() ? block + name : block + "/" + name;
 }
 
 class Expansion {
@@ -56,11 +46,10 @@ class Expansion {
         if (depth > deepest)
             return core::fail(Error::Code::Unsupported, file.name + " is nested too deeply");
         out.files.push_back(file);
-        const auto extension = lower_extension(file.path);
-        if (extension == ".vtm" || extension == ".vtmb")
+        if (is_of_blocks(file.path))
             return add_blocks_of(file, depth);
-        if (extension.starts_with(".pvt"))
-            return add_pieces_of(file, extension, depth);
+        if (names_others(file.path))
+            return add_pieces_of(file, lower_extension(file.path), depth);
         out.leaves.push_back(file);
         return {};
     }
@@ -74,8 +63,6 @@ class Expansion {
             return tl::unexpected(header.error());
         if (header->type != "vtkMultiBlockDataSet")
             return core::fail(Error::Code::Corrupt, file.name + " is not a multi-block file");
-        if (depth == 0)
-            out.time = text_time(file.path);
         return add_elements(*header->primary, file, file.block, depth);
     }
 
@@ -136,6 +123,10 @@ class Expansion {
 };
 
 } // namespace
+
+bool names_others(const std::filesystem::path& path) {
+    return is_of_blocks(path) || lower_extension(path).starts_with(".pvt");
+}
 
 core::Result<CompositeFile> expand(const ListedFile& file) {
     Expansion expansion;

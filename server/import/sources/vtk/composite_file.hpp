@@ -9,9 +9,11 @@ struct CompositeFile {
     std::vector<ListedFile>
         files; ///< all: the composite ones, the leaves, the pieces that leaves are made of
     std::vector<ListedFile>
-        leaves;                 ///< those that are read, in order; `block` says where they stand
-    std::optional<double> time; ///< of the .vtm itself, where it is written as text
+        leaves; ///< those that are read, in order; `block` says where they stand
 };
+
+/// By extension: .vtm, .vtmb, .pvtu and the like.
+bool names_others(const std::filesystem::path& path);
 
 /// Reads the composite files, not the leaves, but all are there. Error: NotFound (naming who names the missing file),
 /// Io, Corrupt, Unsupported (nested too deeply). REQUIRES: no VtkMessages lives.

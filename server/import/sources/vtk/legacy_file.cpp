@@ -1,11 +1,15 @@
 #include "server/import/sources/vtk/legacy_file.hpp"
 
+#include "server/import/sources/files/file_names.hpp"
 #include "server/import/vtk_messages.hpp"
 
 #include <vtkGenericDataObjectReader.h>
 
+#include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <new>
+#include <string_view>
 
 namespace wakesurf::server {
 
@@ -56,6 +60,27 @@ core::Result<VtkFile> read_legacy_file(const ListedFile& file) {
     if (data == nullptr)
         return core::fail(Error::Code::Unsupported, file.name + " holds no grid");
     return VtkFile{data, "vtkGenericDataObjectReader"};
+}
+
+std::optional<double> legacy_title_time(const ListedFile& file) {
+    std::ifstream in(file.path, std::ios::binary);
+    std::string version, title;
+    if (!std::getline(in, version) || !std::getline(in, title))
+        return std::nullopt;
+    std::transform(title.begin(), title.end(), title.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    auto at = title.find("time");
+    if (at == std::string::npos ||
+        (at > 0 && std::isalnum(static_cast<unsigned char>(title[at - 1])) != 0))
+        return std::nullopt;
+    at = title.find_first_not_of(" \t", at + 4);
+    if (at == std::string::npos || (title[at] != '=' && title[at] != ':'))
+        return std::nullopt;
+    at = title.find_first_not_of(" \t", at + 1);
+    if (at == std::string::npos)
+        return std::nullopt;
+    return finite_number(
+        std::string_view(title).substr(at, title.find_first_of(" \t,;\r", at) - at));
 }
 
 } // namespace wakesurf::server

@@ -1,9 +1,11 @@
 #include "server/import/sources/vtk/vtk_file.hpp"
 
 #include "server/import/sources/files/file_names.hpp"
+#include "server/import/sources/vtk/composite_file.hpp"
 #include "server/import/sources/vtk/hdf_file.hpp"
 #include "server/import/sources/vtk/legacy_file.hpp"
 #include "server/import/sources/vtk/xml_file.hpp"
+#include "server/import/sources/vtk/xml_time.hpp"
 
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
@@ -39,10 +41,21 @@ core::Result<VtkFile> read_vtk_file(const ListedFile& file, const WantedArrays& 
     return is_xml(file.path) ? read_xml_file(file, wanted) : read_legacy_file(file);
 }
 
-core::Result<std::optional<double>> vtk_file_time(const ListedFile& file) {
-    if (is_xml(file.path))
+core::Result<StatedTime> vtk_file_time(const ListedFile& file) {
+    if (is_xml(file.path) || names_others(file.path))
         return xml_file_time(file);
-    return read_vtk_file(file, {}).map([](const VtkFile& read) { return time_in(*read.data); });
+    return read_vtk_file(file, {}).map([&](const VtkFile& read) {
+        StatedTime out;
+        for (const auto& [name, means] : time_arrays)
+            if (auto* array = read.data->GetFieldData()->GetArray(name);
+                array != nullptr && array->GetNumberOfValues() > 0 &&
+                std::isfinite(array->GetTuple1(0)))
+                out.*means = array->GetTuple1(0);
+        if (!out.time && lower_extension(file.path) == ".vtk")
+            if ((out.time = legacy_title_time(file)))
+                out.in_title = true;
+        return out;
+    });
 }
 
 core::Result<std::set<std::pair<core::FieldInfo::Source, std::string>>>
@@ -51,14 +64,6 @@ vtk_file_fields(const ListedFile& file) {
         return xml_file_fields(file);
     return core::fail(core::Error::Code::Unsupported,
                       file.name + " has no header that lists its arrays");
-}
-
-std::optional<double> time_in(vtkDataObject& data) {
-    for (const char* name : {"TimeValue", "TIME"})
-        if (vtkDataArray* time = data.GetFieldData()->GetArray(name);
-            time != nullptr && time->GetNumberOfValues() > 0 && std::isfinite(time->GetTuple1(0)))
-            return time->GetTuple1(0);
-    return std::nullopt;
 }
 
 } // namespace wakesurf::server

@@ -3,11 +3,11 @@
 
 #include "server/import/sources/blocks/wanted_arrays.hpp"
 #include "server/import/sources/series/file_series.hpp"
+#include "server/import/sources/series/series_times.hpp"
 
 #include <vtkDataSet.h>
 #include <vtkSmartPointer.h>
 
-#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -26,15 +26,12 @@ bool is_vtk_file(const std::filesystem::path& path);
 /// (memory). REQUIRES: no VtkMessages lives, as of all functions here.
 core::Result<VtkFile> read_vtk_file(const ListedFile& file, const WantedArrays& wanted);
 
-/// The time that the file states, if any.
-core::Result<std::optional<double>> vtk_file_time(const ListedFile& file);
+/// The time that the file itself states, if any: of a .vtm or .pvtu not those of the files it names.
+core::Result<StatedTime> vtk_file_time(const ListedFile& file);
 
 /// Names of the point and cell arrays that the file's header lists. Error: Unsupported, where only reading all of the file
 /// would tell (legacy .vtk, VTKHDF); else as read_vtk_file.
 core::Result<std::set<std::pair<core::FieldInfo::Source, std::string>>>
 vtk_file_fields(const ListedFile& file);
-
-/// The TimeValue (ParaView) or TIME (VisIt) of the field data.
-std::optional<double> time_in(vtkDataObject& data);
 
 } // namespace wakesurf::server

@@ -30,8 +30,6 @@ using core::FieldInfo;
 namespace {
 
 CompositeFile& append(CompositeFile& whole, CompositeFile part) {
-    if (!whole.time)
-        whole.time = part.time;
     std::move(part.files.begin(), part.files.end(), std::back_inserter(whole.files));
     std::move(part.leaves.begin(), part.leaves.end(), std::back_inserter(whole.leaves));
     return whole;
@@ -44,7 +42,8 @@ bool has_ghosts(vtkDataSet& data) {
 
 class VtkFilesSource final : public Source {
   public:
-    explicit VtkFilesSource(FileSeries series) : series_(std::move(series)) {}
+    VtkFilesSource(FileSeries series, std::string velocity)
+        : series_(std::move(series)), velocity_(std::move(velocity)) {}
 
     core::Result<void> open() {
         description_.name = series_.name;
@@ -182,23 +181,41 @@ class VtkFilesSource final : public Source {
             entries.back().unreadable = !own && step > 0;
             if (!own && step == 0)
                 return tl::unexpected(own.error());
-            if (own)
-                entries.back().time = *own;
+            if (own) {
+                entries.back().time = own->time;
+                entries.back().cycle = own->cycle;
+                entries.back().in_title = own->in_title;
+            }
         }
         return settle_times(std::move(entries)).map([&](SeriesTimes found) {
             description_.times = std::move(found.times);
             description_.time_note = std::move(found.note);
             description_.places = std::move(found.places);
+            std::vector<SeriesEntry> kept;
+            for (const std::size_t i : found.order)
+                kept.push_back(std::move(series_.entries[i]));
+            series_.entries = std::move(kept);
+            add_note(description_.time_note, written_again(series_.left_out));
         });
     }
 
-    core::Result<std::optional<double>> own_time(std::size_t step) const {
+    // Of a file that names others its own; where it states none, that of the first of them that is no list.
+    core::Result<StatedTime> own_time(std::size_t step) const {
         const auto all = expand(series_.entries[step].parts.front());
         if (!all)
             return tl::unexpected(all.error());
-        if (all->time || all->leaves.empty())
-            return all->time;
-        return vtk_file_time(all->leaves.front());
+        StatedTime stated;
+        for (const auto& file : all->files) {
+            auto own = vtk_file_time(file);
+            if (!own)
+                return own;
+            if (!own->cycle)
+                own->cycle = stated.cycle;
+            stated = *own;
+            if (stated.time || !names_others(file.path))
+                break;
+        }
+        return stated;
     }
 
     core::Result<void> describe() {
@@ -228,7 +245,7 @@ class VtkFilesSource final : public Source {
             if (description_.reader.empty())
                 description_.reader = file->reader + " (" + series_.kind + ")";
         }
-        BlockRoles roles = block_roles(blocks);
+        BlockRoles roles = block_roles(blocks, velocity_);
         Blocks fluid;
         for (std::size_t i = 0; i < blocks.size(); ++i)
             if (roles.fluid[i])
@@ -249,7 +266,7 @@ class VtkFilesSource final : public Source {
 
     // A velocity that a time-step lacks is told when it is its turn; so is a file that cannot be read.
     void leave_out_what_a_step_lacks() {
-        const auto velocity = possible_velocity(description_.fields);
+        const auto velocity = possible_velocity(description_.fields, velocity_);
         std::string left_out;
         for (std::size_t step = 1; step < series_.entries.size(); ++step) {
             const auto missing = fields_missing_at(step);
@@ -344,6 +361,7 @@ class VtkFilesSource final : public Source {
     }
 
     FileSeries series_;
+    std::string velocity_; ///< asked for; may be empty
     SourceDescription description_;
     std::set<std::string> solids_; ///< places of the blocks without the velocity
     std::map<std::string, bool> still_;
@@ -359,11 +377,12 @@ bool is_vtk_files(const std::filesystem::path& path) {
     return extension == ".pvd" || extension == ".series" || is_vtk_file(path);
 }
 
-core::Result<std::unique_ptr<Source>> open_vtk_files(const std::filesystem::path& path) {
-    auto series = open_file_series(path);
+core::Result<std::unique_ptr<Source>> open_vtk_files(const std::filesystem::path& path,
+                                                     const SourceOptions& wish) {
+    auto series = open_file_series(path, wish.alone);
     if (!series)
         return tl::unexpected(series.error());
-    auto source = std::make_unique<VtkFilesSource>(std::move(*series));
+    auto source = std::make_unique<VtkFilesSource>(std::move(*series), wish.velocity);
     if (auto opened = source->open(); !opened)
         return tl::unexpected(opened.error());
     return source;

@@ -13,6 +13,7 @@ bool is_vtk_files(const std::filesystem::path& path);
 /// velocity is exactly zero at the first, the last and the time-step read; other patches are left out. Blocks without the
 /// velocity, beside blocks with it, are solids. Other fields that a time-step lacks are left out, with a note.
 /// Reads the first time-step. Error: as open_source.
-core::Result<std::unique_ptr<Source>> open_vtk_files(const std::filesystem::path& path);
+core::Result<std::unique_ptr<Source>> open_vtk_files(const std::filesystem::path& path,
+                                                     const SourceOptions& wish = {});
 
 } // namespace wakesurf::server

@@ -116,7 +116,7 @@ core::Result<VtkFile> read_xml_file(const ListedFile& file, const WantedArrays& 
     return load(file, wanted);
 }
 
-core::Result<std::optional<double>> xml_file_time(const ListedFile& file) {
+core::Result<StatedTime> xml_file_time(const ListedFile& file) {
     if (const auto header = checked_header(file); !header)
         return tl::unexpected(header.error());
     const VtkMessages messages;

@@ -11,7 +11,7 @@ namespace wakesurf::server {
 core::Result<VtkFile> read_xml_file(const ListedFile& file, const WantedArrays& wanted);
 
 /// Its TimeValue, if it has one; reads as little else as VTK allows. Error: as read_xml_file.
-core::Result<std::optional<double>> xml_file_time(const ListedFile& file);
+core::Result<StatedTime> xml_file_time(const ListedFile& file);
 
 /// As vtk_file_fields.
 core::Result<std::set<std::pair<core::FieldInfo::Source, std::string>>>

@@ -5,6 +5,7 @@
 #include <vtkXMLDataParser.h>
 #include <vtkZLibDataCompressor.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <string_view>
@@ -15,13 +16,12 @@ using core::Error;
 
 namespace {
 
-vtkXMLDataElement* time_element(vtkXMLDataElement& root) {
+// Serial and parallel files have field data within what they hold, collections of blocks beside it.
+vtkXMLDataElement* field_data_of(vtkXMLDataElement& root) {
     const char* type = root.GetAttribute("type");
     auto* primary = type == nullptr ? nullptr : root.FindNestedElementWithName(type);
-    auto* field = primary == nullptr ? nullptr : primary->FindNestedElementWithName("FieldData");
-    return field == nullptr
-               ? nullptr
-               : field->FindNestedElementWithNameAndAttribute("DataArray", "Name", "TimeValue");
+    auto* inside = primary == nullptr ? nullptr : primary->FindNestedElementWithName("FieldData");
+    return inside != nullptr ? inside : root.FindNestedElementWithName("FieldData");
 }
 
 void set_compressor(vtkXMLDataParser& parser, vtkXMLDataElement& root) {
@@ -51,27 +51,58 @@ std::optional<double> first_value(vtkXMLDataParser& parser, vtkXMLDataElement& a
     return static_cast<double>(value);
 }
 
+using Read = std::optional<double> (*)(vtkXMLDataParser&, vtkXMLDataElement&, int);
+
+std::optional<double> number_in(vtkXMLDataParser& parser, vtkXMLDataElement& array) {
+    struct Type {
+        std::string_view name;
+        Read read;
+        int vtk;
+    };
+
+    constexpr std::array<Type, 10> types{{{"Float64", first_value<double>, VTK_DOUBLE},
+                                          {"Float32", first_value<float>, VTK_FLOAT},
+                                          {"Int64", first_value<vtkTypeInt64>, VTK_TYPE_INT64},
+                                          {"UInt64", first_value<vtkTypeUInt64>, VTK_TYPE_UINT64},
+                                          {"Int32", first_value<vtkTypeInt32>, VTK_TYPE_INT32},
+                                          {"UInt32", first_value<vtkTypeUInt32>, VTK_TYPE_UINT32},
+                                          {"Int16", first_value<vtkTypeInt16>, VTK_TYPE_INT16},
+                                          {"UInt16", first_value<vtkTypeUInt16>, VTK_TYPE_UINT16},
+                                          {"Int8", first_value<vtkTypeInt8>, VTK_TYPE_INT8},
+                                          {"UInt8", first_value<vtkTypeUInt8>, VTK_TYPE_UINT8}}};
+    const char* const given = array.GetAttribute("type");
+    const std::string_view wanted = given == nullptr ? "Float64" : given;
+    const auto type = std::find_if(types.begin(), types.end(),
+                                   [&](const Type& each) { return each.name == wanted; });
+    const auto value = type == types.end() ? std::nullopt : type->read(parser, array, type->vtk);
+    return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
 } // namespace
 
-core::Result<std::optional<double>> xml_time(const ListedFile& file) {
+core::Result<StatedTime> xml_time(const ListedFile& file) {
     std::ifstream in(file.path, std::ios::binary);
     auto parser = vtkSmartPointer<vtkXMLDataParser>::New();
     parser->SetStream(&in);
     const bool parsed = parser->Parse() != 0;
-    vtkXMLDataElement* root = parsed ? parser->GetRootElement() : nullptr;
-    vtkXMLDataElement* array = root == nullptr ? nullptr : time_element(*root);
-    if (array == nullptr)
-        return std::optional<double>();
+    vtkXMLDataElement* const root = parsed ? parser->GetRootElement() : nullptr;
+    vtkXMLDataElement* const data = root == nullptr ? nullptr : field_data_of(*root);
+    StatedTime out;
+    if (data == nullptr)
+        return out;
     set_compressor(*parser, *root);
-    const char* type = array->GetAttribute("type");
-    const auto time = type != nullptr && std::string_view(type) == "Float32"
-                          ? first_value<float>(*parser, *array, VTK_FLOAT)
-                          : first_value<double>(*parser, *array, VTK_DOUBLE);
-    if (!time || !std::isfinite(*time) ||
-        (type != nullptr && !std::string_view(type).starts_with("Float")))
-        return core::fail(Error::Code::Corrupt,
-                          file.name + " has a TimeValue that is not a finite number");
-    return time;
+    for (const auto& [name, means] : time_arrays) {
+        auto* const array = data->FindNestedElementWithNameAndAttribute("DataArray", "Name", name);
+        if (array == nullptr)
+            continue;
+        const auto value = number_in(*parser, *array);
+        if (!value && name == std::string_view("TimeValue"))
+            return core::fail(Error::Code::Corrupt,
+                              file.name + " has a TimeValue that is not a finite number");
+        if (value)
+            out.*means = value;
+    }
+    return out;
 }
 
 } // namespace wakesurf::server

@@ -2,12 +2,27 @@
 #pragma once
 
 #include "server/import/sources/series/file_series.hpp"
+#include "server/import/sources/series/series_times.hpp"
 #include "server/import/sources/vtk/xml_header.hpp"
+
+#include <array>
+#include <optional>
+#include <utility>
 
 namespace wakesurf::server {
 
-/// The TimeValue of the field data, if there is one. REQUIRES: a VtkMessages lives; what VTK says in it is an error too.
-/// Error: Corrupt (a TimeValue that cannot be read).
-core::Result<std::optional<double>> xml_time(const ListedFile& file);
+/// Names of arrays of the field data that say when it is, those that go before others last.
+inline constexpr std::array<std::pair<const char*, std::optional<double> StatedTime::*>, 7>
+    time_arrays{{{"cycle", &StatedTime::cycle},
+                 {"Cycle", &StatedTime::cycle},
+                 {"CYCLE", &StatedTime::cycle}, // VisIt
+                 {"time", &StatedTime::time},
+                 {"Time", &StatedTime::time},
+                 {"TIME", &StatedTime::time},
+                 {"TimeValue", &StatedTime::time}}}; // ParaView
+
+/// Time and cycle of the field data, of any type of number. REQUIRES: a VtkMessages lives; what VTK says in it is an error too.
+/// Error: Corrupt (one that cannot be read).
+core::Result<StatedTime> xml_time(const ListedFile& file);
 
 } // namespace wakesurf::server

@@ -226,6 +226,12 @@ export interface DatasetOpenParams {
     dataset: string;
     /** how long to wait, at most; 0: do not wait (ms) */
     timeoutMs?: number;
+    /**
+     * velocity of files in which it is not clear, by name: a vector, three scalars `u,v,w`, or a momentum and its
+     * density; empty: by the names of the fields. For editors; it holds until the server ends. The error of a dataset
+     * that failed lists what could be meant
+     */
+    velocity?: string;
     /** on a WebSocket: $/progress reports the progress of the work with this token */
     workDoneToken?: string | number;
 }

@@ -42,7 +42,7 @@ class DatasetMethods(Noun):
         return answer
 
     @named
-    def open(self, *, dataset: str, timeout_ms: Optional[int] = None,
+    def open(self, *, dataset: str, timeout_ms: Optional[int] = None, velocity: Optional[str] = None,
              work_done_token: Optional[Union[str, int]] = None) -> DatasetEntry:
         """Returns once a dataset is imported. An import that was stopped goes on where it ended. $/cancelRequest
         ends the waiting, and the import with it if no one else waits for it. A lost connection does not end an
@@ -51,6 +51,9 @@ class DatasetMethods(Noun):
 
         `dataset`: an id from dataset.list.
         `timeout_ms`: how long to wait, at most; 0: do not wait (ms); 0 to 600,000; default 600,000.
+        `velocity`: velocity of files in which it is not clear, by name: a vector, three scalars `u,v,w`, or a momentum
+            and its density; empty: by the names of the fields. For editors; it holds until the server ends. The error
+            of a dataset that failed lists what could be meant.
         `work_done_token`: on a WebSocket: $/progress reports the progress of the work with this token.
 
         Error: NotFound, OverLimit, DatasetError.
@@ -60,7 +63,7 @@ class DatasetMethods(Noun):
             api.dataset.open(dataset='lamb-oseen', timeout_ms=60000)
         """
         answer: DatasetEntry = self._call("dataset.open", {"dataset": dataset, "timeoutMs": timeout_ms,
-                                                           "workDoneToken": work_done_token})
+                                                           "velocity": velocity, "workDoneToken": work_done_token})
         return answer
 
     @named
