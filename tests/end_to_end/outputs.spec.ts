@@ -224,7 +224,7 @@ describe('a film', () => {
         await page.locator('#film-seconds').press('Tab');
         await page.locator('#record-film').click();
         await page.waitForFunction(() => window.wakesurf!.displayed!.time < 9.5);
-        expect(await page.getByRole('progressbar').getAttribute('max')).toBe('720');
+        await expect.poll(() => page.getByRole('progressbar').getAttribute('max'), { timeout: 30_000 }).toBe('720');
         await page.getByRole('button', { name: 'Cancel' }).click();
         await page.locator('#record-film').waitFor();
         await expect.poll(async () => (await records()).clock.time).toBe(10);
@@ -278,15 +278,19 @@ describe('a script', () => {
     const asked = ({ surface: _surface, rake: _rake, rev: _rev, epoch: _epoch, ...rest }: SurfaceRecord) => rest;
     const placed = ({ rake: _rake, rev: _rev, author: _author, ...rest }: RakeRecord) => rest;
 
-    it('in Python and one in curl make the same rake and the same surface', async () => {
+    it('in Python fetches the surface that is there; where it is gone, and in curl, it makes the same rake and surface', async () => {
         await streak();
         const surfacePanel = 'section[aria-labelledby="surface-head"]';
         const before = await records();
-        for (const [language, runs] of [
-            ['Python', runPython],
-            ['curl', runShell],
+        const [python, curl] = [await copied(surfacePanel, 'Python'), await copied(surfacePanel, 'curl')];
+        expect(String((await runPython(python)).stdout)).toMatch(/^\d+ quads$/m);
+        expect(await records()).toEqual(before);
+        const shown = before.surfaces[0]!.surface;
+        for (const [script, runs] of [
+            [python.replaceAll(JSON.stringify(shown), '"gone"'), runPython],
+            [curl, runShell],
         ] as const) {
-            await runs(await copied(surfacePanel, language));
+            await runs(script);
             const after = await records();
             const made = after.surfaces.at(-1)!;
             expect(after.surfaces.map(({ surface }) => surface)).toContain(made.surface);

@@ -47,7 +47,7 @@ describe('a link made on the page', () => {
         await host.getByRole('combobox', { name: /What guest 2 may do/ }).waitFor();
         expect(await host.getByRole('combobox', { name: /What guest 2 may do/ }).inputValue()).toBe('editor');
         await guest.getByRole('tab', { name: 'Share' }).click();
-        await guest.getByText('Only hosts can make links').waitFor();
+        await guest.getByText('Only people who can invite can make links').waitFor();
         expect(await guest.getByRole('list', { name: 'People in this session' }).getByRole('listitem').count()).toBe(2);
     });
 
@@ -67,11 +67,11 @@ describe('a link made on the page', () => {
 
     it('allows less once the host says so, at once', async () => {
         const may = host.getByRole('combobox', { name: /What guest 2 may do/ });
-        await may.selectOption('can view');
+        await may.selectOption('can look');
         await expect.poll(async () => (await participantsOf(host)).find(({ name }) => name === 'guest 2')!.role).toBe('viewer');
-        await guest.getByText('View-only link').waitFor();
+        await guest.getByText('Your link is for looking').waitFor();
         await may.selectOption('can edit');
-        await guest.getByText('View-only link').waitFor({ state: 'detached' });
+        await guest.getByText('Your link is for looking').waitFor({ state: 'detached' });
     });
 });
 

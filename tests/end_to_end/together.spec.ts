@@ -102,7 +102,7 @@ async function expectEnded(ended: Page, why: RegExp): Promise<void> {
 describe('a link for looking on', () => {
     it('sees what an editor drags, and has handles and numbers that do not move, and words that say why', async () => {
         const viewer = await visit((await share('viewer')).link);
-        await viewer.getByText(/View-only link/).waitFor();
+        await viewer.getByText(/Your link is for looking/).waitFor();
         expect(viewer.url()).not.toContain('token');
         const before = await recordedRake();
 

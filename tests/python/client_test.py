@@ -388,6 +388,35 @@ class ClientTest(unittest.TestCase):
         self.assertGreater(later.vertices, first.vertices)
         self.assertEqual(len(later.mesh().points), later.vertices)
 
+    def test_a_mesh_says_which_arrays_it_has_and_how_to_ask_for_others(self):
+        mesh = self.surface().mesh()
+        for name, said in (("vorticity", 'fields=["vorticity"]'), ("sped", "did you mean `speed`")):
+            with self.assertRaises(KeyError) as raised:
+                mesh[name]
+            self.assertIsInstance(raised.exception, wakesurf.NoSuchArray)
+            self.assertIn(said, str(raised.exception))
+            self.assertIn("s, t, speed", str(raised.exception))
+
+    def test_points_that_are_none_are_refused_with_an_example(self):
+        for points, said in (((-1.5, -1.2, 1), "a single point"), ([(1, 2), (3, 4)], "three numbers"), ("ab", "three numbers"),
+                             ([(1, 2, 3), (4, 5)], "three numbers"), (5, "three numbers")):
+            with self.subTest(points), self.assertRaises(wakesurf.InvalidPoints) as raised:
+                self.session.rake(line=points)
+            self.assertIsInstance(raised.exception, TypeError)
+            self.assertIn(said, str(raised.exception))
+            self.assertIn("write line=[(", str(raised.exception))
+        rake = self.session.rake(line=np.array([(0, 0, 0), (0, 1, 0)]))
+        with self.assertRaises(wakesurf.InvalidPoints):
+            rake.set(circle=(0, 0, 1))
+
+    def test_hints_speak_python(self):
+        with self.assertRaises(wakesurf.InvalidParameters) as raised:
+            self.session.call("surface.set", rake="r1", dataset="abc", kind="stream", to=1, nonsenseWord=1)
+        self.assertNotIn("rpc.discover", str(raised.exception))
+        self.assertIn("help(", str(raised.exception))
+        self.assertEqual(wakesurf.errors.in_python("use a lower maxQuads; wallShearStress is there"),
+                         "use a lower max_quads; wallShearStress is there")
+
     def test_live_meshes_are_the_servers_on_its_lattice_through_edits(self):
         surface = self.surface(fields=["vorticity"])
         surface.wait()

@@ -152,7 +152,7 @@ function start(app: App): void {
     installTestHook({ state, view, scene, latency, canvas, figure });
     recallPanel(view);
     listenForViewKeys({ view, scene, people });
-    listenForPresses(edits.gestures);
+    listenForPresses(edits.gestures, () => state.notices.passed('press'));
     listenForUndoKeys(edits);
     followHistory(() => state.session.value);
     const retryNow = (): void => worker.retryNow();

@@ -113,7 +113,7 @@ def text():
     out += "| code | why | what to do |\n|---|---|---|\n"
     for code, (cause, cure) in words["closings"].items():
         out += f"| {code} | {cause} | {cure} |\n"
-    out += "\n## Errors of the Python client\n\nBeside a class for each kind above, the client has three of its own.\n\n"
+    out += "\n## Errors of the Python client\n\nBeside a class for each kind above, the client has some of its own.\n\n"
     for kind in client_kinds(kinds):
         out += entry(kind, "", words["client"][kind])
     return out.rstrip() + "\n"

@@ -27,10 +27,10 @@ from . import notifications, records
 from .arrays import write_series
 from .client import Client
 from .connection import Connection
-from .errors import (BrowserMissing, Cancelled, DatasetError, InvalidParameters, InvalidRequest, Leased, MethodNotFound,
-                     NotFound, NotPermitted, OutsideDomain, OutsideTimeRange, OverLimit, PictureFailed, ServerFailed,
-                     ServerFault, ServerMissing, Stale, Unauthenticated, UnknownParameter, Unreachable, WaitTimeout,
-                     WakesurfError)
+from .errors import (BrowserMissing, Cancelled, DatasetError, InvalidParameters, InvalidPoints, InvalidRequest, Leased,
+                     MethodNotFound, NoSuchArray, NotFound, NotPermitted, OutsideDomain, OutsideTimeRange, OverLimit, PictureFailed,
+                     ServerFailed,
+                     ServerFault, ServerMissing, Stale, Unauthenticated, UnknownParameter, Unreachable, WaitTimeout, WakesurfError)
 from .generated.version import VERSION as __version__
 from .mesh import Mesh
 from .progress import Progress
@@ -40,8 +40,8 @@ from .session import Session
 from .surface import Surface, Update
 from .view import Camera, Look, SurfaceLook
 
-__all__ = ["BrowserMissing", "Camera", "Cancelled", "Client", "Connection", "DatasetError", "InvalidParameters", "InvalidRequest", "Leased", "Look",
-           "Mesh", "MethodNotFound", "NotFound", "NotPermitted", "OutsideDomain", "OutsideTimeRange", "OverLimit",
+__all__ = ["BrowserMissing", "Camera", "Cancelled", "Client", "Connection", "DatasetError", "InvalidParameters", "InvalidPoints", "InvalidRequest", "Leased", "Look",
+           "Mesh", "MethodNotFound", "NoSuchArray", "NotFound", "NotPermitted", "OutsideDomain", "OutsideTimeRange", "OverLimit",
            "PictureFailed", "Progress", "Rake", "Server", "ServerFailed", "ServerFault", "ServerMissing", "Session", "Stale",
            "Surface", "SurfaceLook", "Unauthenticated", "UnknownParameter", "Unreachable", "Update", "WaitTimeout",
            "WakesurfError", "__version__", "notifications", "records", "serve", "write_series"]

@@ -1,12 +1,13 @@
 """What can go wrong, as exceptions. Each has `code`, `kind`, `hint` and `data` as the server gave them."""
 from __future__ import annotations
 
+import re
 from typing import Any, Mapping, Optional
 
 from .plain import Json
 
-__all__ = ["WakesurfError", "InvalidRequest", "InvalidParameters", "UnknownParameter", "MethodNotFound", "Unauthenticated",
-           "NotPermitted", "NotFound", "Stale", "Leased", "Cancelled", "OutsideDomain", "OutsideTimeRange", "OverLimit",
+__all__ = ["WakesurfError", "InvalidRequest", "InvalidParameters", "InvalidPoints", "UnknownParameter", "MethodNotFound", "Unauthenticated",
+           "NotPermitted", "NotFound", "NoSuchArray", "Stale", "Leased", "Cancelled", "OutsideDomain", "OutsideTimeRange", "OverLimit",
            "DatasetError", "ServerFault", "Unreachable", "WaitTimeout", "ServerMissing", "ServerFailed", "BrowserMissing",
            "PictureFailed", "error_of"]
 
@@ -80,6 +81,16 @@ class OutsideTimeRange(WakesurfError):
     """Not within the dataset's times."""
 
 
+class InvalidPoints(InvalidParameters, TypeError, ValueError):
+    """What was given for points is none: too few, not three numbers each, or not numbers."""
+
+
+class NoSuchArray(WakesurfError, KeyError):
+    """A mesh has no array of this name; the message says which there are and how to ask for others."""
+
+    __str__ = WakesurfError.__str__  # that of a KeyError is in quotes
+
+
 class OverLimit(WakesurfError):
     """More than the server grants."""
 
@@ -116,9 +127,28 @@ class PictureFailed(WakesurfError):
     """The page could not draw it; the message says why."""
 
 
+# What the server says to every client, and what that is here.
+_IN_PYTHON = (
+    (r"(?:see )?rpc\.discover (?:lists|for) the parameters of each method",
+     "help() of the method shows its parameters, as help(session.api.surface.set)"),
+    (r"rpc\.discover lists the methods", "dir(session.api) and dir(session.api.surface) list them"),
+)
+
+
+def in_python(hint: str) -> str:
+    """A hint as it is meant for people who write Python: methods and parameters as this client spells them."""
+    for pattern, words in _IN_PYTHON:
+        hint = re.sub(pattern, words, hint)
+    # These alone: fields of the data may be spelt like that as well.
+    return re.sub(r"\b(maxQuads|releaseUntil|stagnationSpeed|expiresIn|ifRev|timeoutMs)\b",
+                  lambda found: re.sub("[A-Z]", lambda m: "_" + m[0].lower(), found[0]), hint)
+
+
 def error_of(fault: Mapping[str, Any]) -> WakesurfError:
     """The exception for the `error` of an answer."""
     from .generated.error_codes import BY_CODE  # which needs the classes above
     data = dict(fault.get("data") or {})
+    if "hint" in data:
+        data["hint"] = in_python(str(data["hint"]))
     kind = BY_CODE.get(fault.get("code", 0), WakesurfError)
     return kind(fault.get("message", ""), fault.get("code", 0), data.pop("kind", ""), data.pop("hint", ""), data)

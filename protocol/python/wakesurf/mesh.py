@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import base64
+import difflib
 import itertools
 import struct
 import xml.etree.ElementTree
@@ -12,6 +13,7 @@ from typing import Any, Dict, Iterable, List, Tuple
 import numpy as np
 from numpy.typing import NDArray
 
+from .errors import NoSuchArray
 from .plain import Json
 
 Array = NDArray[Any]
@@ -36,7 +38,14 @@ class Mesh:
     about: Json
 
     def __getitem__(self, name: str) -> Array:
-        return self.arrays[name]
+        """Error: NoSuchArray, which says which there are and how to ask for others."""
+        if name in self.arrays:
+            return self.arrays[name]
+        right = next(iter(difflib.get_close_matches(name, self.arrays, 1, 0.8)), None)
+        hint = f"did you mean `{right}`?" if right else (
+            f'ask for it where the surface is made, session.surface(..., fields=["{name}"]), or later: '
+            f'surface.set(fields=["{name}"]), surface.wait(), surface.mesh()')
+        raise NoSuchArray(f"this mesh has no `{name}`, but {', '.join(self.arrays)}", 0, "notFound", hint)
 
     def __repr__(self) -> str:
         return f"Mesh({len(self.points)} points, {len(self.offsets) - 1} cells, {', '.join(self.arrays)})"

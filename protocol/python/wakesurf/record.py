@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any, List, Literal, Optional, Sequence, Tuple,
 
 import numpy as np
 
-from .errors import NotFound
+from .errors import InvalidPoints, NotFound
 from .generated.records import RakeSetResult
 from .mesh import Array
 from .names import Helpful, named
@@ -100,4 +100,23 @@ def one_of(**choices: Optional[Points]) -> Tuple[RakeKind, List[List[float]]]:
     if len(given) != 1:
         raise ValueError("give one of " + ", ".join(choices))
     kind: Any = given[0][0]
-    return kind, [list(point) for point in given[0][1]]
+    return kind, points_of(kind, given[0][1])
+
+
+_EXAMPLES = {"line": "line=[(-1.5, -1.2, 1), (-1.5, 1.2, 1)]", "polyline": "polyline=[(0, 0, 1), (0, 1, 1), (1, 1, 1)]",
+             "circle": "circle=[(0, 0, 1), (0, 0.5, 1), (0, 0, 1.5)]", "points": "points=[(0, 0, 1), (0, 0.1, 1)]"}
+
+
+def points_of(name: str, given: Points) -> List[List[float]]:
+    """Lists of three numbers. Error: InvalidPoints, which says what is missing and how to write it."""
+    example = f"write {_EXAMPLES[name]}"
+    try:
+        array = np.asarray(given, dtype=float)
+    except (TypeError, ValueError):
+        raise InvalidPoints(f"`{name}` is no list of points of three numbers each", -32602, "invalidParameters", example) from None
+    if array.shape == (3,):
+        raise InvalidPoints(f"`{name}` is a single point, and takes a list of them", -32602, "invalidParameters", example)
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise InvalidPoints(f"`{name}` is no list of points of three numbers each: its shape is {array.shape}", -32602,
+                            "invalidParameters", example)
+    return [[float(x) for x in point] for point in array]

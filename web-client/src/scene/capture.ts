@@ -134,6 +134,7 @@ function paintText(
     context.scale(pixelRatio, pixelRatio);
     const page = labels.getBoundingClientRect();
     const skipped = (element: Element): boolean =>
+        element.classList.contains('beside-pointer') ||
         element.matches('.person') ||
         (!axes && element.matches('.tick, .axis-name')) ||
         (!rake && element.matches('.rake-label'));

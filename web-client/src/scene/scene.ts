@@ -306,6 +306,7 @@ export class FlowScene {
             scene.background = backgroundBefore;
             for (const { object } of hidden) object.visible = true;
             renderer.setPixelRatio(ratioBefore);
+            this.controls.setAspect(this.size.width / this.size.height);
             this.resize();
         }
     }
@@ -383,7 +384,7 @@ export class FlowScene {
         const { width, height } = this.size;
         if (width === 0 || height === 0) return;
         this.renderer.setSize(width, height, false);
-        this.controls.setAspect(width / height);
+        this.controls.resized(width / height);
         // At once: the canvas is blank after a change of size.
         this.draw();
     }

@@ -35,3 +35,28 @@ describe('what is said over the picture', () => {
         expect(notices.remedyOf('dataset')).toBeUndefined();
     });
 });
+
+describe('old news', () => {
+    it('goes with the next act of its kind, and what is still true stays', () => {
+        const announcements = new Announcements();
+        announcements.sayUntil('edit', 'seeds', 'A rake has 2 to 4096 seeds.');
+        announcements.sayUntil('press', 'locked', 'This link is for viewing.');
+        announcements.say('durability', 'Edits are not on the disk.');
+        announcements.passed('edit');
+        expect([...announcements.all.value.keys()]).toEqual(['locked', 'durability']);
+        announcements.passed('press');
+        announcements.passed('edit');
+        expect([...announcements.all.value.keys()]).toEqual(['durability']);
+    });
+
+    it('is news again when it is said again, and lasts where it is said to last', () => {
+        const announcements = new Announcements();
+        announcements.sayUntil('edit', 'seeds', 'one');
+        announcements.passed('edit');
+        announcements.sayUntil('edit', 'seeds', 'one');
+        expect(announcements.all.value.get('seeds')).toBe('one');
+        announcements.say('seeds', 'two');
+        announcements.passed('edit');
+        expect(announcements.all.value.get('seeds')).toBe('two');
+    });
+});

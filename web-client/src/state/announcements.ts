@@ -8,12 +8,18 @@ export interface Remedy {
     act: () => void;
 }
 
+/** Until the next edit, or until anything is pressed. */
+export type Passing = 'edit' | 'press';
+
 export class Announcements {
     readonly all = signal<ReadonlyMap<string, string>>(new Map());
     private readonly remedies = new Map<string, Remedy>();
+    /** What is said of something that was done, and is old news after the next. */
+    private readonly passing = new Map<string, Passing>();
 
     /** @param about the record or control concerned, or the kind of a notice */
     say(about: string, words: string, remedy: Remedy | null = null): void {
+        this.passing.delete(about);
         if (remedy === null) this.remedies.delete(about);
         else this.remedies.set(about, remedy);
         if (this.all.value.get(about) !== words) this.all.value = new Map(this.all.value).set(about, words);
@@ -23,11 +29,23 @@ export class Announcements {
         this.say(about, error instanceof Error ? error.message : String(error), remedy);
     }
 
+    /** Goes by itself with the next act of that kind. */
+    sayUntil(passing: Passing, about: string, words: string, remedy: Remedy | null = null): void {
+        this.say(about, words, remedy);
+        this.passing.set(about, passing);
+    }
+
+    /** The next act: what was said of those before is no news. */
+    passed(act: Passing): void {
+        for (const [about, until] of this.passing) if (until === act) this.solved(about);
+    }
+
     remedyOf(about: string): Remedy | undefined {
         return this.remedies.get(about);
     }
 
     solved(about: string): void {
+        this.passing.delete(about);
         if (!this.all.value.has(about)) return;
         const rest = new Map(this.all.value);
         rest.delete(about);

@@ -51,6 +51,8 @@ export class ViewState {
     readonly probePlace = signal<Vec3 | null>(null);
     /** The pointer of the probe is where nothing can be seen. */
     readonly probeMissed = signal(false);
+    /** What a tool says beside the pointer, in pixels of the canvas. */
+    readonly besidePointer = signal<{ at: { x: number; y: number }; words: string } | null>(null);
     /** Up to two points. */
     readonly measured = signal<readonly Vec3[]>([]);
     readonly note = signal<NoteDraft | null>(null);

@@ -87,6 +87,19 @@ export class App extends SignalElement {
                 background: rgb(8 12 20 / 0.82);
                 color: #ffffff;
             }
+            .labels .beside-pointer {
+                position: absolute;
+                left: 0;
+                top: 0;
+                max-width: 240px;
+                padding: 2px 8px;
+                border-radius: 6px;
+                background: rgb(8 12 20 / 0.86);
+                color: #ffffff;
+            }
+            .labels .beside-pointer:empty {
+                display: none;
+            }
             .labels .brush {
                 position: absolute;
                 left: 0;
@@ -176,12 +189,37 @@ export class App extends SignalElement {
                 max-width: 60ch;
                 margin: 0;
             }
-            /* In one row with the buttons of the view: the domain has no room to spare beside it. */
+            /* In one row with the buttons of the view: the domain has no room to spare beside it. Colours below the picture,
+               not on it, because the axes need its width; the tour over the settings, because the first handle is where it would be. */
             @media (max-width: 760px), (max-height: 500px) {
                 wakesurf-tool-buttons {
                     right: auto;
                     left: 12px;
                     top: 12px;
+                }
+                main {
+                    display: grid;
+                    grid-template-rows: minmax(0, 1fr) auto;
+                }
+                canvas,
+                .labels {
+                    grid-row: 1 / 2;
+                }
+                wakesurf-scalar-bar {
+                    grid-row: 2;
+                    position: static;
+                    justify-self: center;
+                    pointer-events: auto;
+                    touch-action: none;
+                }
+                wakesurf-tour {
+                    position: fixed;
+                    z-index: 1;
+                    left: auto;
+                    right: 8px;
+                    top: auto;
+                    bottom: 8px;
+                    width: min(288px, 100vw - 16px);
                 }
             }
             @media (max-width: 760px) {
@@ -191,22 +229,8 @@ export class App extends SignalElement {
                 .folded {
                     grid-template: minmax(0, 1fr) auto 0 / minmax(0, 1fr);
                 }
-                /* The colours below the picture, not on it: the axes need its width. */
-                main {
-                    display: grid;
-                    grid-template-rows: minmax(0, 1fr) auto;
-                }
-                canvas,
-                .labels {
-                    grid-row: 1;
-                }
-                wakesurf-scalar-bar {
-                    grid-row: 2;
-                    position: static;
-                    justify-self: center;
-                }
                 wakesurf-tour {
-                    right: 12px;
+                    width: calc(100vw - 16px);
                 }
                 wakesurf-panel {
                     grid-row: 3;
@@ -242,6 +266,11 @@ export class App extends SignalElement {
         this.failure.value = reason;
     }
 
+    /** A drag that begins on the bar turns the view, as on the picture: the canvas takes the pointer, and what follows comes to it. */
+    private handOn(event: PointerEvent): void {
+        this.canvas.dispatchEvent(new PointerEvent('pointerdown', event));
+    }
+
     override render(): TemplateResult {
         const model = this.model.value;
         const reason = this.failure.value ?? model?.state.fatal.value ?? null;
@@ -255,7 +284,7 @@ export class App extends SignalElement {
         return html`<div class=${model.viewButtons.view.panelFolded.value ? 'layout folded' : 'layout'}>
             <main>
                 ${this.canvas} ${this.labels}
-                <wakesurf-scalar-bar .model=${model.scalarBar}></wakesurf-scalar-bar>
+                <wakesurf-scalar-bar .model=${model.scalarBar} @pointerdown=${this.handOn}></wakesurf-scalar-bar>
                 <wakesurf-view-buttons .model=${model.viewButtons}></wakesurf-view-buttons>
                 <wakesurf-tool-buttons .model=${model.tools}></wakesurf-tool-buttons>
                 <wakesurf-tour .model=${model.tour}></wakesurf-tour>

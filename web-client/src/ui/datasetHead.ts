@@ -88,9 +88,12 @@ export class DatasetHead extends SignalElement {
     }
 }
 
-/** Files of the same name are told apart by what the server calls them. */
-function optionWords({ dataset, name }: DatasetEntry, all: readonly DatasetEntry[]): string {
-    return all.filter((each) => each.name === name).length > 1 ? `${name} (${dataset})` : name;
+/** Files of the same name are told apart by what the server calls them; and how much there is, before it is opened. */
+function optionWords({ dataset, name, steps, state }: DatasetEntry, all: readonly DatasetEntry[]): string {
+    const which = all.filter((each) => each.name === name).length > 1 ? [dataset] : [];
+    const times = steps.total > 1 ? [`${steps.total} time-steps`] : [];
+    const about = [...which, ...times, ...(state === 'ready' ? [] : [state])];
+    return about.length === 0 ? name : `${name} (${about.join(', ')})`;
 }
 
 customElements.define('wakesurf-dataset-head', DatasetHead);

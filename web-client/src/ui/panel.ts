@@ -260,7 +260,7 @@ export class Panel extends SignalElement {
                 </div>
                 <wakesurf-session-head .model=${this.model.sessionHead}></wakesurf-session-head>
                 <wakesurf-dataset-head .model=${this.model.datasetHead}></wakesurf-dataset-head>
-                ${state.role.value === 'viewer' ? html`<p class="quiet" id="role">View-only link: you cannot edit.</p>` : nothing}
+                ${state.role.value === 'viewer' ? html`<p class="quiet" id="role">Your link is for looking: you can turn, colour, measure and save what others make.</p>` : nothing}
             </div>
             <div role="tablist" aria-label="Settings" @keydown=${this.turn}>
                 ${tabs.map(({ id, label }) => this.tab(id, label, id === chosen.id))}

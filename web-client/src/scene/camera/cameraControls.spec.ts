@@ -53,3 +53,51 @@ describe.each([false, true])('the camera by steps, without perspective: %s', (or
         expect(controls.pose.orthographic).toBe(orthographic);
     });
 });
+
+describe('a picture of another shape', () => {
+    function bench() {
+        const controls = new CameraControls({ requestFrame: () => undefined, onHold: () => undefined, onTurn: () => undefined });
+        controls.resized(2);
+        controls.setBounds([0, 4, -1, 1, 0, 2]);
+        /** Half of what is seen of the width at the target. */
+        const halfWidth = (aspect: number): number =>
+            length(between(controls.pose.position, controls.pose.target)) * Math.tan((controls.fov * Math.PI) / 360) * aspect;
+        return { controls, halfWidth };
+    }
+
+    it.each([false, true])('keeps in its width what someone has put there, and goes back, parallel: %s', (orthographic) => {
+        const { controls, halfWidth } = bench();
+        controls.place({ position: [2, -9, 1], target: [2, 0, 1], orthographic });
+        const before = halfWidth(2);
+        controls.resized(0.5);
+        expect(halfWidth(0.5)).toBeCloseTo(before, 6);
+        controls.resized(1);
+        expect(halfWidth(1)).toBeCloseTo(before, 6);
+        controls.resized(3);
+        expect(controls.pose.position[1]).toBeCloseTo(-9, 6);
+        controls.resized(2);
+        expect(controls.pose.position[1]).toBeCloseTo(-9, 6);
+    });
+
+    it('fits again what it showed by itself, as long as no one has moved it', () => {
+        const { controls } = bench();
+        const part = [1, 2, 0, 1, 0, 1] as const;
+        controls.offer([...part]);
+        controls.resized(0.6);
+        const fitted = controls.pose;
+        const fresh = bench().controls;
+        fresh.resized(0.6);
+        fresh.offer([...part]);
+        expect(fitted).toEqual(fresh.pose);
+        controls.turn(0.3, 0);
+        expect(controls.offer([...part])).toBe(false);
+    });
+
+    it('is not that of a figure, which leaves the camera where it is', () => {
+        const { controls } = bench();
+        const before = controls.pose;
+        controls.setAspect(0.3);
+        controls.setAspect(2);
+        expect(controls.pose).toEqual(before);
+    });
+});

@@ -55,6 +55,10 @@ export class CameraControls {
     private placing = false;
     /** No one has moved it since it showed a new domain by itself. */
     private untouched = false;
+    /** What it shows by itself while no one has moved it. */
+    private shownPart: Bounds | null = null;
+    /** Of the picture when the camera was last placed or moved. */
+    private placedAspect = 1;
 
     constructor({ requestFrame, onHold, onTurn }: CameraControlsOptions) {
         this.onTurn = onTurn;
@@ -64,6 +68,7 @@ export class CameraControls {
         this.orbit.addEventListener('change', () => {
             if (!this.led) for (const listener of this.moved) listener();
             if (!this.placing) {
+                this.placedAspect = this.perspective.aspect;
                 this.untouched = false;
                 onTurn();
             }
@@ -119,9 +124,31 @@ export class CameraControls {
         this.parallel.updateProjectionMatrix();
     }
 
+    /**
+     * The picture on the page has another shape: what was seen in its width stays in it. A figure, which has a shape of its own, is drawn
+     * from where the camera is.
+     */
+    resized(aspect: number): void {
+        const before = this.perspective.aspect;
+        this.setAspect(aspect);
+        if (aspect === before) return;
+        if (this.untouched && this.shownPart !== null) {
+            this.offer(this.shownPart);
+            return;
+        }
+        const { placedAspect } = this;
+        const away = Math.max(1, placedAspect / aspect) / Math.max(1, placedAspect / before);
+        if (away === 1) return;
+        const { target } = this.orbit;
+        const position = this.offset().multiplyScalar(away).add(target).toArray();
+        this.place({ position, target: target.toArray(), orthographic: this.orthographic });
+        this.placedAspect = placedAspect;
+    }
+
     setBounds(bounds: Bounds): void {
         this.bounds = bounds;
         this.show('oblique');
+        this.shownPart = bounds;
         this.untouched = true;
     }
 
@@ -129,6 +156,7 @@ export class CameraControls {
     offer(part: Bounds): boolean {
         if (!this.untouched) return false;
         this.lookAt(part, 'oblique');
+        this.shownPart = part;
         this.untouched = true;
         return true;
     }
@@ -152,6 +180,7 @@ export class CameraControls {
 
     place({ position, target, orthographic }: CameraPose): void {
         this.untouched = false;
+        this.placedAspect = this.perspective.aspect;
         this.orthographic = orthographic;
         const { camera } = this;
         camera.position.set(...position);

@@ -50,6 +50,28 @@ describe('the arrows of a rake', () => {
         expect(aim.arrows(view)[2]!.tip.slice(0, 2)).toEqual([1, 1]);
     });
 
+    it('have their tips clear of the handles, also of a rake that is short on the screen, whichever way it lies', () => {
+        for (const direction of [
+            [0, 0, 1],
+            [1, 0, 0],
+            [0, 1, 0],
+            [0.6, 0.6, 0.5],
+        ] as const) {
+            for (const half of [0.1, 0.3, 0.6, 0.9, 1.4]) {
+                const points = [-half, half].map((by) => direction.map((d, k) => by * d + [0, 0, 1.5][k]!) as unknown as Vec3);
+                const shape: RakeShape = { kind: 'line', points };
+                const view = viewFrom([-8, -15, 8]);
+                for (const { tip } of aimAt(shape).arrows(view)) {
+                    const at = view.project(tip)!;
+                    for (const point of points) {
+                        const handle = view.project(point)!;
+                        expect(Math.hypot(at.x - handle.x, at.y - handle.y)).toBeGreaterThan(35);
+                    }
+                }
+            }
+        }
+    });
+
     it('are not where they would point at the eye, nor where the rake may not be moved', () => {
         expect(
             aimAt(line)

@@ -5,7 +5,7 @@ import type { Vec3 } from '../../protocol/messages.ts';
 import type { Layer, ScreenPoint, View } from '../base/view.ts';
 import { HandleSprites, type HandleSprite } from './handleSprites.ts';
 import { RakeCurve } from './rakeCurve.ts';
-import type { Handle } from './rakeHandles.ts';
+import { type Handle, handlesOf } from './rakeHandles.ts';
 import { axisColours, type RakeLayer } from './rakeLayer.ts';
 import { middleOf, type RakeShape } from './rakeShape.ts';
 import { type Axis, unitAxis } from './snapping.ts';
@@ -14,6 +14,9 @@ import { distance, plus, times } from './vec3.ts';
 const arrowPx = 78;
 /** Clear of the handle it starts at. */
 const startPx = 16;
+const longerPx = [1, 1.35, 1.7, 2.05].map((times) => times * arrowPx);
+/** Between the middles of a tip and a handle, whose areas are so large together. */
+const clearPx = 35;
 const tipRadiusPx = 8;
 const tipHitPx = 13;
 /** An arrow that points at the eye cannot be followed. */
@@ -69,7 +72,8 @@ export class RakeAim implements Layer {
 
     arrows(view: View): Arrow[] {
         if (!this.layer.movable || this.layer.shape.points.length < 2 || !this.mayMove()) return [];
-        return arrowsAt(this.layer.positionOf(this.handle, view), view);
+        const handles = handlesOf(this.layer.shape).map((handle) => view.project(this.layer.positionOf(handle, view)));
+        return arrowsAt(this.layer.positionOf(this.handle, view), view, handles);
     }
 
     /** The arrow whose tip is under a canvas position, and how far from its middle that is. */
@@ -108,12 +112,19 @@ export class RakeAim implements Layer {
     }
 }
 
-function arrowsAt(from: Vec3, view: View): Arrow[] {
+/** @param handles where others are: a finger must be able to take the tip alone */
+export function arrowsAt(from: Vec3, view: View, handles: readonly (ScreenPoint | null)[] = []): Arrow[] {
     const start = view.project(from);
     if (start === null) return [];
     const px = view.worldPerPx(from);
     return ([0, 1, 2] as const).flatMap((axis) => {
-        const tip = plus(from, times(unitAxis(axis), arrowPx * px));
+        const tipAt = (length: number): Vec3 => plus(from, times(unitAxis(axis), length * px));
+        const isClear = (length: number): boolean => {
+            const at = view.project(tipAt(length));
+            return handles.every((each) => each === null || at === null || Math.hypot(each.x - at.x, each.y - at.y) > clearPx);
+        };
+        // Of a rake that is short on the screen, beyond it.
+        const tip = tipAt(longerPx.find(isClear) ?? arrowPx);
         const end = view.project(tip);
         if (end === null || Math.hypot(end.x - start.x, end.y - start.y) < leastPx) return [];
         return [{ axis, from: plus(from, times(unitAxis(axis), startPx * px)), tip }];

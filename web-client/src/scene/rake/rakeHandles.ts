@@ -16,6 +16,7 @@ export interface PlacedHandle {
 export const hitRadiusPx = 22;
 const lineHitPx = 10;
 const stemPx = 52;
+const longerStemsPx = [1, 1.5, 2].map((times) => times * stemPx);
 /** With more points a handle for each would hide the rake. */
 const mostPointHandles = 48;
 
@@ -52,7 +53,19 @@ function stemEnd(shape: RakeShape, view: View): Vec3 {
     const at = view.project(middle);
     if (at === null) return middle;
     const { x, y } = stemDirection(shape, view);
-    return view.pointAtDepth({ x: at.x + stemPx * x, y: at.y + stemPx * y }, middle);
+    const end = (length: number): ScreenPoint => ({ x: at.x + length * x, y: at.y + length * y });
+    const points = hasPointHandles(shape) ? shape.points.map((point) => view.project(point)) : [];
+    // Of a rake that is short on the screen, or seen along itself, beyond its points.
+    const isClear = (length: number): boolean =>
+        points.every((each) => each === null || Math.hypot(each.x - end(length).x, each.y - end(length).y) > hitRadiusPx);
+    const isInside = (length: number): boolean => {
+        const { x: across, y: down } = end(length);
+        return Math.min(across, down, view.size.width - across, view.size.height - down) > hitRadiusPx;
+    };
+    const lengths = longerStemsPx.filter(isClear);
+    // On the other side where it would be outside of a narrow picture.
+    const length = lengths.find(isInside) ?? lengths.map((each) => -each).find(isInside) ?? lengths[0] ?? stemPx;
+    return view.pointAtDepth(end(length), middle);
 }
 
 /** A circle's stem goes away from the rim's handles, where there is room. */

@@ -55,6 +55,47 @@ describe('a further rake', () => {
         expect(freeRake(bounds, first, [])).toEqual(first);
     });
 
+    it.each([
+        [
+            'upright',
+            [
+                [-1.4, 0.2, 0.3],
+                [-1.4, 0.2, 5.7],
+            ],
+            1,
+        ],
+        [
+            'at a wall',
+            [
+                [-1.4, 3.9, 0.3],
+                [-1.4, 3.9, 5.7],
+            ],
+            1,
+        ],
+        [
+            'across the flow',
+            [
+                [-1.4, -3, 2],
+                [-1.4, 3, 2],
+            ],
+            2,
+        ],
+    ] as [string, Vec3[], number][])(
+        'is half as long as the first, and beside it, not before or behind it: %s',
+        (_, rake, axis) => {
+            const [start, end] = freeRake(bounds, rake, [rake]);
+            const length = ([a, b]: readonly Vec3[]): number => Math.hypot(...a!.map((v, k) => v - b![k]!));
+            expect(length([start, end])).toBeCloseTo(length(rake) / 2, 9);
+            const middles = [[start, end], rake].map(([a, b]) => a!.map((v, k) => (v + b![k]!) / 2));
+            const moved = middles[0]!.map((v, k) => v - middles[1]![k]!);
+            moved.forEach((by, k) => {
+                if (k === axis) expect(Math.abs(by)).toBeGreaterThan(0.5);
+                else expect(Math.abs(by)).toBeLessThan(1e-9);
+            });
+            expect(Math.abs(moved[axis]!)).toBeLessThan(2.5);
+        },
+    );
+
     it('that is a copy stands beside the first, where there is room', () => {
         const [x, y, z] = besideRake(bounds, first);
         expect([x, z]).toEqual([0, 0]);

@@ -26,34 +26,48 @@ export function defaultSweep(bounds: Bounds, rake: readonly Vec3[]): Vec3 {
 }
 
 /**
- * For a further rake: as the first one that the server suggests, moved across the flow, or along it, to where it is clear of those there are; where
- * nothing is clear, to where there is most room.
+ * For a further rake: half as long as the first one that the server suggests, so that it is no wall before all the rest, and beside it across the
+ * flow, as near as it is clear of those there are; where nothing is clear, to where there is most room.
  */
 export function freeRake(bounds: Bounds, first: readonly Vec3[], others: readonly (readonly Vec3[])[]): [Vec3, Vec3] {
     const start: Vec3 = first[0] ?? [0, 0, 0];
     const end: Vec3 = first.at(-1) ?? start;
     if (others.length === 0) return [start, end];
+    const half = [start, end].map((point, i) => {
+        const other = i === 0 ? end : start;
+        return point.map((value, k) => 0.75 * value + 0.25 * other[k]!) as Vec3;
+    });
     const along = longestOf([0, 1, 2], (axis) => Math.abs(end[axis] - start[axis]));
     const sweep = defaultSweep(bounds, [start, end]);
     const across = sweep.findIndex((each) => each !== 0) as Axis;
     const third = ([0, 1, 2] as Axis[]).find((axis) => axis !== along && axis !== across) ?? across;
     const size = Math.hypot(extent(bounds, 0), extent(bounds, 1), extent(bounds, 2));
-    let best: [Vec3, Vec3] = [start, end];
+    let best = half as [Vec3, Vec3];
     let most = -1;
-    for (const further of [start[third], at(bounds, third, 0.3), at(bounds, third, 0.5)]) {
-        for (const beside of [0.53, 0.35, 0.7, 0.2, 0.85, 0.44, 0.62]) {
-            const candidate = [start, end].map((point) => {
+    for (const further of [0, 0.15, 0.3]) {
+        for (const beside of offsets(Math.sign(sweep[across]))) {
+            const candidate = half.map((point) => {
                 const moved: Vec3 = [...point];
-                moved[third] = further;
-                if (across !== third) moved[across] = at(bounds, across, beside);
+                moved[third] += further * extent(bounds, third);
+                if (across !== third) moved[across] += beside * extent(bounds, across);
                 return moved;
             }) as [Vec3, Vec3];
+            if (!candidate.every((point) => isWithin(bounds, point))) continue;
             const room = Math.min(...others.map((points) => apart(candidate, points)));
             if (room > 0.05 * size) return candidate;
             if (room > most) [best, most] = [candidate, room];
         }
     }
     return best;
+}
+
+/** Parts of an extent, nearest first, and of two that are as near first to the side that has more room. */
+function offsets(side: number): number[] {
+    return [0.12, 0.18, 0.24, 0.3, 0.36, 0.42, 0.48].flatMap((each) => [side * each, -side * each]);
+}
+
+function isWithin(bounds: Bounds, point: Vec3): boolean {
+    return point.every((value, k) => value > bounds[2 * k]! && value < bounds[2 * k + 1]!);
 }
 
 /** Where a copy of a rake goes: a little to the side that has more room. */
@@ -84,8 +98,4 @@ function longestOf(axes: readonly Axis[], length: (axis: Axis) => number): Axis 
 
 function extent(bounds: Bounds, axis: Axis): number {
     return (bounds[axis * 2 + 1] ?? 0) - (bounds[axis * 2] ?? 0);
-}
-
-function at(bounds: Bounds, axis: Axis, fraction: number): number {
-    return (bounds[axis * 2] ?? 0) + fraction * extent(bounds, axis);
 }

@@ -14,8 +14,11 @@ export function refusalWords(error: unknown): string | null {
 /** @param about what was edited */
 export function tellFailure({ problems }: AppState, about: string, error: unknown): void {
     tellUnlessCut(problems, about, error);
+    // What was refused is as it was before; the next edit is about something else.
+    const words = problems.all.value.get(about);
+    if (words !== undefined) problems.sayUntil('edit', about, words);
     // The hint is for scripts, which can take the rake away from others.
     if (error instanceof CallError && error.failure.code === leased) {
-        problems.say(about, `${error.failure.message}: wait until it is released`);
+        problems.sayUntil('edit', about, `${error.failure.message}: wait until it is released`);
     }
 }

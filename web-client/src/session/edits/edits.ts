@@ -28,7 +28,7 @@ export interface EditsOptions {
 }
 
 export class Edits {
-    readonly gestures = new Gestures();
+    readonly gestures = new Gestures(() => this.state.problems.passed('edit'));
     readonly history: UndoHistory;
     readonly actions: RecordActions;
     private readonly state: AppState;
@@ -121,11 +121,13 @@ export class Edits {
     }
 
     async undo(): Promise<void> {
+        this.state.problems.passed('edit');
         await this.allSent();
         await this.history.undo();
     }
 
     async redo(): Promise<void> {
+        this.state.problems.passed('edit');
         await this.allSent();
         await this.history.redo();
     }

@@ -11,6 +11,12 @@ export class Gestures {
     private newest = { what: '', at: Number.NEGATIVE_INFINITY, press: 0 };
     private presses = 0;
     private held = false;
+    private readonly begun: () => void;
+
+    /** @param begun told of each act as it begins */
+    constructor(begun: () => void = () => undefined) {
+        this.begun = begun;
+    }
 
     /** A key or a button of the mouse goes down: as long as it is held, what it does is one act. */
     press(): void {
@@ -53,6 +59,7 @@ export class Gestures {
     private started(what: string, at: number): string {
         this.newest = { what, at, press: this.presses };
         ++this.count;
+        this.begun();
         return this.current;
     }
 }

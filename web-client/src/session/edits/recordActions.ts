@@ -40,7 +40,9 @@ export class RecordActions {
             const { rake: first } = this.suggestion ?? (await this.suggested());
             const others = [...rakes.value.values()].map(({ points }) => points);
             const shape: RakeShape = { kind: 'line', points: freeRake(dataset.value.bounds, first.points, others) };
-            const rake = await this.make(call, shape, { seeds: first.seeds, name: this.freeName('Rake') });
+            // As near to each other as those of the first.
+            const seeds = others.length === 0 ? first.seeds : Math.max(2, Math.ceil(first.seeds / 2));
+            const rake = await this.make(call, shape, { seeds, name: this.freeName('Rake') });
             await call('surface.set', await this.likeActive(rake));
             this.choose({ rake });
         });

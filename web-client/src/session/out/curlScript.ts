@@ -2,6 +2,7 @@
 // "A tour with curl").
 import {
     type CallStep,
+    callsOf,
     KeptId,
     meshPath,
     type MeshStep,
@@ -11,7 +12,8 @@ import {
     type ScriptStep,
 } from './scriptStep.ts';
 
-export function curlScript(place: ScriptPlace, steps: readonly ScriptStep[]): string {
+export function curlScript(place: ScriptPlace, all: readonly ScriptStep[]): string {
+    const steps = callsOf(all);
     const lines = [
         '# This script does not contain your token: put it in the environment variable WAKESURF_TOKEN first.',
         `server=${quoted(place.server)}`,

@@ -22,11 +22,12 @@ export function surfaceSteps(state: AppState): ScriptStep[] {
         ...(second === undefined ? {} : { rake2: new KeptId('rake2') }),
         ...(fields === undefined || fields.length === 0 ? {} : { fields }),
     };
-    return [
-        ...rakeSteps(state),
+    const otherwise: CallStep[] = [
+        rakeStep(state.rake.value, state.rakePoints.value, 'rake'),
         ...(second === undefined ? [] : [rakeStep(second, second.points, 'rake2')]),
         { method: 'surface.set', params, keep: 'surface' },
     ];
+    return [{ there: record.surface, otherwise }];
 }
 
 /** When the picture is of. */

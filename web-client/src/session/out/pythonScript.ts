@@ -1,5 +1,14 @@
 // A script for Python that does what a panel shows, with the client that the server gives away (protocol/python).
-import { type CallStep, KeptId, type MeshStep, nounOf, ofSession, type ScriptPlace, type ScriptStep } from './scriptStep.ts';
+import {
+    type CallStep,
+    KeptId,
+    type MeshStep,
+    nounOf,
+    ofSession,
+    type ScriptPlace,
+    type ScriptStep,
+    type SurfaceStep,
+} from './scriptStep.ts';
 
 const head = (server: string): string[] => [
     '# Needs numpy, and the client beside it:',
@@ -18,10 +27,27 @@ const keywords: ReadonlySet<string> = new Set(
 
 export function pythonScript({ server, session }: ScriptPlace, steps: readonly ScriptStep[]): string {
     const lines = [...head(server), `server = Client(${literal(server)})`];
-    const inSession = steps.some((step) => 'mesh' in step || ofSession(step.method));
+    const inSession = steps.some((step) => 'mesh' in step || 'there' in step || ofSession(step.method));
     if (inSession) lines.push(`session = server.session(${literal(session)})`);
-    for (const step of steps) lines.push(...('mesh' in step ? download(step) : call(step)));
+    for (const step of steps) lines.push(...written(step));
     return `${lines.join('\n')}\n`;
+}
+
+function written(step: ScriptStep): string[] {
+    if ('mesh' in step) return download(step);
+    return 'there' in step ? surfaceThere(step) : call(step);
+}
+
+/** Nobody who looks at the session finds a second one in it. */
+function surfaceThere({ there, otherwise }: SurfaceStep): string[] {
+    return [
+        `surface = next((each for each in session.surfaces() if each.id == ${literal(there)}), None)`,
+        'if surface is None:  # deleted since: made again',
+        ...otherwise.flatMap(call).map((line) => `    ${line}`),
+        'print(surface.wait()["quads"], "quads")',
+        'mesh = surface.mesh()  # numpy: mesh.points, mesh["speed"]',
+        'surface.export("surface.vtp")  # for ParaView; also .glb, .ply, .obj',
+    ];
 }
 
 function call(step: CallStep): string[] {

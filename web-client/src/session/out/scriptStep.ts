@@ -40,7 +40,18 @@ export interface MeshStep {
     surface: KeptId | string;
 }
 
-export type ScriptStep = CallStep | MeshStep;
+/** A surface that is there: of it a mesh and a file, once it is final. Where it is not there any more, it is made again. */
+export interface SurfaceStep {
+    there: string;
+    otherwise: readonly CallStep[];
+}
+
+export type ScriptStep = CallStep | MeshStep | SurfaceStep;
+
+/** All calls that a script may make, also those that it makes only where something is missing. */
+export function callsOf(steps: readonly ScriptStep[]): (CallStep | MeshStep)[] {
+    return steps.flatMap((step): readonly (CallStep | MeshStep)[] => ('there' in step ? step.otherwise : [step]));
+}
 
 /** Where a script runs. The token is no part of it: texts are pasted into chats and tickets. */
 export interface ScriptPlace {

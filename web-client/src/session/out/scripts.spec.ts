@@ -2,7 +2,7 @@ import { execFileSync } from 'node:child_process';
 import { describe, expect, it } from 'vitest';
 import { curlScript, quoted } from './curlScript.ts';
 import { pythonScript } from './pythonScript.ts';
-import { KeptId, type ScriptStep } from './scriptStep.ts';
+import { type CallStep, KeptId, type ScriptStep } from './scriptStep.ts';
 
 const place = { server: 'http://127.0.0.1:8080/some/prefix', session: 'main' };
 /** Everything that a language might take for the end of a text. */
@@ -88,6 +88,26 @@ describe('a script for Python', () => {
             ['wait', [], {}],
             ['export', ['surface.vtp'], {}],
         ]);
+    });
+
+    it('of a surface that is there makes nothing, waits for it, and fetches it', () => {
+        const [rake, surface] = made as [CallStep, CallStep];
+        const steps: ScriptStep[] = [{ there: 's8', otherwise: [rake, surface] }];
+        const script = pythonScript(place, steps);
+        expect(
+            script
+                .split('\n')
+                .filter((line) => /session\.(rake|surface)\(/.test(line))
+                .every((line) => line.startsWith('    ')),
+        ).toBe(true);
+        expect(
+            script
+                .trim()
+                .split('\n')
+                .slice(-3)
+                .map((line) => line.split('  #')[0]),
+        ).toEqual(['print(surface.wait()["quads"], "quads")', 'mesh = surface.mesh()', 'surface.export("surface.vtp")']);
+        expect(curlScript(place, steps)).toBe(curlScript(place, [rake, surface]));
     });
 
     it('exports a .glb for programs without Draco', () => {

@@ -1,5 +1,5 @@
 // Shows in the picture what was probed, measured and noted.
-import { effect } from '@preact/signals-core';
+import { effect, untracked } from '@preact/signals-core';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { DatasetDescription, FieldDescription } from '../../protocol/messages.ts';
 import { shortNumber, valueNumber } from '../../scene/base/numbers.ts';
@@ -13,10 +13,34 @@ const probeColour = '#f0e442';
 const measureColour = '#56b4e9';
 const noteColour = '#cc79a7';
 const wordsOfNote = 40;
+const gapPx = 14;
+
+/** In every tab of the panel, and read aloud. What was said with one tool is nothing to another. */
+function showBesidePointer(view: ViewState, labels: HTMLElement): void {
+    const label = document.createElement('div');
+    label.className = 'beside-pointer';
+    label.setAttribute('role', 'status');
+    labels.append(label);
+    effect(() => {
+        void view.tool.value;
+        untracked(() => (view.besidePointer.value = null));
+    });
+    effect(() => {
+        const said = view.besidePointer.value;
+        label.textContent = said?.words ?? '';
+        if (said === null) return;
+        // To the side, and above or below, where there is more room.
+        const { clientWidth: width, clientHeight: height } = labels;
+        const across = said.at.x > width / 2 ? `calc(${said.at.x - gapPx}px - 100%)` : `${said.at.x + gapPx}px`;
+        const down = said.at.y > height / 2 ? `calc(${said.at.y - gapPx}px - 100%)` : `${said.at.y + gapPx}px`;
+        label.style.transform = `translate(${across}, ${down})`;
+    });
+}
 
 export function showMarks(state: AppState, view: ViewState, scene: FlowScene): void {
     const layer = new MarkerLayer(scene.labels);
     scene.add(layer);
+    showBesidePointer(view, scene.labels);
     effect(() => {
         const markers: Marker[] = [];
         const probe = view.tool.value === 'probe' ? view.probe.value : null;
@@ -45,11 +69,16 @@ export function showMarks(state: AppState, view: ViewState, scene: FlowScene): v
 function probeWords({ inside, values }: ProbeReading, dataset: DatasetDescription | null): string {
     if (!inside) return 'no flow here';
     const words = values.map(({ name, value }) => {
-        const range = dataset?.fields.find((field) => field.name === name)?.range;
-        return `${name === dataset?.velocity ? 'speed' : name} ${valueWords(value, range)}`;
+        const { range, unit = '' } = dataset?.fields.find((field) => field.name === name) ?? noField;
+        const said = withUnit(valueWords(value, range), value === null ? '' : unit);
+        if (value === null || typeof value === 'number') return `${name} ${said}`;
+        const parts = `(${value.map((each) => shortNumber(each)).join(', ')})`;
+        return name === dataset?.velocity ? `speed ${said}, ${name} ${parts}` : `${name} ${said} ${parts}`;
     });
     return words.join(', ');
 }
+
+const noField: Partial<Pick<FieldDescription, 'range' | 'unit'>> = {};
 
 /** Of a vector its length. */
 function valueWords(value: ProbeReading['values'][number]['value'], range?: FieldDescription['range']): string {

@@ -32,12 +32,12 @@ export function connectRakes({ state, view, scene, edits, people }: RakesByHandO
 function tellLocked({ role, activeRake, notices }: RakesByHandOptions['state'], view: RakesByHandOptions['view']): void {
     const rake = activeRake.value ?? '';
     const { lockedRakes } = view.visibility.value;
-    if (role.value === 'viewer') notices.say('locked', 'This link is for viewing: you cannot move rakes.');
+    if (role.value === 'viewer') notices.sayUntil('press', 'locked', 'This link is for viewing: you cannot move rakes.');
     else if (lockedRakes.has(rake)) {
         const act = (): void => {
             view.changeVisibility({ lockedRakes: new Set([...lockedRakes].filter((each) => each !== rake)) });
             notices.solved('locked');
         };
-        notices.say('locked', 'You have locked this rake.', { label: 'Unlock', act });
+        notices.sayUntil('press', 'locked', 'You have locked this rake.', { label: 'Unlock', act });
     }
 }

@@ -23,12 +23,13 @@ export class Measuring implements PointerTool {
         if (pageView.tool.value !== 'measure' || state.dataset.value === null) return false;
         const aimed = aim(this.options, at);
         if (aimed === null) {
-            state.problems.say('measure', nothingThere);
+            pageView.besidePointer.value = { at, words: nothingThere };
             return true;
         }
-        state.problems.solved('measure');
         const ends = pageView.measured.value;
-        pageView.measured.value = ends.length === 1 ? [ends[0]!, aimed.point] : [aimed.point];
+        const first = ends.length !== 1;
+        pageView.measured.value = first ? [aimed.point] : [ends[0]!, aimed.point];
+        pageView.besidePointer.value = first ? { at, words: 'From here: click the other end.' } : null;
         return true;
     }
 

@@ -21,10 +21,10 @@ export class Noting implements PointerTool {
         if (pageView.tool.value !== 'annotate' || state.dataset.value === null) return false;
         const aimed = aim(this.options, at);
         if (aimed === null) {
-            state.problems.say('annotate', nothingThere);
+            pageView.besidePointer.value = { at, words: nothingThere };
             return true;
         }
-        state.problems.solved('annotate');
+        pageView.besidePointer.value = null;
         const { point, surface } = aimed;
         pageView.writeNote({ annotation: null, text: '', position: point, surface });
         return true;

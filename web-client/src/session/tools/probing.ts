@@ -5,7 +5,7 @@ import type { AppState } from '../../state/appState.ts';
 import type { ProbeReading, ViewState } from '../../state/viewState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
 import { tellUnlessCut } from '../base/lostConnection.ts';
-import { aim, type Sight } from './aiming.ts';
+import { aim, nothingThere, type Sight } from './aiming.ts';
 import { shownTime } from '../time/shownTime.ts';
 
 export interface ProbingOptions extends Sight {
@@ -45,6 +45,7 @@ export class Probing implements PointerTool {
             this.held = false;
             return null;
         }
+        if (pointer === null) this.options.pageView.besidePointer.value = null;
         if (!this.held && pointer !== null) {
             this.under = pointer;
             this.options.requestFrame();
@@ -71,14 +72,19 @@ export class Probing implements PointerTool {
         this.next = point;
         this.options.pageView.probePlace.value = point;
         this.options.pageView.probeMissed.value = false;
+        this.options.pageView.besidePointer.value = null;
         if (!this.asking) void this.ask();
     }
 
     private probeAt({ at }: Pointer): void {
         if (this.options.state.dataset.value === null) return;
         const aimed = aim(this.options, at);
-        if (aimed === null) this.probeNothing();
-        else this.probe(aimed.point);
+        if (aimed === null) {
+            this.probeNothing();
+            this.options.pageView.besidePointer.value = { at, words: nothingThere };
+        } else {
+            this.probe(aimed.point);
+        }
     }
 
     /** No number is shown of a place that no one can see. */

@@ -42,7 +42,14 @@ export const sharedStyles = css`
     }
     :disabled {
         color: var(--quiet);
-        cursor: default;
+        cursor: not-allowed;
+    }
+    button:disabled,
+    select:disabled,
+    input:disabled {
+        border-style: dashed;
+        background: none;
+        opacity: 0.6;
     }
     button:enabled:hover {
         border-color: var(--accent);

@@ -12,7 +12,7 @@ import { type TourFacts, type TourStart, tourStart, tourSteps } from './tourStep
 
 const kept = 'tour';
 
-export interface TourModel extends TourFacts {
+export interface TourModel extends Omit<TourFacts, 'touch' | 'narrow'> {
     state: TourFacts['state'] & Pick<AppState, 'role' | 'stage'>;
     view: Pick<ViewState, 'looks' | 'tourStep'>;
     scene: Pick<FlowScene, 'controls' | 'onDraw'>;
@@ -51,7 +51,7 @@ export class Tour extends SignalElement {
                 flex: 1;
                 color: var(--quiet);
             }
-            @media (max-width: 760px) {
+            @media (max-width: 760px), (max-height: 500px) {
                 section {
                     width: auto;
                     padding: 8px 12px;
@@ -75,13 +75,18 @@ export class Tour extends SignalElement {
         const step = tourSteps[at ?? -1];
         const mayEdit = state.role.value !== 'viewer';
         if (at === null || step === undefined || state.stage.value !== 'running' || !mayEdit) return nothing;
-        if (this.start?.step !== at) this.start = { step: at, before: tourStart(this.model) };
-        if (step.done(this.model, this.start.before)) queueMicrotask(() => this.goTo(at + 1));
+        const facts: TourFacts = {
+            ...this.model,
+            touch: matchMedia('(pointer: coarse)').matches,
+            narrow: matchMedia('(max-width: 760px)').matches,
+        };
+        if (this.start?.step !== at) this.start = { step: at, before: tourStart(facts) };
+        if (step.done(facts, this.start.before)) queueMicrotask(() => this.goTo(at + 1));
         const last = at === tourSteps.length - 1;
         return html`<section aria-label="Tour" data-step=${step.id}>
             <div aria-live="polite">
                 <h2>${step.title}</h2>
-                <p>${step.words(this.model)}</p>
+                <p>${step.words(facts)}</p>
             </div>
             <div class="row">
                 <span class="quiet">${at + 1} of ${tourSteps.length}</span>

@@ -10,6 +10,10 @@ export interface TourFacts {
     view: Pick<ViewState, 'looks'>;
     edits: Pick<Edits, 'intent'>;
     scene: Pick<FlowScene, 'controls'>;
+    /** Fingers, not a mouse. */
+    touch: boolean;
+    /** The panel is below the picture, not beside it. */
+    narrow: boolean;
 }
 
 export interface TourStep {
@@ -27,7 +31,7 @@ export interface TourStart {
     looks: ViewState['looks']['value'];
 }
 
-export function tourStart({ state, scene, view }: TourFacts): TourStart {
+export function tourStart({ state, scene, view }: Omit<TourFacts, 'touch' | 'narrow'>): TourStart {
     const revisions = [...state.rakes.value.values()].map(({ rake, rev }) => `${rake} ${rev}`);
     return { rakeRevisions: revisions.join(), pose: JSON.stringify(scene.controls.pose), looks: view.looks.value };
 }
@@ -44,23 +48,26 @@ export const tourSteps: readonly TourStep[] = [
     {
         id: 'turn',
         title: 'Look around',
-        words: () => 'Drag beside the rake to rotate the view, drag with the right button to pan, and scroll to zoom.',
+        words: ({ touch }) =>
+            touch
+                ? 'Drag beside the rake with one finger to rotate the view, with two fingers to pan, and pinch to zoom.'
+                : 'Drag beside the rake to rotate the view, drag with the right button to pan, and scroll to zoom.',
         done: (facts, before) => tourStart(facts).pose !== before.pose,
     },
     {
         id: 'streak',
         title: 'Choose a streak surface',
-        words: ({ state }) =>
+        words: ({ state, narrow }) =>
             state.dataset.value?.steady === true || state.times.value.length < 2
                 ? 'This flow does not change with time. In a flow that does, a streak surface shows particles released one after another, like smoke.'
-                : 'On the right, under Flow, choose Streak: particles released one after another, like smoke. It moves with the flow.',
+                : `${narrow ? 'Below the picture' : 'On the right'}, under Flow, choose Streak: particles released one after another, like smoke. It moves with the flow.`,
         done: ({ edits }) => edits.intent.value?.kind === 'streak',
     },
     {
         id: 'play',
         title: 'Watch it move',
         words: ({ state }) =>
-            'Press play at the bottom' +
+            'Press play under the picture' +
             (state.dataset.value?.obstacle === true ? ' and watch the sheet tear around the body' : '') +
             '. Everyone in the session sees the same time.',
         done: ({ state }) => state.clock.value?.playing === true,

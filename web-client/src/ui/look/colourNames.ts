@@ -29,6 +29,8 @@ export function ageName(kind: SurfaceKind | undefined): string {
     return kind === 'time' ? 'Position across the patch' : 'Age';
 }
 
+const notSent = ' (someone who can edit has to show it first)';
+
 /** Those that others have to compute are not for people who may only look on, unless they are there already. */
 export function colourChoices(
     dataset: DatasetDescription | null,
@@ -37,7 +39,7 @@ export function colourChoices(
 ): Choice<string>[] {
     const fields = colourFields(dataset).map(({ name }) => ({
         value: colourByField(name),
-        words: name,
+        words: isThere(name) ? name : `${name}${notSent}`,
         disabled: !isThere(name),
     }));
     const derived = [
@@ -52,7 +54,13 @@ export function colourChoices(
         { value: 'speed', words: 'Speed' },
         { value: 'age', words: ageName(kind) },
         { value: 's', words: 'Position on the rake' },
-        ...derived.filter(({ value }) => canCome(dataset, value)).map((each) => ({ ...each, disabled: !isThere(each.value) })),
+        ...derived
+            .filter(({ value }) => canCome(dataset, value))
+            .map(({ value, words }) => ({
+                value,
+                words: isThere(value) ? words : `${words}${notSent}`,
+                disabled: !isThere(value),
+            })),
         ...fields,
         { value: 'constant', words: 'Single colour' },
     ];

@@ -7,6 +7,7 @@ import type { Edits } from '../../session/edits/edits.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { showsRake, toggled } from '../../state/visibility.ts';
+import { titleOf } from '../base/lockedWords.ts';
 import { icon, type IconName } from '../base/icons.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
@@ -166,7 +167,7 @@ export class RakeList extends SignalElement {
                 <button
                     type="button"
                     aria-label="New rake"
-                    title="New rake, away from the others"
+                    title=${titleOf(state, 'New rake, beside the chosen one')}
                     ?disabled=${locked}
                     @click=${() => actions.newRake()}
                 >
@@ -174,6 +175,7 @@ export class RakeList extends SignalElement {
                 </button>
                 <button
                     type="button"
+                    title=${titleOf(state, 'Copy the chosen rake and its surfaces')}
                     ?disabled=${locked || chosen === undefined}
                     @click=${() => actions.duplicate(chosen!.rake)}
                 >
@@ -182,7 +184,7 @@ export class RakeList extends SignalElement {
                 <button
                     type="button"
                     ?disabled=${locked || chosen === undefined || visibility.lockedRakes.has(chosen.rake)}
-                    title="Delete the chosen rake and its surfaces"
+                    title=${titleOf(state, 'Delete the chosen rake and its surfaces')}
                     @click=${() => actions.deleteRake(chosen!.rake)}
                 >
                     Delete

@@ -346,7 +346,7 @@ export class RakePanel extends SignalElement {
             const { shape, stoppedAt } = withCoordinate(state.rakeShape.value, handle, axis, typed, bounds);
             edits.setShape(shape);
             if (stoppedAt === null) state.problems.solved(numberProblems.shape);
-            else state.problems.say(numberProblems.shape, this.stoppedWords(axis, typed, stoppedAt));
+            else state.problems.sayUntil('edit', numberProblems.shape, this.stoppedWords(axis, typed, stoppedAt));
         }
         field.value = coordinateField(state, axis, this.placeOf(handle)[axis]);
     }
@@ -371,7 +371,7 @@ export class RakePanel extends SignalElement {
             edits.changeRake(state.activeRake.value ?? '', { seeds });
         } else {
             const words = `A rake has 2 to ${mostSeeds} seeds. This one still has ${edits.seeds.value}.`;
-            state.problems.say(numberProblems.seeds, words);
+            state.problems.sayUntil('edit', numberProblems.seeds, words);
         }
         field.value = String(edits.seeds.value);
     }

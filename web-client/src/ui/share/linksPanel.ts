@@ -23,7 +23,7 @@ const lifetimes = [
     { seconds: null, words: 'until revoked' },
 ];
 
-const purposes: Record<Role, string> = { viewer: 'To view', editor: 'To edit', host: 'To host' };
+const purposes: Record<Role, string> = { viewer: 'To look', editor: 'To edit', host: 'To edit and invite' };
 
 export interface LinksModel {
     state: Pick<AppState, 'role' | 'session' | 'sessionName'>;
@@ -111,14 +111,14 @@ export class LinksPanel extends SignalElement {
     override render(): TemplateResult {
         const { state } = this.model;
         if (state.role.value !== 'host') {
-            return html`<p class="quiet">Only hosts can make links for others.</p>`;
+            return html`<p class="quiet">Only people who can invite can make links for others.</p>`;
         }
         const made = this.made.value;
         return html`
             <div class="new">
                 <select id="share-role" aria-label="What the link allows">
                     <option value="editor">to edit</option>
-                    <option value="viewer">to view</option>
+                    <option value="viewer">to look</option>
                 </select>
                 <select id="share-lifetime" aria-label="How long the link is valid">
                     ${lifetimes.map(({ words }, i) => html`<option value=${i}>${words}</option>`)}

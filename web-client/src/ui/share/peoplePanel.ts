@@ -66,6 +66,7 @@ export class PeoplePanel extends SignalElement {
             </ul>
             <p class="leave">
                 <button type="button" id="log-out" title="This browser forgets the server's token or your link" @click=${this.logOut}>Log out</button>
+                <span class="quiet">You need the link again to come back.</span>
             </p>`;
     }
 

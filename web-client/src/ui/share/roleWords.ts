@@ -2,7 +2,7 @@
 import type { Role } from '../../protocol/messages.ts';
 
 export const roleWords: Record<Role, string> = {
-    viewer: 'can view',
+    viewer: 'can look',
     editor: 'can edit',
-    host: 'can host',
+    host: 'can edit and invite',
 };

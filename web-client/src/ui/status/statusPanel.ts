@@ -5,6 +5,7 @@ import type { Edits } from '../../session/edits/edits.ts';
 import type { MeshDownload } from '../../session/out/meshDownload.ts';
 import type { SurfaceProgress } from '../../session/surface/surfaceProgress.ts';
 import { errorWords, isDoubtful } from '../surface/errorWords.ts';
+import { withUnit } from '../../session/picture/unitsInPicture.ts';
 import type { SurfaceStats } from '../../protocol/messages.ts';
 import { surfaceSetRanges } from '../../protocol/generated/surface.ts';
 import type { AppState, SurfacePhase } from '../../state/appState.ts';
@@ -54,6 +55,11 @@ export class StatusPanel extends SignalElement {
                 text-align: right;
                 font-variant-numeric: tabular-nums;
             }
+            .counts {
+                margin: 2px 0 0;
+                color: var(--quiet);
+                font-variant-numeric: tabular-nums;
+            }
             .progress {
                 display: flex;
                 gap: 8px;
@@ -94,13 +100,11 @@ export class StatusPanel extends SignalElement {
         return html`<dl>
                 <dt>Surface</dt>
                 <dd class=${phase === 'final' && isDoubtful(outcome) ? 'doubtful' : phase}><span role="status">${displayed === undefined && phase === 'stopped' ? phaseWords.error : statusWords(phase, outcome, view.units.value.length)}</span></dd>
-                <dt>Quads</dt>
-                <dd>${count(displayed?.cells)}</dd>
-                <dt>Vertices</dt>
-                <dd>${count(displayed?.vertices)}</dd>
-                <dt>Separation</dt>
-                <dd>${shortNumber(state.surface.value?.separation ?? Number.NaN)}</dd>
             </dl>
+            <p class="counts">
+                ${count(displayed?.cells)} quads, ${count(displayed?.vertices)} vertices, separation
+                ${withUnit(shortNumber(state.surface.value?.separation ?? Number.NaN), view.units.value.length)}
+            </p>
             ${phase === 'coarsened' ? this.quadLimit() : nothing}
             ${phase === 'empty' ? html`<p class="problem" id="empty-reason">${emptyWords(outcome)}</p>` : nothing}
             ${this.progress()}

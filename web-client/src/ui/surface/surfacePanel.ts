@@ -352,6 +352,7 @@ export class SurfacePanel extends SignalElement {
         return html`<label class="check">
                 <input
                     type="checkbox"
+                    title="Particles are released until the time that is shown; without, the release stops at a time of your choice"
                     id="release"
                     .checked=${live(current > shown * 0.999)}
                     @change=${allTheTime}

@@ -12,6 +12,7 @@ import type { Playback } from '../../session/time/playback.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import '../out/copyAs.ts';
+import { titleOf } from '../base/lockedWords.ts';
 import { icon } from '../base/icons.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
@@ -66,6 +67,7 @@ export class TimeBar extends SignalElement {
                         id="go-to"
                         type="number"
                         step="any"
+                        title=${titleOf(this.model.state, playback.mode.value === 'clock' ? 'Time of the picture' : 'The stream surface is of the flow as it is at this time')}
                         aria-label=${playback.mode.value === 'clock' ? 'Shown at time' : 'Frozen at time'}
                         ?disabled=${locked || none}
                         .value=${this.typing ? noChange : live(timeField(this.model.state, playback.time.value))}
@@ -75,7 +77,7 @@ export class TimeBar extends SignalElement {
                     />
                     ${this.model.view.units.value.time}
                 </label>
-                <span class="words">${this.meaning()}</span>
+                <span class="words">${this.meaning()}${this.whyNot()}</span>
             </div>
             <wakesurf-timeline
                 .model=${this.model}
@@ -99,7 +101,7 @@ export class TimeBar extends SignalElement {
         const { playback } = this.model;
         const playing = playback.playing.value;
         const button = (words: string, keys: string, sign: TemplateResult, action: () => unknown): TemplateResult =>
-            html`<button type="button" aria-label=${words} title=${keys} ?disabled=${disabled} @click=${action}>
+            html`<button type="button" aria-label=${words} title=${titleOf(this.model.state, keys)} ?disabled=${disabled} @click=${action}>
                 ${sign}
             </button>`;
         return html`<div class="buttons" role="group" aria-label="Time controls">
@@ -125,7 +127,7 @@ export class TimeBar extends SignalElement {
         return html`<select
                 id="speed"
                 aria-label="Speed"
-                title="Simulation time that passes in a second"
+                title=${titleOf(this.model.state, 'Simulation time that passes in a second')}
                 ?disabled=${disabled}
                 @change=${this.speedChosen}
             >
@@ -139,7 +141,7 @@ export class TimeBar extends SignalElement {
             <button
                 type="button"
                 aria-pressed=${loop ? 'true' : 'false'}
-                title="Start again at the end"
+                title=${titleOf(this.model.state, 'Start again at the end')}
                 ?disabled=${disabled}
                 @click=${() => playback.setLoop(!loop)}
             >
@@ -160,6 +162,13 @@ export class TimeBar extends SignalElement {
         const until = intent.kind === 'streak' ? state.surface.value?.releaseUntil : undefined;
         const end = until === undefined ? nothing : html` <span class="quiet">to</span> ${this.words(until)}`;
         return html`<span class="quiet">${released[intent.kind]}</span> ${this.words(intent.from)}${end}`;
+    }
+
+    /** Where it is looked for: beside the buttons that do nothing. */
+    private whyNot(): TemplateResult | typeof nothing {
+        const { state } = this.model;
+        if (state.role.value !== 'viewer') return nothing;
+        return html` <span class="quiet" id="time-locked">People who can edit choose the time for everyone.</span>`;
     }
 
     private legend(): TemplateResult {

@@ -48,7 +48,7 @@ export class ToolButtons extends SignalElement {
                 const chosen = view.tool.value === tool;
                 return html`<button
                     type="button"
-                    title=${words}
+                    title=${viewer && edits ? `${words} (your link is for looking)` : words}
                     aria-pressed=${chosen ? 'true' : 'false'}
                     ?disabled=${viewer && edits}
                     @click=${() => (view.tool.value = chosen ? 'none' : tool)}
