@@ -8,6 +8,7 @@ import struct
 from typing import TYPE_CHECKING, Any, Deque, Optional, Union
 
 from .errors import Unauthenticated, Unreachable, WaitTimeout, WakesurfError, error_of
+from .frames import VERSION
 from .generated.methods import Methods
 from .generated.records import Joined
 from .notification import Notification, notification_of
@@ -135,8 +136,8 @@ def header_of(frame: bytes) -> Optional[Json]:
     """What a mesh frame says about its update, see Frame in protocol/wire/FORMAT.md; None for what is none."""
     if len(frame) < 48 or frame[:2] != b"WS":
         return None
-    if frame[2] != 4:
-        raise WakesurfError(f"the server sends mesh frames of version {frame[2]}, this client reads version 4",
+    if frame[2] != VERSION:
+        raise WakesurfError(f"the server sends mesh frames of version {frame[2]}, this client reads version {VERSION}",
                             hint="use the client that came with the server")
     number, epoch, seq, index, count, phase = struct.unpack_from("<3I2HB", frame, 4)
     vertices, cells, when, state_sum = struct.unpack_from("<2IdI", frame, 24)
