@@ -218,6 +218,7 @@ core::Result<FieldChoice> choose_fields(const std::vector<FieldInfo>& fields,
     choice.mask_marks_solid = choice.mask && called_one_of(*choice.mask, solid_names);
     choose_scalars(fields, wish, choice);
     note_what_is_left_out(fields, choice);
+    add_note(choice.note, velocity->doubt);
     for (const auto& name : wish.no_masks)
         add_note(choice.note,
                  name + " is a scalar, and no mask as its name says: it is not 0 or 1 everywhere");

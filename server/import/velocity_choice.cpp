@@ -109,6 +109,14 @@ class Rules {
         return made(found[0], divisor, why);
     }
 
+    static Found doubted(Found found) {
+        if (found && *found)
+            (*found)->doubt = (*found)->name + " is taken for the velocity, though its name does "
+                                               "not say that it is the fluid's: choose with "
+                                               "--velocity if it is another";
+        return found;
+    }
+
     Found named(FieldInfo::Source source) const {
         return called(source, VectorName::Velocity,
                       "the only 3-component field with the name of a velocity");
@@ -140,18 +148,18 @@ class Rules {
     }
 
     Found spoken_of(FieldInfo::Source source) const {
-        return called(source, VectorName::Unclear,
-                      "the only 3-component field whose name suggests a velocity");
+        return doubted(called(source, VectorName::Unclear,
+                              "the only 3-component field whose name suggests a velocity"));
     }
 
     Found only(FieldInfo::Source source) const {
         const auto meaning = [](const FieldInfo& f) { return meaning_of_vector(f.name); };
-        return vector(
+        return doubted(vector(
             source,
             [&](const FieldInfo& f) {
                 return meaning(f) != VectorName::Other && meaning(f) != VectorName::Momentum;
             },
-            "the only 3-component field whose name does not say that it is something else");
+            "the only 3-component field whose name does not say that it is something else"));
     }
 
     const Fields& fields_;

@@ -15,6 +15,8 @@ struct VelocityChoice {
     FieldParts parts;
     std::string name; ///< for people
     std::string why;
+    std::string
+        doubt{}; ///< a note, where its name does not say that it is the fluid's velocity; else empty
 };
 
 /// In this order, of points before cells: a vector called U, velocity or vel (any case); three arrays called u, v, w or the

@@ -161,6 +161,18 @@ TEST(FieldChoice, NeverTakesTheVelocityOfSomethingElseForTheFluids) {
             << other;
 }
 
+TEST(FieldChoice, SaysSoWhereItTakesWhatIsNotSurelyTheFluids) {
+    for (const char* const name : {"Relative_Velocity", "UMean", "B"}) {
+        EXPECT_EQ(choose_fields({point(name, 3)})->note,
+                  std::string(name) + " is taken for the velocity, though its name does not say "
+                                      "that it is the fluid's: choose with --velocity if it is "
+                                      "another");
+        EXPECT_EQ(choose_fields({point(name, 3)}, {{}, name})->note, "") << "someone says so";
+    }
+    for (const char* const name : {"U", "velocity", "Flow_Velocity", "U.air"})
+        EXPECT_EQ(choose_fields({point(name, 3)})->note, "") << name;
+}
+
 TEST(FieldChoice, AsksWhereTwoPhasesCouldBeMeant) {
     for (const auto& [one, other] : {std::pair{"U.air", "U.water"},
                                      {"U.air", "U.particles"},
