@@ -63,13 +63,9 @@ inline constexpr Budget all{clients, 1024, 64, 32, 1024, 0.0, 0.0, 0.0};
 /// The part of all that only the server's token opens.
 inline constexpr Budget for_hosts{128, 256, 8, 4, 64, 0.0, 0.0, 0.0};
 
-// Logins by cookie.
-inline constexpr std::size_t logins = 16384;           ///< the last 1024 are for the server's token
-inline constexpr std::size_t logins_of_one = 1024;     ///< of the token, of a share link
-inline constexpr std::size_t logins_from_one = 256;    ///< of those of a link, from one address
-inline constexpr std::chrono::seconds login_proof{10}; ///< for a new login to come back once
-inline constexpr std::chrono::seconds login_idle{7 * 24 * 3600};
-inline constexpr std::chrono::seconds login_most{30 * 24 * 3600};
+// Logins.
+inline constexpr std::chrono::seconds login_idle{7 * 24 * 3600};  ///< since it was renewed
+inline constexpr std::chrono::seconds login_most{30 * 24 * 3600}; ///< since it was made
 
 // Share links.
 inline constexpr std::size_t grant_depth = 8; ///< links made by links

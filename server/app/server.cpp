@@ -1,7 +1,9 @@
 #include "server/app/server.hpp"
 
 #include "protocol/api/json_rpc.hpp"
+#include "server/base/late_file.hpp"
 #include "server/base/log_text.hpp"
+#include "server/base/waking_clock.hpp"
 #include "server/compute/thread_priority.hpp"
 #include "server/limits.hpp"
 #include "server/metrics/process_account.hpp"
@@ -25,9 +27,8 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/signal_set.hpp>
 #include <nlohmann/json.hpp>
+#include <signal.h>
 #include <spdlog/spdlog.h>
-
-#include <csignal>
 
 namespace wakesurf::server {
 
@@ -42,6 +43,12 @@ nlohmann::json dataset_entries(const DatasetCatalogue& catalogue) {
     for (const DatasetStatus& each : catalogue.list())
         list.push_back(dataset_entry(each));
     return list;
+}
+
+bool ignored(int signal) {
+    struct sigaction now {};
+
+    return ::sigaction(signal, nullptr, &now) == 0 && now.sa_handler == SIG_IGN;
 }
 
 /// Sockets and requests of all, where there may be fewer connections: the rest is for those who have shown nothing yet.
@@ -66,8 +73,7 @@ struct Server::Parts {
             metrics.durable(true);
         desk = start_desk(options);
         gate.emplace(GateOptions{options.token, options.host, port, options.origins, tls != nullptr,
-                                 logins ? &*logins : nullptr, unix_seconds,
-                                 !options.frame_origins.empty()},
+                                 logins ? &*logins : nullptr},
                      entropy, clock, grants, &metrics);
         std::string notice;
         if (kept) {
@@ -235,8 +241,10 @@ struct Server::Parts {
     std::unique_ptr<SqliteJournal> journal = start_journal(); ///< nothing without `--state`
     std::unique_ptr<StateDesk> desk;                          ///< its thread asks the journal
     std::unique_ptr<DatasetCatalogue> catalogue;
-    Grants grants{{loop, clock, entropy, unix_seconds, journal.get()}};
-    std::optional<KeptLogins> logins; ///< with `--state`
+    WakingClock waking;
+    Grants grants{{loop, waking, entropy, unix_seconds, journal.get()}};
+    std::optional<LateFile> ended_logins; ///< with `--state`
+    std::optional<KeptLogins> logins;     ///< the same
     std::optional<Gate> gate;
     std::optional<CatalogueDatasets> datasets;
     std::optional<SessionDirectory> sessions;
@@ -266,7 +274,11 @@ core::Result<std::unique_ptr<Server>> Server::open(const ServerOptions& options)
     all->proxies = options.proxies;
     all->headers = SecurityHeaders(options.frame_origins);
     if (all->kept) {
-        auto logins = KeptLogins::open(all->kept->folder.path(), all->entropy);
+        all->ended_logins.emplace(all->loop, all->kept->folder.path() / KeptLogins::ended_name);
+        auto logins = KeptLogins::open(all->kept->folder.path(), all->entropy,
+                                       [all](std::string text, KeptLogins::Done done) {
+                                           all->ended_logins->put(std::move(text), std::move(done));
+                                       });
         if (!logins)
             return tl::unexpected(logins.error());
         all->logins.emplace(std::move(*logins));
@@ -306,6 +318,10 @@ std::uint16_t Server::port() const {
     return parts_->port;
 }
 
+std::size_t Server::end_links() {
+    return parts_->grants.end_all("the server has a new token");
+}
+
 void Server::run() {
     Parts& all = *parts_;
     if (all.files.empty())
@@ -315,6 +331,12 @@ void Server::run() {
     if (!all.journal)
         spdlog::info("event=sessions_not_kept hint=\"--state DIR keeps them\"");
     asio::signal_set signals(all.context, SIGINT, SIGTERM);
+    asio::signal_set hangup(all.context);
+    if (all.tls) {
+        hangup.add(SIGHUP);
+        all.renew_tls_on(hangup);
+    } else if (!ignored(SIGHUP)) // nohup wants it to go on
+        signals.add(SIGHUP);
     signals.async_wait([&](boost::system::error_code error, int) {
         if (error)
             return;
@@ -323,11 +345,6 @@ void Server::run() {
         all.connections.go_away();
         all.stop_when_alone(std::chrono::steady_clock::now() + goodbye);
     });
-    asio::signal_set hangup(all.context);
-    if (all.tls) {
-        hangup.add(SIGHUP);
-        all.renew_tls_on(hangup);
-    }
     spdlog::info("event=listening port={} tls={} connections={}", all.port, all.tls != nullptr,
                  all.places.connections);
     all.listener->start();

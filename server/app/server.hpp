@@ -43,7 +43,10 @@ class Server {
 
     std::uint16_t port() const;
 
-    /// Serves until SIGINT or SIGTERM, then says goodbye to the clients; takes at most a second for that.
+    /// Ends all share links, with those who came by them; how many there were.
+    std::size_t end_links();
+
+    /// Serves until SIGINT or SIGTERM, or SIGHUP without TLS, then says goodbye to the clients; takes at most a second for that.
     void run();
 
   private:

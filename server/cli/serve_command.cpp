@@ -7,20 +7,21 @@
 #include "server/catalogue/shipped_files.hpp"
 #include "server/cli/environment.hpp"
 #include "server/cli/failure.hpp"
+#include "server/cli/log_lines.hpp"
 #include "server/cli/writable_folder.hpp"
 #include "server/net/gate.hpp"
 #include "server/net/token_file.hpp"
-#include "server/state/state_folder.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
-#include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <charconv>
 #include <csignal>
 #include <cstdio>
+#include <optional>
 
 namespace wakesurf::server {
 
@@ -50,7 +51,15 @@ core::Result<Address> parse_address(const std::string& text) {
                 "write HOST:PORT, for example 127.0.0.1:8080");
 }
 
-core::Result<std::string> choose_token(const ServeOptions& options, const Address& address) {
+/// What a server is started with, and the token's file, if it has one.
+struct Prepared {
+    ServerOptions server;
+    std::optional<TokenFile> token_file;
+};
+
+/// The file stays as it is until the server listens.
+core::Result<std::string>
+choose_token(const ServeOptions& options, const Address& address, std::optional<TokenFile>& file) {
     if (options.no_auth && !is_loopback(address.host))
         return fail(Error::Code::InvalidArgument,
                     "--no-auth would let anyone in at " + address.host,
@@ -63,13 +72,7 @@ core::Result<std::string> choose_token(const ServeOptions& options, const Addres
     SystemEntropy entropy;
     if (options.token_file.empty())
         return fresh_token(entropy);
-    if (options.new_token && !options.state.empty()) // the server that runs there keeps its token
-        if (const auto here = StateFolder::hold_existing(options.state);
-            !here && here.error().code == Error::Code::OverLimit)
-            return tl::unexpected(here.error());
-    if (options.new_token)
-        return new_token_in(options.token_file, entropy);
-    return secret_from(options.token_file, entropy, "the token in the token file");
+    return file.emplace(options.token_file).token(entropy, options.new_token);
 }
 
 core::Result<void> check_origins(const std::vector<std::string>& origins,
@@ -108,27 +111,50 @@ std::vector<std::string> datasets_to_serve(const ServeOptions& options) {
     return {};
 }
 
-/// What has to be kept must be writable; the store need not be while all that is served is already in it.
+/// The folder of a file with a secret: no one else may put another in its place.
+core::Result<void>
+check_folder_of(const std::filesystem::path& file, const char* option, bool written) {
+    std::error_code ignored;
+    const auto folder = std::filesystem::absolute(file, ignored).parent_path();
+    if (!std::filesystem::is_directory(folder, ignored))
+        return fail(Error::Code::Io, std::string(option) + ": there is no folder for it",
+                    "make the folder first");
+    if (written)
+        if (auto writable = check_writable(folder, option); !writable)
+            return writable;
+    return check_private_folder(folder, option, true);
+}
+
+/// Data that others can replace are served all the same: a store may be a group's.
+void warn_of_shared_store(const std::filesystem::path& root) {
+    struct stat status {};
+
+    if (::stat(root.c_str(), &status) != 0)
+        return;
+    const bool anybody = (status.st_mode & S_IWOTH) != 0 && (status.st_mode & S_ISVTX) == 0;
+    if (anybody || (status.st_uid != ::geteuid() && status.st_uid != 0))
+        spdlog::warn("event=store_of_others message=\"the folder for imported data {}: they can "
+                     "replace what is served\" hint=\"name a folder of your own with --store\"",
+                     anybody ? std::string("can be written by everybody")
+                             : fmt::format("belongs to user {}", status.st_uid));
+}
+
+/// What has to be kept must be writable, by no one else; the store need not be while all that is served is already in it.
 core::Result<void> check_folders(const ServeOptions& options, const ServerOptions& server) {
     std::error_code ignored;
-    if (!options.token_file.empty() && !options.no_auth &&
-        !std::filesystem::exists(options.token_file, ignored))
-        if (auto made =
-                check_writable(std::filesystem::absolute(options.token_file, ignored).parent_path(),
-                               "--token-file");
+    if (!options.token_file.empty() && !options.no_auth)
+        if (auto made = check_folder_of(options.token_file, "--token-file",
+                                        options.new_token ||
+                                            !std::filesystem::exists(options.token_file, ignored));
             !made)
             return made;
-    if (!options.url_file.empty()) {
-        const auto folder = std::filesystem::absolute(options.url_file, ignored).parent_path();
-        if (!std::filesystem::is_directory(folder, ignored))
-            return fail(Error::Code::Io, "--url-file: there is no folder for it",
-                        "make the folder first");
-        if (auto made = check_writable(folder, "--url-file"); !made)
+    if (!options.url_file.empty())
+        if (auto made = check_folder_of(options.url_file, "--url-file", true); !made)
             return made;
-    }
     if (!options.state.empty())
         if (auto kept = check_writable(options.state, "--state"); !kept)
             return kept;
+    warn_of_shared_store(server.store_root);
     if (const auto store = check_writable(server.store_root, "--store"); !store)
         spdlog::warn(
             "event=store_read_only message=\"the folder for imported data cannot be "
@@ -139,7 +165,7 @@ core::Result<void> check_folders(const ServeOptions& options, const ServerOption
 }
 
 /// Error: InvalidArgument, wrong usage; anything else, a file or folder that cannot be used.
-core::Result<ServerOptions> server_options(const ServeOptions& options) {
+core::Result<Prepared> prepare(const ServeOptions& options) {
     const auto address = parse_address(options.listen);
     if (!address)
         return tl::unexpected(address.error());
@@ -147,7 +173,8 @@ core::Result<ServerOptions> server_options(const ServeOptions& options) {
         return tl::unexpected(origins.error());
     if (auto origins = check_origins(options.frame_origins, "--frame-origin"); !origins)
         return tl::unexpected(origins.error());
-    ServerOptions server;
+    Prepared out;
+    ServerOptions& server = out.server;
     server.store_root =
         options.store.empty() ? default_store_root() : std::filesystem::path(options.store);
     if (auto folders = check_folders(options, server); !folders)
@@ -155,7 +182,7 @@ core::Result<ServerOptions> server_options(const ServeOptions& options) {
     auto proxies = TrustedProxies::parse(options.trusted_proxies);
     if (!proxies)
         return tl::unexpected(proxies.error());
-    const auto token = choose_token(options, *address);
+    const auto token = choose_token(options, *address, out.token_file);
     if (!token)
         return tl::unexpected(token.error());
     server.datasets = datasets_to_serve(options);
@@ -172,7 +199,7 @@ core::Result<ServerOptions> server_options(const ServeOptions& options) {
     server.certificate = options.certificate;
     server.key = options.key;
     server.web = options.web;
-    return server;
+    return out;
 }
 
 /// Where the link goes: to the file, if there is one, and to standard output without the token then.
@@ -183,18 +210,36 @@ tell_link(const std::string& address, const std::string& token, const std::files
         if (auto written = write_private_file(file, link + "\n"); !written)
             return fail(Error::Code::Io, "--url-file: " + written.error().message,
                         written.error().hint);
-    fmt::print("wakesurf: {}\n", file.empty() ? link : address);
-    std::fflush(stdout);
+    const std::string line = "wakesurf: " + (file.empty() ? link : address) + "\n";
+    if (std::fputs(line.c_str(), stdout) == EOF || std::fflush(stdout) != 0)
+        spdlog::warn("event=link_not_told message=\"standard output takes nothing\" hint=\"give "
+                     "--url-file FILE and read the link there\"");
     return {};
 }
 
-core::Result<void> serve(const ServerOptions& options, const std::filesystem::path& url_file) {
+/// Only a server that is there, and listens, changes the token.
+core::Result<void> keep_new_token(Server& server, TokenFile& file) {
+    if (auto kept = file.keep(); !kept)
+        return kept;
+    spdlog::info(
+        "event=new_token links_ended={} message=\"the links and logins that were made with "
+        "the old token have ended\"",
+        server.end_links());
+    return {};
+}
+
+core::Result<void>
+serve(Prepared& prepared, bool new_token, const std::filesystem::path& url_file) {
+    const ServerOptions& options = prepared.server;
     std::error_code ignored;
     if (!url_file.empty()) // one that waits for the link must not read that of an earlier server
         std::filesystem::remove(url_file, ignored);
     auto running = Server::open(options);
     if (!running)
         return tl::unexpected(running.error());
+    if (new_token)
+        if (auto kept = keep_new_token(**running, *prepared.token_file); !kept)
+            return kept;
     const bool tls = !options.certificate.empty();
     if (auto told = tell_link(fmt::format("{}://{}:{}/", tls ? "https" : "http",
                                           shown_host(options.host), (*running)->port()),
@@ -248,7 +293,7 @@ void add_serve_options(CLI::App& command, ServeOptions& options) {
                            "take the token from this file, which is created if missing "
                            "(default: $WAKESURF_TOKEN_FILE, or a new token)");
     command.add_flag("--new-token", options.new_token,
-                     "put a new token into the token file: links and logins with the old one end");
+                     "put a new token into the token file: all share links, and all logins, end");
     command
         .add_flag("--no-auth", options.no_auth,
                   "ask for no token; allowed only on a loopback address")
@@ -277,16 +322,15 @@ void add_serve_options(CLI::App& command, ServeOptions& options) {
 }
 
 int run_serve(const ServeOptions& options) {
-    spdlog::set_default_logger(spdlog::stderr_color_mt("wakesurf"));
-    spdlog::set_pattern("time=%Y-%m-%dT%H:%M:%S.%e%z level=%l %v");
-    spdlog::set_level(spdlog::level::from_str(options.log_level));
+    log_to_standard_error(options.log_level);
     std::signal(SIGXFSZ, SIG_IGN); // a limit on the size of files is an error to the writer
-    const auto server = server_options(options);
-    if (!server) {
-        const int status = report_failure(server.error());
-        return server.error().code == Error::Code::InvalidArgument ? wrong_usage : status;
+    std::signal(SIGPIPE, SIG_IGN); // so is a reader that has gone
+    auto prepared = prepare(options);
+    if (!prepared) {
+        const int status = report_failure(prepared.error());
+        return prepared.error().code == Error::Code::InvalidArgument ? wrong_usage : status;
     }
-    const auto served = serve(*server, options.url_file);
+    const auto served = serve(*prepared, options.new_token, options.url_file);
     return served ? 0 : report_failure(served.error());
 }
 

@@ -1,6 +1,7 @@
 #include "server/cli/sessions_command.hpp"
 
 #include "protocol/api/json_text.hpp"
+#include "server/base/terminal_text.hpp"
 #include "server/cli/environment.hpp"
 #include "server/cli/failure.hpp"
 #include "server/cli/session_server.hpp"
@@ -76,12 +77,17 @@ core::Result<json> call(SessionServer& server, const std::string& method, const 
 }
 
 /// Characters of UTF-8 count as one.
-std::string padded(std::string text, std::size_t width) {
+std::string padded(std::string_view given, std::size_t width) {
+    std::string text = terminal_text(given);
     std::size_t length = 0;
     for (const char c : text)
         length += (static_cast<unsigned char>(c) & 0xc0) != 0x80;
     text.append(width > length ? width - length : 0, ' ');
     return text;
+}
+
+std::string text_of(const json& entry, const char* member) {
+    return entry[member].get<std::string>();
 }
 
 /// Who was used last comes first.
@@ -99,8 +105,10 @@ void print(const json& list, bool trash) {
             fmt::format("{} rakes, {} surfaces, {} notes, {} views{}{}", each["rakes"].get<int>(),
                         each["surfaces"].get<int>(), each["annotations"].get<int>(),
                         each["bookmarks"].get<int>(), people.empty() ? "" : "; ", people);
-        fmt::print("{}  {}  {}  {}\n", padded(each["session"], 12), padded(each["name"], 32),
-                   padded(each[trash ? "deletedUntil" : "lastUsed"], 20), what);
+        fmt::print("{}  {}  {}  {}\n", padded(text_of(each, "session"), 12),
+                   padded(text_of(each, "name"), 32),
+                   padded(text_of(each, trash ? "deletedUntil" : "lastUsed"), 20),
+                   terminal_text(what));
     }
     fmt::print("{} of {}\n", sessions.size(),
                list[trash ? "trashLimit" : "limit"].get<std::size_t>());
@@ -147,7 +155,7 @@ core::Result<void> import(SessionServer& server, const SessionsOptions& options)
             !named)
             return tl::unexpected(named.error());
     for (const json& note : (*made)["notes"])
-        fmt::print(stderr, "wakesurf: {}\n", note.get<std::string>());
+        fmt::print(stderr, "wakesurf: {}\n", terminal_text(note.get<std::string>()));
     fmt::print("{}\n", (*made)["session"].get<std::string>());
     return {};
 }

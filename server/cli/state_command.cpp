@@ -2,6 +2,7 @@
 
 #include "protocol/api/json_text.hpp"
 #include "protocol/api/utc_text.hpp"
+#include "server/base/terminal_text.hpp"
 #include "server/cli/failure.hpp"
 #include "server/state/state_copy.hpp"
 
@@ -32,7 +33,8 @@ std::string counts(const StateContent& content) {
 void print_aside(const StateContent& content) {
     for (const auto* rows : {&content.aside, &content.damaged})
         for (const AsideRow& each : *rows)
-            fmt::print("    {}: {} (since {:%Y-%m-%d})\n", each.session, each.label.why,
+            fmt::print("    {}: {} (since {:%Y-%m-%d})\n", terminal_text(each.session),
+                       terminal_text(each.label.why),
                        fmt::gmtime(static_cast<std::time_t>(each.label.since)));
 }
 
@@ -53,8 +55,9 @@ int check(const StateCommandOptions& options) {
                    counts(content));
     if (content.layout > 0)
         fmt::print("  layout      {}{}\n", content.layout,
-                   content.head.writer.empty() ? ""
-                                               : ", written by wakesurf " + content.head.writer);
+                   content.head.writer.empty()
+                       ? ""
+                       : ", written by wakesurf " + terminal_text(content.head.writer));
     fmt::print("  kept aside  {}\n", content.aside.size() + damaged);
     print_aside(content);
     if (verdict->fault)
@@ -103,7 +106,7 @@ int restore(const StateCommandOptions& options) {
     fmt::print("restored: {}, {} kept aside\n", counts(content),
                content.aside.size() + content.damaged.size());
     for (const std::string& fault : content.faults)
-        fmt::print("  not restored: {}\n", fault);
+        fmt::print("  not restored: {}\n", terminal_text(fault));
     if (!restored->replaced.empty())
         fmt::print("  the previous sessions are {} in that folder\n", restored->replaced);
     return all_sound;

@@ -49,14 +49,13 @@ enum class Budgeted : std::uint8_t {
     Edits,
     Calls,
     Messages, ///< read later
-    Logins,
     WrongTokens,
     Strangers, ///< requests that showed no token
 };
 
 inline constexpr std::array<std::string_view, 11> budgeted_names{
-    "sockets", "requests", "downloads", "probes",       "waits",        "edits",
-    "calls",   "messages", "logins",    "wrong_tokens", "without_token"};
+    "sockets", "requests", "downloads", "probes",       "waits",
+    "edits",   "calls",    "messages",  "wrong_tokens", "without_token"};
 
 /// Thread safety: everything may be called from any thread. Cost of an observation: two uncontended locks, about
 /// 0.1 microseconds; once a pass or a frame, never once a particle.

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
+#include <utility>
 
 namespace wakesurf::server {
 
@@ -20,7 +22,8 @@ bool contains(const std::vector<std::string>& list, std::string_view value) {
     return std::find(list.begin(), list.end(), value) != list.end();
 }
 
-constexpr std::string_view login_word = "login ";
+constexpr std::string_view login_word = "login "; // of Visitor::person
+constexpr std::string_view login_protocol = "wakesurf.login.";
 
 std::string person_of(const Login& login) {
     return std::string(login_word) + login.id;
@@ -40,31 +43,41 @@ std::optional<std::string_view> bearer(std::string_view header) {
     return header;
 }
 
-/// Browsers send a cookie to every port of a host, so its name says which: two servers would log each other out. It is the port
-/// browsers know, which may be another than ours behind a proxy or in a container.
-std::string cookie_name(const HttpRequest& request, std::uint16_t own_port) {
-    const std::string_view authority = request.header("host");
-    const auto colon = authority.rfind(':');
-    const bool port =
-        colon != std::string_view::npos && authority.find(']', colon) == std::string_view::npos;
-    return "wakesurf_session_" +
-           (port ? std::string(authority.substr(colon + 1)) : std::to_string(own_port));
+/// What a page of an older wakesurf, which came by cookies, still has the browser send.
+bool has_old_cookie(const HttpRequest& request) {
+    const auto cookies = request.all("cookie");
+    return std::any_of(cookies.begin(), cookies.end(), [](std::string_view each) {
+        return each.find("wakesurf_session_") != each.npos;
+    });
 }
 
-/// Several of one name may come, from a host and the domain above it.
-std::vector<std::string_view> cookies_named(std::string_view name, const HttpRequest& request) {
-    std::vector<std::string_view> found;
-    for (std::string_view header : request.all("cookie"))
-        while (!header.empty()) {
-            const auto end = std::min(header.find(';'), header.size());
-            std::string_view pair = header.substr(0, end);
-            header.remove_prefix(std::min(end + 1, header.size()));
-            pair.remove_prefix(std::min(pair.find_first_not_of(' '), pair.size()));
-            const auto equals = pair.find('=');
-            if (equals != std::string_view::npos && pair.substr(0, equals) == name)
-                found.push_back(pair.substr(equals + 1));
+/// The token, a link's key or a login that a request shows: in its header, or, as browsers can give a WebSocket no header, among its
+/// subprotocols. Cookies show nothing, because browsers send them to every port of a host, and every port can set them.
+std::optional<std::string_view> shown_secret(const HttpRequest& request) {
+    const auto authorization = request.all("authorization");
+    if (!authorization.empty())
+        return authorization.size() == 1 ? bearer(authorization.front()) : std::nullopt;
+    if (!request.upgrade)
+        return std::nullopt;
+    std::optional<std::string_view> found;
+    for (std::string_view offers : request.all("sec-websocket-protocol"))
+        while (!offers.empty()) {
+            const auto end = std::min(offers.find(','), offers.size());
+            std::string_view offer = offers.substr(0, end);
+            offers.remove_prefix(std::min(end + 1, offers.size()));
+            offer.remove_prefix(std::min(offer.find_first_not_of(" \t"), offer.size()));
+            offer = offer.substr(0, std::min(offer.find_last_not_of(" \t") + 1, offer.size()));
+            if (!offer.starts_with(login_protocol))
+                continue;
+            if (found)
+                return std::nullopt;
+            found = offer.substr(login_protocol.size());
         }
     return found;
+}
+
+bool shows_something(const HttpRequest& request) {
+    return shown_secret(request) || !request.all("authorization").empty();
 }
 
 } // namespace
@@ -85,8 +98,11 @@ std::optional<std::string> host_name(std::string_view authority) {
     };
     const bool good = numeric_v6 ? std::all_of(name.begin() + 1, name.end() - 1, fits_v6)
                                  : !name.empty() && std::all_of(name.begin(), name.end(), fits);
+    constexpr unsigned last_port = 65535;
+    unsigned number = 0;
+    std::from_chars(port.data(), port.data() + port.size(), number);
     if (!good || port.size() > 5 || !std::all_of(port.begin(), port.end(), digit) ||
-        (colon != std::string_view::npos && port.empty()))
+        (colon != std::string_view::npos && port.empty()) || number > last_port)
         return std::nullopt;
     return lower(name);
 }
@@ -98,28 +114,19 @@ bool is_loopback(std::string_view host) {
             name.find_first_not_of("0123456789.") == std::string::npos);
 }
 
-bool is_cookie_path(std::string_view path) {
-    constexpr std::size_t longest = 512;
-    constexpr std::string_view marks =
-        "/-._~%!$&'()*+,=:@"; // of a URL's path (RFC 3986), without the semicolon
-    const auto fits = [&](char c) {
-        return std::isalnum(static_cast<unsigned char>(c)) != 0 || marks.find(c) != marks.npos;
-    };
-    return path.size() <= longest && path.starts_with('/') && path.ends_with('/') &&
-           std::all_of(path.begin(), path.end(), fits);
-}
-
 Gate::Gate(GateOptions options,
            Entropy& entropy,
            const core::Clock& clock,
            const Grants& grants,
            Metrics* metrics)
     : options_(std::move(options)), token_(secret_digest(options_.token)),
-      cookies_({entropy, clock, options_.unix_time,
-                [this](const std::string& grant) {
-                    return grant.empty() ? std::optional(token_) : grants_.digest(grant);
-                },
-                options_.kept}),
+      own_(options_.kept == nullptr ? std::optional<KeptLogins>(std::in_place, entropy)
+                                    : std::nullopt),
+      logins_({entropy, options_.unix_time,
+               [this](const std::string& grant) {
+                   return grant.empty() ? std::optional(token_) : grants_.digest(grant);
+               },
+               own_ ? *own_ : *options_.kept}),
       grants_(grants),
       wrong_tokens_(limits::wrong_tokens_per_second, limits::wrong_tokens_at_once, clock),
       strangers_(limits::strangers_per_second, limits::strangers_at_once, clock),
@@ -162,12 +169,7 @@ tl::expected<Visitor, Refusal> Gate::check(const HttpRequest& request) {
     }
     if (options_.token.empty())
         return Visitor({}, request.from);
-    auto identity = check_token(request);
-    if (!identity)
-        return identity;
-    if (auto refusal = check_sender(request))
-        return tl::unexpected(std::move(*refusal));
-    return identity;
+    return check_token(request);
 }
 
 bool Gate::is_host(const HttpRequest& header) {
@@ -176,22 +178,13 @@ bool Gate::is_host(const HttpRequest& header) {
     if (options_.token.empty())
         return true;
     const auto visitor = visitor_of(header);
-    return visitor && visitor->grant.empty() && !check_sender(header);
-}
-
-/// A browser says where a page that posts or opens a WebSocket comes from. Without that only the token itself will
-/// do, because the cookie goes along with other pages' requests in browsers that do not know SameSite.
-std::optional<Refusal> Gate::check_sender(const HttpRequest& request) const {
-    const bool harmless = (request.method == "GET" || request.method == "HEAD") && !request.upgrade;
-    if (harmless || !request.all("origin").empty() || !request.all("authorization").empty())
-        return std::nullopt;
-    return Refusal{403, "the request has no Origin header",
-                   "send the token in an Authorization header"};
+    return visitor && visitor->grant.empty();
 }
 
 bool Gate::still(const Visitor& visitor) const {
     const auto login = login_of(visitor.person);
-    return (!login || cookies_.lasts(*login)) && holder_of_grant(visitor.grant);
+    return (!login || logins_.lasts(visitor.grant, *login)) &&
+           holder_of_grant(visitor.grant).has_value();
 }
 
 std::optional<Refusal> Gate::check_host(const HttpRequest& request) const {
@@ -230,29 +223,30 @@ std::string Gate::scheme() const {
 tl::expected<Visitor, Refusal> Gate::check_token(const HttpRequest& request) {
     if (auto visitor = visitor_of(request))
         return std::move(*visitor);
-    if (!request.all("authorization").empty())
+    if (shows_something(request))
         return tl::unexpected(wrong_token(request.from));
     if (auto refusal = count_stranger(request.from, 1.0))
         return tl::unexpected(std::move(*refusal));
+    if (has_old_cookie(request))
+        return tl::unexpected(
+            Refusal{401, "this browser's login is of an older wakesurf, which kept it in a cookie",
+                    "open the link that wakesurf printed, or the one that you were given"});
     return tl::unexpected(
         Refusal{401, "a token is needed",
                 "send `Authorization: Bearer TOKEN` with the token wakesurf printed, or "
                 "the key of a share link"});
 }
 
-/// By the header where there is one, else by a cookie.
-std::optional<Visitor> Gate::visitor_of(const HttpRequest& request) {
-    const auto authorization = request.all("authorization");
-    if (!authorization.empty()) {
-        const auto token = authorization.size() == 1 ? bearer(authorization.front()) : std::nullopt;
-        auto identity = token ? holder_of(*token) : std::nullopt;
-        return identity ? std::optional(Visitor(std::move(*identity), request.from)) : std::nullopt;
-    }
-    for (const std::string_view cookie :
-         cookies_named(cookie_name(request, options_.port), request))
-        if (const auto login = cookies_.find(cookie, request.from))
-            if (auto identity = holder_of_grant(login->grant))
-                return Visitor(std::move(*identity), person_of(*login));
+/// Whatever it is: a token or a key as such, or a login made for one.
+std::optional<Visitor> Gate::visitor_of(const HttpRequest& request) const {
+    const auto secret = shown_secret(request);
+    if (!secret)
+        return std::nullopt;
+    if (auto identity = holder_of(*secret))
+        return Visitor(std::move(*identity), request.from);
+    if (const auto login = logins_.find(*secret))
+        if (auto identity = holder_of_grant(login->grant))
+            return Visitor(std::move(*identity), person_of(*login));
     return std::nullopt;
 }
 
@@ -305,50 +299,27 @@ Refusal Gate::wrong_token(const std::string& from) {
             "use the token wakesurf printed when it was last started, or ask for a new link"};
 }
 
-tl::expected<std::string, Refusal>
-Gate::login(const HttpRequest& request, std::string_view token, std::string_view path) {
-    const auto identity = options_.token.empty() ? Identity{} : holder_of(token);
-    if (!identity)
+tl::expected<Gate::LoggedIn, Refusal> Gate::login(const HttpRequest& request,
+                                                  const LoginWish& wish) {
+    const auto had = wish.login ? logins_.find(*wish.login) : std::nullopt;
+    const auto grant = wish.token && !options_.token.empty() ? holder_of(*wish.token)
+                       : options_.token.empty()              ? std::optional(Identity{})
+                       : had                                 ? holder_of_grant(had->grant)
+                                                             : std::nullopt;
+    if (!grant)
         return tl::unexpected(wrong_token(request.from));
-    const std::string name = cookie_name(request, options_.port);
-    for (const std::string_view cookie : cookies_named(name, request))
-        if (const auto login = cookies_.find(cookie, request.from);
-            login && login->grant == identity->grant)
-            return set_cookie(request, std::string(cookie), path);
-    for (const std::string_view cookie : cookies_named(name, request))
-        cookies_.end(cookie); // the browser is about to forget it
-    const auto made = cookies_.make(identity->grant, request.from);
-    if (made)
-        return set_cookie(request, *made, path);
-    over_budget(Budgeted::Logins);
-    constexpr std::chrono::seconds later{60};
-    return tl::unexpected(
-        Refusal{429, made.error().message, made.error().hint, made.error().limit, later});
+    if (had && had->grant == grant->grant)
+        if (auto renewed = logins_.renew(*wish.login))
+            return LoggedIn{std::move(*renewed), grant->session};
+    return LoggedIn{logins_.make(grant->grant), grant->session};
 }
 
-tl::expected<Gate::LoggedOut, Refusal> Gate::logout(const HttpRequest& request,
-                                                    std::string_view path) {
-    if (auto refusal = check_sender(request))
-        return tl::unexpected(std::move(*refusal));
-    const std::string name = cookie_name(request, options_.port);
-    LoggedOut out{set_cookie(request, {}, path) + "; Max-Age=0", {}};
-    for (const std::string_view cookie : cookies_named(name, request))
-        if (const auto login = cookies_.end(cookie))
-            out.people.push_back(person_of(*login));
-    return out;
-}
-
-/// Pages of other sites that show this one in a frame get no cookie that is Strict or Lax. Where they may, over TLS, it is good below the
-/// page that holds the frame alone (Partitioned); what it opens is guarded by the Origin all the same.
-std::string Gate::set_cookie(const HttpRequest& request,
-                             const std::string& value,
-                             std::string_view path) const {
-    const bool secure = options_.tls || request.header("origin").starts_with("https://");
-    const std::string_view site =
-        options_.framed && secure ? "SameSite=None; Partitioned" : "SameSite=Strict";
-    std::string out = cookie_name(request, options_.port) + "=" + value + "; HttpOnly; ";
-    out.append(site).append("; Path=").append(path);
-    return out + (secure ? "; Secure" : "");
+std::string Gate::logout(const HttpRequest& request, KeptLogins::Done kept) {
+    const auto secret = shown_secret(request);
+    const auto login = secret ? logins_.end(*secret, kept) : std::nullopt;
+    if (!login)
+        kept({});
+    return login ? person_of(*login) : std::string();
 }
 
 } // namespace wakesurf::server

@@ -9,7 +9,7 @@
 #include "server/compute/address_rates.hpp"
 #include "server/metrics/metrics.hpp"
 #include "server/net/http_message.hpp"
-#include "server/net/login_cookies.hpp"
+#include "server/net/logins.hpp"
 #include "server/session/people/grants.hpp"
 
 #include <tl/expected.hpp>
@@ -28,10 +28,9 @@ struct GateOptions {
     std::string host;  ///< as listened on
     std::uint16_t port = 0;
     std::vector<std::string> origins; ///< further ones, exact: https://viewer.example
-    bool tls = false;                 ///< the server's own origins are https, its cookie Secure
+    bool tls = false;                 ///< the server's own origins are https
     KeptLogins* kept = nullptr;       ///< nothing: logins end with the server
     UnixTime unix_time = unix_seconds;
-    bool framed = false; ///< pages of other sites may show this one in a frame
 };
 
 /// Why a request was refused.
@@ -76,40 +75,41 @@ class Gate {
     /// Whether that is still so, for answers that took their time.
     bool still(const Visitor& visitor) const;
 
-    /// A client that shows the token or the key of a share link gets the value of Set-Cookie: the cookie that came with the request
-    /// if it is good for the same, else a new one, and the one that came ends.
-    /// @param path  of the page, as the browser has it: behind a proxy with a prefix, the cookie is for that alone
-    tl::expected<std::string, Refusal>
-    login(const HttpRequest& request, std::string_view token, std::string_view path = "/");
-
-    struct LoggedOut {
-        std::string cookie;              ///< value of Set-Cookie: the browser forgets it
-        std::vector<std::string> people; ///< Visitor::person of the logins that have ended
+    /// What POST /api/v1/login asks for.
+    struct LoginWish {
+        std::optional<std::string> token; ///< the server's, or the key of a share link
+        std::optional<std::string> login; ///< that the page has
     };
 
-    /// Ends the logins whose cookies came with the request.
-    tl::expected<LoggedOut, Refusal> logout(const HttpRequest& request,
-                                            std::string_view path = "/");
+    struct LoggedIn {
+        std::string login;   ///< for the page to keep, and to show from now on
+        std::string session; ///< the only one that it is good for; empty: every one
+    };
+
+    /// The login that the page has, for another week, where it is good, and for the same as the token if one is shown; else a new one.
+    tl::expected<LoggedIn, Refusal> login(const HttpRequest& request, const LoginWish& wish);
+
+    /// Ends the login that is shown. `kept` is called, now or later, once a server that starts again will know it; with nothing to end,
+    /// at once. @returns  Visitor::person of who has gone; empty: no one
+    std::string logout(const HttpRequest& request, KeptLogins::Done kept);
 
   private:
     std::optional<Refusal> check_host(const HttpRequest& request) const;
     std::optional<Refusal> check_origin(const HttpRequest& request) const;
     tl::expected<Visitor, Refusal> check_token(const HttpRequest& request);
-    std::optional<Visitor> visitor_of(const HttpRequest& request);
+    std::optional<Visitor> visitor_of(const HttpRequest& request) const;
     std::optional<Refusal> count_stranger(const std::string& from, double count);
     std::optional<Identity> holder_of(std::string_view token) const;
     std::optional<Identity> holder_of_grant(const std::string& grant) const;
     bool tunnelled(const HttpRequest& request) const;
     std::string scheme() const;
-    std::optional<Refusal> check_sender(const HttpRequest& request) const;
-    std::string
-    set_cookie(const HttpRequest& request, const std::string& value, std::string_view path) const;
     Refusal wrong_token(const std::string& from);
     void over_budget(Budgeted kind) const;
 
     GateOptions options_;
     SecretDigest token_;
-    LoginCookies cookies_;
+    std::optional<KeptLogins> own_; ///< where nothing is kept
+    Logins logins_;
     const Grants& grants_;
     std::vector<std::string> hosts_;
     std::vector<std::string> origins_;
@@ -121,9 +121,6 @@ class Gate {
 /// The name in a Host header or an authority, in lower case, without the port and with the brackets of an IPv6 address;
 /// nothing for what is not one.
 std::optional<std::string> host_name(std::string_view authority);
-
-/// Whether it can be the Path of a cookie: it begins and ends with a slash and holds nothing that a cookie's attribute may not.
-bool is_cookie_path(std::string_view path);
 
 /// Whether only this machine can reach the address.
 bool is_loopback(std::string_view host);

@@ -7,7 +7,6 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <fstream>
 #include <sstream>
 #include <utility>
 
@@ -16,94 +15,96 @@ namespace wakesurf::server {
 namespace {
 
 constexpr const char* key_name = "login-key";
-constexpr const char* ended_name = "ended-logins";
-const std::string all = "*";   ///< in the place of an id
+constexpr std::size_t longest_file = std::size_t{4} << 20;
 const std::string token = "-"; ///< in the place of a link
-
-std::int64_t oldest_good(std::int64_t now) {
-    return now - limits::login_most.count();
-}
 
 } // namespace
 
-core::Result<KeptLogins>
-KeptLogins::open(const std::filesystem::path& folder, Entropy& entropy, UnixTime unix_time) {
-    auto key = secret_from(folder / key_name, entropy, "the key of logins in the --state folder");
+KeptLogins::KeptLogins(Entropy& entropy, UnixTime unix_time)
+    : KeptLogins(random_hex(entropy, 32), {}, std::move(unix_time)) {}
+
+core::Result<KeptLogins> KeptLogins::open(const std::filesystem::path& folder,
+                                          Entropy& entropy,
+                                          Write write,
+                                          UnixTime unix_time) {
+    auto key = own_secret(folder / key_name, entropy, "the key of logins in the --state folder");
     if (!key)
         return tl::unexpected(key.error());
-    KeptLogins kept(folder, std::move(*key), std::move(unix_time));
-    kept.read();
+    KeptLogins kept(std::move(*key), std::move(write), std::move(unix_time));
+    const auto text = read_private_file(folder / ended_name, longest_file);
+    if (!text && text.error().code != core::Error::Code::NotFound)
+        return core::fail(text.error().code,
+                          "the list of ended logins in the --state folder: " + text.error().message,
+                          text.error().hint);
+    kept.read(text.value_or(std::string()));
     return kept;
 }
 
 /// What is damaged is left out: a line each.
-void KeptLogins::read() {
-    std::ifstream in(folder_ / ended_name);
+void KeptLogins::read(const std::string& text) {
+    std::istringstream in(text);
     std::string line, grant, id;
     std::int64_t made = 0;
     while (std::getline(in, line)) {
         std::istringstream words(line);
-        if (!(words >> grant >> id >> made))
-            continue;
-        Ended& ended = ended_[grant == token ? std::string() : grant];
-        if (id == all)
-            ended.before = std::max(ended.before, made);
-        else
-            ended.made[id] = made;
+        if (words >> grant >> id >> made)
+            ended_[grant == token ? std::string() : grant][id] = made;
     }
     forget_expired();
 }
 
-bool KeptLogins::ended(const std::string& grant, const std::string& id, std::int64_t made) const {
+bool KeptLogins::ended(const std::string& grant, const std::string& id) const {
     const auto found = ended_.find(grant);
-    return found != ended_.end() &&
-           (made <= found->second.before || found->second.made.contains(id));
+    return found != ended_.end() && found->second.contains(id);
 }
 
-void KeptLogins::end(const std::string& grant, const std::string& id, std::int64_t made) {
+void KeptLogins::end(const std::string& grant,
+                     const std::string& id,
+                     std::int64_t made,
+                     Done done) {
     forget_expired();
-    ended_[grant].made[id] = made;
+    ended_[grant][id] = made;
     make_room();
-    write();
+    if (!write_)
+        return done({});
+    write_(text(), [done = std::move(done)](core::Result<void> written) {
+        if (!written)
+            spdlog::warn("event=logout_not_kept message=\"a login that ended may be good again "
+                         "after a restart\" reason=\"{}\"",
+                         written.error().message);
+        done(std::move(written));
+    });
 }
 
 /// They are too old to let anyone in.
 void KeptLogins::forget_expired() {
-    const std::int64_t oldest = oldest_good(unix_time_());
+    const std::int64_t oldest = unix_time_() - limits::login_most.count();
     for (auto& [grant, ended] : ended_)
-        std::erase_if(ended.made, [&](const auto& each) { return each.second < oldest; });
-    std::erase_if(ended_, [&](const auto& each) {
-        return each.second.made.empty() && each.second.before < oldest;
-    });
+        std::erase_if(ended, [&](const auto& each) { return each.second < oldest; });
+    std::erase_if(ended_, [](const auto& each) { return each.second.empty(); });
 }
 
 void KeptLogins::make_room() {
     std::size_t count = 0;
     Ended* most = nullptr;
     for (auto& [grant, ended] : ended_) {
-        count += ended.made.size();
-        if (most == nullptr || ended.made.size() > most->made.size())
+        count += ended.size();
+        if (most == nullptr || ended.size() > most->size())
             most = &ended;
     }
-    if (count <= most_ended)
-        return;
-    for (const auto& [id, made] : std::exchange(most->made, {}))
-        most->before = std::max(most->before, made);
+    if (count > most_ended)
+        most->erase(std::min_element(most->begin(), most->end(), [](const auto& a, const auto& b) {
+            return a.second < b.second;
+        }));
 }
 
-void KeptLogins::write() const {
-    std::string text;
-    for (const auto& [grant, ended] : ended_) {
-        const std::string& name = grant.empty() ? token : grant;
-        if (ended.before >= 0)
-            text += name + " " + all + " " + std::to_string(ended.before) + "\n";
-        for (const auto& [id, made] : ended.made)
-            text += name + " " + id + " " + std::to_string(made) + "\n";
-    }
-    if (const auto written = write_private_file(folder_ / ended_name, text); !written)
-        spdlog::warn("event=logout_not_kept message=\"a login that ended may be good again after a "
-                     "restart\" reason=\"{}\"",
-                     written.error().message);
+std::string KeptLogins::text() const {
+    std::string out;
+    for (const auto& [grant, ended] : ended_)
+        for (const auto& [id, made] : ended)
+            out.append(grant.empty() ? token : grant)
+                .append(" " + id + " " + std::to_string(made) + "\n");
+    return out;
 }
 
 } // namespace wakesurf::server

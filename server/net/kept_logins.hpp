@@ -1,5 +1,5 @@
-// What of logins outlives the server, in the folder of --state: the key that their cookies are signed with, and which of them have
-// ended. Both files are only for their owner (0600).
+// What of logins a server has to know: the key that they are signed with, and which of them have ended. With --state both outlive it, in
+// files for their owner only (0600).
 #pragma once
 
 #include "core/base/result.hpp"
@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 
@@ -17,37 +18,49 @@ namespace wakesurf::server {
 /// Loop thread only.
 class KeptLogins {
   public:
-    /// So many that have ended are remembered one by one.
-    static constexpr std::size_t most_ended = 1024;
+    /// So many that have ended are remembered. Then, of the link with the most, the one that was made first is forgotten: whoever
+    /// brings that about has the link, and needs no login of others who have it.
+    static constexpr std::size_t most_ended = 8192;
 
-    /// Makes the key where there is none. REQUIRES: this server holds the folder. Error: Io; Corrupt, the key is not one.
-    static core::Result<KeptLogins>
-    open(const std::filesystem::path& folder, Entropy& entropy, UnixTime unix_time = unix_seconds);
+    /// Told whether a server that starts again will know it.
+    using Done = std::function<void(core::Result<void>)>;
+
+    /// Puts the text of the file with ended logins onto the disk, at once or later. Where several wait, the newest says all.
+    using Write = std::function<void(std::string text, Done done)>;
+
+    /// They end with this server.
+    explicit KeptLogins(Entropy& entropy, UnixTime unix_time = unix_seconds);
+
+    /// Those of a folder; makes the key where there is none. REQUIRES: this server holds the folder. Error: Io; Corrupt, the key is not
+    /// one, or somebody else's file.
+    static core::Result<KeptLogins> open(const std::filesystem::path& folder,
+                                         Entropy& entropy,
+                                         Write write,
+                                         UnixTime unix_time = unix_seconds);
+
+    /// Of the file, in the folder.
+    static constexpr const char* ended_name = "ended-logins";
 
     const std::string& key() const { return key_; }
 
-    bool ended(const std::string& grant, const std::string& id, std::int64_t made) const;
+    bool ended(const std::string& grant, const std::string& id) const;
 
-    /// It has ended, also for servers to come. Writes at most 80 kB and does not wait for the disk: a power cut may undo it. Where too
-    /// many have ended, all logins of the link with the most ended ones are over at the next start.
-    void end(const std::string& grant, const std::string& id, std::int64_t made);
+    /// It has ended. @param made  when it was made: a month later no one asks
+    void end(const std::string& grant, const std::string& id, std::int64_t made, Done done);
 
   private:
-    struct Ended {
-        std::map<std::string, std::int64_t> made; ///< by id
-        std::int64_t before = -1;                 ///< all that were made until then
-    };
+    using Ended = std::map<std::string, std::int64_t>; ///< when made, by id
 
-    KeptLogins(std::filesystem::path folder, std::string key, UnixTime unix_time)
-        : folder_(std::move(folder)), key_(std::move(key)), unix_time_(std::move(unix_time)) {}
+    KeptLogins(std::string key, Write write, UnixTime unix_time)
+        : key_(std::move(key)), write_(std::move(write)), unix_time_(std::move(unix_time)) {}
 
-    void read();
+    void read(const std::string& text);
     void forget_expired();
     void make_room();
-    void write() const;
+    std::string text() const;
 
-    std::filesystem::path folder_;
     std::string key_;
+    Write write_; ///< nothing: not kept
     UnixTime unix_time_;
     std::map<std::string, Ended> ended_; ///< by grant
 };

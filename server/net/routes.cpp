@@ -36,11 +36,6 @@ HttpResponse wrong_method(const char* allowed) {
     return response;
 }
 
-HttpResponse wrong_path() {
-    return http_error(400, "`path` is not the path of a page",
-                      "send the part of the page's address from the host to the last slash");
-}
-
 HttpResponse healthy() {
     HttpResponse response;
     response.headers = {{"Content-Type", "text/plain; charset=utf-8"},
@@ -159,6 +154,8 @@ std::size_t Routes::longest_body(const HttpRequest& header) {
 void Routes::handle(const HttpRequest& request,
                     const std::function<void()>& let_in,
                     Respond respond) {
+    if (request.path == logout_path && request.method == "POST" && !gate_.check_open(request))
+        return logout(request, std::move(respond));
     if (auto answer = answer_open(request))
         return respond(counted_open(request, std::move(*answer)));
     const auto visitor = gate_.check(request);
@@ -210,9 +207,7 @@ std::optional<HttpResponse> Routes::answer_open(const HttpRequest& request) {
     if (refusal)
         return http_error(*refusal);
     if (in || out)
-        return request.method != "POST" ? wrong_method("POST")
-               : in                     ? login(request)
-                                        : logout(request);
+        return request.method == "POST" ? login(request) : wrong_method("POST");
     if (!reads(request))
         return wrong_method("GET");
     return file ? files_.respond(request) : healthy();
@@ -221,7 +216,7 @@ std::optional<HttpResponse> Routes::answer_open(const HttpRequest& request) {
 /// A login that is good is none of a stranger's. Health is told however much else comes from the address, or a flood would have monitors
 /// restart a server that is well; its connection waits instead.
 HttpResponse Routes::counted_open(const HttpRequest& request, HttpResponse answer) {
-    if (request.path == login_path && answer.status == 204)
+    if (request.path == login_path && answer.status == 200)
         return answer;
     const auto refusal = gate_.count_open(request, answer.body->size());
     if (!refusal)
@@ -287,45 +282,44 @@ void Routes::call(const HttpRequest& request, const Visitor& visitor, Respond re
 }
 
 HttpResponse Routes::login(const HttpRequest& request) {
-    constexpr const char* example = R"(send {"token":"..."})";
+    constexpr const char* example = R"(send {"token":"..."}, {"login":"..."} or both)";
     const auto body =
         protocol::parse_json(request.body, {limits::message_bytes, limits::message_depth});
     if (!body)
         return http_error(400, "the body is not JSON", example);
+    constexpr std::size_t longest = 512;
     protocol::CheckedJson in(*body);
-    const std::string token = in.text("token", 512);
-    const std::string path = in.has("path") ? in.text("path", 512) : "/";
+    Gate::LoginWish wish;
+    if (in.has("token") || !in.has("login"))
+        wish.token = in.text("token", longest);
+    if (in.has("login"))
+        wish.login = in.text("login", longest);
     if (const auto verdict = in.verdict(); !verdict)
         return http_error(400, verdict.error().message, example);
-    if (!is_cookie_path(path))
-        return wrong_path();
-    const auto cookie = gate_.login(request, token, path);
-    if (!cookie)
-        return http_error(cookie.error());
-    return {204, {{"Set-Cookie", *cookie}, {"Cache-Control", "no-store"}}};
+    const auto login = gate_.login(request, wish);
+    if (!login)
+        return http_error(login.error());
+    nlohmann::json answer{{"login", login->login}};
+    if (!login->session.empty())
+        answer["session"] = login->session;
+    return http_json(protocol::json_text(answer));
 }
 
-/// The body may be empty.
-HttpResponse Routes::logout(const HttpRequest& request) {
-    std::string path = "/";
-    if (!request.body.empty()) {
-        const auto body =
-            protocol::parse_json(request.body, {limits::message_bytes, limits::message_depth});
-        if (!body)
-            return http_error(400, "the body is not JSON", "send nothing, or the path of the page");
-        protocol::CheckedJson in(*body);
-        path = in.text("path", 512);
-        if (const auto verdict = in.verdict(); !verdict)
-            return http_error(400, verdict.error().message, R"(send {"path":"/"})");
-    }
-    if (!is_cookie_path(path))
-        return wrong_path();
-    const auto done = gate_.logout(request, path);
-    if (!done)
-        return http_error(done.error());
-    for (const std::string& person : done->people)
+/// A login that was there ends at once. The answer waits for the disk, and says where it could not be kept.
+void Routes::logout(const HttpRequest& request, Respond respond) {
+    if (const auto refusal = gate_.count_open(request))
+        return respond(http_error(*refusal));
+    const auto answer = std::make_shared<Respond>(std::move(respond));
+    const std::string person = gate_.logout(request, [answer](const core::Result<void>& kept) {
+        nlohmann::json said{{"durable", kept.has_value()}};
+        if (!kept)
+            said["hint"] =
+                "the login that ended may be good again after a restart of the server: " +
+                kept.error().message;
+        (*answer)(http_json(protocol::json_text(said)));
+    });
+    if (!person.empty())
         logged_out_(person);
-    return {204, {{"Set-Cookie", done->cookie}, {"Cache-Control", "no-store"}}};
 }
 
 } // namespace wakesurf::server

@@ -64,7 +64,7 @@ class Routes {
     void serve(const HttpRequest& request, const Visitor& visitor, Respond respond);
     void call(const HttpRequest& request, const Visitor& visitor, Respond respond);
     HttpResponse login(const HttpRequest& request);
-    HttpResponse logout(const HttpRequest& request);
+    void logout(const HttpRequest& request, Respond respond);
 
     Gate& gate_;
     Budgets& budgets_;

@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::size_t id_digits = 32;
 constexpr std::size_t longest_grant = 64;
-constexpr std::string_view purpose = "wakesurf login 1\n"; // the key may serve others one day
+constexpr std::string_view purpose =
+    "wakesurf login 2\n"; // 1 were cookies, which other ports have seen
 
 std::string signature(std::string_view text, std::string_view key) {
     SecretDigest mac{};
@@ -34,26 +35,35 @@ std::string_view next_part(std::string_view& text) {
     return part;
 }
 
+std::optional<std::int64_t> whole_number(std::string_view text) {
+    std::int64_t value = 0;
+    const auto* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    return error == std::errc{} && stop == end && value >= 0 ? std::optional(value) : std::nullopt;
+}
+
 } // namespace
 
-std::string cookie_of(const SignedLogin& login, std::string_view key, const SecretDigest& secret) {
-    const std::string said = login.id + "." + std::to_string(login.made) + "." + login.grant;
+std::string login_text(const SignedLogin& login, std::string_view key, const SecretDigest& secret) {
+    const std::string said = login.id + "." + std::to_string(login.made) + "." +
+                             std::to_string(login.renewed) + "." + login.grant;
     return said + "." + signature(std::string(purpose) + said + "\n" + digest_text(secret), key);
 }
 
-std::optional<SignedLogin> read_cookie(std::string_view cookie) {
-    if (std::count(cookie.begin(), cookie.end(), '.') != 3)
+std::optional<SignedLogin> read_login(std::string_view text) {
+    if (std::count(text.begin(), text.end(), '.') != 4)
         return std::nullopt;
     SignedLogin login;
-    login.id = next_part(cookie);
-    const std::string_view made = next_part(cookie);
-    login.grant = next_part(cookie);
-    const auto* const end = made.data() + made.size();
-    const auto [stop, error] = std::from_chars(made.data(), end, login.made);
+    login.id = next_part(text);
+    const auto made = whole_number(next_part(text));
+    const auto renewed = whole_number(next_part(text));
+    login.grant = next_part(text);
     const bool hexadecimal = login.id.find_first_not_of("0123456789abcdef") == std::string::npos;
-    if (login.id.size() != id_digits || !hexadecimal || error != std::errc{} || stop != end ||
-        login.made < 0 || login.grant.size() > longest_grant)
+    if (login.id.size() != id_digits || !hexadecimal || !made || !renewed ||
+        login.grant.size() > longest_grant)
         return std::nullopt;
+    login.made = *made;
+    login.renewed = *renewed;
     return login;
 }
 

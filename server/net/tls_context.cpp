@@ -1,7 +1,10 @@
 #include "server/net/tls_context.hpp"
 
+#include "server/base/private_file.hpp"
+
 #include <boost/asio/ssl/context.hpp>
 #include <openssl/ssl.h>
+#include <spdlog/spdlog.h>
 
 #include <cerrno>
 #include <cstring>
@@ -17,9 +20,13 @@ using core::fail;
 
 namespace {
 
+constexpr std::size_t longest_key = std::size_t{1} << 20;
+
 core::Result<void> readable(const std::filesystem::path& file, const std::string& option) {
+    std::error_code ignored;
+    const bool plain = std::filesystem::is_regular_file(file, ignored); // a pipe would have us wait
     errno = 0;
-    std::ifstream stream(file);
+    std::ifstream stream(plain || !std::filesystem::exists(file, ignored) ? file : "/dev/null");
     if (stream.peek() != std::ifstream::traits_type::eof())
         return {};
     return fail(Error::Code::Io,
@@ -40,8 +47,14 @@ core::Result<std::unique_ptr<ssl::context>> context_from(const std::filesystem::
                                                          const std::filesystem::path& key) {
     if (auto there = readable(certificate, "--tls-cert"); !there)
         return tl::unexpected(there.error());
-    if (auto there = readable(key, "--tls-key"); !there)
-        return tl::unexpected(there.error());
+    const auto secret = read_named_secret(key, longest_key);
+    if (!secret)
+        return fail(Error::Code::Io, "the file of --tls-key: " + secret.error().message,
+                    "give a PEM file that the user of wakesurf can read");
+    if (!secret->warning.empty())
+        spdlog::warn("event=tls_key_is_readable message=\"the file of --tls-key: {}\" "
+                     "hint=\"chmod 600 it\"",
+                     secret->warning);
     auto context = std::make_unique<ssl::context>(ssl::context::tls_server);
     SSL_CTX* const native = context->native_handle();
     SSL_CTX_set_min_proto_version(native, TLS1_2_VERSION);

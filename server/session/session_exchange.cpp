@@ -71,6 +71,9 @@ protocol::SessionFile file_of(const SessionSnapshot& snapshot) {
 
 core::Result<ReadSession> read_session_text(std::string_view text) {
     auto file = protocol::read_session_file(text, limits::session_file_bytes);
+    if (!file && file.error().code == Error::Code::OverLimit) // asking again is of no use
+        return fail(Error::Code::InvalidArgument, file.error().message,
+                    "give the file of an exported session");
     if (!file)
         return tl::unexpected(as_input(file.error()));
     std::vector<JournalEntry> entries;

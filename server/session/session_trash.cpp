@@ -11,8 +11,8 @@ namespace wakesurf::server {
 
 namespace {
 
-/// The wall clock may be set, so it is looked at every so often however long is still to wait.
-constexpr std::chrono::hours longest_wait{1};
+/// Between two looks at the wall clock, which may be set meanwhile.
+constexpr std::chrono::hours trash_look{1};
 
 } // namespace
 
@@ -57,13 +57,14 @@ core::Result<TrashedSession> SessionTrash::take(const std::string& id) {
 
 void SessionTrash::purge() {
     const std::int64_t now = unix_time_();
-    std::vector<std::string> over;
+    std::set<std::string> over;
     for (const auto& [id, session] : sessions_)
         if (deleted_until(session.profile) <= now)
-            over.push_back(id);
-    for (const std::string& id : over)
-        if (const auto gone = take(id))
-            purged_(*gone);
+            over.insert(id);
+    for (const std::string& id : std::exchange(over_, over))
+        if (over_.erase(id) != 0)
+            if (const auto gone = take(id))
+                purged_(*gone);
     timer_.reset();
     schedule();
 }
@@ -71,12 +72,7 @@ void SessionTrash::purge() {
 void SessionTrash::schedule() {
     if (timer_ || sessions_.empty())
         return;
-    std::int64_t next = protocol::last_utc_second;
-    for (const auto& [id, session] : sessions_)
-        next = std::min(next, deleted_until(session.profile));
-    const std::chrono::seconds wait(std::max<std::int64_t>(next - unix_time_(), 0));
-    timer_ =
-        loop_.after(std::min<std::chrono::milliseconds>(wait, longest_wait), [this] { purge(); });
+    timer_ = loop_.after(trash_look, [this] { purge(); });
 }
 
 } // namespace wakesurf::server

@@ -16,6 +16,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -34,7 +35,8 @@ struct TrashedSession {
 /// Seconds since 1970 at which it will be gone for good.
 std::int64_t deleted_until(const protocol::SessionProfile& profile);
 
-/// Loop thread only. By the wall clock, so that thirty days are thirty days across restarts.
+/// Loop thread only. By the wall clock, so that thirty days are thirty days across restarts. As that can be wrong for a while, as after a
+/// start, nothing goes before it has been over for two looks, an hour apart.
 class SessionTrash {
   public:
     /// `purged` is told of each session whose time is over, after it has left the trash.
@@ -66,6 +68,7 @@ class SessionTrash {
     std::function<void(const TrashedSession&)> purged_;
     const core::MemoryAccount* account_;
     std::map<std::string, TrashedSession> sessions_;
+    std::set<std::string> over_; ///< at the last look
     std::shared_ptr<void> timer_;
 };
 

@@ -4,32 +4,18 @@
 #include <unistd.h>
 
 #include <cstdio>
-#include <fstream>
+#include <sstream>
 #include <utility>
 
 namespace wakesurf::server {
 
-CommitMark::~CommitMark() {
-    close();
-}
-
-CommitMark::CommitMark(CommitMark&& other) noexcept
-    : path_(std::move(other.path_)), descriptor_(std::exchange(other.descriptor_, -1)) {}
-
-CommitMark& CommitMark::operator=(CommitMark&& other) noexcept {
-    std::swap(path_, other.path_);
-    std::swap(descriptor_, other.descriptor_);
-    return *this;
-}
-
 void CommitMark::close() {
-    if (descriptor_ >= 0)
-        ::close(descriptor_);
-    descriptor_ = -1;
+    file_.close();
 }
 
 std::optional<CommitMark::Value> CommitMark::read() const {
-    std::ifstream in(path_);
+    constexpr std::size_t longest = 256;
+    std::istringstream in(read_private_file(path_, longest).value_or(std::string()));
     Value value;
     if (in >> value.id >> value.commits)
         return value;
@@ -37,14 +23,14 @@ std::optional<CommitMark::Value> CommitMark::read() const {
 }
 
 void CommitMark::write(const Value& value) {
-    if (descriptor_ < 0)
-        descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
+    if (file_.get() < 0)
+        file_ = open_private_file(path_, O_WRONLY | O_CREAT).value_or(OpenFile());
     // Always as long, so that the file never grows: a full disk takes it too.
     char text[64];
     const int size =
         std::snprintf(text, sizeof text, "%020lld %020lld\n", static_cast<long long>(value.id),
                       static_cast<long long>(value.commits));
-    if (descriptor_ >= 0 && ::pwrite(descriptor_, text, static_cast<std::size_t>(size), 0) != size)
+    if (file_.get() >= 0 && ::pwrite(file_.get(), text, static_cast<std::size_t>(size), 0) != size)
         close();
 }
 

@@ -2,6 +2,7 @@
 // to SQLite like one of fewer changes, and would do so to us.
 #pragma once
 
+#include "server/base/private_file.hpp"
 #include "server/state/state_layout.hpp"
 
 #include <cstdint>
@@ -21,10 +22,6 @@ class CommitMark {
 
     explicit CommitMark(std::string path) : path_(std::move(path)) {}
 
-    ~CommitMark();
-    CommitMark(CommitMark&& other) noexcept;
-    CommitMark& operator=(CommitMark&& other) noexcept;
-
     /// Nothing where there is none.
     std::optional<Value> read() const;
 
@@ -35,7 +32,7 @@ class CommitMark {
 
   private:
     std::string path_;
-    int descriptor_ = -1;
+    OpenFile file_;
 };
 
 } // namespace wakesurf::server

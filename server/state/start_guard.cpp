@@ -1,9 +1,8 @@
 #include "server/state/start_guard.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
+#include "server/base/private_file.hpp"
 
-#include <fstream>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -16,16 +15,13 @@ constexpr int most_counted = 1000; ///< a file that says more is damaged
 } // namespace
 
 StartGuard::StartGuard(const std::filesystem::path& folder) : file_(folder / "starts") {
+    constexpr std::size_t longest = 64;
     int before = 0;
-    if (std::ifstream in(file_); in >> before && before > 0 && before < most_counted)
+    if (std::istringstream in(read_private_file(file_, longest).value_or(std::string()));
+        in >> before && before > 0 && before < most_counted)
         died_ = static_cast<unsigned>(before);
-    const int file = ::open(file_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
-    if (file < 0)
-        return;
-    const std::string text = std::to_string(died_ + 1) + "\n";
-    if (::write(file, text.data(), text.size()) == static_cast<ssize_t>(text.size()))
-        ::fsync(file);
-    ::close(file);
+    const auto counted = write_private_file(file_, std::to_string(died_ + 1) + "\n");
+    static_cast<void>(counted); // where nothing can be written, nothing is counted
 }
 
 void StartGuard::good() {

@@ -1,9 +1,12 @@
 #include "server/state/state_folder.hpp"
 
+#include "server/base/private_file.hpp"
+
 #include <fcntl.h>
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <system_error>
 #include <utility>
@@ -19,6 +22,29 @@ tl::unexpected<Error> unusable(int error) {
     return fail(Error::Code::Io,
                 "--state: the folder cannot be used: " + std::generic_category().message(error),
                 "name one that this user can create or write to");
+}
+
+/// What a server, or SQLite for it, opens there by these names.
+constexpr std::array<const char*, 7> own_files{"sessions.sqlite",
+                                               "sessions.sqlite-wal",
+                                               "sessions.sqlite-shm",
+                                               "sessions.sqlite-journal",
+                                               "sessions.sqlite.commits",
+                                               "starts",
+                                               "ended-logins"};
+
+/// Of this user, and with nothing in it that somebody else could have led elsewhere.
+core::Result<void> look_through(const std::filesystem::path& folder) {
+    if (auto ours = check_private_folder(folder, "--state", false); !ours)
+        return ours;
+    for (const char* name : own_files)
+        if (const auto ours = open_private_file(folder / name, O_RDONLY);
+            !ours && ours.error().code != Error::Code::NotFound)
+            return fail(Error::Code::Io,
+                        std::string("--state: the file ") + name +
+                            " in it: " + ours.error().message,
+                        ours.error().hint);
+    return {};
 }
 
 } // namespace
@@ -38,6 +64,10 @@ core::Result<StateFolder> StateFolder::lock(const std::filesystem::path& folder)
     const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor < 0)
         return unusable(errno);
+    if (auto ours = look_through(folder); !ours) {
+        ::close(descriptor);
+        return tl::unexpected(ours.error());
+    }
     StateFolder held(folder, descriptor);
     if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
         return fail(Error::Code::OverLimit, "--state: another server keeps its sessions there",
@@ -55,10 +85,8 @@ core::Result<StateFolder> StateFolder::hold(const std::filesystem::path& folder)
     if (!held)
         return held;
     // SQLite would make it readable for others; its log takes the same permissions.
-    const int made = ::open(held->file().c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
-    if (made < 0)
-        return unusable(errno);
-    ::close(made);
+    if (auto made = open_private_file(held->file(), O_RDWR | O_CREAT); !made)
+        return tl::unexpected(made.error());
     return held;
 }
 

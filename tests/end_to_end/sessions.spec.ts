@@ -112,7 +112,9 @@ describe('the list of sessions', () => {
         // Nothing is drawn for the list, and no second picture of what has not changed is sent.
         expect((await ask(page, (hook) => hook.framesDrawn)) - framesBefore).toBeLessThanOrEqual(1);
         const { headers } = await page.request
-            .get(new URL(`/api/v1/sessions/${session}/thumbnail`, stand.server.link).href)
+            .get(new URL(`/api/v1/sessions/${session}/thumbnail`, stand.server.link).href, {
+                headers: { Authorization: `Bearer ${stand.server.token}` },
+            })
             .then((reply) => ({ headers: reply.headers() }));
         expect(headers['content-type']).toBe('image/jpeg');
         // In the trash it is the same picture.

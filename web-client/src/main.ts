@@ -1,7 +1,7 @@
 // Puts the page together. The path of a datum: worker/ (socket, decoding) -> session/ (records,
 // newest state) -> scene/ (pixels); the path of an edit: scene/ or ui/ -> session/edits -> worker/. Each part is made of parts
 // that are made above it, and each panel is handed what it uses.
-import { logOut } from './connection/logOut.ts';
+import { OwnServer } from './connection/ownServer.ts';
 import { probeGraphics } from './scene/graphics.ts';
 import { FlowScene } from './scene/scene.ts';
 import type { ScreenPoint } from './scene/base/view.ts';
@@ -77,6 +77,7 @@ function start(app: App): void {
     const scene = new FlowScene({ canvas, labels, graphics });
     const requestFrame = scene.loop.request;
     const worker = new WorkerClient();
+    const server = new OwnServer(baseUrl(), url.session);
     const edits = new Edits({ state, worker, latency, requestFrame, dragging: () => scene.interaction.dragging });
     const people = new People({ state, view, worker, controls: scene.controls, requestFrame });
     const calls = new Calls(state, worker, {
@@ -137,12 +138,12 @@ function start(app: App): void {
         url,
     });
     const news = new ServerNews({ state, feed, outcomes, people, progress, dataset, controller });
-    const shelf = new SessionShelf({ state, worker, base: baseUrl(), restored: (session) => controller.restored(session) });
+    const shelf = new SessionShelf({ state, worker, server, restored: (session) => controller.restored(session) });
     const clock = new ClockControl({ state, worker, requestFrame });
     const playback = new Playback({ state, edits, clock });
     const figure = new Figure(scene, () => labels.parentElement?.querySelector<HTMLElement>('wakesurf-scalar-bar') ?? null);
     const film = new FilmMaker({ state, view, worker, edits, playback, figure });
-    const mesh = new MeshDownload(baseUrl());
+    const mesh = new MeshDownload(server);
     scene.loop.beforeFrame(() => edits.flush());
     scene.loop.beforeFrame(() => clock.flush());
     scene.loop.beforeFrame(() => probing.flush());
@@ -156,17 +157,17 @@ function start(app: App): void {
     listenForUndoKeys(edits);
     followHistory(() => state.session.value);
     const retryNow = (): void => worker.retryNow();
+    const session = (): string | null => state.session.value ?? url.session;
     const takeLink = (text: string): boolean => {
-        const link = readNewLink(text, { base: baseUrl(), session: state.session.value ?? url.session });
+        const link = readNewLink(text, session());
         if (link?.to === 'here') worker.logIn(link.token);
         else if (link?.to === 'session') openFragment(link.fragment);
-        else if (link?.to === 'elsewhere') location.assign(link.address);
         return link !== null;
     };
     const leave = async (): Promise<void> => {
-        await logOut(baseUrl());
+        const more = await server.logOut();
         worker.stop();
-        app.fail(loggedOut);
+        app.fail(more === '' ? loggedOut : `${loggedOut} ${more}`);
     };
     app.begin({
         state,
@@ -210,7 +211,13 @@ function start(app: App): void {
         timeBar: { state, view, playback, edits },
     });
     addEventListener('online', retryNow);
-    worker.start(baseUrl(), url.token, (event) => handOut(event, { state, feed, news, controller }));
+    server.onOther(session, (login) => worker.takeLogin(login));
+    const loginEnded = (login: string): void => {
+        const other = server.ended(login, session());
+        if (other !== null) worker.takeLogin(other);
+    };
+    const shown = { token: url.token, login: server.login };
+    worker.start(server.base, shown, (event) => handOut(event, { state, feed, news, controller, server, loginEnded }));
 }
 
 const app = document.querySelector('wakesurf-app');

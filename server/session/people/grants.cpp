@@ -13,8 +13,8 @@ using core::fail;
 
 namespace {
 
-// Long waits are cut, so that no timer is asked for more than it can count.
-constexpr std::chrono::milliseconds longest_wait = std::chrono::hours(24);
+// Timers stand still while the machine sleeps, and the clock does not.
+constexpr std::chrono::milliseconds longest_wait = std::chrono::minutes(1);
 
 } // namespace
 
@@ -115,6 +115,16 @@ Grants::revoke(const std::string& session, const std::string& id, bool children)
             end(each.id, reason);
     end(id, reason);
     return {};
+}
+
+std::size_t Grants::end_all(const std::string& reason) {
+    std::size_t count = 0;
+    while (!entries_.empty()) {
+        count += expired(entries_.begin()->second) ? 0 : 1;
+        end(entries_.begin()->first, reason);
+    }
+    schedule();
+    return count;
 }
 
 void Grants::seat(const std::string& id,

@@ -60,7 +60,8 @@ struct GrantServices {
     Journal* journal = nullptr; ///< nothing: not kept
 };
 
-/// Loop thread only. While it runs, links expire by the steady clock: setting the wall clock neither prolongs nor ends them.
+/// Loop thread only. While it runs, links expire by `clock`, which should go on while the machine sleeps: setting the wall clock neither
+/// prolongs nor ends them.
 class Grants {
   public:
     explicit Grants(GrantServices services);
@@ -91,6 +92,9 @@ class Grants {
     /// Ends a link of this session, and with `children` its descendants; their holders are told. Error: NotFound.
     core::Result<void>
     revoke(const std::string& session, const std::string& id, bool children = false);
+
+    /// Ends all links of all sessions; how many there were. Those of sessions in the trash as well.
+    std::size_t end_all(const std::string& reason);
 
     /// A participant came by this link as that person: see Visitor. Not kept beyond the server's life.
     void seat(const std::string& id, const std::string& participant, const std::string& person);

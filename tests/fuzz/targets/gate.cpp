@@ -63,7 +63,7 @@ void run(Input input) {
         const auto host = server::host_name(request.header("host"));
         demand(host.has_value(), "a request that is let in names a host");
     }
-    demand(!door.gate.login(request, request.body) || request.body == token,
+    demand(!door.gate.login(request, {request.body, request.path}) || request.body == token,
            "no one logs in without the token");
 }
 
@@ -71,8 +71,8 @@ std::vector<std::string> seeds() {
     return {
         "GET /ws\nhost: 127.0.0.1:8080\nauthorization: Bearer " + token +
             "\nupgrade: websocket\n\n",
-        "POST /rpc\nhost: localhost:8080\norigin: http://localhost:8080\ncookie: "
-        "wakesurf-8080=abc; a=b\n\n{}",
+        "POST /rpc\nhost: localhost:8080\norigin: http://localhost:8080\nsec-websocket-protocol: "
+        "wakesurf.v1, wakesurf.login.abc.1.2..d\nupgrade: websocket\n\n{}",
         "POST /api/v1/login\nhost: [::1]:8080\norigin: https://viewer.example\n\n" + token,
         "GET /\nhost: evil.example\norigin: null\n\n",
         "GET /healthz\nhost: 127.0.0.1.\nhost: two\n\n",

@@ -107,30 +107,55 @@ TEST_F(Http, SaysWhichPathIsMeantWhereTwoSlashesAreTogether) {
     EXPECT_EQ(get("/rpc").status, 401) << "what is there still wants its token";
 }
 
-TEST_F(Http, ExchangesTheTokenForACookieThatOpensEverything) {
+TEST_F(Http, ExchangesTheTokenForALoginThatOpensEverything) {
     const auto login = [&](const std::string& body, Headers headers) {
         return http(server_->port(), "POST", "/api/v1/login", std::move(headers), body);
     };
     const Headers here{{"Origin", server_->origin()}};
     EXPECT_EQ(login(R"({"token":"wrong"})", here).status, 401);
+    EXPECT_EQ(login(R"({"login":"wrong"})", here).status, 401);
     EXPECT_EQ(login(R"({"token":7})", here).status, 400);
+    EXPECT_EQ(login("{}", here).status, 400);
     EXPECT_EQ(login("{", here).status, 400);
     EXPECT_EQ(
         login(json{{"token", server_->token()}}.dump(), {{"Origin", "http://evil.example"}}).status,
         403);
     const HttpReply reply = login(json{{"token", server_->token()}}.dump(), here);
-    EXPECT_EQ(reply.status, 204);
-    const std::string cookie = reply.header("set-cookie");
-    const Headers with{{"Cookie", cookie.substr(0, cookie.find(';'))}};
+    EXPECT_EQ(reply.status, 200);
+    EXPECT_EQ(reply.header("cache-control"), "no-store");
+    EXPECT_EQ(reply.header("set-cookie"), "") << "other ports would be sent it";
+    const std::string mine = json::parse(reply.body)["login"];
+    EXPECT_EQ(login(json{{"login", mine}}.dump(), here).status, 200);
+    const Headers with{{"Authorization", "Bearer " + mine}};
     EXPECT_EQ(get("/openrpc.json", with).status, 200);
-    Headers page = with;
-    page.emplace_back("Origin", server_->origin());
+    Headers page = here;
+    page.emplace_back("Sec-WebSocket-Protocol", "wakesurf.v1, wakesurf.login." + mine);
     RawSocket socket(server_->port());
-    EXPECT_EQ(handshake(socket, server_->port(), page).status, 101);
-    EXPECT_EQ(http(server_->port(), "POST", "/rpc", page,
+    const HttpReply upgraded = handshake(socket, server_->port(), page);
+    EXPECT_EQ(upgraded.status, 101);
+    EXPECT_EQ(upgraded.header("sec-websocket-protocol"), "wakesurf.v1") << "and tells no secret";
+    EXPECT_EQ(http(server_->port(), "POST", "/rpc", with,
                    R"({"jsonrpc":"2.0","id":1,"method":"server.ping"})")
                   .body,
               R"({"jsonrpc":"2.0","id":1,"result":{}})");
+}
+
+TEST_F(Http, LetsNothingInByWhatEveryPortOfTheHostIsSent) {
+    const std::string mine =
+        json::parse(http(server_->port(), "POST", "/api/v1/login", {{"Origin", server_->origin()}},
+                         json{{"token", server_->token()}}.dump())
+                        .body)["login"];
+    const Headers stolen{
+        {"Cookie", "wakesurf_session_" + std::to_string(server_->port()) + "=" + mine},
+        {"Origin", server_->origin()}};
+    for (const char* path :
+         {"/openrpc.json", "/metrics", "/api/v1/sessions/main/session.json",
+          "/api/v1/sessions/main/thumbnail", "/api/v1/datasets/lamb-oseen/obstacle.bin"})
+        EXPECT_EQ(get(path, stolen).status, 401) << path;
+    for (const char* path : {"/rpc", "/api/v1/sessions"})
+        EXPECT_EQ(http(server_->port(), "POST", path, stolen, "{}").status, 401) << path;
+    RawSocket socket(server_->port());
+    EXPECT_EQ(handshake(socket, server_->port(), stolen).status, 401);
 }
 
 TEST_F(Http, ChecksEveryHandshakeBeforeTheUpgrade) {
@@ -206,17 +231,17 @@ TEST_F(Http, ServesAPageThatCameThroughATunnelFromItsFilesToItsWebSocket) {
     const Headers page{{"Host", "localhost:9000"}, {"Origin", "http://localhost:9000"}};
     EXPECT_EQ(get("/assets/decoder-0123abcd.wasm", page).body, "wasm");
     const HttpReply reply = http(server_->port(), "POST", "/api/v1/login", page,
-                                 json{{"token", server_->token()}, {"path", "/"}}.dump());
-    ASSERT_EQ(reply.status, 204);
-    const std::string cookie = reply.header("set-cookie");
-    EXPECT_EQ(cookie.rfind("wakesurf_session_9000=", 0), 0u) << cookie;
+                                 json{{"token", server_->token()}}.dump());
+    ASSERT_EQ(reply.status, 200);
     Headers in = page;
-    in.emplace_back("Cookie", cookie.substr(0, cookie.find(';')));
+    in.emplace_back("Sec-WebSocket-Protocol",
+                    "wakesurf.v1, wakesurf.login." +
+                        json::parse(reply.body)["login"].get<std::string>());
     RawSocket socket(server_->port());
     EXPECT_EQ(handshake(socket, server_->port(), in).status, 101);
     in.back().second += "0";
     RawSocket forged(server_->port());
-    EXPECT_EQ(handshake(forged, server_->port(), in).status, 401);
+    EXPECT_NE(handshake(forged, server_->port(), in).status, 101);
 }
 
 TEST_F(Http, ServesItsFilesWhateverTheirOriginAndOnlyThose) {
@@ -225,17 +250,6 @@ TEST_F(Http, ServesItsFilesWhateverTheirOriginAndOnlyThose) {
     EXPECT_EQ(get("/assets/decoder-0123abcd.wasm", elsewhere).status, 200);
     EXPECT_EQ(get("/openrpc.json", elsewhere).status, 403);
     EXPECT_EQ(get("/assets/decoder-0123abcd.wasm", {{"Host", "rebound.example"}}).status, 403);
-}
-
-TEST_F(Http, RefusesALoginOfAPathThatIsNone) {
-    const auto login = [&](const char* path) {
-        return http(server_->port(), "POST", "/api/v1/login", {{"Origin", server_->origin()}},
-                    json{{"token", server_->token()}, {"path", path}}.dump())
-            .status;
-    };
-    EXPECT_EQ(login("/flow/"), 204);
-    EXPECT_EQ(login("/flow; Domain=example/"), 400);
-    EXPECT_EQ(login("flow"), 400);
 }
 
 TEST(HttpFrames, AreForNamedOriginsOnly) {
@@ -362,33 +376,48 @@ TEST(ServerProcessTest, PutsTheLinkIntoAFileThatOnlyTheUserCanReadAndNowhereElse
     EXPECT_EQ(end.log.find(file.string()), std::string::npos);
 }
 
-TEST(ServerProcessTest, ChangesTheTokenInTheFileWhereItIsAskedToAndLoginsEnd) {
+TEST(ServerProcessTest, ChangesTheTokenInTheFileWhereItIsAskedToAndLoginsAndLinksEnd) {
     const TemporaryFolder folder;
     const auto file = (folder.path() / "token").string();
     const auto state = (folder.path() / "state").string();
-    std::string old, cookie;
-    const auto status = [&](const ServerProcess& server) {
-        return http(server.port(), "GET", "/openrpc.json",
-                    {{"Host", "localhost:9000"}, {"Cookie", cookie}})
+    std::string old;
+    std::vector<std::string> secrets;
+    const auto status = [&](const ServerProcess& server, const std::string& secret) {
+        return http(server.port(), "GET", "/openrpc.json", {{"Authorization", "Bearer " + secret}})
             .status;
+    };
+    const auto log_in = [&](const ServerProcess& server, const std::string& secret) {
+        const auto body = json{{"token", secret}}.dump();
+        return json::parse(http(server.port(), "POST", "/api/v1/login", {}, body).body)["login"]
+            .get<std::string>();
     };
     {
         const ServerProcess server({"flow:abc", "--token-file", file, "--state", state});
         old = server.token();
-        const HttpReply reply = http(server.port(), "POST", "/api/v1/login",
-                                     {{"Host", "localhost:9000"}}, json{{"token", old}}.dump());
-        cookie = reply.header("set-cookie");
-        cookie = cookie.substr(0, cookie.find(';'));
-        EXPECT_EQ(status(server), 200);
+        const auto answer = json::parse(
+            http(server.port(), "POST", "/rpc", server.bearer(),
+                 R"({"jsonrpc":"2.0","id":1,"method":"session.share","params":{"session":"main",)"
+                 R"("role":"host","expiresIn":null}})")
+                .body);
+        const std::string key = answer["result"]["key"];
+        secrets = {old, key, log_in(server, old), log_in(server, key)};
     }
     {
         const ServerProcess same({"flow:abc", "--token-file", file, "--state", state});
         EXPECT_EQ(same.token(), old);
-        EXPECT_EQ(status(same), 200) << "the login outlives the server";
+        for (const std::string& secret : secrets)
+            EXPECT_EQ(status(same, secret), 200) << "they outlive the server";
     }
-    const ServerProcess other({"flow:abc", "--token-file", file, "--state", state, "--new-token"});
-    EXPECT_NE(other.token(), old);
-    EXPECT_EQ(status(other), 401);
+    {
+        ServerProcess other({"flow:abc", "--token-file", file, "--state", state, "--new-token"});
+        EXPECT_NE(other.token(), old);
+        for (const std::string& secret : secrets)
+            EXPECT_EQ(status(other, secret), 401);
+        EXPECT_NE(other.stop().log.find("event=new_token links_ended=1"), std::string::npos);
+    }
+    const ServerProcess later({"flow:abc", "--token-file", file, "--state", state});
+    for (const std::string& secret : secrets)
+        EXPECT_EQ(status(later, secret), 401) << "for good";
 }
 
 TEST(ServerProcessTest, WithoutAuthenticationStillMindsTheOrigin) {

@@ -40,11 +40,17 @@ TEST(LogTest, OfAWholeExchangeAtItsMostTalkativeHasNoSecretAndNoPath) {
                           (folder.path() / "token").string()});
     secrets.push_back(server.token());
     const Headers here{{"Origin", server.origin()}};
-    const std::string cookie =
+    const std::string login = json::parse(
         http(server.port(), "POST", "/api/v1/login", here, json{{"token", server.token()}}.dump())
-            .header("set-cookie");
-    secrets.push_back(cookie.substr(cookie.find('=') + 1, 64));
-    ASSERT_EQ(secrets.back().find(';'), std::string::npos);
+            .body)["login"];
+    secrets.push_back(login.substr(login.rfind('.') + 1));
+    ASSERT_EQ(secrets.back().size(), 64u);
+    {
+        RawSocket socket(server.port());
+        Headers page = here;
+        page.emplace_back("Sec-WebSocket-Protocol", "wakesurf.v1, wakesurf.login." + login);
+        ASSERT_EQ(handshake(socket, server.port(), page).status, 101);
+    }
     http(server.port(), "POST", "/api/v1/login", here, R"({"token":"wrong-nobody-logs"})");
     http(server.port(), "GET", "/no one-logs?token=no one-logs",
          {{"Authorization", "Bearer no one-logs"}});

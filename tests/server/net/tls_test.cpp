@@ -1,4 +1,4 @@
-// HTTP and WebSockets over TLS: the same service, cookies that stay inside, and no one who does not speak TLS 1.2.
+// HTTP and WebSockets over TLS: the same service, logins, and no one who does not speak TLS 1.2.
 #include "tests/support/server/self_signed.hpp"
 #include "tests/support/server/server_process.hpp"
 #include "tests/support/server/tls_socket.hpp"
@@ -69,18 +69,18 @@ TEST_F(Tls, PrintsAnHttpsAddressAndServesIt) {
     EXPECT_NE(answer.find(R"({"jsonrpc":"2.0","id":1,"result":{}})"), std::string::npos) << answer;
 }
 
-TEST_F(Tls, GivesACookieThatNeverGoesOverPlainHttpAndOpensAWebSocket) {
-    const std::string login = ask("POST", "/api/v1/login", {{"Origin", origin()}},
+TEST_F(Tls, MakesALoginThatOpensAWebSocket) {
+    const std::string reply = ask("POST", "/api/v1/login", {{"Origin", origin()}},
                                   R"({"token":")" + server_->token() + "\"}");
-    EXPECT_EQ(status(login), 204);
-    const std::string cookie = header_of(login, "Set-Cookie");
-    EXPECT_NE(cookie.find("; Secure"), std::string::npos) << cookie;
-    EXPECT_NE(cookie.find("; HttpOnly"), std::string::npos) << cookie;
+    EXPECT_EQ(status(reply), 200);
+    const std::string begin = R"("login":")";
+    const std::string login = reply.substr(reply.find(begin) + begin.size());
     const std::string upgrade =
         "GET /ws HTTP/1.1\r\nUpgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: "
         "13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\nHost: 127.0.0.1:" +
-        std::to_string(server_->port()) + "\r\nCookie: " + cookie.substr(0, cookie.find(';')) +
-        "\r\nOrigin: ";
+        std::to_string(server_->port()) +
+        "\r\nSec-WebSocket-Protocol: wakesurf.v1, wakesurf.login." +
+        login.substr(0, login.find('"')) + "\r\nOrigin: ";
     TlsSocket socket(server_->port(), certificate());
     socket.send(upgrade + origin() + "\r\n\r\n");
     EXPECT_EQ(status(socket.receive_until("\r\n\r\n")), 101);

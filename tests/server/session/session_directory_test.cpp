@@ -155,6 +155,22 @@ TEST(SessionDirectory, BringsADeletedSessionBackAsItWas) {
     EXPECT_EQ(bench.sessions.bring_back(id).error().code, Error::Code::NotFound);
 }
 
+TEST(SessionDirectory, KeepsTheTrashWhereTheClockIsWrongAtTheStart) {
+    SessionBench bench;
+    const auto deleted = *bench.sessions.create("deleted");
+    ASSERT_TRUE(bench.sessions.remove(deleted->id()));
+    constexpr std::int64_t month = 31 * 24 * 3600;
+    bench.wall += month;
+    Restarted after(bench);
+    after.bench.pass(1h);
+    after.bench.wall -= month; // as when the network says what time it is
+    after.bench.pass(5h);
+    EXPECT_NE(after.bench.sessions.trash().find(deleted->id()), nullptr);
+    after.bench.wall += month;
+    after.bench.pass(3h);
+    EXPECT_EQ(after.bench.sessions.trash().find(deleted->id()), nullptr);
+}
+
 TEST(SessionDirectory, HasTheTrashAfterARestartAndPurgesItByTheWallClock) {
     SessionBench bench;
     const auto kept = *bench.sessions.create("kept");

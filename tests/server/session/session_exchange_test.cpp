@@ -152,6 +152,10 @@ TEST(SessionExchange, FilesThatAreNoneOrHostileAreRefusedWholeAndSayWhy) {
             << what << ": " << read.error().message;
         EXPECT_FALSE(read.error().message.empty()) << what;
     }
+    const auto deep =
+        server::read_session_text(std::string(60, '[') + std::string(60, ']')).error();
+    EXPECT_EQ(deep.code, Error::Code::InvalidArgument) << "to ask again is of no use";
+    EXPECT_FALSE(deep.hint.empty());
     EXPECT_EQ(server::read_session_text(changed("/wakesurfSession", 2)).error().code,
               Error::Code::Unsupported);
     EXPECT_TRUE(server::read_session_text(changed("/later", "wakesurf's"))) << "left to newer ones";

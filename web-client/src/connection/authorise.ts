@@ -1,39 +1,79 @@
-// Exchanges the token for a cookie, and opens the WebSocket with it. A browser hides why a WebSocket
+// Exchanges the token for a login, and opens the WebSocket with it. A browser hides why a WebSocket
 // failed, so an ordinary request first finds out whether the server is there and lets us in.
+import { isObject } from '../protocol/jsonRpc.ts';
 import { subprotocol } from '../protocol/version.ts';
 import { faultOf } from './httpFault.ts';
+import type { KeptLogin } from './keptLogins.ts';
 import { HopelessError, type OpenSocket } from './liveSocket.ts';
 
 const requestTimeoutMs = 8000;
 
-/** Error: HopelessError when the server refuses the token or asks for one we do not have. */
-export async function authorise(baseUrl: string, token: string | null): Promise<void> {
-    const response = await request(baseUrl, token);
-    if (response.ok) return;
-    if (response.status === 401) throw new HopelessError(token === null ? missingToken : wrongToken);
-    // The token was not even looked at: it is the address that the server does not go by.
-    if (response.status === 403) throw new HopelessError(wrongAddress((await faultOf(response)).message));
-    throw await faultOf(response);
+export interface Credentials {
+    /** Of the server or of a link. */
+    token: string | null;
+    /** That this browser has: of the token's, it is given another week. */
+    login: string | null;
 }
 
-const missingToken =
-    'This page needs the access token: open the whole link that wakesurf printed when it started, or that you were given, ' +
-    'including the part after token=. If your link worked before, it has expired or its session was deleted.';
+/** The login that was shown is not good, and no token was. */
+export class EndedLogin extends HopelessError {}
+
+/** Null: the server lets everybody in. Error: HopelessError when it refuses what we have, or asks for what we do not have. */
+export async function authorise(baseUrl: string, shown: Credentials): Promise<KeptLogin | null> {
+    const response = await request(baseUrl, shown);
+    if (response.status === 401 && shown.token === null && shown.login !== null) throw new EndedLogin(endedLogin);
+    if (response.status === 401) throw new HopelessError(shown.token === null ? await missing(response) : wrongToken);
+    // The token was not even looked at: it is the address that the server does not go by.
+    if (response.status === 403) throw new HopelessError(wrongAddress((await faultOf(response)).message));
+    if (!response.ok) throw await faultOf(response);
+    return nothing(shown) ? null : readLogin(await response.json().catch(() => null));
+}
+
+function nothing({ token, login }: Credentials): boolean {
+    return token === null && login === null;
+}
+
+function readLogin(answer: unknown): KeptLogin {
+    const { login, session = null } = isObject(answer) ? answer : {};
+    if (typeof login !== 'string' || (session !== null && typeof session !== 'string')) {
+        throw new Error('The server answered the login in a way that this page does not understand.');
+    }
+    return { login, session };
+}
+
+async function missing(response: Response): Promise<string> {
+    const { message } = await faultOf(response);
+    return message.includes('older wakesurf') ? oldLogin : missingToken();
+}
+
+const howToEnter =
+    'Open the whole link that wakesurf printed when it was last started, or that you were given, including the part after token=. ' +
+    'Or paste it here: whatever address is in it, its token is used at the address of this page.';
+const missingToken = (): string =>
+    `This page needs the access token: this browser is not logged in at ${location.origin}. A login is for one address, port included, ` +
+    `so through a tunnel with another port it is needed again. ${howToEnter}`;
+const oldLogin =
+    'This page needs the access token once more: the server was updated, and this browser’s login is of a version that kept it in a ' +
+    `cookie, which other programs of the same host can read. ${howToEnter}`;
+const endedLogin =
+    'This page needs the access token again: this browser’s login has ended. The server was started with a new token, or without the ' +
+    'folder that it keeps sessions in; or the login was not used for a week; or it came by a link that has expired or was revoked, or ' +
+    `whose session was deleted. ${howToEnter}`;
 const wrongToken =
-    'The server does not accept the access token of this link: open the link that wakesurf printed when it was last started. ' +
-    'If someone gave you the link, it has expired or its session was deleted: ask for another.';
+    'The server does not accept the access token of this link: it was started with another one since. Open the link that wakesurf printed ' +
+    'when it was last started, or paste it here. If someone gave you the link, it has expired or its session was deleted: ask for another.';
 const wrongAddress = (why: string): string =>
     `The server does not accept this page’s address, ${location.origin}; this has nothing to do with the token. It says: ${why}.`;
 
-async function request(baseUrl: string, token: string | null): Promise<Response> {
+async function request(baseUrl: string, shown: Credentials): Promise<Response> {
     const signal = AbortSignal.timeout(requestTimeoutMs);
     try {
-        if (token === null) return await fetch(new URL('openrpc.json', baseUrl), { signal });
+        if (nothing(shown)) return await fetch(new URL('openrpc.json', baseUrl), { signal });
+        const said = Object.entries(shown).filter(([, value]) => value !== null);
         return await fetch(new URL('api/v1/login', baseUrl), {
             method: 'POST',
             headers: { 'Content-Type': 'application/json' },
-            // The cookie is for this path alone: behind a proxy, other programs have others.
-            body: JSON.stringify({ token, path: new URL(baseUrl).pathname }),
+            body: JSON.stringify(Object.fromEntries(said)),
             signal,
         });
     } catch {
@@ -41,10 +81,11 @@ async function request(baseUrl: string, token: string | null): Promise<Response>
     }
 }
 
-export function openWebSocket(baseUrl: string): Promise<OpenSocket> {
+/** A page can give a WebSocket no header: a subprotocol shows the login. */
+export function openWebSocket(baseUrl: string, login: string | null): Promise<OpenSocket> {
     const url = new URL('ws', baseUrl);
     url.protocol = url.protocol === 'https:' ? 'wss:' : 'ws:';
-    const socket = new WebSocket(url, subprotocol);
+    const socket = new WebSocket(url, login === null ? subprotocol : [subprotocol, `wakesurf.login.${login}`]);
     socket.binaryType = 'arraybuffer';
     return new Promise((resolve, reject) => {
         const timer = setTimeout(() => socket.close(), requestTimeoutMs);

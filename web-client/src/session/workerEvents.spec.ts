@@ -12,6 +12,8 @@ function bench() {
         feed: { receive: to('feed'), troubled: async (...what) => void heard.push(['feed', what]) },
         news: { take: to('news'), unreadable: to('unreadable') },
         controller: { connectionChanged: to('controller') },
+        server: { took: to('server') },
+        loginEnded: to('ended'),
     };
     return { state, heard, hear: (event: WorkerEvent) => handOut(event, receivers) };
 }
@@ -58,5 +60,15 @@ describe('what the worker sends', () => {
             ['controller', { state: 'open' }],
         ]);
         expect(state.roundTripMs.value).toBe(12);
+    });
+
+    it('goes to who keeps logins', () => {
+        const { heard, hear } = bench();
+        hear({ type: 'loggedIn', login: 'a', session: null });
+        hear({ type: 'loginEnded', login: 'a' });
+        expect(heard).toEqual([
+            ['server', { login: 'a', session: null }],
+            ['ended', 'a'],
+        ]);
     });
 });

@@ -1,4 +1,5 @@
 // Where what the worker sends goes: a surface straight to its feed, the server's news and the connection to those who follow them.
+import type { OwnServer } from '../connection/ownServer.ts';
 import type { AppState } from '../state/appState.ts';
 import type { WorkerEvent } from '../worker/workerClient.ts';
 import type { ServerNews } from './serverNews.ts';
@@ -10,9 +11,11 @@ export interface Receivers {
     feed: Pick<SurfaceFeed, 'receive' | 'troubled'>;
     news: Pick<ServerNews, 'take' | 'unreadable'>;
     controller: Pick<SessionController, 'connectionChanged'>;
+    server: Pick<OwnServer, 'took'>;
+    loginEnded: (login: string) => void;
 }
 
-export function handOut(event: WorkerEvent, { state, feed, news, controller }: Receivers): void {
+export function handOut(event: WorkerEvent, { state, feed, news, controller, server, loginEnded }: Receivers): void {
     switch (event.type) {
         case 'surface':
             feed.receive(event);
@@ -28,6 +31,12 @@ export function handOut(event: WorkerEvent, { state, feed, news, controller }: R
             break;
         case 'roundTrip':
             state.roundTripMs.value = event.ms;
+            break;
+        case 'loggedIn':
+            server.took({ login: event.login, session: event.session });
+            break;
+        case 'loginEnded':
+            loginEnded(event.login);
             break;
         case 'connection': {
             const { type: _, ...connection } = event;

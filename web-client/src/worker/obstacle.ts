@@ -1,4 +1,5 @@
 // The body of a dataset: the frames of one KEY, one after the other, each after its length in bytes.
+import { signed } from '../connection/ownServer.ts';
 import type { DracoPoints } from '../protocol/dracoPoints.ts';
 import { dequantise, type Lattice } from '../protocol/lattice.ts';
 import { MeshDecoder } from '../protocol/meshDecoder.ts';
@@ -7,13 +8,13 @@ import type { GeometryArrays } from './workerMessages.ts';
 
 /** Null when the dataset has no obstacle. */
 export async function fetchObstacle(
-    baseUrl: string,
+    { baseUrl, login }: { baseUrl: string; login: string | null },
     dataset: string,
     draco: DracoPoints,
     lattice: Lattice,
 ): Promise<GeometryArrays | null> {
     const path = `api/v1/datasets/${encodeURIComponent(dataset)}/obstacle.bin`;
-    const response = await fetch(new URL(path, baseUrl));
+    const response = await fetch(new URL(path, baseUrl), signed(login));
     if (response.status === 404) return null;
     if (!response.ok) throw new Error(`The obstacle could not be loaded (${response.status}).`);
     return decodeObstacle(new Uint8Array(await response.arrayBuffer()), draco, lattice);

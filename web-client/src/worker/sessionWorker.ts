@@ -1,6 +1,6 @@
 // The worker: owns the WebSocket, Draco and the folding of meshes, so that neither a large mesh nor
 // a slow frame on the page delays the other. Hands on complete states in transferred arrays.
-import { authorise, openWebSocket } from '../connection/authorise.ts';
+import { authorise, type Credentials, EndedLogin, openWebSocket } from '../connection/authorise.ts';
 import { systemClock } from '../connection/clock.ts';
 import { type ConnectionState, LiveSocket } from '../connection/liveSocket.ts';
 import { RpcClient } from '../connection/rpcClient.ts';
@@ -18,10 +18,15 @@ interface WorkerPort {
     onmessage: ((event: { data: MessageOf<ToWorker> }) => void) | null;
 }
 
+/** A login lasts for a week after that. */
+const renewEveryMs = 12 * 3600 * 1000;
+
 class SessionWorker {
     private readonly port: WorkerPort;
     private readonly baseUrl: string;
-    private token: string | null;
+    private readonly shown: Credentials;
+    private renewedAt = 0;
+    private refused = false;
     private readonly draco: DracoPoints;
     private readonly rpc = new RpcClient((text) => this.socket.send(text));
     private readonly folder: SurfaceFolder;
@@ -29,11 +34,11 @@ class SessionWorker {
     /** Of the calls that are open. */
     private readonly cancels = new Map<number, AbortController>();
 
-    constructor(port: WorkerPort, draco: DracoPoints, baseUrl: string, token: string | null) {
+    constructor(port: WorkerPort, draco: DracoPoints, baseUrl: string, shown: Credentials) {
         this.port = port;
         this.draco = draco;
         this.baseUrl = baseUrl;
-        this.token = token;
+        this.shown = shown;
         this.folder = new SurfaceFolder({
             draco,
             onState: (state) => this.sendState(state),
@@ -45,9 +50,9 @@ class SessionWorker {
         this.socket = new LiveSocket({
             clock: systemClock,
             connect: async () => {
-                // Each time: a server without a state folder does not know its predecessor's cookies.
-                await authorise(baseUrl, this.token);
-                return openWebSocket(baseUrl);
+                // Each time: a server without a state folder does not know its predecessor's logins.
+                await this.logIn();
+                return openWebSocket(baseUrl, this.shown.login);
             },
             onState: (state) => this.connectionChanged(state),
             onMessage: (data) => this.receive(data),
@@ -63,7 +68,10 @@ class SessionWorker {
             this.cancels.get(message.id)?.abort();
         } else if (message.type === 'obstacle') {
             const { dataset, lattice } = message;
-            this.answer(message.id, fetchObstacle(this.baseUrl, dataset, this.draco, lattice));
+            this.answer(
+                message.id,
+                fetchObstacle({ baseUrl: this.baseUrl, login: this.shown.login }, dataset, this.draco, lattice),
+            );
         } else if (message.type === 'notify') {
             this.socket.send(encodeNotification(message.method, message.params));
         } else if (message.type === 'taken') this.folder.taken(message.surface);
@@ -71,9 +79,22 @@ class SessionWorker {
         else if (message.type === 'forget') this.folder.forget(message.surface);
         else if (message.type === 'retryNow') this.socket.retryNow();
         else if (message.type === 'logIn') {
-            this.token = message.token;
-            this.socket.start();
+            if (message.token !== undefined) this.shown.token = message.token;
+            else if (this.refused) Object.assign(this.shown, { token: null, login: message.login });
+            if (this.refused) this.socket.start();
         }
+    }
+
+    private async logIn(): Promise<void> {
+        const { login } = this.shown;
+        const made = await authorise(this.baseUrl, this.shown).catch((error: unknown) => {
+            if (error instanceof EndedLogin && login !== null) this.port.postMessage({ type: 'loginEnded', login });
+            throw error;
+        });
+        this.renewedAt = Date.now();
+        if (made === null) return;
+        this.shown.login = made.login;
+        this.port.postMessage({ type: 'loggedIn', ...made });
     }
 
     private async ping(): Promise<void> {
@@ -82,6 +103,7 @@ class SessionWorker {
             () => this.port.postMessage({ type: 'roundTrip', ms: performance.now() - start }),
             () => undefined,
         );
+        if (Date.now() - this.renewedAt >= renewEveryMs) await this.logIn().catch(() => undefined);
     }
 
     private async call(id: number, method: MethodName, params: object): Promise<unknown> {
@@ -126,6 +148,7 @@ class SessionWorker {
     }
 
     private connectionChanged(state: ConnectionState): void {
+        this.refused = state.state === 'refused';
         if (state.state === 'waiting' || state.state === 'ended') {
             this.folder.disconnected();
             this.rpc.disconnected();
@@ -183,8 +206,8 @@ port.onmessage = ({ data }) => {
         return;
     }
     if (data.type === 'start') {
-        const { baseUrl, token } = data;
-        worker = loadDraco().then((draco) => new SessionWorker(port, draco, baseUrl, token));
+        const { baseUrl, token, login } = data;
+        worker = loadDraco().then((draco) => new SessionWorker(port, draco, baseUrl, { token, login }));
         worker.catch((error: unknown) => {
             const reason = error instanceof Error ? error.message : String(error);
             port.postMessage({ type: 'connection', state: 'broken', reason });

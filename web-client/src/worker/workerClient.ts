@@ -1,4 +1,5 @@
 // The page's end of the worker: calls as promises, events as callbacks. A worker that hangs is replaced.
+import type { Credentials } from '../connection/authorise.ts';
 import { systemClock } from '../connection/clock.ts';
 import type { Lattice } from '../protocol/lattice.ts';
 import { errorWords, type MethodName, type ParamsOf, type ResultOf } from '../protocol/messages.ts';
@@ -31,7 +32,7 @@ export class WorkerClient {
     private worker: Worker;
     private nextId = 1;
     private hangs = 0;
-    private origin: { baseUrl: string; token: string | null } | null = null;
+    private origin: { baseUrl: string; token: string | null; login: string | null } | null = null;
     private onEvent: (event: WorkerEvent) => void = () => undefined;
 
     constructor() {
@@ -44,9 +45,9 @@ export class WorkerClient {
     }
 
     /** Connects, and stays connected. `onEvent` hears of everything that is no answer to a call, from now on. */
-    start(baseUrl: string, token: string | null, onEvent: (event: WorkerEvent) => void): void {
+    start(baseUrl: string, shown: Credentials, onEvent: (event: WorkerEvent) => void): void {
         this.onEvent = onEvent;
-        this.origin = { baseUrl, token };
+        this.origin = { baseUrl, ...shown };
         this.connect();
     }
 
@@ -64,9 +65,14 @@ export class WorkerClient {
             if (data.type === 'reply') this.settle(data.id)?.resolve(data.result);
             else if (data.type === 'failure') {
                 this.settle(data.id)?.reject(new CallError(data.failure));
-            } else if (data.type !== 'here') this.onEvent(data);
+            } else if (data.type !== 'here') this.heard(data);
         };
         return worker;
+    }
+
+    private heard(event: WorkerEvent): void {
+        if (event.type === 'loggedIn' && this.origin !== null) this.origin.login = event.login;
+        this.onEvent(event);
     }
 
     /** For good: nothing is heard any more, and nothing connects again. */
@@ -111,6 +117,11 @@ export class WorkerClient {
     logIn(token: string): void {
         if (this.origin !== null) this.origin = { ...this.origin, token };
         this.post({ type: 'logIn', token });
+    }
+
+    /** What another window got, where this one is not let in. */
+    takeLogin(login: string): void {
+        this.post({ type: 'logIn', login });
     }
 
     retryNow(): void {

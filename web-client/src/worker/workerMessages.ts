@@ -1,4 +1,5 @@
 // Everything the page and its worker say to each other, one table for each direction.
+import type { KeptLogin } from '../connection/keptLogins.ts';
 import type { ConnectionState } from '../connection/liveSocket.ts';
 import type { TimedMeshChange } from '../mesh/meshChange.ts';
 import type { Lattice } from '../protocol/lattice.ts';
@@ -7,7 +8,7 @@ import type { Notification } from '../protocol/messages.ts';
 
 export interface ToWorker {
     /** The worker connects and stays connected. `baseUrl` ends in a slash. */
-    start: { baseUrl: string; token: string | null };
+    start: { baseUrl: string; token: string | null; login: string | null };
     call: { id: number; method: string; params: object };
     /** The answer to this call is not wanted any more; it comes all the same, as a failure. */
     cancel: { id: number };
@@ -20,8 +21,8 @@ export interface ToWorker {
     show: { surface: string; attributes: readonly string[]; parts: PartsWish | null };
     /** The surface is no more. */
     forget: { surface: string };
-    /** Connects with another token, after that of `start` was refused. */
-    logIn: { token: string };
+    /** Another token; or a login, for a page that is not let in with what it has. Connects, if it was refused. */
+    logIn: { token: string; login?: undefined } | { token?: undefined; login: string };
     /** The browser believes that it is online again. */
     retryNow: object;
     /** Answered at once, unless the worker hangs. */
@@ -30,6 +31,10 @@ export interface ToWorker {
 
 export interface FromWorker {
     connection: ConnectionState;
+    /** Or its login is good for longer. */
+    loggedIn: KeptLogin;
+    /** The page may have another, for takeLogin(). */
+    loginEnded: { login: string };
     reply: { id: number; result: unknown };
     failure: { id: number; failure: CallFailure };
     notification: { notification: Notification };

@@ -2,6 +2,7 @@
 import { createServer, type RequestListener, type Server } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { afterEach, describe, expect, it } from 'vitest';
+import { OwnServer } from '../../connection/ownServer.ts';
 import { MeshDownload } from './meshDownload.ts';
 
 let server: Server | null = null;
@@ -24,7 +25,7 @@ describe('MeshDownload', () => {
             asked.push(request.url);
             response.end('mesh');
         });
-        const download = new MeshDownload(base);
+        const download = new MeshDownload(new OwnServer(base));
         const mesh = download.fetch('a session', 's1', { format: 'vtp' });
         expect(download.progress.value).toMatchObject({ state: 'waiting' });
         expect(await (await mesh)?.file.text()).toBe('mesh');
@@ -38,7 +39,7 @@ describe('MeshDownload', () => {
             asked = request.url;
             response.end('mesh');
         });
-        await new MeshDownload(base).fetch('main', 's1', { format: 'glb', draco: false });
+        await new MeshDownload(new OwnServer(base)).fetch('main', 's1', { format: 'glb', draco: false });
         expect(asked).toMatch(/\/surfaces\/s1\/mesh\.glb\?draco=false$/);
     });
 
@@ -50,7 +51,7 @@ describe('MeshDownload', () => {
             response.setHeader('Content-Disposition', `attachment; filename="${name}"`);
             response.end('mesh');
         });
-        const download = new MeshDownload(base);
+        const download = new MeshDownload(new OwnServer(base));
         const file = { format: 'glb', draco: false, now: true } as const;
         expect((await download.fetch('main', 's1', file))?.coarse).toBe(true);
         expect((await download.fetch('main', 's1', file))?.coarse).toBe(false);
@@ -63,7 +64,7 @@ describe('MeshDownload', () => {
             response.statusCode = 409;
             response.end(JSON.stringify({ error }));
         });
-        const download = new MeshDownload(base);
+        const download = new MeshDownload(new OwnServer(base));
         expect(await download.fetch('s', 's1', { format: 'glb' })).toBeNull();
         expect(download.progress.value).toEqual({
             state: 'failed',
@@ -73,7 +74,7 @@ describe('MeshDownload', () => {
 
     it('is cancelled while it waits', async () => {
         const base = await serving(() => undefined);
-        const download = new MeshDownload(base);
+        const download = new MeshDownload(new OwnServer(base));
         const mesh = download.fetch('s', 's1', { format: 'obj' });
         download.cancel();
         expect(await mesh).toBeNull();
@@ -82,7 +83,7 @@ describe('MeshDownload', () => {
 
     it('says that no one answers', async () => {
         const base = await serving((request) => request.destroy());
-        const download = new MeshDownload(base);
+        const download = new MeshDownload(new OwnServer(base));
         expect(await download.fetch('s', 's1', { format: 'obj' })).toBeNull();
         expect(download.progress.value).toEqual({ state: 'failed', words: 'The server cannot be reached.' });
     });

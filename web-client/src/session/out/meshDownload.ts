@@ -1,6 +1,7 @@
 // The whole mesh of a surface as a file, in full precision. The server answers when the surface is final, or with what it shows now.
 import { signal } from '@preact/signals-core';
 import { faultOf, requestWords } from '../../connection/httpFault.ts';
+import type { OwnServer } from '../../connection/ownServer.ts';
 import { type MeshFile, meshPath } from './scriptStep.ts';
 
 export interface DownloadProgress {
@@ -16,12 +17,11 @@ export interface DownloadedMesh {
 
 export class MeshDownload {
     readonly progress = signal<DownloadProgress>({ state: 'idle', words: '' });
-    private readonly base: string;
+    private readonly server: Pick<OwnServer, 'fetch'>;
     private current: AbortController | null = null;
 
-    /** `base`: address of the server, as urlState.ts has it. */
-    constructor(base: string) {
-        this.base = base;
+    constructor(server: Pick<OwnServer, 'fetch'>) {
+        this.server = server;
     }
 
     /** Null where it was cancelled or failed; why is in `progress`. */
@@ -33,8 +33,8 @@ export class MeshDownload {
         this.progress.value = { state: 'waiting', words };
         const [of, id] = [encodeURIComponent(session), encodeURIComponent(surface)];
         try {
-            const url = new URL(`api/v1/sessions/${of}/surfaces/${id}/${meshPath(file)}`, this.base);
-            const reply = await fetch(url, { signal: current.signal });
+            const path = `api/v1/sessions/${of}/surfaces/${id}/${meshPath(file)}`;
+            const reply = await this.server.fetch(path, { signal: current.signal });
             if (!reply.ok) throw await faultOf(reply);
             const mesh = await reply.blob();
             this.progress.value = { state: 'idle', words: '' };

@@ -1,5 +1,6 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import type { SessionEntry } from '../../protocol/messages.ts';
+import { OwnServer } from '../../connection/ownServer.ts';
 import { AppState } from '../../state/appState.ts';
 import { answering } from '../../testing/answering.ts';
 import { CallError } from '../../worker/workerClient.ts';
@@ -46,11 +47,10 @@ class Bench {
             if (method === 'session.restore') [this.kept, this.trashed] = [[...this.kept, ...this.trashed], []];
             return { session: 'session-9', name: params['name'] ?? '', remaining: 1 };
         });
-        const base = 'http://localhost/';
         this.shelf = new SessionShelf({
             state: new AppState(),
             worker,
-            base,
+            server: new OwnServer('http://localhost/'),
             open: (to) => this.opened.push(to),
         });
     }

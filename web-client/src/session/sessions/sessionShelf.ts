@@ -7,10 +7,11 @@ import { Announcements } from '../../state/announcements.ts';
 import type { AppState } from '../../state/appState.ts';
 import { CallError, type WorkerClient } from '../../worker/workerClient.ts';
 import { requestWords } from '../../connection/httpFault.ts';
+import type { OwnServer } from '../../connection/ownServer.ts';
 import { openFragment, writeFragment } from '../view/urlState.ts';
 import { fitting } from './fitting.ts';
 import { latestSession } from './knownSessions.ts';
-import { fetchSessionFile, sendSessionFile } from './sessionFiles.ts';
+import { fetchSessionFile, fetchThumbnail, sendSessionFile } from './sessionFiles.ts';
 
 const noPlace = 'Export the sessions that are no longer needed, and delete them.';
 const fullTrash = 'Permanently delete some sessions in the trash.';
@@ -20,8 +21,7 @@ const refreshMs = 5000;
 export interface SessionShelfOptions {
     state: AppState;
     worker: Pick<WorkerClient, 'call'>;
-    /** Address of the server, as urlState.ts has it. */
-    base: string;
+    server: Pick<OwnServer, 'fetch'>;
     /** A session is out of the trash. */
     restored?: (session: string) => void;
     /** Shows another session; replaced in tests. */
@@ -152,13 +152,18 @@ export class SessionShelf {
     /** Null where it failed; why is in `problems`. */
     async export({ session }: Pick<SessionEntry, 'session'>): Promise<Blob | null> {
         let file: Blob | null = null;
-        await this.attempt(async () => void (file = await fetchSessionFile(this.options.base, session)));
+        await this.attempt(async () => void (file = await fetchSessionFile(this.options.server, session)));
         return file;
+    }
+
+    /** Null: there is none. */
+    thumbnail(session: string): Promise<Blob | null> {
+        return fetchThumbnail(this.options.server, session).catch(() => null);
     }
 
     async import(file: Blob): Promise<void> {
         await this.attempt(async () => {
-            const { session, name, notes } = await sendSessionFile(this.options.base, file);
+            const { session, name, notes } = await sendSessionFile(this.options.server, file);
             const words = [`“${name}” was imported.`, ...notes].join(' ');
             this.notices.say('done', words, { label: 'Open', act: () => this.enter(session) });
         });

@@ -2,6 +2,7 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import type { SessionEntry } from '../../protocol/messages.ts';
 import { agoWords, dayWords } from '../base/timeWords.ts';
+import './sessionPicture.ts';
 
 /** What is asked about a session before it is done. */
 export type Question = 'rename' | 'delete' | 'forever';
@@ -26,15 +27,16 @@ export interface CardState {
     hosts: boolean;
     /** May make others. */
     makes: boolean;
-    /** Part of the pictures' addresses: those of an earlier look at the list may be old. */
+    /** Pictures of an earlier look at the list may be old. */
     look: number;
+    fetchPicture: (session: string) => Promise<Blob | null>;
 }
 
 export function sessionCard(entry: SessionEntry, card: CardState, acts: CardActs): TemplateResult {
     const { session, name, participants } = entry;
     const others = participants - (card.here ? 1 : 0);
     return html`<li class="card ${card.here ? 'here' : ''}" data-session=${session}>
-        ${picture(entry, card.look, card.here ? `Continue in ${name}` : `Open ${name}`, () => acts.open(entry))}
+        ${picture(entry, card, card.here ? `Continue in ${name}` : `Open ${name}`, () => acts.open(entry))}
         <div class="about">
             <p class="name"><span title=${name}>${name}</span>${card.here ? html`<span class="badge">you are here</span>` : nothing}</p>
             <p class="quiet">${useWords(entry, others, card.here)}</p>
@@ -65,12 +67,12 @@ export function sessionCard(entry: SessionEntry, card: CardState, acts: CardActs
 
 export function trashCard(
     entry: SessionEntry,
-    { question, look }: Pick<CardState, 'question' | 'look'>,
+    { question, ...pictures }: Pick<CardState, 'question' | 'look' | 'fetchPicture'>,
     acts: CardActs,
 ): TemplateResult {
     const { session, name, deletedAt = '', deletedUntil = '' } = entry;
     return html`<li class="card trash" data-session=${session}>
-        ${picture(entry, look, `Restore ${name}`, () => acts.restore(entry))}
+        ${picture(entry, pictures, `Restore ${name}`, () => acts.restore(entry))}
         <div class="about">
             <p class="name"><span title=${name}>${name}</span></p>
             <p class="quiet">Deleted ${agoWords(deletedAt)}, kept until ${dayWords(deletedUntil)}</p>
@@ -92,12 +94,17 @@ export function trashCard(
     </li>`;
 }
 
-function picture({ session, thumbnail }: SessionEntry, look: number, label: string, open: () => void): TemplateResult {
+function picture(
+    { session, thumbnail }: SessionEntry,
+    { look, fetchPicture }: Pick<CardState, 'look' | 'fetchPicture'>,
+    label: string,
+    open: () => void,
+): TemplateResult {
     const name = thumbnail ? label : `${label}, no picture yet`;
     return html`<button type="button" class="picture" aria-label=${name} title=${label} @click=${open}>
         ${
             thumbnail
-                ? html`<img loading="lazy" alt="" src=${`api/v1/sessions/${encodeURIComponent(session)}/thumbnail?look=${look}`} />`
+                ? html`<wakesurf-session-picture .session=${session} .look=${look} .fetchPicture=${fetchPicture}></wakesurf-session-picture>`
                 : 'no picture yet'
         }
     </button>`;

@@ -47,6 +47,8 @@ export class SessionsDialog extends SignalElement {
         ask: (session, question) => (this.asked.value = question === null ? null : { session, question }),
     };
 
+    private readonly fetchPicture = (session: string): Promise<Blob | null> => this.model.shelf.thumbnail(session);
+
     override render(): TemplateResult {
         const { shelf, view } = this.model;
         if (!view.sessionsShown.value) return html`<dialog></dialog>`;
@@ -166,7 +168,14 @@ export class SessionsDialog extends SignalElement {
                         const here = this.isHere(entry);
                         return sessionCard(
                             entry,
-                            { here, hosts, makes, question: this.questionOf(entry), look: this.look },
+                            {
+                                here,
+                                hosts,
+                                makes,
+                                question: this.questionOf(entry),
+                                look: this.look,
+                                fetchPicture: this.fetchPicture,
+                            },
                             this.acts,
                         );
                     },
@@ -186,7 +195,12 @@ export class SessionsDialog extends SignalElement {
                 ${repeat(
                     all,
                     ({ session }) => session,
-                    (entry) => trashCard(entry, { question: this.questionOf(entry), look: this.look }, this.acts),
+                    (entry) =>
+                        trashCard(
+                            entry,
+                            { question: this.questionOf(entry), look: this.look, fetchPicture: this.fetchPicture },
+                            this.acts,
+                        ),
                 )}
             </ul>`;
     }

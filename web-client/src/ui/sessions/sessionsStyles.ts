@@ -120,16 +120,10 @@ export const sessionsStyles = css`
         background: light-dark(#e4eaf2, #0b1018);
         color: var(--quiet);
     }
-    .picture img {
-        display: block;
-        width: 100%;
-        height: 100%;
-        object-fit: cover;
-    }
     .picture:focus-visible {
         outline-offset: -3px;
     }
-    .trash .picture img {
+    .trash .picture wakesurf-session-picture {
         opacity: 0.55;
     }
     .about {

@@ -1,0 +1,49 @@
+#include "server/base/late_file.hpp"
+
+#include "server/base/private_file.hpp"
+
+#include <utility>
+
+namespace wakesurf::server {
+
+LateFile::~LateFile() {
+    if (!thread_.joinable())
+        return;
+    {
+        const std::lock_guard lock(mutex_);
+        stopping_ = true;
+    }
+    wake_.notify_one();
+    thread_.join();
+}
+
+void LateFile::put(std::string text, Done done) {
+    {
+        const std::lock_guard lock(mutex_);
+        text_ = std::move(text);
+        waiting_.push_back(std::move(done));
+    }
+    if (!thread_.joinable())
+        thread_ = std::thread([this] { work(); });
+    wake_.notify_one();
+}
+
+void LateFile::work() {
+    std::unique_lock lock(mutex_);
+    while (true) {
+        wake_.wait(lock, [this] { return stopping_ || text_; });
+        if (!text_)
+            return;
+        const std::string text = *std::exchange(text_, std::nullopt);
+        auto waited = std::exchange(waiting_, {});
+        lock.unlock();
+        const auto written = write_private_file(file_, text);
+        loop_.post([waited = std::move(waited), written] {
+            for (const Done& done : waited)
+                done(written);
+        });
+        lock.lock();
+    }
+}
+
+} // namespace wakesurf::server
