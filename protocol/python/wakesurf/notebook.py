@@ -1,8 +1,8 @@
 """The live page in a notebook, or a picture of it where the page cannot be.
 
 A server shows its page only in frames of origins that it was told (`--frame-origin`). `serve` asks for the notebook's own, which it finds in
-what Jupyter writes down for its kernels; to a server that runs already, its operator gives the option. The page logs in with a cookie
-that browsers give only to pages of the same site, so the frame takes the name by which the notebook was opened, localhost or 127.0.0.1.
+what Jupyter writes down for its kernels; to a server that runs already, its operator gives the option. The page keeps its login in
+storage that browsers part by site, so the frame takes the name by which the notebook was opened, localhost or 127.0.0.1.
 
 Behind jupyter-server-proxy the page has the notebook's own origin: `session.show(proxy=True)`, or $WAKESURF_PROXY=1. On JupyterHub, which
 sets $JUPYTERHUB_SERVICE_PREFIX, that is the default.
@@ -59,7 +59,7 @@ class Shown:
                  "allow=\"clipboard-write; fullscreen\"")
         if parts.hostname not in _LOCAL or not parts.scheme:
             return f"{frame} src={_quoted(self.address)}></iframe>"
-        # By the name by which the notebook was opened: another one would be another site, whose cookie browsers do not send.
+        # By the name by which the notebook was opened: another one would be another site, whose storage is another one.
         name = "wakesurf-" + os.urandom(6).hex()
         return (f"{frame} id=\"{name}\"></iframe><script>{{const address = new URL({_script(self.address)});"
                 "if (['localhost', '127.0.0.1'].includes(location.hostname)) address.hostname = location.hostname;"
