@@ -29,6 +29,7 @@ struct Contents {
     CGNS_ENUMT(LengthUnits_t) length = CGNS_ENUMV(LengthUnitsNull);         ///< of the base
     CGNS_ENUMT(LengthUnits_t) of_coordinates = CGNS_ENUMV(LengthUnitsNull); ///< of their node
     bool solid = false; ///< the second zone has a temperature only, and the first a pressure
+    bool boundary_first = false;    ///< its elements are numbered before those of cells
     std::optional<float> version{}; ///< of the CGNS library that wrote it, by its own word
 };
 
@@ -73,7 +74,10 @@ inline int write_zone(int file, const std::string& name, vtkStructuredGrid& grid
     return zone;
 }
 
-inline int write_zone(int file, const std::string& name, vtkUnstructuredGrid& grid) {
+inline int write_zone(int file,
+                      const std::string& name,
+                      vtkUnstructuredGrid& grid,
+                      bool boundary_first = false) {
     const std::array<cgsize_t, 3> size{grid.GetNumberOfPoints(), grid.GetNumberOfCells(), 0};
     int zone = 0;
     ok(cg_zone_write(file, 1, name.c_str(), size.data(), CGNS_ENUMV(Unstructured), &zone));
@@ -83,6 +87,15 @@ inline int write_zone(int file, const std::string& name, vtkUnstructuredGrid& gr
          {VTK_PYRAMID, CGNS_ENUMV(PYRA_5)},
          {VTK_TETRA, CGNS_ENUMV(TETRA_4)}}};
     cgsize_t next = 1;
+    int section = 0;
+    const auto write_boundary = [&] {
+        const std::array<cgsize_t, 4> quad{1, 2, 10, 9}; // no cell
+        ok(cg_section_write(file, 1, zone, "Floor", CGNS_ENUMV(QUAD_4), next, next, 0, quad.data(),
+                            &section));
+        ++next;
+    };
+    if (boundary_first)
+        write_boundary();
     for (const auto& [vtk, cgns] : types) {
         std::vector<cgsize_t> nodes;
         const cgsize_t first = next;
@@ -93,16 +106,13 @@ inline int write_zone(int file, const std::string& name, vtkUnstructuredGrid& gr
             for (vtkIdType k = 0; k < grid.GetCell(i)->GetNumberOfPoints(); ++k)
                 nodes.push_back(grid.GetCell(i)->GetPointId(static_cast<int>(k)) + 1);
         }
-        int section = 0;
         std::string elements = std::to_string(vtk);
         elements.insert(0, 1, 'E');
         ok(cg_section_write(file, 1, zone, elements.c_str(), cgns, first, next - 1, 0, nodes.data(),
                             &section));
     }
-    const std::array<cgsize_t, 4> quad{1, 2, 10, 9}; // of the boundary: no cell
-    int section = 0;
-    ok(cg_section_write(file, 1, zone, "Floor", CGNS_ENUMV(QUAD_4), next, next, 0, quad.data(),
-                        &section));
+    if (!boundary_first)
+        write_boundary();
     return zone;
 }
 
@@ -177,7 +187,7 @@ inline void write_cgns(const std::filesystem::path& path, const Contents& conten
             data = grid;
         } else {
             auto grid = sample_mesh(20.0 * block);
-            zone = write_zone(file, name, *grid);
+            zone = write_zone(file, name, *grid, contents.boundary_first);
             data = grid;
         }
         write_coordinates(file, zone, *data);

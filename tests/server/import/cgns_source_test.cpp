@@ -201,5 +201,18 @@ TEST_F(CgnsSource, DoesNotGiveAnotherStepForOneThatIsGone) {
                    "flow.cgns at time 2 is not in the file any more");
 }
 
+TEST_F(CgnsSource, WithBoundariesNumberedFirstOpensByVerticesAndSaysHowToWriteCells) {
+    Contents contents;
+    contents.structured = false;
+    contents.boundary_first = true;
+    auto source = open(contents);
+    ASSERT_TRUE(source.has_value()) << source.error().message;
+    expect_step(**source, 1, "Velocity");
+    contents.at_cells = true;
+    expect_failure(open(contents), Error::Code::Unsupported,
+                   "flow.cgns has values in cells, and numbers its boundary section Floor before "
+                   "the cells: this version of VTK's reader cannot read that");
+}
+
 } // namespace
 } // namespace wakesurf::server::cgns_source_test

@@ -18,7 +18,10 @@ TEST(OpenfoamFile, WritesUnitsAsPeopleDo) {
     EXPECT_EQ(foam_unit("[0 0 -1 0 0 0 0]"), "1/s");
     EXPECT_EQ(foam_unit("[0 0.5 0 0 0 0 0]"), "m0.5");
     EXPECT_EQ(foam_unit("[0 0 0 0 0 0 0]"), "");
-    EXPECT_EQ(foam_unit("[m s^-1]"), "");
+    EXPECT_EQ(foam_unit("[m s^-1]"), "m/s");
+    EXPECT_EQ(foam_unit("[kg m^-1 s^-2]"), "Pa");
+    EXPECT_EQ(foam_unit("[Pa]"), "Pa");
+    EXPECT_EQ(foam_unit("[furlong s^-1]"), "");
     EXPECT_EQ(foam_unit(""), "");
 }
 

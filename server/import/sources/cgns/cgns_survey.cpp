@@ -141,11 +141,13 @@ class Survey {
             return core::fail(Error::Code::Corrupt, name_ + " names " + std::to_string(*pointers) +
                                                         " solutions for " + std::to_string(steps) +
                                                         " time-steps");
-        if (*pointers >= 0)
-            return {};
         int solutions = 0;
         if (cg_nsols(id_, base, zone, &solutions) != CG_OK)
             return damaged();
+        if (auto ordered = check_sections(base, zone, solutions); !ordered)
+            return ordered;
+        if (*pointers >= 0)
+            return {};
         std::map<int, std::string> at;
         for (int i = 1; i <= solutions; ++i) {
             Name name{};
@@ -165,6 +167,53 @@ class Survey {
                                   "write FlowSolutionPointers for them, or one solution per file");
         }
         return {};
+    }
+
+    // VTK's reader takes values of cells for those of all elements up to the last cell, boundary or not, and gives up.
+    core::Result<void> check_sections(int base, int zone, int solutions) {
+        CGNS_ENUMT(ZoneType_t) type{};
+        int sections = 0;
+        if (cg_zone_type(id_, base, zone, &type) != CG_OK)
+            return damaged();
+        if (type != CGNS_ENUMV(Unstructured))
+            return {};
+        if (cg_nsections(id_, base, zone, &sections) != CG_OK)
+            return damaged();
+        std::map<cgsize_t, std::pair<std::string, bool>>
+            by_number; // whether they are of the boundary
+        for (int i = 1; i <= sections; ++i) {
+            Name name{};
+            CGNS_ENUMT(ElementType_t) element{};
+            std::array<cgsize_t, 2> range{};
+            int boundary = 0;
+            int parents = 0;
+            if (cg_section_read(id_, base, zone, i, name.data(), &element, &range[0], &range[1],
+                                &boundary, &parents) != CG_OK)
+                return damaged();
+            const bool flat = element <= CGNS_ENUMV(QUAD_9) && element >= CGNS_ENUMV(NODE);
+            by_number[range[0]] = {name.data(), flat};
+        }
+        bool of_cells = false;
+        for (int i = 1; i <= solutions; ++i) {
+            Name name{};
+            CGNS_ENUMT(GridLocation_t) location{};
+            if (cg_sol_info(id_, base, zone, i, name.data(), &location) != CG_OK)
+                return damaged();
+            of_cells = of_cells || location == CGNS_ENUMV(CellCenter);
+        }
+        const bool cells_follow =
+            !by_number.empty() && by_number.begin()->second.second &&
+            std::any_of(by_number.begin(), by_number.end(),
+                        [](const auto& section) { return !section.second.second; });
+        if (!of_cells || !cells_follow)
+            return {};
+        return core::fail(
+            Error::Code::Unsupported,
+            name_ + " has values in cells, and numbers its boundary section " +
+                by_number.begin()->second.first +
+                " before the cells: this version of VTK's reader cannot read that",
+            "number the elements of cells from 1 and those of boundaries behind them, or "
+            "write the values at the vertices");
     }
 
     // How many solutions the zone's FlowSolutionPointers name; -1 where it has none.

@@ -64,6 +64,33 @@ std::vector<std::string_view> tokens_of(std::string_view text) {
     return out;
 }
 
+bool has_letter(std::string_view text) {
+    return std::any_of(text.begin(), text.end(),
+                       [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; });
+}
+
+// Of units with a power each, "s^-1". False where one is not known.
+bool add_powers(const std::vector<std::string_view>& tokens,
+                const std::array<const char*, 7>& names,
+                std::array<double, 7>& powers) {
+    for (const auto token : tokens) {
+        const auto hat = std::min(token.find('^'), token.size());
+        const auto name = token.substr(0, hat);
+        double power = 1.0;
+        const char* const end = token.data() + token.size();
+        if (hat < token.size() && std::from_chars(token.data() + hat + 1, end, power).ptr != end)
+            return false;
+        const auto known = std::find(names.begin(), names.end(), name);
+        if (known == names.end() && name != "Pa")
+            return false;
+        if (known != names.end())
+            powers[static_cast<std::size_t>(known - names.begin())] += power;
+        for (std::size_t i = 0; name == "Pa" && i < 3; ++i)
+            powers[i] += power * (i == 0 ? 1.0 : i == 1 ? -1.0 : -2.0);
+    }
+    return true;
+}
+
 // Just behind the FoamFile { ... } of a file, or its start.
 std::size_t behind_header(std::string_view text) {
     const auto start = text.find("FoamFile");
@@ -106,6 +133,9 @@ std::optional<FoamHeader> read_foam_header(const fs::path& file) {
         const auto close = rest.find(']', at);
         if (open != std::string_view::npos && close != std::string_view::npos && open < close)
             out.unit = foam_unit(rest.substr(open, close + 1 - open));
+        if (open != std::string_view::npos && close != std::string_view::npos && open < close &&
+            has_letter(rest.substr(open, close - open)))
+            out.words = rest.substr(open, close + 1 - open);
     }
     return out;
 }
@@ -183,9 +213,13 @@ std::string foam_unit(std::string_view dimensions) {
     if (dimensions.size() < 2 || dimensions.front() != '[' || dimensions.back() != ']')
         return {};
     const auto tokens = tokens_of(dimensions.substr(1, dimensions.size() - 2));
-    if (tokens.size() != 5 && tokens.size() != 7)
+    if (has_letter(dimensions)) {
+        if (!add_powers(tokens, names, powers))
+            return {};
+    } else if (tokens.size() != 5 && tokens.size() != 7) {
         return {};
-    for (std::size_t i = 0; i < tokens.size(); ++i) {
+    }
+    for (std::size_t i = 0; !has_letter(dimensions) && i < tokens.size(); ++i) {
         const char* const end = tokens[i].data() + tokens[i].size();
         if (std::from_chars(tokens[i].data(), end, powers[i]).ptr != end)
             return {};

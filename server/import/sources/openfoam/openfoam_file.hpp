@@ -19,6 +19,7 @@ constexpr std::size_t foam_header_bytes = 4096;
 struct FoamHeader {
     std::string type;   ///< its `class` entry: volVectorField, polyBoundaryMesh ...
     std::string object; ///< the file's name for itself
+    std::string words;  ///< its `dimensions` entry where that names units: "[m s^-1]"
     std::string unit; ///< of its `dimensions` entry: "m/s"; empty without one, or where it has none
 };
 
@@ -49,7 +50,7 @@ bool ends_as_written(const std::filesystem::path& file);
 /// Are they equal but for their headers? False where one cannot be read.
 bool same_foam_body(const std::filesystem::path& one, const std::filesystem::path& other);
 
-/// "[0 1 -1 0 0 0 0]" -> "m/s": exponents of kg, m, s, K, mol, A, cd. Empty for other text and for pure numbers.
+/// "[0 1 -1 0 0 0 0]" -> "m/s": exponents of kg, m, s, K, mol, A, cd; "[m s^-1]" likewise, of Pa too. Empty for other text and for pure numbers.
 std::string foam_unit(std::string_view dimensions);
 
 } // namespace wakesurf::server

@@ -42,6 +42,16 @@ core::Result<void> OpenfoamReader::check_files(const FoamTime& time,
                                       header->object + "'",
                                   "write `object " + field.name + ";` into its header");
         }
+        for (const auto& field : fields) {
+            const auto file =
+                found_.file_at(found_.relative(part_, time.name, region.name, field.name));
+            if (const auto header = read_foam_header(file.path); header && !header->words.empty())
+                return core::fail(Error::Code::Unsupported,
+                                  file.name + " of " + found_.file +
+                                      " has its dimensions in words, " + header->words +
+                                      ", which VTK's reader cannot read",
+                                  "write them as numbers: [0 1 -1 0 0 0 0] for a velocity in m/s");
+        }
         for (const auto& name : foam_fields(folder)) {
             const auto same = [&](const FieldInfo& field) { return field.name == name; };
             const auto other = foam_file(folder / name);

@@ -2,6 +2,7 @@
 
 #include "server/import/progress_marks.hpp"
 #include "server/import/sources/files/file_names.hpp"
+#include "server/import/sources/plot3d/fortran_numbers.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -36,7 +37,7 @@ Tokens tokens_of(std::ifstream& in, std::size_t wanted) {
         if (token.empty())
             return;
         ++out.count;
-        const auto number = finite_number(token);
+        const auto number = finite_number(usual_number(token));
         out.numbers = out.numbers && number.has_value();
         if (out.first.size() < wanted)
             out.first.push_back(number.value_or(-1.0));

@@ -4,6 +4,7 @@
 #include "server/import/sources/blocks/vtk_fields.hpp"
 #include "server/import/sources/files/file_names.hpp"
 #include "server/import/sources/files/source_files.hpp"
+#include "server/import/sources/plot3d/fortran_numbers.hpp"
 #include "server/import/sources/plot3d/plot3d_files.hpp"
 #include "server/import/sources/plot3d/plot3d_layout.hpp"
 #include "server/import/sources/series/series_times.hpp"
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
+#include <optional>
 #include <set>
 
 namespace wakesurf::server {
@@ -145,8 +147,14 @@ class Plot3dSource final : public Source {
             return tl::unexpected(sound.error());
         const VtkMessages messages;
         auto reader = vtkSmartPointer<vtkMultiBlockPLOT3DReader>::New();
-        reader->SetXYZFileName(grid.path.c_str());
-        reader->SetQFileName(solution.path.c_str());
+        std::optional<UsualNumbers> points;
+        std::optional<UsualNumbers> values;
+        if (layout->ascii) {
+            points.emplace(grid.path.string());
+            values.emplace(solution.path.string());
+        }
+        reader->SetXYZFileName((points ? points->path() : grid.path.string()).c_str());
+        reader->SetQFileName((values ? values->path() : solution.path.string()).c_str());
         lay_out(*reader, *layout);
         reader->AddFunction(velocity_function);
         try {

@@ -1,6 +1,7 @@
 #include "server/import/sources/vtk/legacy_file.hpp"
 
 #include "server/import/sources/files/file_names.hpp"
+#include "server/import/sources/vtk/legacy_gaps.hpp"
 #include "server/import/vtk_messages.hpp"
 
 #include <vtkGenericDataObjectReader.h>
@@ -9,6 +10,7 @@
 #include <cctype>
 #include <fstream>
 #include <new>
+#include <optional>
 #include <string_view>
 
 namespace wakesurf::server {
@@ -43,6 +45,22 @@ core::Result<VtkFile> read_legacy_file(const ListedFile& file) {
     const VtkMessages messages;
     auto reader = vtkSmartPointer<vtkGenericDataObjectReader>::New();
     reader->SetFileName(file.path.c_str());
+    std::ifstream in(file.path, std::ios::binary);
+    std::string encoding;
+    for (int line = 0; line < 3; ++line)
+        std::getline(in, encoding);
+    std::optional<std::string> marked;
+    try {
+        if (!encoding.starts_with("BINARY"))
+            marked = with_marked_gaps(in);
+    } catch (const std::bad_alloc&) {
+        return core::fail(Error::Code::OverLimit,
+                          "there is not enough memory to read " + file.name);
+    }
+    if (marked) {
+        reader->SetInputString(*marked);
+        reader->ReadFromInputStringOn();
+    }
     reader->ReadAllScalarsOn();
     reader->ReadAllVectorsOn();
     reader->ReadAllFieldsOn();
@@ -59,6 +77,8 @@ core::Result<VtkFile> read_legacy_file(const ListedFile& file) {
     vtkSmartPointer<vtkDataSet> data = vtkDataSet::SafeDownCast(reader->GetOutput());
     if (data == nullptr)
         return core::fail(Error::Code::Unsupported, file.name + " holds no grid");
+    if (marked)
+        unmark_gaps(*data);
     return VtkFile{data, "vtkGenericDataObjectReader"};
 }
 
