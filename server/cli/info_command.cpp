@@ -77,7 +77,7 @@ void print_text(const core::DatasetInfo& info) {
     fmt::print("  bounds    x {:g} to {:g}, y {:g} to {:g}, z {:g} to {:g}\n", lo.x, hi.x, lo.y,
                hi.y, lo.z, hi.z);
     if (!info.times.empty())
-        fmt::print("  times     {} from {} to {}{}\n", info.times.size(), info.times.front(),
+        fmt::print("  times     {} from {:.12g} to {:.12g}{}\n", info.times.size(), info.times.front(),
                    info.times.back(), info.steady ? " (steady)" : "");
     fmt::print("  velocity  {}: {}\n", info.velocity, info.why);
     if (info.precision == core::Precision::Half)

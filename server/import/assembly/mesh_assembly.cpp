@@ -154,8 +154,8 @@ class MeshAssembly {
     }
 
     // Sets how far points reach. REQUIRES: all cells have been read without an error before.
-    void find_reach(double rounding) {
-        points_.reach.assign(points_.at.size(), static_cast<float>(rounding));
+    void find_reach(double slack) {
+        points_.reach.assign(points_.at.size(), static_cast<float>(slack));
         for (std::size_t b = 0; b < cells_.size(); ++b) {
             const auto at = [&](std::uint32_t p) { return points_.at[points_.first[b] + p]; };
             static_cast<void>(visit_cells(b, [&](const BlockCell& cell, std::size_t, bool) {
@@ -233,10 +233,10 @@ class MeshAssembly {
         std::vector<std::uint32_t> same;
         if (points_.pieces > 1) {
             const Vec3 size = single_ ? glm::max(glm::abs(lo), glm::abs(hi)) : hi - lo;
-            const double rounding = same_place * std::max({size.x, size.y, size.z});
-            find_reach(rounding);
+            const double slack = same_place * std::max({size.x, size.y, size.z});
+            find_reach(slack);
             same = merge_points(points_, [&](const auto& marked) { return faces_at(marked); });
-            note_joined(same, rounding);
+            note_joined(same, slack);
         }
         shared_.clear();
         for (std::size_t b = 0; b < cells_.size(); ++b) {
@@ -266,13 +266,13 @@ class MeshAssembly {
     }
 
     // Of points that differ, or are of one block: files leave both to whoever reads them.
-    void note_joined(const std::vector<std::uint32_t>& same, double rounding) {
+    void note_joined(const std::vector<std::uint32_t>& same, double slack) {
         for (std::size_t b = 0; b < cells_.size(); ++b)
             for (std::size_t i = points_.first[b]; i < points_.first[b + 1]; ++i)
                 if (same[i] != i &&
                     (same[i] >= points_.first[b] || points_.at[i] != points_.at[same[i]]))
                     ++joined_;
-        joined_within_ = rounding;
+        joined_within_ = slack;
     }
 
     core::Result<void> build_cells() {

@@ -228,11 +228,11 @@ std::string FoamCase::relative(const std::string& part,
 std::string FoamCase::mesh_file(const std::string& part,
                                 const std::string& region,
                                 const std::string& file_name) const {
-    const std::string name = "polyMesh/" + file_name;
+    const std::string path = "polyMesh/" + file_name;
     for (const auto& time : mesh_times)
-        if (std::string here = relative(part, time.name, region, name); foam_file(folder / here))
+        if (std::string here = relative(part, time.name, region, path); foam_file(folder / here))
             return here;
-    return relative(part, "constant", region, name);
+    return relative(part, "constant", region, path);
 }
 
 NamedFile FoamCase::file_at(const std::string& relative_name) const {
