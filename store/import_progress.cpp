@@ -1,5 +1,6 @@
 #include "store/import_progress.hpp"
 
+#include "core/base/plain_text.hpp"
 #include "protocol/api/json_members.hpp"
 #include "protocol/api/json_text.hpp"
 
@@ -60,7 +61,9 @@ void show_progress(const ImportProgress& progress, std::FILE* stream, std::strin
     const bool terminal = ::isatty(::fileno(stream)) != 0;
     const std::string line_start = std::string(terminal ? "\r\033[K" : "") + std::string(work);
     if (!progress.note.empty())
-        std::fprintf(stream, "%s: %s\n", line_start.c_str(), progress.note.c_str());
+        std::fprintf(stream, "%s: %s\n", line_start.c_str(),
+                     core::printable_line(progress.note).c_str());
+    const std::string file = core::printable_line(progress.file);
     constexpr std::size_t width = 40;
     const double done = static_cast<double>(progress.done) + progress.part;
     const auto filled =
@@ -71,13 +74,12 @@ void show_progress(const ImportProgress& progress, std::FILE* stream, std::strin
     if (terminal)
         std::fprintf(stream, "%s [%s%s] %zu of %zu %s%s", line_start.c_str(),
                      std::string(filled, '#').c_str(), std::string(width - filled, ' ').c_str(),
-                     progress.done, progress.total, progress.file.c_str(),
-                     time_left(progress).c_str());
+                     progress.done, progress.total, file.c_str(), time_left(progress).c_str());
     if (terminal && progress.phase == "done")
         std::fputc('\n', stream);
     if (!terminal && progress.phase == work)
         std::fprintf(stream, "%s: %zu of %zu, %s\n", line_start.c_str(), progress.done,
-                     progress.total, progress.file.c_str());
+                     progress.total, file.c_str());
     std::fflush(stream);
 }
 

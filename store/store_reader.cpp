@@ -48,13 +48,22 @@ std::string step_name(std::size_t index, const std::string& file) {
     return "time-step " + std::to_string(index) + " (" + file + ")";
 }
 
+tl::unexpected<Error> replaced(const std::string& step) {
+    return fail(Error::Code::Corrupt, step + " was replaced while in use",
+                "the server opens the new data by itself; elsewhere, open the dataset again");
+}
+
 } // namespace
 
 Result<std::shared_ptr<const StoreReader>> StoreReader::open(StoreLayout layout,
                                                              std::shared_ptr<const Disk> disk) {
     if (auto sound = check_layout(layout); !sound)
         return tl::unexpected(sound.error());
-    std::shared_ptr<StoreReader> reader(new StoreReader(std::move(layout), std::move(disk)));
+    auto marks = ValueMarks::read(layout, *disk);
+    if (!marks)
+        return tl::unexpected(marks.error());
+    std::shared_ptr<StoreReader> reader(
+        new StoreReader(std::move(layout), std::move(disk), std::move(*marks)));
     auto grid = read_grid(reader->layout_, *reader->disk_);
     if (!grid)
         return tl::unexpected(grid.error());
@@ -64,13 +73,13 @@ Result<std::shared_ptr<const StoreReader>> StoreReader::open(StoreLayout layout,
     return reader;
 }
 
-StoreReader::StoreReader(StoreLayout layout, std::shared_ptr<const Disk> disk)
+StoreReader::StoreReader(StoreLayout layout, std::shared_ptr<const Disk> disk, ValueMarks marks)
     : layout_(std::move(layout)), disk_(std::move(disk)),
       nodes_(static_cast<std::size_t>(layout_.grid.nodes())),
       slabs_(std::make_shared<SlabPool>(step_file_size(nodes_, 3, Precision::Single))),
       scalars_(std::make_unique<ScalarSteps>(std::min<std::size_t>(4, layout_.scalars.size()) *
                                              std::min<std::size_t>(2, layout_.times.size()))),
-      seen_(layout_.times.size() * (1 + layout_.scalars.size())) {}
+      seen_(layout_.times.size() * (1 + layout_.scalars.size())), marks_(std::move(marks)) {}
 
 Result<void> StoreReader::load_mask() {
     if (!layout_.mask)
@@ -125,13 +134,43 @@ Result<FileIdentity> StoreReader::whole_file(std::size_t column, std::size_t ind
     return identity;
 }
 
+ValueMarks StoreReader::marks() const {
+    const std::scoped_lock lock(mutex_);
+    return marks_;
+}
+
+std::string StoreReader::values() const {
+    const std::scoped_lock lock(mutex_);
+    return marks_.text();
+}
+
+bool StoreReader::contradicts(std::string_view values) const {
+    const std::scoped_lock lock(mutex_);
+    return marks_.contradicts(values);
+}
+
+Result<bool> StoreReader::look_again() const {
+    auto now = ValueMarks::read(layout_, *disk_);
+    if (!now)
+        return tl::unexpected(now.error());
+    const std::scoped_lock lock(mutex_);
+    if (marks_.continues(*now)) // nothing new, or somebody has looked since
+        return true;
+    if (!now->continues(marks_))
+        return false;
+    marks_ = std::move(*now);
+    return true;
+}
+
+// Steps of two different imports must never meet in one interpolation.
 Result<std::uint32_t> StoreReader::checksum(std::size_t column, std::size_t index) const {
-    std::uint32_t sum = 0;
-    return disk_
-        ->read(layout_.folder / checksums_file_name,
-               (index * columns() + column) * sizeof(std::uint32_t),
-               std::as_writable_bytes(std::span(&sum, 1)))
-        .map([&] { return sum; });
+    const auto same = look_again();
+    if (!same)
+        return tl::unexpected(same.error());
+    const std::scoped_lock lock(mutex_);
+    if (!*same || index >= marks_.steps())
+        return replaced(step_name(index, file_name(column, index)));
+    return marks_.checksum(index, column);
 }
 
 std::optional<StoreReader::Seen> StoreReader::seen(std::size_t column, std::size_t index) const {
@@ -146,17 +185,16 @@ Result<bool> StoreReader::read(std::size_t column,
     if (index >= layout_.times.size())
         return fail(Error::Code::InvalidArgument, "there is no time-step " + std::to_string(index));
     const std::string name = file_name(column, index);
+    if (!ready(index) && index < marks().steps())
+        return replaced(step_name(index, name));
     if (!ready(index))
         return fail(Error::Code::NotFound, step_name(index, name) + " is not in the store",
                     std::string("wait for the import to reach it, or ") + again);
     const auto before = whole_file(column, index);
     if (!before)
         return tl::unexpected(before.error());
-    const auto known = seen(column, index);
-    // Steps of two different imports must never meet in one interpolation.
-    if (known && known->identity != *before)
-        return fail(Error::Code::Corrupt, step_name(index, name) + " was replaced while in use",
-                    "open the dataset again");
+    const auto seen_before = seen(column, index);
+    const auto known = seen_before && seen_before->identity == *before ? seen_before : std::nullopt;
     bool gaps = known && known->gaps;
     const auto file = layout_.folder / name;
     const bool half = layout_.precision == Precision::Half;
@@ -191,6 +229,8 @@ Result<bool> StoreReader::read(std::size_t column,
     const auto expected = checksum(column, index);
     if (!expected)
         return tl::unexpected(expected.error());
+    if (*expected != sum && seen_before)
+        return replaced(step_name(index, name));
     if (*expected != sum)
         return fail(Error::Code::Corrupt,
                     step_name(index, name) +

@@ -9,6 +9,7 @@
 #include "core/dataset/time_step_source.hpp"
 #include "core/dataset/wall_geometry.hpp"
 #include "store/store_layout.hpp"
+#include "store/value_marks.hpp"
 
 #include <array>
 #include <cstdint>
@@ -16,13 +17,16 @@
 #include <mutex>
 #include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace wakesurf::store {
 
 /// A time-step counts as ready when its checksums are there, which are written last: a store can be read while it is
 /// still being written. A file is checked against its checksum when it is read for the first time, and again when it is
-/// another file than it was then. Thread safety: concurrent calls are fine.
+/// another file than it was then. Checksums that were seen once stay: values of another series that takes this one's place are never
+/// read as this one's. Thread safety: concurrent calls are fine.
 class StoreReader final : public core::TimeStepSource, public core::ScalarSource {
   public:
     /// Reads the grid and the mask. Error: InvalidArgument (grid or times make no sense), NotFound, Io, Corrupt.
@@ -43,7 +47,17 @@ class StoreReader final : public core::TimeStepSource, public core::ScalarSource
     bool whole(std::size_t index) const;
     std::size_t bytes_per_step() const override;
 
-    /// Corrupt: truncated, another checksum, or another file than the one read under this name before.
+    /// What its values are told from others by, as far as they are known: see look_again().
+    ValueMarks marks() const;
+
+    /// ValueMarks::text and ValueMarks::contradicts of them.
+    std::string values() const;
+    bool contradicts(std::string_view values) const;
+
+    /// Learns the checksums that have come. False where those known are others by now: the store was replaced. Error: Io.
+    core::Result<bool> look_again() const;
+
+    /// Corrupt: truncated, another checksum, or the store was replaced.
     core::Result<std::shared_ptr<const core::TimeStep>> load(std::size_t index,
                                                              std::stop_token stop) const override;
 
@@ -70,7 +84,7 @@ class StoreReader final : public core::TimeStepSource, public core::ScalarSource
         bool gaps = false;
     };
 
-    StoreReader(StoreLayout layout, std::shared_ptr<const core::Disk> disk);
+    StoreReader(StoreLayout layout, std::shared_ptr<const core::Disk> disk, ValueMarks marks);
     core::Result<void> load_mask();
 
     std::size_t columns() const { return 1 + layout_.scalars.size(); }
@@ -94,8 +108,9 @@ class StoreReader final : public core::TimeStepSource, public core::ScalarSource
     core::SolidMask mask_;
     std::shared_ptr<core::SlabPool> slabs_; ///< for velocities; time-steps give theirs back
     std::unique_ptr<core::ScalarSteps> scalars_;
-    mutable std::mutex mutex_;                      ///< guards seen_
+    mutable std::mutex mutex_;                      ///< guards seen_ and marks_
     mutable std::vector<std::optional<Seen>> seen_; ///< by time-step, then column
+    mutable ValueMarks marks_;
 };
 
 } // namespace wakesurf::store

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <utility>
 
 namespace wakesurf::protocol {
@@ -39,7 +40,11 @@ bool is_profile(const json& value) {
     for (const json& each : value["people"])
         if (!is_person(each))
             return false;
-    return true;
+    if (!value.contains("data"))
+        return true;
+    const json& data = value["data"];
+    return data.is_object() && data.size() <= most_session_datasets &&
+           std::all_of(data.begin(), data.end(), [](const json& each) { return each.is_string(); });
 }
 
 } // namespace
@@ -53,6 +58,8 @@ std::string profile_text(const SessionProfile& profile) {
              {"edited", profile.edited},
              {"onPurpose", profile.on_purpose},
              {"people", std::move(people)}};
+    if (!profile.data.empty())
+        out["data"] = profile.data;
     if (profile.created)
         out["created"] = *profile.created;
     if (profile.deleted)
@@ -61,7 +68,7 @@ std::string profile_text(const SessionProfile& profile) {
 }
 
 core::Result<SessionProfile> read_profile(std::string_view text) {
-    constexpr JsonLimits limits{std::size_t{16} << 10, 8};
+    constexpr JsonLimits limits{std::size_t{32} << 10, 8};
     const auto kept = parse_json(text, limits);
     if (!kept || !is_profile(*kept))
         return core::fail(core::Error::Code::Corrupt,
@@ -72,6 +79,8 @@ core::Result<SessionProfile> read_profile(std::string_view text) {
     out.on_purpose = (*kept)["onPurpose"];
     for (const json& each : (*kept)["people"])
         out.people.push_back({each["participant"], each["name"], each["colour"]});
+    if (kept->contains("data"))
+        out.data = (*kept)["data"].get<std::map<std::string, std::string>>();
     if (kept->contains("created"))
         out.created = (*kept)["created"].get<std::int64_t>();
     if (kept->contains("deleted"))

@@ -5,6 +5,7 @@
 #include "core/base/result.hpp"
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -25,16 +26,20 @@ struct SessionPerson {
 struct SessionProfile {
     std::optional<std::int64_t> created; ///< nothing: kept by a wakesurf that did not note it
     std::int64_t last_used = 0;
-    bool edited = false;                 ///< by anybody, beyond the page's default scene
-    bool on_purpose = false;             ///< somebody named, shared, copied or imported it
-    std::vector<SessionPerson> people;   ///< who came last comes first
-    std::optional<std::int64_t> deleted; ///< in the trash since then
+    bool edited = false;                     ///< by anybody, beyond the page's default scene
+    bool on_purpose = false;                 ///< somebody named, shared, copied or imported it
+    std::vector<SessionPerson> people;       ///< who came last comes first
+    std::optional<std::int64_t> deleted;     ///< in the trash since then
+    std::map<std::string, std::string> data; ///< by dataset, which values its surfaces were of
 
     bool operator==(const SessionProfile&) const = default;
 };
 
 /// How many people are remembered.
 inline constexpr std::size_t most_session_people = 8;
+
+/// Of how many datasets the values are remembered.
+inline constexpr std::size_t most_session_datasets = 32;
 
 /// JSON text.
 std::string profile_text(const SessionProfile& profile);

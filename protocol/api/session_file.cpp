@@ -35,6 +35,8 @@ json mark_json(const DatasetMark& mark) {
         return out;
     out["name"] = mark.name;
     out["fingerprint"] = mark.fingerprint;
+    if (!mark.values.empty())
+        out["values"] = mark.values;
     out["times"] = {{"count", mark.steps}, {"first", mark.first}, {"last", mark.last}};
     if (mark.bounds) {
         const auto& [lo, hi] = *mark.bounds;
@@ -54,6 +56,7 @@ DatasetMark read_mark(const json& value) {
     mark.dataset = text_of(value, "dataset");
     mark.name = text_of(value, "name");
     mark.fingerprint = text_of(value, "fingerprint");
+    mark.values = text_of(value, "values");
     if (const auto times = value.find("times"); times != value.end() && times->is_object()) {
         const auto count = times->find("count");
         if (count != times->end() && count->is_number_unsigned())

@@ -25,6 +25,7 @@ struct DatasetMark {
     std::string dataset; ///< id
     std::string name;
     std::string fingerprint; ///< of its mesh and fields; empty: it could not be opened
+    std::string values{};    ///< of its time-steps; empty: a built-in flow, or a file of before
     std::uint64_t steps = 0;
     double first = 0.0; ///< times
     double last = 0.0;

@@ -17,6 +17,7 @@
 #include "server/rpc/durability_notice.hpp"
 #include "server/rpc/import_waiters.hpp"
 #include "server/rpc/method_table.hpp"
+#include "server/rpc/replaced_data_notice.hpp"
 #include "server/session/data/catalogue_datasets.hpp"
 #include "server/session/session_restoring.hpp"
 #include "server/state/kept_sessions.hpp"
@@ -29,6 +30,9 @@
 #include <nlohmann/json.hpp>
 #include <signal.h>
 #include <spdlog/spdlog.h>
+
+#include <map>
+#include <utility>
 
 namespace wakesurf::server {
 
@@ -176,14 +180,33 @@ struct Server::Parts {
     }
 
     void tell_all(const std::string& dataset) {
-        if (const auto open = catalogue->find(dataset)) {
+        const auto open = catalogue->find(dataset);
+        if (open)
             news.watch(dataset, (*open)->cache);
-            sessions->dataset_changed(dataset);
-        }
+        sessions->dataset_changed(dataset);
+        tell_of_replaced_data(dataset, open ? (*open)->store : nullptr);
         imports->changed(dataset);
         if (const auto status = catalogue->status(dataset))
             connections.announce(
                 protocol::rpc_notification("dataset.patched", dataset_entry(*status)));
+    }
+
+    /// While the same data are imported once more, those of before count.
+    void tell_of_replaced_data(const std::string& dataset,
+                               const std::shared_ptr<const store::StoreReader>& now) {
+        auto& before = told[dataset];
+        if (!now || now == before)
+            return;
+        const store::ValueMarks marks = now->marks();
+        const bool known = before != nullptr;
+        const bool same = known && marks.continues(before->marks());
+        if (known && !same && before->marks().continues(marks))
+            return;
+        before = now;
+        if (!known || same)
+            return;
+        spdlog::info("event=data_replaced dataset={}", log_value(dataset));
+        connections.announce(replaced_data_notice({catalogue->status(dataset)->name}));
     }
 
     /// Ends run() once every client has taken the goodbye, or at `deadline`.
@@ -253,6 +276,7 @@ struct Server::Parts {
     std::optional<Downloads> downloads;
     std::optional<SessionFiles> session_files;
     std::optional<Routes> routes;
+    std::map<std::string, std::shared_ptr<const store::StoreReader>> told; ///< data, by dataset
     std::shared_ptr<Listener> listener;
     std::shared_ptr<void> waiting, watching; ///< timers of stop_when_alone, watch_memory
 };

@@ -1,5 +1,6 @@
 #include "server/catalogue/dataset_argument.hpp"
 
+#include "core/base/plain_text.hpp"
 #include "store/store_manifest.hpp"
 
 #include <cstdint>
@@ -32,6 +33,8 @@ DatasetArgument resolve_path(const fs::path& path) {
     } else {
         out.name = path.stem().string();
     }
+    constexpr std::size_t longest_name = 255; // of a file
+    out.name = core::display_name(out.name, longest_name);
     return out;
 }
 

@@ -1,7 +1,7 @@
 #include "server/catalogue/dataset_catalogue.hpp"
 
+#include "server/catalogue/import_memory.hpp"
 #include "server/catalogue/import_process.hpp"
-#include "server/catalogue/source_stamp.hpp"
 #include "store/store_manifest.hpp"
 
 #include <algorithm>
@@ -17,36 +17,6 @@ namespace {
 bool settled(DatasetState state) {
     return state == DatasetState::Ready || state == DatasetState::Stopped ||
            state == DatasetState::Incomplete;
-}
-
-// What the importer is told at least: with less, none could begin.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr std::size_t smallest_import = std::size_t{1} << 30;
-#else
-constexpr std::size_t smallest_import = std::size_t{64} << 20;
-#endif
-
-std::size_t steps_ready(const LoadedDataset& open) {
-    if (!open.cache)
-        return open.info.times.size();
-    std::size_t ready = 0;
-    for (std::size_t i = 0; i < open.info.times.size(); ++i)
-        ready += open.cache->source().ready(i) ? 1 : 0;
-    return ready;
-}
-
-/// What an import under way takes of the account: it is another process of the same machine. Waits until others have given it back.
-core::Result<core::MemoryAccount::Share> import_memory(const OpenOptions& options,
-                                                       const std::stop_token& stop) {
-    constexpr std::size_t part = 4; // of all memory one part in so many
-    constexpr std::chrono::seconds patience{30};
-    if (!options.cache.account)
-        return core::MemoryAccount::Share();
-    auto share = options.cache.account->open(core::MemoryUse::Importers);
-    const std::size_t bytes = options.cache.account->budget() / part;
-    if (share.grow_to(bytes, stop, patience) || stop.stop_requested())
-        return share;
-    return tl::unexpected(options.cache.account->refusal("importing", bytes));
 }
 
 Error incomplete(std::size_t ready, std::size_t total) {
@@ -73,12 +43,32 @@ core::Result<std::unique_ptr<DatasetCatalogue>> DatasetCatalogue::open(
     for (const auto& argument : arguments)
         if (auto added = catalogue->add(argument); !added)
             return tl::unexpected(added.error());
-    catalogue->importer_ = std::jthread(
-        [self = catalogue.get()](const std::stop_token& stop) { self->import_all(stop); });
+    const std::size_t lanes = catalogue->wanted_lanes();
+    catalogue->lanes_.emplace(lanes);
+    for (std::size_t i = 0; i < lanes; ++i)
+        catalogue->importers_.emplace_back(
+            [self = catalogue.get()](const std::stop_token& stop) { self->work(stop); });
     return catalogue;
 }
 
-DatasetCatalogue::~DatasetCatalogue() = default;
+DatasetCatalogue::~DatasetCatalogue() {
+    for (auto& each : importers_) // all at once, then they are waited for
+        each.request_stop();
+}
+
+/// As many as are wanted, but each with the memory that an import needs at least.
+std::size_t DatasetCatalogue::wanted_lanes() const {
+    const auto sources = std::count_if(entries_.begin(), entries_.end(), [](const auto& entry) {
+        return entry->argument.kind != DatasetArgument::Kind::Flow;
+    });
+    const std::size_t fit = options_.cache.account
+                                ? options_.cache.account->budget() / import_part / smallest_import
+                                : options_.lanes;
+    return std::clamp<std::size_t>(
+        fit, 1,
+        std::clamp<std::size_t>(static_cast<std::size_t>(sources), 1,
+                                std::max<std::size_t>(1, options_.lanes)));
+}
 
 core::Result<void> DatasetCatalogue::add(const std::string& text) {
     auto argument = resolve_dataset(text);
@@ -119,21 +109,6 @@ DatasetCatalogue::Entry* DatasetCatalogue::find_entry(std::string_view dataset) 
     return found == entries_.end() ? nullptr : found->get();
 }
 
-void DatasetCatalogue::import_all(const std::stop_token& stop) {
-    for (const auto& entry : entries_) {
-        if (stop.stop_requested())
-            return;
-        if (entry->argument.kind == DatasetArgument::Kind::Flow)
-            continue;
-        if (state_of(*entry) == DatasetState::Stopped) // while the ones before it were imported
-            show_what_is_there(*entry, store_folder_of(*entry));
-        else
-            import_one(*entry, stop);
-        listener_(entry->status.dataset);
-    }
-    watch(stop);
-}
-
 DatasetState DatasetCatalogue::state_of(const Entry& entry) const {
     const std::scoped_lock lock(mutex_);
     return entry.status.state;
@@ -148,45 +123,82 @@ std::filesystem::path DatasetCatalogue::store_folder_of(const Entry& entry) cons
     return store_folder(options_.store_root, entry.argument, taken_of(entry));
 }
 
-void DatasetCatalogue::watch(const std::stop_token& stop) {
-    while (!stop.stop_requested()) {
-        {
-            std::unique_lock lock(mutex_);
-            again_.wait_for(lock, stop, options_.watch_period, [this] { return wanted_again_; });
-            wanted_again_ = false;
-        }
-        for (const auto& entry : entries_) {
-            if (stop.stop_requested())
-                return;
-            if (entry->argument.kind != DatasetArgument::Kind::Source)
-                continue;
-            const DatasetState state = state_of(*entry);
-            if (state == DatasetState::Importing)
-                import_one(*entry, stop);
-            else if (state != DatasetState::Stopped && due(*entry))
-                look_again(*entry, stop);
-            else
-                continue;
-            listener_(entry->status.dataset);
-        }
-    }
+void DatasetCatalogue::work(const std::stop_token& stop) {
+    while (Entry* const entry = take_next(stop))
+        attend(*entry, stop);
 }
 
-// A solver's log beside its data changes all the time: where nothing new was found, looking takes a twentieth of the time at most.
-void DatasetCatalogue::look_again(Entry& entry, const std::stop_token& stop) {
-    const std::size_t known = entry.status.steps_ready;
-    const auto begun = std::chrono::steady_clock::now();
-    import_one(entry, stop);
-    const auto ended = std::chrono::steady_clock::now();
-    if (entry.status.steps_ready == known)
-        entry.rests_until = ended + 20 * (ended - begun);
+/// Waits for one that no other thread has: not looked at yet, to be imported again, or with its rest over. Null at the end.
+DatasetCatalogue::Entry* DatasetCatalogue::take_next(const std::stop_token& stop) {
+    using Clock = std::chrono::steady_clock;
+    std::unique_lock lock(mutex_);
+    while (!stop.stop_requested()) {
+        const auto now = Clock::now();
+        auto next = Clock::time_point::max();
+        Entry* rested = nullptr;
+        for (const auto& entry : entries_) {
+            if (entry->busy || entry->argument.kind == DatasetArgument::Kind::Flow)
+                continue;
+            const DatasetState state = entry->status.state;
+            if (!entry->begun || state == DatasetState::Importing) {
+                entry->busy = true;
+                return entry.get();
+            }
+            if (state == DatasetState::Stopped)
+                continue;
+            if (entry->rests_until <= now && rested == nullptr)
+                rested = entry.get();
+            next = std::min(next, entry->rests_until);
+        }
+        if (rested != nullptr) {
+            rested->busy = true;
+            return rested;
+        }
+        const std::uint64_t seen = news_;
+        const auto news = [&] { return news_ != seen; };
+        if (next == Clock::time_point::max())
+            again_.wait(lock, stop, news);
+        else
+            again_.wait_until(lock, stop, next, news);
+    }
+    return nullptr;
+}
+
+// Where nothing new was found, looking and importing take a twentieth of the time at most, else half of it.
+void DatasetCatalogue::attend(Entry& entry, const std::stop_token& stop) {
+    using Clock = std::chrono::steady_clock;
+    const auto started = Clock::now();
+    const bool first = !std::exchange(entry.begun, true);
+    const DatasetState state = state_of(entry);
+    const std::string before = entry.status.values;
+    bool looked_only = false;
+    if (!entry.watch)
+        entry.watch.emplace(entry.argument.path,
+                            entry.argument.kind == DatasetArgument::Kind::Store);
+    if (state == DatasetState::Stopped)
+        show_what_is_there(entry, store_folder_of(entry));
+    else if (first || state == DatasetState::Importing || due(entry))
+        import_one(entry, stop);
+    else
+        looked_only = true;
+    const auto ended = Clock::now();
+    const auto took = ended - started;
+    const bool news = entry.status.values != before;
+    const Clock::duration rest = first ? Clock::duration(0) : news ? took : 20 * took;
+    {
+        const std::scoped_lock lock(mutex_);
+        entry.busy = false;
+        entry.rests_until = ended + std::max<Clock::duration>(options_.watch_period, rest);
+        ++news_;
+    }
+    again_.notify_all();
+    if (!looked_only)
+        listener_(entry.status.dataset);
 }
 
 // Changed since the last import began; or that one failed, perhaps at a file that was being written: then again, less and less often.
 bool DatasetCatalogue::due(Entry& entry) const {
-    if (std::chrono::steady_clock::now() < entry.rests_until)
-        return false;
-    if (source_stamp(entry.argument.path) != entry.stamp) {
+    if (entry.watch->changed()) {
         entry.failures = 0;
         return true;
     }
@@ -197,11 +209,14 @@ bool DatasetCatalogue::due(Entry& entry) const {
 }
 
 void DatasetCatalogue::import_one(Entry& entry, const std::stop_token& stop) {
+    entry.watch->begin(); // before reading: later changes are noticed
     if (entry.argument.kind == DatasetArgument::Kind::Store)
-        return finish(entry, open_store(entry.argument.path, options_.cache));
+        return look_at_store(entry);
     const auto folder = store_folder_of(entry);
-    entry.stamp = source_stamp(entry.argument.path); // before reading: later changes are noticed
+    entry.compared = false;
     const auto imported = run_import(entry, folder, stop);
+    if (const auto manifest = store::read_store_manifest(folder, core::PosixDisk()))
+        entry.watch->made_from(manifest->source);
     if (!imported && imported.error().code == Error::Code::Cancelled && !stop.stop_requested())
         return show_what_is_there(entry, folder);
     entry.failed = !imported;
@@ -209,8 +224,22 @@ void DatasetCatalogue::import_one(Entry& entry, const std::stop_token& stop) {
         ++entry.failures;
         return give_up(entry, folder, imported.error());
     }
-    entry.failures = 0;
-    finish(entry, reopened(entry, folder));
+    auto opened = reopened(entry, folder);
+    entry.failed = !opened;
+    entry.failures = opened ? 0 : entry.failures + 1;
+    finish(entry, std::move(opened));
+}
+
+// One that cannot be read just now may be being written: what is open of it stays.
+void DatasetCatalogue::look_at_store(Entry& entry) {
+    auto opened = reopened(entry, entry.argument.path);
+    entry.failed = !opened;
+    entry.failures += opened ? 0 : 1;
+    const auto manifest = store::read_store_manifest(entry.argument.path, core::PosixDisk());
+    if (opened || manifest || !entry.open)
+        return finish(entry, std::move(opened));
+    const std::scoped_lock lock(mutex_);
+    entry.status.error = opened.error();
 }
 
 core::Result<void> DatasetCatalogue::run_import(Entry& entry,
@@ -223,10 +252,26 @@ core::Result<void> DatasetCatalogue::run_import(Entry& entry,
             source.request_stop();
         entry.running = source;
     }
-    if (source.stop_requested())
-        return core::fail(Error::Code::Cancelled, "the import was stopped before it began");
     const std::stop_callback all_end(stop, [source]() mutable { source.request_stop(); });
-    const auto memory = import_memory(options_, source.get_token());
+    const std::stop_token token = source.get_token();
+    auto imported = [&] {
+        const auto lane = lanes_->one(token);
+        return import_within(entry, folder, lanes_->lanes(), token);
+    }();
+    if (imported || imported.error().code != Error::Code::OverLimit || lanes_->lanes() == 1)
+        return imported;
+    const auto all = lanes_->all(token);
+    return import_within(entry, folder, 1, token);
+}
+
+/// @param lanes  imports that share the memory
+core::Result<void> DatasetCatalogue::import_within(Entry& entry,
+                                                   const std::filesystem::path& folder,
+                                                   std::size_t lanes,
+                                                   const std::stop_token& stop) {
+    if (stop.stop_requested())
+        return core::fail(Error::Code::Cancelled, "the import was stopped before it began");
+    const auto memory = import_memory(options_, lanes, stop);
     if (!memory)
         return tl::unexpected(memory.error());
     const auto listener = [&](const store::ImportProgress& progress) {
@@ -237,7 +282,7 @@ core::Result<void> DatasetCatalogue::run_import(Entry& entry,
         memory->bytes() > 0 ? std::max(memory->bytes(), smallest_import) : 0; // 0: its own bound
     ImportCommand command{entry.argument.path, folder, {}, {}, options_.importer, {}, 0, most};
     command.taken = taken_of(entry);
-    return run_import_process(command, listener, source.get_token());
+    return run_import_process(command, listener, stop);
 }
 
 // Of an import that was stopped, or of an earlier one; by now it may be wanted again.
@@ -272,7 +317,7 @@ bool DatasetCatalogue::start_import(std::string_view dataset) {
         if (entry == nullptr || entry->status.state != DatasetState::Stopped)
             return false;
         entry->status.state = DatasetState::Importing;
-        wanted_again_ = true;
+        ++news_;
     }
     again_.notify_all();
     listener_(std::string(dataset));
@@ -305,24 +350,24 @@ core::Result<void> DatasetCatalogue::choose_velocity(std::string_view dataset,
         entry->taken = std::move(wish);
         entry->status.state = DatasetState::Importing;
         entry->status.error.reset();
-        wanted_again_ = true;
+        ++news_;
     }
     again_.notify_all();
     listener_(std::string(dataset));
     return {};
 }
 
-// What is open stays open as long as it is the same series: with its cache, and with ranges known now.
-core::Result<LoadedDataset> DatasetCatalogue::reopened(const Entry& entry,
-                                                       const std::filesystem::path& folder) const {
-    if (entry.open) {
-        const auto manifest = store::read_store_manifest(folder, core::PosixDisk());
-        if (manifest && manifest->layout.times == entry.open->store->times() &&
-            manifest->layout.checksums == entry.open->store->layout().checksums) {
-            auto whole = *entry.open;
-            whole.info = manifest->info;
-            return whole;
-        }
+// What is open stays open as long as it is the same series, of the same values. What took its place may need its memory.
+core::Result<LoadedDataset> DatasetCatalogue::reopened(Entry& entry,
+                                                       const std::filesystem::path& folder) {
+    if (!entry.open)
+        return open_store(folder, options_.cache);
+    auto opened = open_again(*entry.open, folder, options_.cache);
+    if (opened || opened.error().code != Error::Code::OverLimit || still_there(*entry.open))
+        return opened;
+    {
+        const std::scoped_lock lock(mutex_);
+        entry.open.reset();
     }
     return open_store(folder, options_.cache);
 }
@@ -331,22 +376,34 @@ core::Result<LoadedDataset> DatasetCatalogue::reopened(const Entry& entry,
 void DatasetCatalogue::give_up(Entry& entry,
                                const std::filesystem::path& folder,
                                const core::Error& error) {
-    if (!entry.open)
+    auto left = entry.open ? reopened(entry, folder) : tl::unexpected(error);
+    if (!left)
         return finish(entry, tl::unexpected(error));
-    finish(entry, reopened(entry, folder));
+    finish(entry, std::move(left));
     const std::scoped_lock lock(mutex_);
-    if (entry.status.state == DatasetState::Failed)
-        return;
     entry.status.error = error;
     if (entry.status.error->hint.empty())
         entry.status.error->hint = "the other time-steps can be used; once the cause is fixed, the "
                                    "import resumes by itself";
 }
 
+/// Data in use were computed again: what is open of them is there no more, and their import counts as one from the beginning.
+void DatasetCatalogue::notice_replacement(Entry& entry) {
+    if (!entry.open || std::exchange(entry.compared, true) || still_there(*entry.open))
+        return;
+    const std::scoped_lock lock(mutex_);
+    entry.open.reset();
+    if (entry.status.state != DatasetState::Stopped)
+        entry.status.state = DatasetState::Importing;
+    entry.status.error.reset();
+}
+
 // Who is told of ready time-steps asks for them at once: they are counted once find() has them, and not before.
 bool DatasetCatalogue::show(Entry& entry,
                             const store::ImportProgress& progress,
                             const std::filesystem::path& folder) {
+    if (progress.done > 0)
+        notice_replacement(entry);
     if (settled(state_of(entry)))
         return false;
     std::shared_ptr<const LoadedDataset> first;
@@ -357,8 +414,10 @@ bool DatasetCatalogue::show(Entry& entry,
             first = std::make_shared<const LoadedDataset>(std::move(*opened));
         }
     const std::scoped_lock lock(mutex_);
-    if (first)
+    if (first) {
         entry.open = std::move(first);
+        entry.status.values = values_of(*entry.open);
+    }
     if (settled(entry.status.state))
         return false;
     entry.status.steps_ready = entry.open ? progress.done : 0;
@@ -375,7 +434,13 @@ void DatasetCatalogue::finish(Entry& entry, core::Result<LoadedDataset> opened, 
         opened->info.name = entry.status.name;
         ready = steps_ready(*opened);
     }
+    const bool gone = !opened && entry.open && !still_there(*entry.open);
     const std::scoped_lock lock(mutex_);
+    if (gone) {
+        entry.open.reset();
+        entry.status.values.clear();
+        entry.status.steps_ready = 0;
+    }
     if (!opened) {
         entry.status.state = DatasetState::Failed;
         entry.status.error = opened.error();
@@ -391,6 +456,7 @@ void DatasetCatalogue::finish(Entry& entry, core::Result<LoadedDataset> opened, 
     entry.status.steps_ready = ready;
     entry.status.steps_total = opened->info.times.size();
     entry.status.progress = how == Ending::Whole ? 1.0 : share(ready, entry.status.steps_total);
+    entry.status.values = values_of(*opened);
     entry.open = std::make_shared<const LoadedDataset>(std::move(*opened));
 }
 

@@ -2,7 +2,9 @@
 // A client names them by id and never sees a path.
 #pragma once
 
+#include "server/catalogue/import_lanes.hpp"
 #include "server/catalogue/open_dataset.hpp"
+#include "server/catalogue/source_watch.hpp"
 
 #include <chrono>
 #include <condition_variable>
@@ -30,6 +32,8 @@ struct DatasetStatus {
     std::size_t steps_total = 0;     ///< 0 while unknown
     double progress = 0.0;           ///< of the import, 0..1
     std::optional<double> remaining; ///< seconds the import will still take, once that can be told
+    std::string
+        values; ///< what its values are told from others by (store::ValueMarks); empty: a built-in flow
     std::optional<core::Error>
         error; ///< why it failed or is incomplete; of one that is ready, why what was looked for since could not be read
 };
@@ -37,12 +41,13 @@ struct DatasetStatus {
 /// Thread safety: every call may come from any thread.
 class DatasetCatalogue {
   public:
-    /// Told that a dataset's status changed, without the catalogue's lock: from the import thread, or the thread that stops or starts it.
+    /// Told that a dataset's status changed, without the catalogue's lock: from an import thread, or the thread that stops or starts it.
     using Listener = std::function<void(const std::string& dataset)>;
 
-    /// Resolves the arguments and starts to import what needs it, one source after the other; after that sources are looked at
-    /// every `options.watch_period`, and time-steps a running simulation has written since are imported. `options.cache`'s
-    /// budget is for all datasets together. Error: what resolve_dataset and open_flow report.
+    /// Resolves the arguments and starts to import what needs it, `options.lanes` sources at a time; after that sources and stores are
+    /// looked at every `options.watch_period`: time-steps a running simulation has written since are imported, and what was computed again,
+    /// or replaced, is opened again. `options.cache`'s budget is for all datasets together. Error: what resolve_dataset and open_flow
+    /// report.
     static core::Result<std::unique_ptr<DatasetCatalogue>>
     open(const std::vector<std::string>& arguments, OpenOptions options, Listener listener);
     /// Ends a running import; its store stays usable.
@@ -78,12 +83,15 @@ class DatasetCatalogue {
         DatasetStatus status;
         std::shared_ptr<const LoadedDataset> open;
         std::stop_source running; ///< its import under way
-        // Of the import thread only.
-        std::uint64_t stamp = 0; ///< of the source when its last import began
-        bool failed = false;     ///< that import
-        unsigned failures = 0;   ///< in a row, of the same source
-        unsigned looks = 0;      ///< since
+        bool busy = false;        ///< a thread has it
+        bool begun = false;
         std::chrono::steady_clock::time_point rests_until{}; ///< it is not looked at before
+        // Of the thread that has it.
+        std::optional<SourceWatch> watch;
+        bool failed = false;   ///< its last import
+        unsigned failures = 0; ///< in a row, of the same source
+        unsigned looks = 0;    ///< since
+        bool compared = false; ///< what this import writes, with what is open
     };
 
     /// Of an import. Stopped: the caller that stops and starts it says how the dataset stands.
@@ -98,16 +106,22 @@ class DatasetCatalogue {
     DatasetState state_of(const Entry& entry) const;
     SourceOptions taken_of(const Entry& entry) const;
     std::filesystem::path store_folder_of(const Entry& entry) const;
-    void import_all(const std::stop_token& stop);
+    std::size_t wanted_lanes() const;
+    void work(const std::stop_token& stop);
+    Entry* take_next(const std::stop_token& stop);
+    void attend(Entry& entry, const std::stop_token& stop);
     void import_one(Entry& entry, const std::stop_token& stop);
+    void look_at_store(Entry& entry);
     core::Result<void>
     run_import(Entry& entry, const std::filesystem::path& folder, const std::stop_token& stop);
+    core::Result<void> import_within(Entry& entry,
+                                     const std::filesystem::path& folder,
+                                     std::size_t lanes,
+                                     const std::stop_token& stop);
     void show_what_is_there(Entry& entry, const std::filesystem::path& folder);
-    void watch(const std::stop_token& stop);
-    void look_again(Entry& entry, const std::stop_token& stop);
     bool due(Entry& entry) const;
-    core::Result<LoadedDataset> reopened(const Entry& entry,
-                                         const std::filesystem::path& folder) const;
+    core::Result<LoadedDataset> reopened(Entry& entry, const std::filesystem::path& folder);
+    void notice_replacement(Entry& entry);
     void give_up(Entry& entry, const std::filesystem::path& folder, const core::Error& error);
     bool
     show(Entry& entry, const store::ImportProgress& progress, const std::filesystem::path& folder);
@@ -116,11 +130,12 @@ class DatasetCatalogue {
     OpenOptions options_;
     Listener listener_;
     mutable std::mutex
-        mutex_; ///< guards status, open and running of the entries; their number is fixed
-    std::condition_variable_any again_; ///< an import is to begin again
-    bool wanted_again_ = false;
+        mutex_; ///< guards the entries but for what a thread has of one; their number is fixed
+    std::condition_variable_any again_; ///< there may be something to do
+    std::uint64_t news_ = 0;            ///< reasons to look whether there is
     std::vector<std::unique_ptr<Entry>> entries_;
-    std::jthread importer_; ///< last: stopped and joined before anything else goes
+    std::optional<ImportLanes> lanes_;
+    std::vector<std::jthread> importers_; ///< last: stopped and joined before anything else goes
 };
 
 } // namespace wakesurf::server

@@ -8,6 +8,7 @@
 #include "server/catalogue/shipped_files.hpp"
 
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -91,6 +92,8 @@ Error error_of(const ImportCommand& command, int status, const std::string& word
         return {Error::Code::Corrupt, *file + " is being written and is not whole yet",
                 "it was changed less than " + std::to_string(still_written.count()) +
                     " s ago; the reader said: " + words};
+    if (words.find("an import may take ") != std::string::npos)
+        return {Error::Code::OverLimit, words, {}, {}, command.memory};
     return {status == 2 ? Error::Code::InvalidArgument : Error::Code::Corrupt, words, {}};
 }
 
@@ -116,6 +119,7 @@ core::Result<void> run(const ImportCommand& command,
                        const std::function<void(std::string_view)>& line,
                        const std::stop_token& stop) {
     auto arguments = arguments_of(command);
+    arguments.push_back("--parent=" + std::to_string(::getpid()));
     if (describe)
         arguments.emplace_back("--describe");
     arguments.emplace_back("--"); // a path that begins with a dash is still a path

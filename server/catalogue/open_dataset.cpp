@@ -121,6 +121,47 @@ core::Result<LoadedDataset> open_store(const std::filesystem::path& folder,
                          std::move(memory)};
 }
 
+namespace {
+
+/// The store in the place of what is open has all its values, and perhaps more.
+bool has_all_of(const store::StoreManifest& now, const store::StoreReader& open) {
+    const auto marks =
+        store::ValueMarks::read(store::store_layout(now, open.layout().folder), core::PosixDisk());
+    return open.look_again().value_or(false) && marks && marks->continues(open.marks());
+}
+
+} // namespace
+
+core::Result<LoadedDataset> open_again(const LoadedDataset& open,
+                                       const std::filesystem::path& folder,
+                                       const core::TimeStepCache::Options& cache) {
+    const auto manifest = store::read_store_manifest(folder, core::PosixDisk());
+    if (!manifest || !open.store || manifest->layout.times != open.store->times() ||
+        !has_all_of(*manifest, *open.store))
+        return open_store(folder, cache);
+    LoadedDataset whole = open;
+    whole.info = manifest->info;
+    return whole;
+}
+
+bool still_there(const LoadedDataset& open) {
+    if (!open.store)
+        return true;
+    const auto now = store::read_store_manifest(open.store->layout().folder, core::PosixDisk());
+    return now && has_all_of(*now, *open.store);
+}
+
+std::size_t steps_ready(const LoadedDataset& open) {
+    if (!open.store)
+        return open.info.times.size();
+    (void)open.store->look_again(); // what cannot be read has no more of them
+    return open.store->marks().steps();
+}
+
+std::string values_of(const LoadedDataset& open) {
+    return open.store ? open.store->values() : std::string();
+}
+
 core::Result<LoadedDataset>
 open_dataset(const DatasetArgument& argument,
              const OpenOptions& options,

@@ -30,7 +30,9 @@ struct OpenOptions {
     std::filesystem::path store_root; ///< where sources are imported to
     core::TimeStepCache::Options cache;
     std::filesystem::path importer{}; ///< empty: wakesurf-import beside our own executable
-    std::chrono::milliseconds watch_period{2000}; ///< how often a server looks for new time-steps
+    std::chrono::milliseconds watch_period{
+        2000};             ///< how often a server looks whether data have changed
+    std::size_t lanes = 4; ///< imports at a time
     SourceOptions taken{}; ///< of all sources; times are refused for what is no source
 };
 
@@ -41,6 +43,21 @@ core::Result<LoadedDataset> open_flow(const DatasetArgument& argument);
 /// Error: as read_store_manifest and StoreReader::open; OverLimit where that does not hold the grid and 4 time-steps.
 core::Result<LoadedDataset> open_store(const std::filesystem::path& folder,
                                        const core::TimeStepCache::Options& cache);
+
+/// The same store as what is open of it: with its cache, and with ranges known now, as long as it is the same series of the same values.
+/// Error: as open_store.
+core::Result<LoadedDataset> open_again(const LoadedDataset& open,
+                                       const std::filesystem::path& folder,
+                                       const core::TimeStepCache::Options& cache);
+
+/// The store on the disk has all the values of what is open of it, and perhaps more.
+bool still_there(const LoadedDataset& open);
+
+/// Time-steps that can be used now.
+std::size_t steps_ready(const LoadedDataset& open);
+
+/// What its values are told from others by: store::ValueMarks::text. Empty for a built-in flow.
+std::string values_of(const LoadedDataset& open);
 
 /// Whatever the argument names, imported first where that is needed: blocks until the import is complete.
 /// Error: what importing and opening report; Cancelled.

@@ -1,14 +1,12 @@
 #include "server/cli/failure.hpp"
 
-#include "server/base/terminal_text.hpp"
-
-#include <cstdio>
+#include "server/cli/tell.hpp"
 
 namespace wakesurf::server {
 
 int report_failure(const core::Error& error) {
     const std::string hint = error.hint.empty() ? "" : " (" + error.hint + ")";
-    std::fprintf(stderr, "wakesurf: %s\n", terminal_text(error.message + hint).c_str());
+    tell(stderr, "wakesurf: {}\n", core::printable_line(error.message + hint));
     return 1;
 }
 

@@ -3,6 +3,7 @@
 #include "server/cli/failure.hpp"
 #include "server/cli/generate_request.hpp"
 #include "server/cli/stop_on_signal.hpp"
+#include "server/cli/tell.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -40,9 +41,9 @@ int run_generate(const GenerateOptions& options) {
         return report_failure(generated.error());
     }
     const auto& d = request->grid.dimensions;
-    fmt::print("{}: {} time-step{} of {} x {} x {} nodes, {:.1f} MB\n", options.folder,
-               request->times.size(), request->times.size() == 1 ? "" : "s", d[0], d[1], d[2],
-               static_cast<double>(*store::generated_bytes(*request)) * 1e-6);
+    tell("{}: {} time-step{} of {} x {} x {} nodes, {:.1f} MB\n", options.folder,
+         request->times.size(), request->times.size() == 1 ? "" : "s", d[0], d[1], d[2],
+         static_cast<double>(*store::generated_bytes(*request)) * 1e-6);
     return 0;
 }
 

@@ -7,6 +7,7 @@
 #include "server/catalogue/import_process.hpp"
 #include "server/cli/failure.hpp"
 #include "server/cli/stop_on_signal.hpp"
+#include "server/cli/tell.hpp"
 #include "store/store_manifest.hpp"
 #include "store/store_reader.hpp"
 
@@ -73,26 +74,26 @@ std::string grid_text(const core::DatasetInfo& info) {
 
 void print_text(const core::DatasetInfo& info) {
     const auto& [lo, hi] = info.bounds;
-    fmt::print("{}\n  reader    {}\n  grid      {}\n", info.name, info.reader, grid_text(info));
-    fmt::print("  bounds    x {:g} to {:g}, y {:g} to {:g}, z {:g} to {:g}\n", lo.x, hi.x, lo.y,
-               hi.y, lo.z, hi.z);
+    tell("{}\n  reader    {}\n  grid      {}\n", info.name, info.reader, grid_text(info));
+    tell("  bounds    x {:g} to {:g}, y {:g} to {:g}, z {:g} to {:g}\n", lo.x, hi.x, lo.y, hi.y,
+         lo.z, hi.z);
     if (!info.times.empty())
-        fmt::print("  times     {} from {:.12g} to {:.12g}{}\n", info.times.size(), info.times.front(),
-                   info.times.back(), info.steady ? " (steady)" : "");
-    fmt::print("  velocity  {}: {}\n", info.velocity, info.why);
+        tell("  times     {} from {:.12g} to {:.12g}{}\n", info.times.size(), info.times.front(),
+             info.times.back(), info.steady ? " (steady)" : "");
+    tell("  velocity  {}: {}\n", info.velocity, info.why);
     if (info.precision == core::Precision::Half)
-        fmt::print("  stored    in half precision\n");
+        tell("  stored    in half precision\n");
     if (!info.note.empty())
-        fmt::print("  note      {}\n", info.note);
+        tell("  note      {}\n", info.note);
     for (const auto& field : info.fields)
-        fmt::print("  field     {}, {} component{}, {} data, {:g} to {:g}{}{}\n", field.name,
-                   field.components, field.components == 1 ? "" : "s",
-                   field.source == core::FieldInfo::Source::Cell ? "cell" : "point", field.range[0],
-                   field.range[1], field.unit.empty() ? "" : " ", field.unit);
-    fmt::print("  obstacle  {}\n", info.obstacle ? "yes" : "no");
+        tell("  field     {}, {} component{}, {} data, {:g} to {:g}{}{}\n", field.name,
+             field.components, field.components == 1 ? "" : "s",
+             field.source == core::FieldInfo::Source::Cell ? "cell" : "point", field.range[0],
+             field.range[1], field.unit.empty() ? "" : " ", field.unit);
+    tell("  obstacle  {}\n", info.obstacle ? "yes" : "no");
     if (info.bytes_per_step > 0)
-        fmt::print("  memory    {:.1f} MiB a time-step\n",
-                   static_cast<double>(info.bytes_per_step) / (1 << 20));
+        tell("  memory    {:.1f} MiB a time-step\n",
+             static_cast<double>(info.bytes_per_step) / (1 << 20));
 }
 
 } // namespace
@@ -110,7 +111,7 @@ int run_info(const InfoOptions& options) {
                    : status;
     }
     if (options.json)
-        fmt::print("{}\n", protocol::json_text(protocol::dataset_json(*info), 2));
+        tell("{}\n", protocol::json_text(protocol::dataset_json(*info), 2));
     else
         print_text(*info);
     return 0;

@@ -1,7 +1,10 @@
 #include "server/cli/log_lines.hpp"
 
+#include "core/base/plain_text.hpp"
+
 #include <fmt/format.h>
 #include <poll.h>
+#include <spdlog/pattern_formatter.h>
 #include <spdlog/sinks/base_sink.h>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
@@ -9,6 +12,7 @@
 #include <cstddef>
 #include <memory>
 #include <mutex>
+#include <utility>
 
 namespace wakesurf::server {
 
@@ -43,12 +47,31 @@ class ErrorLines final : public spdlog::sinks::base_sink<std::mutex> {
     std::size_t left_out_ = 0;
 };
 
+/// %@: the message on one line.
+class PrintableMessage final : public spdlog::custom_flag_formatter {
+  public:
+    void format(const spdlog::details::log_msg& message,
+                const std::tm&,
+                spdlog::memory_buf_t& into) override {
+        const std::string text =
+            core::printable_line({message.payload.data(), message.payload.size()});
+        into.append(text.data(), text.data() + text.size());
+    }
+
+    std::unique_ptr<custom_flag_formatter> clone() const override {
+        return std::make_unique<PrintableMessage>();
+    }
+};
+
 } // namespace
 
 void log_to_standard_error(const std::string& level) {
     spdlog::set_default_logger(
         std::make_shared<spdlog::logger>("wakesurf", std::make_shared<ErrorLines>()));
-    spdlog::set_pattern("time=%Y-%m-%dT%H:%M:%S.%e%z level=%l %v");
+    auto formatter = std::make_unique<spdlog::pattern_formatter>();
+    formatter->add_flag<PrintableMessage>('@').set_pattern(
+        "time=%Y-%m-%dT%H:%M:%S.%e%z level=%l %@");
+    spdlog::set_formatter(std::move(formatter));
     spdlog::set_level(spdlog::level::from_str(level));
 }
 

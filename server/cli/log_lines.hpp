@@ -1,4 +1,4 @@
-// Where the log goes: lines on standard error, for which the server never waits and by which it never ends.
+// Where the log goes: lines on standard error, for which the server never waits and by which it never ends. No message acts on a terminal.
 #pragma once
 
 #include <string>

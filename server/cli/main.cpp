@@ -13,6 +13,7 @@
 #include "server/cli/shell_completion.hpp"
 #include "server/cli/state_command.hpp"
 #include "server/cli/surface_command.hpp"
+#include "server/cli/tell.hpp"
 #include "server/cli/version_text.hpp"
 
 #include <CLI/CLI.hpp>
@@ -127,7 +128,7 @@ int run(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0)
             return app.exit(error); // --help, --version
-        std::fprintf(stderr, "wakesurf: %s (see --help)\n", error.what());
+        tell(stderr, "wakesurf: {} (see --help)\n", error.what());
         return wrong_usage;
     }
     return chosen();
@@ -139,7 +140,7 @@ int main(int argc, char** argv) {
     try {
         return run(argc, argv);
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "wakesurf: %s\n", error.what());
+        wakesurf::server::tell(stderr, "wakesurf: {}\n", error.what());
         return failed;
     }
 }

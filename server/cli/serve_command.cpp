@@ -8,6 +8,7 @@
 #include "server/cli/environment.hpp"
 #include "server/cli/failure.hpp"
 #include "server/cli/log_lines.hpp"
+#include "server/cli/tell.hpp"
 #include "server/cli/writable_folder.hpp"
 #include "server/net/gate.hpp"
 #include "server/net/token_file.hpp"

@@ -1,18 +1,17 @@
 #include "server/cli/sessions_command.hpp"
 
 #include "protocol/api/json_text.hpp"
-#include "server/base/terminal_text.hpp"
 #include "server/cli/environment.hpp"
 #include "server/cli/failure.hpp"
+#include "server/cli/log_lines.hpp"
 #include "server/cli/session_server.hpp"
+#include "server/cli/tell.hpp"
 #include "server/cli/whole_file.hpp"
 #include "server/limits.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <spdlog/sinks/stdout_color_sinks.h>
-#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -77,8 +76,8 @@ core::Result<json> call(SessionServer& server, const std::string& method, const 
 }
 
 /// Characters of UTF-8 count as one.
-std::string padded(std::string_view given, std::size_t width) {
-    std::string text = terminal_text(given);
+std::string padded(const std::string& given, std::size_t width) {
+    std::string text = core::printable_line(given);
     std::size_t length = 0;
     for (const char c : text)
         length += (static_cast<unsigned char>(c) & 0xc0) != 0x80;
@@ -86,17 +85,13 @@ std::string padded(std::string_view given, std::size_t width) {
     return text;
 }
 
-std::string text_of(const json& entry, const char* member) {
-    return entry[member].get<std::string>();
-}
-
 /// Who was used last comes first.
 void print(const json& list, bool trash) {
     auto sessions = list["sessions"].get<std::vector<json>>();
     std::sort(sessions.begin(), sessions.end(),
               [](const json& a, const json& b) { return a["lastUsed"] > b["lastUsed"]; });
-    fmt::print("{}  {}  {}  {}\n", padded("SESSION", 12), padded("NAME", 32),
-               padded(trash ? "GONE FOR GOOD" : "LAST USED", 20), "WHAT AND WHO");
+    tell("{}  {}  {}  {}\n", padded("SESSION", 12), padded("NAME", 32),
+         padded(trash ? "GONE FOR GOOD" : "LAST USED", 20), "WHAT AND WHO");
     for (const json& each : sessions) {
         std::string people;
         for (const json& person : each["people"])
@@ -105,19 +100,16 @@ void print(const json& list, bool trash) {
             fmt::format("{} rakes, {} surfaces, {} notes, {} views{}{}", each["rakes"].get<int>(),
                         each["surfaces"].get<int>(), each["annotations"].get<int>(),
                         each["bookmarks"].get<int>(), people.empty() ? "" : "; ", people);
-        fmt::print("{}  {}  {}  {}\n", padded(text_of(each, "session"), 12),
-                   padded(text_of(each, "name"), 32),
-                   padded(text_of(each, trash ? "deletedUntil" : "lastUsed"), 20),
-                   terminal_text(what));
+        tell("{}  {}  {}  {}\n", padded(each["session"], 12), padded(each["name"], 32),
+             padded(each[trash ? "deletedUntil" : "lastUsed"], 20), what);
     }
-    fmt::print("{} of {}\n", sessions.size(),
-               list[trash ? "trashLimit" : "limit"].get<std::size_t>());
+    tell("{} of {}\n", sessions.size(), list[trash ? "trashLimit" : "limit"].get<std::size_t>());
 }
 
 core::Result<void> list(SessionServer& server, const SessionsOptions& options) {
     return call(server, "session.list", {{"trash", options.trash}}).map([&](const json& answer) {
         if (options.json)
-            fmt::print("{}\n", protocol::json_text(answer, 1));
+            tell("{}\n", protocol::json_text(answer, 1));
         else
             print(answer, options.trash);
     });
@@ -136,7 +128,7 @@ core::Result<void> export_session(SessionServer& server, const SessionsOptions& 
     auto answer = server.ask("GET", "/api/v1/sessions/" + id + "/session.json", "");
     if (const auto sound = parsed(answer); !sound)
         return tl::unexpected(sound.error());
-    return write_whole_file(file, answer->body).map([&] { fmt::print("{}\n", file); });
+    return write_whole_file(file, answer->body).map([&] { tell("{}\n", file); });
 }
 
 core::Result<void> import(SessionServer& server, const SessionsOptions& options) {
@@ -155,8 +147,8 @@ core::Result<void> import(SessionServer& server, const SessionsOptions& options)
             !named)
             return tl::unexpected(named.error());
     for (const json& note : (*made)["notes"])
-        fmt::print(stderr, "wakesurf: {}\n", terminal_text(note.get<std::string>()));
-    fmt::print("{}\n", (*made)["session"].get<std::string>());
+        tell(stderr, "wakesurf: {}\n", note.get<std::string>());
+    tell("{}\n", (*made)["session"].get<std::string>());
     return {};
 }
 
@@ -170,7 +162,7 @@ core::Result<void> remove(SessionServer& server, const SessionsOptions& options)
                 {{"session", options.session}, {"forever", options.forever}})
         .map([](const json& answer) {
             if (answer.contains("deletedUntil"))
-                fmt::print("in the trash until {}\n", answer["deletedUntil"].get<std::string>());
+                tell("in the trash until {}\n", answer["deletedUntil"].get<std::string>());
         });
 }
 
@@ -225,8 +217,7 @@ void add_sessions_options(CLI::App& command, SessionsOptions& options) {
 
 int run_sessions(const SessionsOptions& options) {
     // On standard output is what was asked for; what a state folder's sessions log is a server's.
-    spdlog::set_default_logger(spdlog::stderr_color_mt("wakesurf"));
-    spdlog::set_level(spdlog::level::warn);
+    log_to_standard_error("warning");
     auto server = find_server(options);
     if (!server) {
         const int status = report_failure(server.error());

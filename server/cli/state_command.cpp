@@ -2,8 +2,8 @@
 
 #include "protocol/api/json_text.hpp"
 #include "protocol/api/utc_text.hpp"
-#include "server/base/terminal_text.hpp"
 #include "server/cli/failure.hpp"
+#include "server/cli/tell.hpp"
 #include "server/state/state_copy.hpp"
 
 #include <CLI/CLI.hpp>
@@ -33,9 +33,8 @@ std::string counts(const StateContent& content) {
 void print_aside(const StateContent& content) {
     for (const auto* rows : {&content.aside, &content.damaged})
         for (const AsideRow& each : *rows)
-            fmt::print("    {}: {} (since {:%Y-%m-%d})\n", terminal_text(each.session),
-                       terminal_text(each.label.why),
-                       fmt::gmtime(static_cast<std::time_t>(each.label.since)));
+            tell("    {}: {} (since {:%Y-%m-%d})\n", each.session, each.label.why,
+                 fmt::gmtime(static_cast<std::time_t>(each.label.since)));
 }
 
 int check(const StateCommandOptions& options) {
@@ -45,20 +44,18 @@ int check(const StateCommandOptions& options) {
     const StateContent& content = verdict->content;
     const std::size_t damaged = content.damaged.size();
     if (content.layout == 0 && !verdict->fault)
-        fmt::print("sound: nothing is stored there yet\n");
+        tell("sound: nothing is stored there yet\n");
     else
-        fmt::print("{}: {}\n",
-                   verdict->fault ? "damaged; what can be read"
-                   : damaged > 0  ? fmt::format("{} record{} damaged; sound", damaged,
-                                               damaged == 1 ? " is" : "s are")
-                                  : "sound",
-                   counts(content));
+        tell("{}: {}\n",
+             verdict->fault ? "damaged; what can be read"
+             : damaged > 0  ? fmt::format("{} record{} damaged; sound", damaged,
+                                         damaged == 1 ? " is" : "s are")
+                            : "sound",
+             counts(content));
     if (content.layout > 0)
-        fmt::print("  layout      {}{}\n", content.layout,
-                   content.head.writer.empty()
-                       ? ""
-                       : ", written by wakesurf " + terminal_text(content.head.writer));
-    fmt::print("  kept aside  {}\n", content.aside.size() + damaged);
+        tell("  layout      {}{}\n", content.layout,
+             content.head.writer.empty() ? "" : ", written by wakesurf " + content.head.writer);
+    tell("  kept aside  {}\n", content.aside.size() + damaged);
     print_aside(content);
     if (verdict->fault)
         return report_failure(*verdict->fault);
@@ -86,7 +83,7 @@ int aside(const StateCommandOptions& options) {
                                              each.label.since, 0, protocol::last_utc_second))},
                                {"record", record_of(each.json)}});
     const json all{{"wakesurfKeptAside", 1}, {"records", std::move(records)}};
-    fmt::print("{}\n", protocol::json_text(all, 2));
+    tell("{}\n", protocol::json_text(all, 2));
     return all_sound;
 }
 
@@ -94,7 +91,7 @@ int backup(const StateCommandOptions& options) {
     const auto made = back_up_state(options.folder, options.file);
     if (!made)
         return report_failure(made.error());
-    fmt::print("backed up: {}, {} kept aside\n", counts(*made), made->aside.size());
+    tell("backed up: {}, {} kept aside\n", counts(*made), made->aside.size());
     return all_sound;
 }
 
@@ -103,12 +100,12 @@ int restore(const StateCommandOptions& options) {
     if (!restored)
         return report_failure(restored.error());
     const StateContent& content = restored->content;
-    fmt::print("restored: {}, {} kept aside\n", counts(content),
-               content.aside.size() + content.damaged.size());
+    tell("restored: {}, {} kept aside\n", counts(content),
+         content.aside.size() + content.damaged.size());
     for (const std::string& fault : content.faults)
-        fmt::print("  not restored: {}\n", terminal_text(fault));
+        tell("  not restored: {}\n", fault);
     if (!restored->replaced.empty())
-        fmt::print("  the previous sessions are {} in that folder\n", restored->replaced);
+        tell("  the previous sessions are {} in that folder\n", restored->replaced);
     return all_sound;
 }
 

@@ -1,5 +1,6 @@
 // Sessions of a state folder that no server uses, by the code a server has.
 #include "server/cli/session_server.hpp"
+#include "server/cli/tell.hpp"
 #include "server/limits.hpp"
 #include "server/net/io_loop.hpp"
 #include "server/net/session_files.hpp"
@@ -50,8 +51,7 @@ class StateSessions final : public SessionServer {
         const auto restored =
             restore_sessions(std::exchange(kept_.sessions, {}), sessions_, grants_);
         for (const RestoredSessions::Refused& each : restored.refused)
-            std::fprintf(stderr, "wakesurf: %s: kept aside: %s\n", each.session.c_str(),
-                         each.record.why.c_str());
+            tell(stderr, "wakesurf: {}: kept aside: {}\n", each.session, each.record.why);
         sessions_.on_gone([this](const std::string& id) { grants_.forget(id); });
     }
 

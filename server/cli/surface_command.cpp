@@ -19,6 +19,7 @@
 #include "server/cli/stop_on_signal.hpp"
 #include "server/cli/surface_passes.hpp"
 #include "server/cli/surface_request.hpp"
+#include "server/cli/tell.hpp"
 #include "server/cli/time_limit.hpp"
 #include "server/cli/whole_file.hpp"
 #include "server/metrics/process_account.hpp"
@@ -141,8 +142,7 @@ core::Result<void> write(const SurfaceOptions& options,
 core::Result<core::Rake> clipped(const core::Rake& rake, const core::Box& domain) {
     return core::clip_rake(rake, domain).map([](core::ClippedRake&& kept) {
         if (kept.clipped)
-            fmt::print(stderr,
-                       "wakesurf: part of the rake is outside the domain and was cut away\n");
+            tell(stderr, "wakesurf: part of the rake is outside the domain and was cut away\n");
         return std::move(kept.rake);
     });
 }
@@ -177,9 +177,8 @@ core::Result<void> begin_with_suggestion(SurfaceRequest& request,
     request.rake.seeds = options.seeds;
     const core::Vec3 a = scene->rake.points[0];
     const core::Vec3 b = scene->rake.points[1];
-    fmt::print(stderr,
-               "wakesurf: without --rake: {} It is --rake \"{:g},{:g},{:g} {:g},{:g},{:g}\"\n",
-               scene->why, a.x, a.y, a.z, b.x, b.y, b.z);
+    tell(stderr, "wakesurf: without --rake: {} It is --rake \"{:g},{:g},{:g} {:g},{:g},{:g}\"\n",
+         scene->why, a.x, a.y, a.z, b.x, b.y, b.z);
     const auto same =
         std::ranges::find(scene->surfaces, parameters.kind, &core::SurfaceParameters::kind);
     if (same == scene->surfaces.end())
@@ -196,40 +195,39 @@ core::Result<void> begin_with_suggestion(SurfaceRequest& request,
 }
 
 /// What differs from what was asked for, on standard error. Error: there is nothing to see, for a reason that can be cured.
-core::Result<void> tell(const core::SurfaceStatistics& statistics, bool cut_short) {
+core::Result<void> tell_statistics(const core::SurfaceStatistics& statistics, bool cut_short) {
     if (statistics.empty && !statistics.empty->natural())
         return core::fail(core::Error::Code::InvalidArgument, statistics.empty->message,
                           statistics.empty->hint);
     if (statistics.empty)
-        fmt::print(stderr, "wakesurf: the surface is empty: {}; {}\n", statistics.empty->message,
-                   statistics.empty->hint);
+        tell(stderr, "wakesurf: the surface is empty: {}; {}\n", statistics.empty->message,
+             statistics.empty->hint);
     if (cut_short) { // which is why it is coarser, or lacks particles
-        fmt::print(stderr, "wakesurf: not finished: {}; raise --seconds\n", statistics.stopped);
+        tell(stderr, "wakesurf: not finished: {}; raise --seconds\n", statistics.stopped);
         return {};
     }
     if (statistics.coarsened())
-        fmt::print(
-            stderr,
-            "wakesurf: coarsened: a separation of {:.4g} needs more quads than allowed, so it is "
-            "{:.4g}; raise --max-quads\n",
-            statistics.requested_separation, statistics.separation);
+        tell(stderr,
+             "wakesurf: coarsened: a separation of {:.4g} needs more quads than allowed, so it is "
+             "{:.4g}; raise --max-quads\n",
+             statistics.requested_separation, statistics.separation);
     if (statistics.terminated.budget > 0)
-        fmt::print(stderr,
-                   "wakesurf: {} particles were not followed to the end: they take too many steps; "
-                   "raise --max-quads, or shorten the time\n",
-                   statistics.terminated.budget);
+        tell(stderr,
+             "wakesurf: {} particles were not followed to the end: they take too many steps; "
+             "raise --max-quads, or shorten the time\n",
+             statistics.terminated.budget);
     if (statistics.error && statistics.error->uncertain > 0)
-        fmt::print(stderr,
-                   "wakesurf: {} of {} vertices are uncertain: the surface may be more than the "
-                   "separation away from them; --accuracy exact places them better\n",
-                   statistics.error->uncertain, statistics.vertices);
+        tell(stderr,
+             "wakesurf: {} of {} vertices are uncertain: the surface may be more than the "
+             "separation away from them; --accuracy exact places them better\n",
+             statistics.error->uncertain, statistics.vertices);
     if (!statistics.stopped.empty())
-        fmt::print(stderr, "wakesurf: the surface ends early: {}\n", statistics.stopped);
+        tell(stderr, "wakesurf: the surface ends early: {}\n", statistics.stopped);
     if (statistics.data_end)
-        fmt::print(stderr,
-                   "wakesurf: the surface goes back to {} only, where the data begin: not as long "
-                   "as forward\n",
-                   *statistics.data_end);
+        tell(stderr,
+             "wakesurf: the surface goes back to {} only, where the data begin: not as long "
+             "as forward\n",
+             *statistics.data_end);
     return {};
 }
 
@@ -284,7 +282,7 @@ core::Result<void> make(const SurfaceOptions& options,
     const core::Surface& surface = built->surface;
     const double processor_seconds =
         static_cast<double>(std::clock() - began) / static_cast<double>(CLOCKS_PER_SEC);
-    if (auto shown = tell(surface.statistics, built->cut_short); !shown)
+    if (auto shown = tell_statistics(surface.statistics, built->cut_short); !shown)
         return shown;
     core::WorkMemory memory(process.account(), stop);
     if (!memory.grow(surface.mesh.vertices() * file_bytes))
@@ -299,10 +297,9 @@ core::Result<void> make(const SurfaceOptions& options,
         !written)
         return written;
     const auto& statistics = surface.statistics;
-    fmt::print("{}: {}{} quads, {} vertices, {:.2f} s{}\n", options.output,
-               request.lines ? options.lines + " of a surface of " : "", statistics.quads,
-               statistics.vertices, statistics.seconds.total,
-               built->cut_short ? ", not finished" : "");
+    tell("{}: {}{} quads, {} vertices, {:.2f} s{}\n", options.output,
+         request.lines ? options.lines + " of a surface of " : "", statistics.quads,
+         statistics.vertices, statistics.seconds.total, built->cut_short ? ", not finished" : "");
     return {};
 }
 

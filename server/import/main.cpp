@@ -1,5 +1,6 @@
 // wakesurf-import: anything VTK reads -> a store, in a process of its own, so that a hostile or damaged file
 // hurts no one else.
+#include "core/base/plain_text.hpp"
 #include "protocol/api/dataset_json.hpp"
 #include "protocol/api/json_text.hpp"
 #include "server/base/manual_page.hpp"
@@ -38,6 +39,7 @@ struct Wish {
     server::ImportBounds bounds;
     std::string store; ///< empty: describe the source only
     bool show_libraries = false;
+    int parent = 0; ///< ends with this process; 0: with none
 };
 
 std::string name_of(const std::filesystem::path& source) {
@@ -60,7 +62,7 @@ int failed(std::FILE* stream, const Wish& wish, core::Error error) {
         error = server::with_memory_bound(std::move(error), wish.bounds.memory);
     const std::string hint = error.hint.empty() ? "" : " (" + error.hint + ")";
     const std::string words = server::without_folders(error.message + hint, folders_of(wish));
-    std::fprintf(stream, "wakesurf-import: %s\n", words.c_str());
+    std::fprintf(stream, "wakesurf-import: %s\n", core::printable_line(words).c_str());
     return error.code == core::Error::Code::InvalidArgument && error.message.starts_with("--") ? 2
                                                                                                : 1;
 }
@@ -165,6 +167,8 @@ int main(int argc, char** argv) {
     add_bounds(app, wish.bounds);
     app.add_flag("--library-output", wish.show_libraries,
                  "show on standard error what the file libraries print");
+    app.add_option("--parent", wish.parent, "end when this process, which started it, ends")
+        ->group("");
     auto* describe = app.add_flag("--describe", describe_only,
                                   "print a description of SOURCE as JSON; write nothing");
     app.add_flag_callback("--man-page",
@@ -197,6 +201,8 @@ int main(int argc, char** argv) {
     if (wish.bounds.memory == 0)
         wish.bounds.memory = server::usual_import_memory();
     wish.request.memory = wish.bounds.memory;
+    if (wish.parent > 0 && !server::end_with(wish.parent))
+        return 1;
     const auto ended = server::run_watched(name_of(source), wish.bounds,
                                            [&wish] { return read_and_convert(wish); });
     return ended ? *ended : failed(stderr, wish, ended.error());

@@ -12,6 +12,8 @@ namespace wakesurf::server {
 
 namespace {
 
+std::uint64_t memory_bound = 0; ///< 0: none
+
 namespace fs = std::filesystem;
 
 fs::path shown(pid_t process, std::string_view file) {
@@ -68,6 +70,17 @@ std::uint64_t bytes_read_by(pid_t process) {
     std::string name;
     std::uint64_t bytes = 0;
     return in >> name >> bytes && name == "rchar:" ? bytes : 0;
+}
+
+void set_memory_bound(std::uint64_t bytes) {
+    memory_bound = bytes;
+}
+
+core::Result<void> check_claim(const std::string& name, std::uint64_t count, std::uint64_t bytes) {
+    if (memory_bound == 0 || bytes == 0 || count <= memory_bound / bytes)
+        return {};
+    return core::fail(core::Error::Code::OverLimit,
+                      name + " says that it holds more than fits into memory");
 }
 
 core::Result<void> check_processes_show() {

@@ -225,6 +225,11 @@ Error with_memory_bound(Error error, std::uint64_t bound) {
     return error;
 }
 
+// The kernel tells of a parent's end only from here on: one that has ended before has left this process to another.
+bool end_with(int parent) {
+    return ::prctl(PR_SET_PDEATHSIG, SIGTERM) == 0 && ::getppid() == parent;
+}
+
 core::Result<int> run_watched(const std::string& source,
                               const ImportBounds& bounds,
                               const std::function<int()>& work) {
@@ -248,6 +253,7 @@ core::Result<int> run_watched(const std::string& source,
             ::_exit(1);
         ::sigprocmask(SIG_SETMASK, &before, nullptr);
         bound_addresses(bounds.memory);
+        set_memory_bound(bounds.memory);
         std::set_new_handler(tell_of_memory);
         std::set_terminate(tell_why_and_abort);
         const int status = work();

@@ -20,6 +20,9 @@ struct ImportBounds {
 /// A quarter of what this process is granted: others share the machine.
 std::uint64_t usual_import_memory();
 
+/// From now on this process is interrupted when `parent`, which started it, ends. False where that has ended already.
+bool end_with(int parent);
+
 /// Runs `work` in a forked process and returns what it returns. Passes SIGINT and SIGTERM on to it. Whatever is left of
 /// its processes is ended, also when this one is killed.
 /// Error, in words that name `source`: OverLimit (memory), Io (too slow), Cancelled (a signal), Corrupt (it crashed).

@@ -175,13 +175,15 @@ void make_coarse(SurfaceJob& job, const SurfacePass& pass) {
 }
 
 /// Changes with whatever the file's bytes follow from.
-/// @param steps  time-steps of the dataset that can be read: more may come
+/// @param steps   time-steps of the dataset that can be read: more may come
+/// @param values  what its values are told from others by
 std::string tag_of(const protocol::SurfaceRecord& record,
                    const SurfaceJob& job,
                    const DownloadRequest& request,
                    std::optional<double> time,
                    const std::optional<SurfacePass>& early,
-                   std::size_t steps) {
+                   std::size_t steps,
+                   const std::string& values) {
     std::string all = protocol::json_text(protocol::surface_json(record));
     for (const core::Rake* rake :
          {&job.rake, job.parameters.rake2 ? &*job.parameters.rake2 : nullptr})
@@ -190,7 +192,7 @@ std::string tag_of(const protocol::SurfaceRecord& record,
             for (const core::Vec3& p : rake->points)
                 all += fmt::format(" {},{},{}", p.x, p.y, p.z);
         }
-    all += fmt::format("|{} {}", steps, WAKESURF_VERSION);
+    all += fmt::format("|{} {} {}", steps, values, WAKESURF_VERSION);
     all += "|" + request.lines;
     if (early)
         all += fmt::format("|coarse {} {} {}", job.parameters.max_quads, job.parameters.separation,
@@ -245,6 +247,12 @@ bool Downloads::handle(const HttpRequest& request,
     return true;
 }
 
+bool Downloads::replaced(const LoadedDataset& data) const {
+    const auto now = catalogue_.find(data.info.dataset);
+    return data.store && now && (*now)->store != data.store &&
+           !(*now)->store->marks().continues(data.store->marks());
+}
+
 void Downloads::obstacle(const HttpRequest& request,
                          const Identity& identity,
                          const std::string& id,
@@ -253,13 +261,15 @@ void Downloads::obstacle(const HttpRequest& request,
     if (!dataset)
         return respond(http_error(dataset.error()));
     files_.get(
-        "obstacle " + id, turns_of("", identity),
+        "obstacle " + id + " " + values_of(**dataset), turns_of("", identity),
         [loaded = *dataset, &account = account_](const std::stop_token&,
                                                  core::MemoryAccount::Share& share) {
             return obstacle_frames(*loaded, account, share);
         },
         request.gone,
-        [respond](const core::Result<File>& file) {
+        [this, respond, request, identity, id, data = *dataset](const core::Result<File>& file) {
+            if (replaced(*data))
+                return obstacle(request, identity, id, respond);
             if (!file)
                 return respond(http_error(file.error()));
             respond({200,
@@ -313,8 +323,8 @@ core::Result<void> Downloads::offer(const HttpRequest& request,
     if (early && job.parameters.kind != core::SurfaceKind::Path)
         time->reset(); // it ends there
     const auto status = catalogue_.status(record->dataset);
-    const std::string tag =
-        tag_of(*record, job, *wanted, *time, early, status ? status->steps_ready : 0);
+    const std::string tag = tag_of(*record, job, *wanted, *time, early,
+                                   status ? status->steps_ready : 0, values_of(**dataset));
     if (names(request.header("if-none-match"), tag)) {
         respond({304, {{"ETag", tag}, {"Cache-Control", "private, no-cache"}}});
         return {};
@@ -328,8 +338,10 @@ core::Result<void> Downloads::offer(const HttpRequest& request,
             return file.make(stop, share);
         },
         request.gone,
-        [respond, name = place.surface + (early ? "-coarse" : ""), format = wanted->format, tag,
-         stay](const core::Result<File>& file) {
+        [this, respond, name = place.surface + (early ? "-coarse" : ""), format = wanted->format,
+         tag, stay, request, identity, place, data = *dataset](const core::Result<File>& file) {
+            if (replaced(*data)) // while it was made
+                return surface(request, identity, place, respond);
             respond(file ? file_response(name, format, tag, *file) : http_error(file.error()));
         });
     return {};

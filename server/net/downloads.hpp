@@ -40,6 +40,8 @@ class Downloads {
                              const Identity& identity,
                              const Place& place,
                              const Respond& respond);
+    /// The dataset's values are others by now.
+    bool replaced(const LoadedDataset& data) const;
     void obstacle(const HttpRequest& request,
                   const Identity& identity,
                   const std::string& dataset,

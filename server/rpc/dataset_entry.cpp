@@ -15,6 +15,8 @@ nlohmann::json dataset_entry(const DatasetStatus& status) {
                        {"name", status.name},
                        {"state", state},
                        {"steps", {{"ready", status.steps_ready}, {"total", status.steps_total}}}};
+    if (!status.values.empty())
+        out["values"] = status.values;
     if (status.state == DatasetState::Importing) {
         out["progress"] = status.progress;
         if (status.remaining)

@@ -62,6 +62,11 @@ json suggestion_json(const core::SceneSuggestion& scene) {
         {"why", scene.why}};
 }
 
+/// Values of the old data are not told as the new data's.
+core::Error replaced_meanwhile() {
+    return {core::Error::Code::Io, "the data were replaced while this was looked up", "ask again"};
+}
+
 void dataset_suggest(const Call& call, const protocol::DatasetSuggest& of, Reply reply) {
     auto open = call.context.datasets.open(of.dataset);
     if (!open)
@@ -71,8 +76,11 @@ void dataset_suggest(const Call& call, const protocol::DatasetSuggest& of, Reply
         return reply.fault(place.error());
     const auto answer = std::make_shared<Reply>(std::move(reply));
     call.context.prober.suggest(
-        std::move(*open), Budgets::line(call.identity), call.stop,
-        [answer, place = std::move(*place)](const core::Result<core::SceneSuggestion>& scene) {
+        *open, Budgets::line(call.identity), call.stop,
+        [answer, place = std::move(*place), &datasets = call.context.datasets, id = of.dataset,
+         store = open->store](const core::Result<core::SceneSuggestion>& scene) {
+            if (replaced_since(datasets, id, store))
+                return answer->fault(replaced_meanwhile());
             if (!scene)
                 return answer->fault(scene.error());
             answer->result(suggestion_json(*scene));
@@ -188,8 +196,11 @@ void probe_sample(const Call& call, const protocol::ProbeSample& of, Reply reply
         return reply.fault(place.error());
     const auto answer = std::make_shared<Reply>(std::move(reply));
     call.context.prober.ask(
-        std::move(*open), std::move(request), Budgets::line(call.identity), call.stop,
-        [answer, place = std::move(*place)](const core::Result<ProbeResult>& result) {
+        *open, std::move(request), Budgets::line(call.identity), call.stop,
+        [answer, place = std::move(*place), &datasets = call.context.datasets, id = of.dataset,
+         store = open->store](const core::Result<ProbeResult>& result) {
+            if (replaced_since(datasets, id, store))
+                return answer->fault(replaced_meanwhile());
             if (!result)
                 return answer->fault(result.error());
             json values = json::object();

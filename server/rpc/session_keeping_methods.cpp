@@ -1,12 +1,12 @@
 // session.rename, session.setUnits, session.delete, session.restore, session.export, session.import, session.thumbnail: what
 // becomes of a session as a whole.
+#include "core/base/plain_text.hpp"
 #include "protocol/api/generated/session.hpp"
 #include "protocol/api/utc_text.hpp"
 #include "server/limits.hpp"
 #include "server/rpc/method_table.hpp"
 #include "server/rpc/session_choice.hpp"
 #include "server/rpc/session_import.hpp"
-#include "server/session/people/display_name.hpp"
 #include "server/session/records/thumbnail.hpp"
 
 #include <nlohmann/json.hpp>
@@ -18,7 +18,7 @@ using nlohmann::json;
 namespace {
 
 void session_rename(const Call& call, const protocol::SessionRename& to, Reply reply) {
-    const std::string name = display_name(to.name, limits::name_bytes);
+    const std::string name = core::display_name(to.name, limits::name_bytes);
     if (name.empty())
         return reply.fault(core::Error{core::Error::Code::InvalidArgument,
                                        "`name` must have something in it that can be seen",
@@ -35,8 +35,8 @@ void session_set_units(const Call& call, const protocol::SessionSetUnits& to, Re
     if (!session)
         return reply.fault(session.error());
     // Words that everyone gets to see, as names are.
-    const protocol::SessionUnits units{display_name(to.length, limits::unit_bytes),
-                                       display_name(to.time, limits::unit_bytes)};
+    const protocol::SessionUnits units{core::display_name(to.length, limits::unit_bytes),
+                                       core::display_name(to.time, limits::unit_bytes)};
     (*session)->set_units(units);
     json out{{"session", (*session)->id()}, {"name", (*session)->name()}};
     if (!units.empty())
@@ -100,7 +100,7 @@ void session_export(const Call& call, const protocol::SessionExport& of, Reply r
 }
 
 void session_import(const Call& call, const protocol::SessionImport& from, Reply reply) {
-    const std::string name = display_name(from.name, limits::name_bytes);
+    const std::string name = core::display_name(from.name, limits::name_bytes);
     auto read = read_session_text(from.file);
     if (!read)
         return reply.fault(read.error());

@@ -1,4 +1,5 @@
 // session.create, session.fork, session.list, session.join, session.leave, session.state.
+#include "core/base/plain_text.hpp"
 #include "protocol/api/generated/session.hpp"
 #include "protocol/api/utc_text.hpp"
 #include "server/limits.hpp"
@@ -7,9 +8,9 @@
 #include "server/rpc/method_table.hpp"
 #include "server/rpc/patch_json.hpp"
 #include "server/rpc/records_json.hpp"
+#include "server/rpc/replaced_data_notice.hpp"
 #include "server/rpc/session_choice.hpp"
 #include "server/rpc/session_entry.hpp"
-#include "server/session/people/display_name.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -34,7 +35,8 @@ json made_json(const Call& call, const Session& session) {
 }
 
 void session_create(const Call& call, const protocol::SessionCreate& of, Reply reply) {
-    const auto session = call.context.sessions.create(display_name(of.name, limits::name_bytes));
+    const auto session =
+        call.context.sessions.create(core::display_name(of.name, limits::name_bytes));
     if (!session)
         return reply.fault(session.error());
     reply.result(made_json(call, **session));
@@ -46,7 +48,7 @@ void session_fork(const Call& call, const protocol::SessionFork& of, Reply reply
     if (!from)
         return reply.fault(from.error());
     const auto session =
-        call.context.sessions.fork((*from)->id(), display_name(of.name, limits::name_bytes));
+        call.context.sessions.fork((*from)->id(), core::display_name(of.name, limits::name_bytes));
     if (!session)
         return reply.fault(session.error());
     reply.result(made_json(call, **session));
@@ -109,6 +111,8 @@ void session_join(const Call& call, const protocol::SessionJoin& asked, Reply re
             call.client->notify(durability_notice(tl::unexpected(std::move(*refusal))));
     if (const auto notice = kept_aside_notice(**session))
         call.client->notify(*notice);
+    if (const auto& names = (*session)->replaced_data(); !names.empty())
+        call.client->notify(replaced_data_meanwhile_notice(names));
 }
 
 void session_leave(const Call& call, const protocol::SessionLeave&, Reply reply) {

@@ -1,5 +1,6 @@
 #include "server/session/session.hpp"
 
+#include "core/base/plain_text.hpp"
 #include "core/surface/rake_check.hpp"
 #include "server/limits.hpp"
 #include "server/session/records/record_room.hpp"
@@ -213,8 +214,9 @@ core::Result<RakeChange> Session::set_rake(const protocol::RakeSetting& setting,
     record.shape.arc =
         core::Rake{}.arc; // a circle is kept whole: each of its surfaces has its own part of it
     record.clipped = clipped->clipped;
-    if (!setting.name.empty() || record.name.empty())
-        record.name = setting.name.empty() ? record.rake : setting.name;
+    if (const auto name = core::display_name(setting.name, limits::name_bytes);
+        !name.empty() || record.name.empty())
+        record.name = name.empty() ? record.rake : name;
     if (auto sound = may_keep(record); !sound)
         return tl::unexpected(sound.error());
 
@@ -314,8 +316,9 @@ Session::set_bookmark(const protocol::BookmarkSetting& setting, const Author& au
         record = *records_.find<protocol::BookmarkRecord>(*setting.bookmark);
     else
         record.bookmark = records_.new_id(RecordType::Bookmark);
-    if (!setting.name.empty() || record.name.empty())
-        record.name = setting.name.empty() ? record.bookmark : setting.name;
+    if (const auto name = core::display_name(setting.name, limits::name_bytes);
+        !name.empty() || record.name.empty())
+        record.name = name.empty() ? record.bookmark : name;
     record.view = setting.view;
     record.time = setting.time;
     if (auto sound = may_keep(record); !sound)
@@ -340,7 +343,7 @@ Session::set_annotation(const protocol::AnnotationSetting& setting, const Author
         record.annotation = records_.new_id(RecordType::Annotation);
         record.author = author.name;
     }
-    record.text = setting.text;
+    record.text = core::display_lines(setting.text, setting.text.size());
     record.position = setting.position;
     record.surface = setting.surface;
     if (auto sound = may_keep(record); !sound)

@@ -24,6 +24,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -150,9 +151,12 @@ class Session {
     /// Of somebody who has left.
     void end_leases(const std::string& participant);
 
-    /// Builds what ended early for want of time-steps again, as soon as it is not being built already; lets go of a dataset that was
-    /// replaced by a longer one.
-    void dataset_changed(const std::string& dataset) { builds_.dataset_changed(dataset); }
+    /// As SurfaceBuilds::dataset_changed. Where its values are not those that the session was last used with, also by an earlier server,
+    /// its picture goes, and newcomers are told.
+    void dataset_changed(const std::string& dataset);
+
+    /// Datasets whose values have been replaced while no one was here.
+    const std::set<std::string>& replaced_data() const { return replaced_data_; }
 
     /// Brings back what a journal kept, places of people and all, into a session without records. Its epochs and seq are above all told
     /// before.
@@ -218,6 +222,7 @@ class Session {
                                         std::span<const JournalEntry> entries) const;
     void time_moved(bool jumped);
     void announce(const std::vector<Patch>& patches);
+    void note_data(const std::string& dataset, bool replaced);
     void keep_profile();
     void somebody_went();
     bool somebody() const;
@@ -247,6 +252,7 @@ class Session {
     std::chrono::steady_clock::time_point time_kept_{}; ///< of the clock, in the journal
     std::vector<KeptAside> aside_;
     std::size_t newly_aside_ = 0;
+    std::set<std::string> replaced_data_;
     core::MemoryAccount::Share memory_; ///< of the records and the history
 };
 

@@ -126,6 +126,7 @@ Session::Epochs Session::build(const std::vector<RecordChange>& changes, bool re
         protocol::SurfaceRecord record = *records_.find<protocol::SurfaceRecord>(id);
         record.epoch = epoch;
         records_.put(record);
+        note_data(record.dataset, false);
     }
     return epochs;
 }

@@ -1,9 +1,9 @@
 #include "server/session/session_exchange.hpp"
 
+#include "core/base/plain_text.hpp"
 #include "protocol/api/utc_text.hpp"
 #include "server/limits.hpp"
 #include "server/session/data/dataset_mark.hpp"
-#include "server/session/people/display_name.hpp"
 #include "server/session/records/record_room.hpp"
 
 #include <algorithm>
@@ -84,9 +84,9 @@ core::Result<ReadSession> read_session_text(std::string_view text) {
         return tl::unexpected(as_input(std::move(out.records.report.refused.front().error)));
     if (auto room = room_in_session(out.records.records.bytes()); !room)
         return tl::unexpected(room.error());
-    out.records.name = display_name(file->name, limits::name_bytes);
-    out.records.units = {display_name(file->units.length, limits::unit_bytes),
-                         display_name(file->units.time, limits::unit_bytes)};
+    out.records.name = core::display_name(file->name, limits::name_bytes);
+    out.records.units = {core::display_name(file->units.length, limits::unit_bytes),
+                         core::display_name(file->units.time, limits::unit_bytes)};
     return out;
 }
 
@@ -102,7 +102,7 @@ std::vector<std::string> dataset_notes(const ReadSession& read, const Datasets& 
         const std::string known =
             theirs.name.empty() || theirs.name == id
                 ? id
-                : id + " (" + display_name(theirs.name, limits::name_bytes) + ")";
+                : id + " (" + core::display_name(theirs.name, limits::name_bytes) + ")";
         if (!open) {
             notes.push_back("there is no dataset " + known + " that can be used here now: " +
                             list_of(surfaces) + " will be built when there is one");
@@ -113,6 +113,10 @@ std::vector<std::string> dataset_notes(const ReadSession& read, const Datasets& 
             notes.push_back("the dataset " + known +
                             " here has another mesh or other fields than the one the session was "
                             "made with: " +
+                            list_of(surfaces) + " may look different");
+        else if (open->store != nullptr && open->store->contradicts(theirs.values))
+            notes.push_back("the dataset " + known +
+                            " here has other values than the one the session was made with: " +
                             list_of(surfaces) + " may look different");
         else if (theirs.steps != 0 && theirs.steps != ours.steps)
             notes.push_back("the dataset " + known + " here has " + std::to_string(ours.steps) +

@@ -59,6 +59,18 @@ void ProfileKeeper::deleted(std::optional<std::int64_t> when) {
     value_.deleted = when;
 }
 
+std::string ProfileKeeper::data(const std::string& dataset) const {
+    const auto found = value_.data.find(dataset);
+    return found == value_.data.end() ? std::string() : found->second;
+}
+
+void ProfileKeeper::set_data(const std::string& dataset, std::string values) {
+    if (value_.data.size() >= protocol::most_session_datasets && !value_.data.contains(dataset))
+        value_.data.erase(value_.data.begin());
+    value_.data[dataset] = std::move(values);
+    changed_ = true;
+}
+
 std::optional<JournalEntry> ProfileKeeper::due() {
     if (!std::exchange(changed_, false))
         return std::nullopt;

@@ -29,6 +29,10 @@ class ProfileKeeper {
     void made_on_purpose();
     void deleted(std::optional<std::int64_t> when);
 
+    /// Which values a dataset had (store::ValueMarks::text); empty: no surface has used it.
+    std::string data(const std::string& dataset) const;
+    void set_data(const std::string& dataset, std::string values);
+
     /// To be written, if anything has changed that should be; it counts as written then.
     std::optional<JournalEntry> due();
 

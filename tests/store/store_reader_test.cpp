@@ -181,7 +181,7 @@ TEST(StoreReader, RefusesAStepThatVanishedOrWasReplaced) {
     const auto reader = open(layout);
     ASSERT_TRUE(reader->load(0, {}).has_value());
     ASSERT_TRUE(reader->load(0, {}).has_value());
-    write_file(folder / "other", bytes_of(rising(1.0f)));
+    write_file(folder / "other", bytes_of(rising(2.0f)));
     std::filesystem::rename(folder / "other", folder / velocity_file(0));
     EXPECT_EQ(reader->load(0, {}).error().code, Error::Code::Corrupt);
     std::filesystem::remove(folder / velocity_file(0));
@@ -326,6 +326,61 @@ TEST(StoreReader, StopsLoadingWhenAsked) {
     std::stop_source stop;
     stop.request_stop();
     EXPECT_EQ(open(layout)->load(0, stop.get_token()).error().code, Error::Code::Cancelled);
+}
+
+/// Writes a whole series in the place of another.
+void put_series(const StoreLayout& layout, const std::vector<float>& first) {
+    std::filesystem::remove(layout.folder / checksums_file_name);
+    for (std::size_t i = 0; i < first.size(); ++i)
+        put_step(layout, i, rising(first[i]));
+}
+
+TEST(StoreReader, NeverReadsAnotherSeriesInThePlaceOfTheOneThatIsOpen) {
+    const TemporaryFolder folder;
+    const auto layout = small_layout(folder);
+    put_series(layout, {0, 1, 2});
+    const auto reader = open(layout);
+    EXPECT_TRUE(reader->load(0, {}).has_value());
+    put_series(layout, {10, 11, 12}); // also what was not read yet
+    for (const std::size_t index : {0, 1, 2}) {
+        const auto loaded = reader->load(index, {});
+        ASSERT_FALSE(loaded.has_value()) << index;
+        EXPECT_NE(loaded.error().message.find("was replaced while in use"), std::string::npos)
+            << loaded.error().message;
+    }
+    EXPECT_FALSE(reader->look_again().value());
+    EXPECT_EQ(velocity_of(**open(layout)->load(1, {}))[0], 11.0f);
+}
+
+TEST(StoreReader, OneStepThatWasReplacedEndsTheUseOfAllThatWereNotReadYet) {
+    const TemporaryFolder folder;
+    const auto layout = small_layout(folder);
+    put_series(layout, {0, 1, 2});
+    const auto reader = open(layout);
+    put_series(layout, {0, 11, 2});
+    EXPECT_FALSE(reader->load(2, {}).has_value()) << "of which series it is cannot be told";
+}
+
+TEST(StoreReader, ReadsTheSameValuesWrittenAgain) {
+    const TemporaryFolder folder;
+    const auto layout = small_layout(folder);
+    put_series(layout, {0, 1, 2});
+    const auto reader = open(layout);
+    const auto before = velocity_of(**reader->load(1, {}));
+    put_series(layout, {0, 1, 2});
+    EXPECT_EQ(velocity_of(**reader->load(1, {})), before);
+    EXPECT_TRUE(reader->look_again().value());
+}
+
+TEST(StoreReader, KnowsTheMarksOfStepsThatCome) {
+    const TemporaryFolder folder;
+    const auto layout = small_layout(folder);
+    put_step(layout, 0, rising(0));
+    const auto reader = open(layout);
+    EXPECT_EQ(reader->marks().steps(), 1u);
+    put_step(layout, 1, rising(1));
+    EXPECT_TRUE(reader->load(1, {}).has_value());
+    EXPECT_EQ(reader->marks().steps(), 2u);
 }
 
 } // namespace

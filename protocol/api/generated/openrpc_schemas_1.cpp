@@ -230,6 +230,7 @@ const std::string_view schemas_1 =
   "steps": {"$ref": "#/components/schemas/Steps"},
   "progress": {"type": "number", "minimum": 0, "maximum": 1, "description": "progress of the import"},
   "remaining": {"type": "number", "minimum": 0, "description": "time that the import still needs", "x-unit": "s"},
+  "values": {"type": "string", "description": "what the values that are stored are told from others by; left out for a built-in flow"},
   "error": {"$ref": "#/components/schemas/Problem"}},
  "required": ["dataset", "name", "state", "steps"],
  "additionalProperties": false},

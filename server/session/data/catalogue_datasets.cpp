@@ -17,4 +17,14 @@ core::Result<OpenDataset> CatalogueDatasets::open(const std::string& id) const {
     });
 }
 
+bool replaced_since(const Datasets& datasets,
+                    const std::string& id,
+                    const std::shared_ptr<const store::StoreReader>& before) {
+    if (before == nullptr)
+        return false;
+    const auto now = datasets.open(id);
+    return !now || now->store == nullptr ||
+           (now->store != before && !now->store->marks().continues(before->marks()));
+}
+
 } // namespace wakesurf::server

@@ -30,6 +30,8 @@ protocol::DatasetMark mark_of(const OpenDataset& dataset) {
     mark.dataset = info.dataset;
     mark.name = info.name;
     mark.fingerprint = digest_text(secret_digest(words(info)));
+    if (dataset.store != nullptr)
+        mark.values = dataset.store->values();
     mark.steps = info.times.size();
     if (!info.times.empty()) {
         mark.first = info.times.front();

@@ -34,4 +34,9 @@ class Datasets {
     virtual core::Result<OpenDataset> open(const std::string& id) const = 0;
 };
 
+/// The values of a dataset are others than when `before` was open, or there are none any more.
+bool replaced_since(const Datasets& datasets,
+                    const std::string& id,
+                    const std::shared_ptr<const store::StoreReader>& before);
+
 } // namespace wakesurf::server

@@ -167,6 +167,8 @@ std::uint32_t LiveSurface::refuse(core::SurfaceKind kind, core::Error error, boo
     building_ = false;
     held_ = rest;
     wanted_.parameters.kind = kind;
+    wanted_.flow.reset(); // of data that may be no more
+    wanted_.store.reset();
     error_ = std::move(error);
     services_.loop.post([weak = weak_from_this(), epoch = epoch_] {
         const auto self = weak.lock();

@@ -148,16 +148,56 @@ std::optional<std::array<double, 2>> SurfaceBuilds::moving_range() const {
     return range;
 }
 
-void SurfaceBuilds::dataset_changed(const std::string& dataset) {
+bool SurfaceBuilds::dataset_changed(const std::string& dataset) {
+    bool replaced = false;
     for (auto& [id, entry] : entries_) {
         const auto* record = records_.find<protocol::SurfaceRecord>(id);
-        if (record == nullptr || record->dataset != dataset || entry.withheld)
+        if (record == nullptr || record->dataset != dataset)
             continue;
-        if (entry.live->busy())
+        const Data data = compare_data(dataset, *entry.live);
+        const bool failed = entry.live->outcome().error.has_value();
+        if (data == Data::Other || (data == Data::ComingAgain && failed && !entry.withheld)) {
+            replaced = replaced || data == Data::Other;
+            build_anew(*record, entry);
+        } else if (entry.withheld || data == Data::ComingAgain) {
+            continue;
+        } else if (entry.live->busy()) {
             entry.data_came = true;
-        else
+        } else {
             try_again(id, *entry.live);
+        }
     }
+    return replaced;
+}
+
+/// What a surface was built from, and what is there now. Coming again: the same as far as it goes, as when the same data are imported once
+/// more; what is there of the surface stays until that is known.
+SurfaceBuilds::Data SurfaceBuilds::compare_data(const std::string& dataset,
+                                                const LiveSurface& live) const {
+    const auto& before = live.wanted().store;
+    if (before == nullptr)
+        return Data::Same;
+    const auto open = services_.datasets.open(dataset);
+    if (!open || !open->store)
+        return Data::Other;
+    if (open->store == before)
+        return Data::Same;
+    const store::ValueMarks now = open->store->marks();
+    const store::ValueMarks then = before->marks();
+    return now.continues(then) ? Data::Same : then.continues(now) ? Data::ComingAgain : Data::Other;
+}
+
+void SurfaceBuilds::build_anew(const protocol::SurfaceRecord& record, Entry& entry) {
+    LiveSurface& live = *entry.live;
+    entry.data_came = false;
+    auto job = job_for(record);
+    const bool withheld = job && entry.withheld;
+    const std::uint32_t epoch =
+        job ? live.rebuild(std::move(*job), live.resting())
+            : live.refuse(record.parameters.kind, std::move(job.error()), live.resting());
+    if (withheld)
+        live.stop(*services_.withheld);
+    events_.rebuilt(record.surface, epoch);
 }
 
 // Where nothing was missing the surface stays what it is.

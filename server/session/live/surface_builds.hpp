@@ -70,8 +70,9 @@ class SurfaceBuilds {
     std::optional<std::array<double, 2>> moving_range() const;
 
     /// Builds what ended early for want of time-steps again, as soon as it is not being built already; lets go of a
-    /// dataset that was replaced by a longer one.
-    void dataset_changed(const std::string& dataset);
+    /// dataset that has become a longer one. Where its values are others now, everything of it is built anew at once, also what is being
+    /// built or rests: then true.
+    bool dataset_changed(const std::string& dataset);
 
   private:
     struct Entry {
@@ -83,6 +84,9 @@ class SurfaceBuilds {
     LiveSurface& live_for(const protocol::SurfaceRecord& record);
     void built(const SurfaceOutcome& outcome);
     void try_again(const std::string& surface, LiveSurface& live);
+    enum class Data { Same, Other, ComingAgain };
+    Data compare_data(const std::string& dataset, const LiveSurface& live) const;
+    void build_anew(const protocol::SurfaceRecord& record, Entry& entry);
 
     std::string session_;
     SessionServices services_;

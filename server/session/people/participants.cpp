@@ -1,8 +1,9 @@
 #include "server/session/people/participants.hpp"
 
+#include "core/base/plain_text.hpp"
 #include "server/base/numbered_id.hpp"
 #include "server/limits.hpp"
-#include "server/session/people/display_name.hpp"
+#include "server/session/people/free_name.hpp"
 #include "server/session/records/colours.hpp"
 
 #include <algorithm>
@@ -86,7 +87,7 @@ core::Result<Joined> Participants::join(const Arrival& arrival, Observer& observ
         place.role_set = false;
     }
     place.grant = arrival.identity.grant;
-    const std::string wanted = display_name(arrival.name, limits::name_bytes);
+    const std::string wanted = core::display_name(arrival.name, limits::name_bytes);
     place.name = free_name(wanted.empty() ? place.name : wanted, limits::name_bytes,
                            [this](const std::string& each) { return taken(each); });
     if (!arrival.colour.empty())
@@ -396,7 +397,7 @@ core::Result<void> Participants::restore(const std::string& id, std::string_view
     next_ = std::max(next_, *number + 1);
     Participant place;
     place.id = id;
-    place.name = display_name(kept->name, limits::name_bytes);
+    place.name = core::display_name(kept->name, limits::name_bytes);
     place.colour = kept->colour;
     place.role = *role;
     place.grant = kept->grant;

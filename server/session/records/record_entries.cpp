@@ -1,6 +1,7 @@
 #include "server/session/records/record_entries.hpp"
 
 #include "core/surface/time_direction.hpp"
+#include "server/session/records/clean_names.hpp"
 #include "server/session/records/older_surface.hpp"
 #include "server/session/records/thumbnail.hpp"
 
@@ -157,6 +158,7 @@ core::Result<Record> read_record(const RecordKey& key, const std::string& text) 
     if (const auto* surface = std::get_if<protocol::SurfaceRecord>(&*record))
         if (auto sound = check_rules_of(*surface); !sound)
             return tl::unexpected(sound.error());
+    clean_names(*record); // kept by a wakesurf that did not, or somebody's file
     return record;
 }
 

@@ -1,12 +1,11 @@
-#include "server/session/people/display_name.hpp"
+#include "core/base/plain_text.hpp"
 
 #include <gtest/gtest.h>
 
 #include <map>
-#include <set>
 #include <string>
 
-namespace wakesurf::server::display_name_test {
+namespace wakesurf::core::plain_text_test {
 
 TEST(DisplayName, LeavesNothingThatActsOrHides) {
     const std::map<std::string, std::string> names{
@@ -45,21 +44,16 @@ TEST(DisplayName, StaysWhatItIsWhenItIsMadeAgain) {
     }
 }
 
-TEST(FreeName, CountsUpUntilNobodyHasIt) {
-    std::set<std::string> names;
-    const auto add = [&](const std::string& name) {
-        const std::string free =
-            free_name(name, 8, [&](const std::string& each) { return names.contains(each); });
-        EXPECT_TRUE(names.insert(free).second);
-        EXPECT_LE(free.size(), 8u);
-        return free;
-    };
-    EXPECT_EQ(add("Ada"), "Ada");
-    EXPECT_EQ(add("Ada"), "Ada 2");
-    EXPECT_EQ(add("Ada"), "Ada 3");
-    EXPECT_EQ(add("longname"), "longname");
-    EXPECT_EQ(add("longname"), "longna 2");
-    EXPECT_EQ(add("longna 2"), "longna 3");
+TEST(DisplayLines, KeepsLinesAndLosesWhatActs) {
+    EXPECT_EQ(display_lines("a \u202eb\n\tc\u0085\x1b[2J", 40), "a b\n\tc[2J");
+    EXPECT_EQ(display_lines("\u00e9\u00e9", 3), "\u00e9");
 }
 
-} // namespace wakesurf::server::display_name_test
+TEST(Printable, ShowsWhatWouldActAndKeepsTheRest) {
+    EXPECT_EQ(printable("p\x1b]0;owned\x07 [Pa]\n"), "p\\u001b]0;owned\\u0007 [Pa]\n");
+    EXPECT_EQ(printable("\u202ea\xff\u00e9"), "\\u202ea\\xff\u00e9");
+    EXPECT_EQ(printable("\U000e0041"), "\\udb40\\udc41") << "as JSON has it";
+    EXPECT_EQ(printable_line("a\nevent=fake\r"), "a\\u000aevent=fake\\u000d");
+}
+
+} // namespace wakesurf::core::plain_text_test

@@ -30,8 +30,10 @@ class Bench {
     /// With the stores of an earlier one.
     Bench(const std::vector<std::string>& arguments,
           const std::filesystem::path& stores,
-          const std::filesystem::path& importer = importer_program()) {
+          const std::filesystem::path& importer = importer_program(),
+          std::size_t lanes = 4) {
         OpenOptions options{stores.empty() ? folder_ / "cache" : stores, {}, importer};
+        options.lanes = lanes;
         options.watch_period = std::chrono::milliseconds(20);
         auto opened = DatasetCatalogue::open(arguments, options, [this](const std::string&) {
             const std::scoped_lock lock(mutex_);
@@ -237,7 +239,7 @@ TEST(DatasetCatalogue, AnImportThatIsStoppedKeepsWhatItHasAndGoesOnFromThere) {
 
 TEST(DatasetCatalogue, AnImportThatWaitsForItsTurnIsStoppedToo) {
     const TemporaryFolder folder;
-    Bench bench({write_slow_series(folder.path()), bundled});
+    Bench bench({write_slow_series(folder.path()), bundled}, {}, importer_program(), 1);
     EXPECT_TRUE(bench.catalogue->stop_import("sqcyl"));
     EXPECT_TRUE(bench.catalogue->stop_import("u_00"));
     EXPECT_EQ(bench.catalogue->find("sqcyl").error().message,
@@ -251,7 +253,7 @@ TEST(DatasetCatalogue, WhatAnEarlierRunImportedIsThereThoughItsTurnWasStopped) {
     const TemporaryFolder folder;
     const auto stores = folder / "stores";
     Bench({bundled}, stores).wait_until_settled("sqcyl");
-    Bench bench({write_slow_series(folder.path()), bundled}, stores);
+    Bench bench({write_slow_series(folder.path()), bundled}, stores, importer_program(), 1);
     ASSERT_TRUE(bench.catalogue->stop_import("sqcyl"));
     ASSERT_TRUE(bench.catalogue->stop_import("u_00")); // its turn comes
     const auto status =
@@ -392,6 +394,102 @@ TEST(DatasetCatalogue, AFailedSourceThatIsImportedAgainIsUsableFromItsFirstTimeS
         "u_00", [](const DatasetStatus& status) { return status.state == DatasetState::Ready; });
     EXPECT_EQ(ready.steps_ready, 40u);
     EXPECT_FALSE(ready.error.has_value());
+}
+
+/// u_0.vti, ... of these velocities; the first file.
+std::filesystem::path write_series(const TemporaryFolder& folder,
+                                   const std::vector<double>& values) {
+    for (std::size_t i = 0; i < values.size(); ++i)
+        write_file(folder / ("u_" + std::to_string(i) + ".vti"), sample_vti(values[i]).text());
+    return folder / "u_0.vti";
+}
+
+float value_of(const Bench& bench, std::size_t step) {
+    const auto open = bench.catalogue->find("u_0");
+    const auto got = open ? (*open)->cache->acquire(step) : tl::unexpected(open.error());
+    return got ? (*got)->velocity()[0] : -1.0f;
+}
+
+TEST(DatasetCatalogue, DataComputedAgainIntoTheSameFilesAreOpenedAnew) {
+    for (const auto& again : std::vector<std::vector<double>>{{5, 6, 7}, {0, 6, 2}, {0, 1, 7}}) {
+        const TemporaryFolder folder;
+        Bench bench({write_series(folder, {0, 1, 2})});
+        const auto first = bench.wait_until_settled("u_0");
+        for (const std::size_t step : {0, 1, 2}) // in memory
+            ASSERT_EQ(value_of(bench, step), static_cast<float>(step));
+        const auto before = bench.catalogue->find("u_0").value();
+        write_series(folder, again);
+        bench.wait_until("u_0", [&](const DatasetStatus& status) {
+            return status.state == DatasetState::Ready && status.values != first.values;
+        });
+        EXPECT_FALSE(
+            bench.catalogue->find("u_0").value()->store->marks().continues(before->store->marks()));
+        for (const std::size_t step : {0, 1, 2})
+            EXPECT_EQ(value_of(bench, step), static_cast<float>(again[step])) << step;
+    }
+}
+
+TEST(DatasetCatalogue, AnotherGridWithTheSameTimesIsAnotherDataset) {
+    const TemporaryFolder folder;
+    Bench bench({write_series(folder, {1, 1})});
+    const auto first = bench.wait_until_settled("u_0");
+    ASSERT_EQ(value_of(bench, 1), 1.0f);
+    for (const int step : {0, 1}) {
+        VtiText other = sample_vti(1.0);
+        other.origin = "7 7 7";
+        write_file(folder / ("u_" + std::to_string(step) + ".vti"), other.text());
+    }
+    bench.wait_until("u_0", [&](const DatasetStatus& status) {
+        return status.state == DatasetState::Ready && status.values != first.values;
+    });
+    const auto open = bench.catalogue->find("u_0").value();
+    EXPECT_EQ(open->info.bounds.lo.x, 7.0);
+    EXPECT_EQ(open->flow->domain().lo.x, 7.0);
+}
+
+TEST(DatasetCatalogue, AStoreThatIsReplacedIsOpenedAnewAndOneThatIsGoneStays) {
+    const TemporaryFolder folder;
+    const auto import = [&](double value, const char* store) {
+        const TemporaryFolder source;
+        const ImportCommand command{
+            write_series(source, {value, value}), folder / store, {}, {}, importer_program()};
+        ASSERT_TRUE(run_import_process(command, [](const store::ImportProgress&) {}).has_value());
+    };
+    import(1, "u_0");
+    import(2, "other");
+    Bench bench({folder / "u_0"});
+    const auto first = bench.wait_until_settled("u_0");
+    ASSERT_EQ(value_of(bench, 0), 1.0f);
+    std::filesystem::rename(folder / "u_0", folder / "old");
+    bench.wait_until("u_0", [](const DatasetStatus& status) { return status.error.has_value(); });
+    EXPECT_EQ(value_of(bench, 0), 1.0f);
+    std::filesystem::rename(folder / "other", folder / "u_0");
+    bench.wait_until("u_0", [&](const DatasetStatus& status) {
+        return !status.error && status.values != first.values;
+    });
+    EXPECT_EQ(value_of(bench, 0), 2.0f);
+}
+
+TEST(DatasetCatalogue, WhatCouldNotBeImportedAgainIsNotShownAsBefore) {
+    const TemporaryFolder folder;
+    Bench bench({write_series(folder, {1, 1})});
+    bench.wait_until_settled("u_0");
+    ASSERT_EQ(value_of(bench, 1), 1.0f);
+    write_file(folder / "u_1.vti", "nonsense");
+    write_file(folder / "u_0.vti", sample_vti(5).text());
+    const auto status = bench.wait_until("u_0", [](const DatasetStatus& each) {
+        return each.state == DatasetState::Incomplete && each.error.has_value();
+    });
+    EXPECT_EQ(status.steps_ready, 1u);
+    EXPECT_EQ(value_of(bench, 0), 5.0f);
+    EXPECT_EQ(value_of(bench, 1), -1.0f);
+}
+
+TEST(DatasetCatalogue, ASlowImportKeepsNoOtherWaiting) {
+    const TemporaryFolder folder;
+    Bench bench({write_slow_series(folder.path(), 400), bundled});
+    EXPECT_EQ(bench.wait_until_settled("sqcyl").state, DatasetState::Ready);
+    EXPECT_EQ(bench.catalogue->status("u_00")->state, DatasetState::Importing);
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "tests/support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 namespace wakesurf::server::import_process_test {
 namespace {
@@ -65,12 +66,13 @@ TEST_F(ImportProcess, SaysWhatEndedTheImporterAndBlamesNoFile) {
 
 TEST_F(ImportProcess, PassesItsShareOfMemoryOn) {
     auto command = with("echo \"wakesurf-import: $*\" >&2; exit 1");
+    const std::string parent = "--parent=" + std::to_string(::getpid());
     command.memory = 1'000'000;
     const auto failed = run_import_process(command, [](const store::ImportProgress&) {});
-    EXPECT_EQ(failed.error().message, "--memory=1000000 -- source store");
+    EXPECT_EQ(failed.error().message, "--memory=1000000 " + parent + " -- source store");
     command.memory = 0;
     EXPECT_EQ(run_import_process(command, [](const store::ImportProgress&) {}).error().message,
-              "-- source store");
+              parent + " -- source store");
 }
 
 TEST_F(ImportProcess, HearsOnlyProgressOfWhatIsPrinted) {

@@ -127,5 +127,40 @@ TEST_F(HostileFiles, ThatNeedMoreThanAnyBoundSayWhichBoundWhereTheyAreGood) {
     EXPECT_EQ(run("large.vti", {"--memory=2GiB"}).status, 0);
 }
 
+/// A file of this length that takes nothing on the disk.
+void make_long(const fs::path& file) {
+    fs::resize_file(file, std::uintmax_t{64} << 30);
+}
+
+TEST_F(HostileFiles, ThatAreLongAndClaimMoreThanTheBoundAreNotRead) {
+    const std::string head = "# vtk DataFile Version 3.0\nlong\nBINARY\n";
+    const std::string velocity = "POINT_DATA 27000000000\nVECTORS U float\n";
+    const std::vector<std::pair<std::string, std::string>> files{
+        {"structured.vtk", "DATASET STRUCTURED_POINTS\nDIMENSIONS 3000 3000 3000\nORIGIN 0 0 0\n"
+                           "SPACING 1 1 1\n" +
+                               velocity},
+        {"scalars.vtk",
+         "DATASET STRUCTURED_POINTS\nDIMENSIONS 3000 3000 3000\nORIGIN 0 0 0\n"
+         "SPACING 1 1 1\nPOINT_DATA 27000000000\nSCALARS p float\nLOOKUP_TABLE default\n"},
+        {"rectilinear.vtk", "DATASET RECTILINEAR_GRID\nDIMENSIONS 3000 3000 3000\n"
+                            "X_COORDINATES 3000 float\n"},
+        {"mesh.vtk", "DATASET UNSTRUCTURED_GRID\nPOINTS 27000000000 float\n"},
+        {"small.vtk", "DATASET STRUCTURED_POINTS\nDIMENSIONS 3 3 3\nORIGIN 0 0 0\nSPACING 1 1 1\n"
+                      "POINT_DATA 27\nVECTORS U float\n"}};
+    for (const auto& [name, text] : files) {
+        make_long(put(name, head + text));
+        expect_refused_soon(folder_ / name, {"an import may take 512 MiB"});
+    }
+    auto xml = sample_vti();
+    xml.nodes = {3000, 3000, 3000};
+    xml.points = "<DataArray type=\"Float32\" Name=\"U\" NumberOfComponents=\"3\" "
+                 "format=\"appended\" offset=\"0\"/>";
+    auto appended = xml.text();
+    appended.replace(appended.find("</VTKFile>"), 10,
+                     "<AppendedData encoding=\"raw\">_</AppendedData></VTKFile>");
+    put("long.vti", appended);
+    expect_refused_soon(folder_ / "long.vti", {"an import may take 512 MiB"});
+}
+
 } // namespace
 } // namespace wakesurf::server::hostile_files_test

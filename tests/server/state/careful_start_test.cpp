@@ -66,8 +66,9 @@ TEST_F(CarefulStart, ComputesNothingOfBeforeAndTellsPeopleWhyAndWhatToDo) {
 
     client.result("surface.subscribe", {{"surface", surface}});
     const json error = wait(client)["error"];
-    EXPECT_NE(error["data"]["hint"].get<std::string>().find("set a surface or move its rake"),
-              std::string::npos);
+    EXPECT_NE(
+        error["data"]["hint"].get<std::string>().find("when it is edited or its rake is moved"),
+        std::string::npos);
     client.result("rake.set", rake_at(1));
     EXPECT_EQ(wait(client)["result"]["stateSum"], before["stateSum"])
         << "the same, once someone asks for it";

@@ -18,6 +18,8 @@ export interface OpenDatasetOptions {
 export class OpenDataset {
     private readonly options: OpenDatasetOptions;
     private readonly stepStates: StepStates;
+    /** What the values of the data that are shown are told from others by. */
+    private values: string | undefined;
 
     constructor(options: OpenDatasetOptions) {
         this.options = options;
@@ -49,10 +51,14 @@ export class OpenDataset {
     async describe(dataset: string): Promise<void> {
         const { worker, state, scene } = this.options;
         const known = state.dataset.value;
+        const values = state.datasetEntry.value?.values;
         const description = await worker.call('dataset.describe', { dataset });
         state.dataset.value = description;
         void this.stepStates.load(dataset);
-        if (known?.dataset === dataset) return;
+        const before = this.values;
+        this.values = values;
+        if (!sameValues(before, values)) state.suggestion.value = null;
+        if (known?.dataset === dataset && sameGrid(before, values)) return;
         scene.setDomain(description.bounds);
         if (known !== null) scene.removeObstacle();
         if (description.obstacle) void this.loadObstacle(description);
@@ -82,6 +88,18 @@ export class OpenDataset {
     stepsPatched(dataset: string, changes: readonly StepChange[]): void {
         this.stepStates.patched(dataset, changes);
     }
+}
+
+/** A word each for the grid, the first time-step and all of them: "0-... 1-... 16-...". A longer series begins with the same. */
+function sameValues(before: string | undefined, now: string | undefined): boolean {
+    const [grid, first, all] = (before ?? '').split(' ');
+    const [gridNow, firstNow, allNow] = (now ?? '').split(' ');
+    const count = (word: string | undefined) => word?.split('-')[0];
+    return grid === gridNow && first === firstNow && (count(all) !== count(allNow) || all === allNow);
+}
+
+function sameGrid(before: string | undefined, now: string | undefined): boolean {
+    return (before ?? '').split(' ')[0] === (now ?? '').split(' ')[0];
 }
 
 function noDataset(id: string | null): string {

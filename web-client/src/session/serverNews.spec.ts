@@ -55,6 +55,14 @@ describe('a notice of the server', () => {
         expect(said()).toEqual([['durability', 'Edits are not kept.']]);
     });
 
+    it('that data were replaced comes back whenever that happens again', () => {
+        const { state, hear, said } = bench();
+        hear('dataReplaced', 'the data of flow have been replaced');
+        state.notices.solved('dataReplaced');
+        hear('dataReplaced', 'the data of flow have been replaced');
+        expect(said()).toEqual([['dataReplaced', 'The data of flow have been replaced.']]);
+    });
+
     it('for programs only, or before the connection is closed, is not shown', () => {
         const { state, hear, said, deleted } = bench();
         hear('catchingUp', undefined, 's1');

@@ -14,6 +14,9 @@ const farewells: ReadonlySet<string> = new Set(['displaced', 'removed', 'linkEnd
 /** Notices of which the newest takes the place of the other. */
 const subjects: Readonly<Record<string, string>> = { notDurable: 'durability', durableAgain: 'durability' };
 
+/** Notices of something that has happened once more when they come again. */
+const happenings: ReadonlySet<string> = new Set(['dataReplaced']);
+
 export interface ServerNewsOptions {
     state: AppState;
     feed: Pick<SurfaceFeed, 'done' | 'progressed' | 'ranged'>;
@@ -91,7 +94,8 @@ export class ServerNews {
             if (kind === 'catchingUp') surfaces.add(surface);
             else surfaces.delete(surface);
             state.catchingUp.value = surfaces;
-        } else if (text !== null && !farewells.has(kind)) this.say(subjects[kind] ?? kind, sentence(text));
+        } else if (text !== null && happenings.has(kind)) state.notices.say(kind, sentence(text));
+        else if (text !== null && !farewells.has(kind)) this.say(subjects[kind] ?? kind, sentence(text));
     }
 
     /** Some notices come again whenever the session is joined; what was sent away stays away. */

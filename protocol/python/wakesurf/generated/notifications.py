@@ -23,7 +23,8 @@ class ServerNotice(Notification):
     """Something has happened to this connection, its session or the server. Kinds: catchingUp, caughtUp (stale
     updates of a surface are left out until a keyframe comes), notDurable, durableAgain, recordsKeptAside,
     carefulStart (the server died several times in a row shortly after it had started, so surfaces from before are
-    not computed by themselves), sessionDeleted, displaced, removed, linkEnded, loggedOut.
+    not computed by themselves), dataReplaced (the values of a dataset are others now, so its surfaces are computed
+    again), sessionDeleted, displaced, removed, linkEnded, loggedOut.
     """
 
     method: ClassVar[str] = "server.notice"
@@ -56,6 +57,7 @@ class DatasetPatched(Notification):
     steps: Steps  # numbers of time-steps
     progress: Optional[float] = None  # progress of the import; may be missing
     remaining: Optional[float] = None  # time that the import still needs (s); may be missing
+    values: Optional[str] = None  # what the values that are stored are told from others by; left out for a built-in ...
     error: Optional[Problem] = None  # why the import failed or ended early; may be missing
 
 

@@ -1,5 +1,6 @@
 #include "server/import/sources/netcdf/netcdf_file.hpp"
 
+#include "server/import/process_memory.hpp"
 #include "server/import/progress_marks.hpp"
 #include "server/import/sources/files/netcdf_size.hpp"
 
@@ -220,6 +221,8 @@ core::Result<std::vector<double>> NetcdfFile::read(const NetcdfVariable& variabl
                               variable.name + " of " + name_ + " is larger than memory");
         size *= n;
     }
+    if (auto fits = check_claim(name_, size, sizeof(double)); !fits)
+        return tl::unexpected(fits.error());
     std::vector<double> out;
     try {
         out.resize(size);

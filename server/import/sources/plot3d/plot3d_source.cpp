@@ -1,5 +1,6 @@
 #include "server/import/sources/plot3d/plot3d_source.hpp"
 
+#include "server/import/process_memory.hpp"
 #include "server/import/sources/blocks/fluid_blocks.hpp"
 #include "server/import/sources/blocks/vtk_fields.hpp"
 #include "server/import/sources/files/file_names.hpp"
@@ -145,6 +146,15 @@ class Plot3dSource final : public Source {
             return tl::unexpected(layout.error());
         if (const auto sound = check_solution(solution, *layout); !sound)
             return tl::unexpected(sound.error());
+        constexpr std::uint64_t bytes_a_node = 32; // a place, and five values of the solution
+        for (const auto& [ni, nj, nk] : layout->blocks)
+            if (auto fits =
+                    check_claim(grid.name,
+                                static_cast<std::uint64_t>(ni) * static_cast<std::uint64_t>(nj) *
+                                    static_cast<std::uint64_t>(nk),
+                                bytes_a_node);
+                !fits)
+                return tl::unexpected(fits.error());
         const VtkMessages messages;
         auto reader = vtkSmartPointer<vtkMultiBlockPLOT3DReader>::New();
         std::optional<UsualNumbers> points;

@@ -1,5 +1,6 @@
 #include "server/import/sources/vtk/legacy_file.hpp"
 
+#include "server/import/process_memory.hpp"
 #include "server/import/sources/files/file_names.hpp"
 #include "server/import/sources/vtk/legacy_gaps.hpp"
 #include "server/import/vtk_messages.hpp"
@@ -8,10 +9,14 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <fstream>
 #include <new>
 #include <optional>
+#include <sstream>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace wakesurf::server {
 
@@ -37,11 +42,53 @@ core::Result<void> check_last_number(const ListedFile& file) {
     return {};
 }
 
+/// Numbers behind a word that stands at the beginning of a line.
+std::vector<std::uint64_t> numbers_behind(const std::string& line, std::string_view word) {
+    std::vector<std::uint64_t> out;
+    if (!line.starts_with(word))
+        return out;
+    std::istringstream in(line.substr(word.size()));
+    for (std::uint64_t number = 0; in >> number;)
+        out.push_back(number);
+    return out;
+}
+
+// VTK's reader looks for words in what is left of a file whose arrays it has no memory for, which takes hours where that is long.
+core::Result<void> check_size(const ListedFile& file) {
+    constexpr std::size_t header_bytes = 4096;
+    constexpr std::uint64_t bytes_a_node = 12; // a velocity, or a place
+    std::string header(header_bytes, '\0');
+    std::ifstream in(file.path, std::ios::binary);
+    in.read(header.data(), static_cast<std::streamsize>(header.size()));
+    header.resize(static_cast<std::size_t>(in.gcount()));
+    std::istringstream lines(header);
+    bool binary = false;
+    for (std::string line; std::getline(lines, line);) {
+        binary = binary || line.starts_with("BINARY");
+        const auto dimensions = numbers_behind(line, "DIMENSIONS");
+        const auto points = numbers_behind(line, "POINTS");
+        std::uint64_t nodes = points.empty() ? 1 : points.front();
+        for (const std::uint64_t n : dimensions)
+            if (auto fits = check_claim(file.name, std::max<std::uint64_t>(n, 1), nodes); !fits)
+                return fits;
+            else
+                nodes *= std::max<std::uint64_t>(n, 1);
+        if (auto fits = check_claim(file.name, nodes, bytes_a_node); !fits)
+            return fits;
+    }
+    // As a whole, and as it is: that is what the reader does.
+    std::error_code error;
+    const auto size = std::filesystem::file_size(file.path, error);
+    return binary && !error ? check_claim(file.name, size, 1) : core::Result<void>();
+}
+
 } // namespace
 
 core::Result<VtkFile> read_legacy_file(const ListedFile& file) {
     if (auto whole = check_last_number(file); !whole)
         return tl::unexpected(whole.error());
+    if (auto fits = check_size(file); !fits)
+        return tl::unexpected(fits.error());
     const VtkMessages messages;
     auto reader = vtkSmartPointer<vtkGenericDataObjectReader>::New();
     reader->SetFileName(file.path.c_str());

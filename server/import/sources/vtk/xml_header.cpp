@@ -1,5 +1,6 @@
 #include "server/import/sources/vtk/xml_header.hpp"
 
+#include "server/import/process_memory.hpp"
 #include "server/import/progress_marks.hpp"
 #include "server/import/sources/files/bounded_xml.hpp"
 
@@ -33,6 +34,7 @@ core::Result<void> check_ending(const ListedFile& file) {
     return {};
 }
 
+constexpr std::uint64_t bytes_a_node = 12;                 // a velocity
 constexpr std::int64_t most_nodes = std::int64_t{1} << 48; // of 12 bytes each: 3 PiB
 
 using Extent = std::array<std::int64_t, 6>;
@@ -81,6 +83,8 @@ core::Result<void> check_extents(vtkXMLDataElement& primary, const std::string& 
                               name + " says that it has more nodes than memory can hold");
         nodes *= here;
     }
+    if (auto fits = check_claim(name, static_cast<std::uint64_t>(nodes), bytes_a_node); !fits)
+        return fits;
     for (std::size_t axis = 0; axis < 6; axis += 2)
         if ((*whole)[axis] >= (*whole)[axis + 1])
             return {}; // no cells to cover; code that needs three dimensions says so
@@ -132,6 +136,9 @@ core::Result<void> check_counts(vtkXMLDataElement& primary, const std::string& n
             if (piece->GetScalarAttribute(attribute, count) == 0 || count < 0 || count > most_nodes)
                 return core::fail(Error::Code::Corrupt,
                                   name + " has a piece whose " + attribute + " is not a count");
+            if (auto fits = check_claim(name, static_cast<std::uint64_t>(count), bytes_a_node);
+                !fits)
+                return fits;
         }
     return {};
 }

@@ -33,6 +33,8 @@ export interface DatasetEntry {
     progress?: number;
     /** time that the import still needs (s) */
     remaining?: number;
+    /** what the values that are stored are told from others by; left out for a built-in flow */
+    values?: string;
     /** why the import failed or ended early */
     error?: Problem;
 }
@@ -44,6 +46,7 @@ export const datasetEntryCheck = members<DatasetEntry>({
     steps: stepsCheck,
     progress: optional(number),
     remaining: optional(number),
+    values: optional(text),
     error: optional(problemCheck),
 });
 

@@ -19,7 +19,8 @@ import {
  * Something has happened to this connection, its session or the server. Kinds: catchingUp, caughtUp (stale updates of
  * a surface are left out until a keyframe comes), notDurable, durableAgain, recordsKeptAside, carefulStart (the server
  * died several times in a row shortly after it had started, so surfaces from before are not computed by themselves),
- * sessionDeleted, displaced, removed, linkEnded, loggedOut.
+ * dataReplaced (the values of a dataset are others now, so its surfaces are computed again), sessionDeleted,
+ * displaced, removed, linkEnded, loggedOut.
  */
 export interface ServerNotice {
     /** a word for programs */
@@ -135,7 +136,8 @@ export interface Notifications {
      * Something has happened to this connection, its session or the server. Kinds: catchingUp, caughtUp (stale updates
      * of a surface are left out until a keyframe comes), notDurable, durableAgain, recordsKeptAside, carefulStart (the
      * server died several times in a row shortly after it had started, so surfaces from before are not computed by
-     * themselves), sessionDeleted, displaced, removed, linkEnded, loggedOut.
+     * themselves), dataReplaced (the values of a dataset are others now, so its surfaces are computed again),
+     * sessionDeleted, displaced, removed, linkEnded, loggedOut.
      */
     'server.notice': ServerNotice;
     /**

@@ -26,6 +26,7 @@ class DatasetEntry(TypedDict, total=False):
     steps: Steps  # numbers of time-steps
     progress: float  # progress of the import; may be missing
     remaining: float  # time that the import still needs (s); may be missing
+    values: str  # what the values that are stored are told from others by; left out for a built-in flow; may be missing
     error: Problem  # why the import failed or ended early; may be missing
 
 

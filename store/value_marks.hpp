@@ -1,0 +1,52 @@
+// What the values of a store are told from others by: its grid and fields, then the times and checksums of its time-steps, in order. A
+// series that grows has the marks it had before; one that was computed again has others.
+#pragma once
+
+#include "core/base/disk.hpp"
+#include "core/base/result.hpp"
+#include "store/store_layout.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace wakesurf::store {
+
+class ValueMarks {
+  public:
+    /// Of the time-steps whose checksums are on the disk now; of none where there are no checksums yet. Error: Io.
+    static core::Result<ValueMarks> read(const StoreLayout& layout, const core::Disk& disk);
+
+    /// Time-steps that are known.
+    std::size_t steps() const { return marks_.size() - 1; }
+
+    /// Of a velocity (column 0) or a scalar. REQUIRES: index < steps().
+    std::uint32_t checksum(std::size_t index, std::size_t column) const {
+        return records_[index * columns_ + column];
+    }
+
+    /// The grid and the fields, the first time-step, and all that are known, for another time or place: "0-09c3f0a1b2c3d4e5 1-... 16-...".
+    std::string text() const;
+
+    /// The grid and the fields alone.
+    std::string shared_text() const { return word(0); }
+
+    /// These are the values of `before`, and perhaps more time-steps after them.
+    bool continues(const ValueMarks& before) const;
+
+    /// Some of these values are certainly not those that text() told of. False for time-steps that are not known here.
+    bool contradicts(std::string_view text) const;
+
+  private:
+    ValueMarks(const StoreLayout& layout, std::vector<std::uint32_t> records);
+
+    std::string word(std::size_t steps) const;
+
+    std::size_t columns_;
+    std::vector<std::uint32_t> records_; ///< a time-step after the other
+    std::vector<std::uint64_t> marks_;   ///< [n]: of the first n time-steps
+};
+
+} // namespace wakesurf::store

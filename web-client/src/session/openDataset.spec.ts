@@ -1,0 +1,69 @@
+import { describe, expect, it } from 'vitest';
+import type { DatasetEntry } from '../protocol/messages.ts';
+import { AppState } from '../state/appState.ts';
+import { datasetOf, suggestionOf } from '../testing/records.ts';
+import { OpenDataset } from './openDataset.ts';
+
+const settled = () => new Promise((resolve) => setTimeout(resolve));
+
+function bench() {
+    const state = new AppState();
+    const shown: string[] = [];
+    const description = () => datasetOf({ obstacle: true });
+    const answer = (method: string) =>
+        Promise.resolve(method === 'dataset.describe' ? description() : { steps: [], bytes: 0, budget: 0 });
+    const worker = {
+        call: answer as never,
+        obstacle: async () => {
+            await Promise.resolve();
+            shown.push('read the body');
+            return { positions: new Float32Array(), indices: new Uint32Array() } as never;
+        },
+    };
+    const scene = {
+        setDomain: () => void shown.push('domain'),
+        setObstacle: () => void shown.push('body'),
+        removeObstacle: () => void shown.push('no body'),
+    };
+    const dataset = new OpenDataset({
+        state,
+        scene,
+        worker,
+        imports: { left: { value: false }, begin: async () => undefined } as never,
+    });
+    /** The server tells of these values; what the picture is changed by. */
+    const tell = async (values: string): Promise<string[]> => {
+        shown.length = 0;
+        const entry: DatasetEntry = { dataset: 'flow', name: 'flow', state: 'ready', steps: { ready: 2, total: 2 }, values };
+        state.datasetEntry.value ??= entry;
+        dataset.patched(entry);
+        await settled();
+        return [...shown];
+    };
+    return { state, tell };
+}
+
+describe('the dataset that is shown', () => {
+    it('keeps domain and body while its series grows, or its values are others', async () => {
+        const { tell } = bench();
+        expect(await tell('0-a 1-b')).toEqual(['domain', 'read the body', 'body']);
+        expect(await tell('0-a 1-b 2-c')).toEqual([]);
+        expect(await tell('0-a 1-x 2-y')).toEqual([]);
+    });
+
+    it('gets the domain and the body of a grid that takes its place', async () => {
+        const { tell } = bench();
+        await tell('0-a 1-b 2-c');
+        expect(await tell('0-z 1-b 2-c')).toEqual(['domain', 'no body', 'read the body', 'body']);
+    });
+
+    it('forgets what was suggested for other values, not for a longer series', async () => {
+        const { state, tell } = bench();
+        await tell('0-a 1-b 2-c');
+        state.suggestion.value = { dataset: 'flow', ...suggestionOf() };
+        await tell('0-a 1-b 3-d');
+        expect(state.suggestion.value).not.toBeNull();
+        await tell('0-a 1-b 3-e');
+        expect(state.suggestion.value).toBeNull();
+    });
+});
