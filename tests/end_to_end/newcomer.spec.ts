@@ -56,6 +56,17 @@ describe('a server with several datasets', () => {
         await expect.poll(async () => (await ring(0.9)).every((grey) => grey)).toBe(true);
         expect((await ring(1.1)).some((grey) => grey)).toBe(false);
         await screenshot(page, 'body-of-a-formula');
+        // From near by no facets are seen: from pixel to pixel light changes little, and over the ball by much.
+        await page.evaluate(() => window.wakesurf!.setCamera([-1.8, 0, 0], [0, 0, 0]));
+        await screenshot(page, 'round-body');
+        const light = await page.evaluate(() => {
+            const [top, foot] = [0.35, -0.35].map((z) => window.wakesurf!.project([0, -0.2, z])!);
+            const places = Array.from({ length: Math.floor(foot!.y - top!.y) }, (_, i) => ({ x: top!.x, y: top!.y + i }));
+            return window.wakesurf!.pixelsAt(places).map(([, green]) => green);
+        });
+        expect(light.length).toBeGreaterThan(60);
+        expect(Math.max(...light) - Math.min(...light)).toBeGreaterThan(20);
+        expect(Math.max(...light.slice(1).map((green, i) => Math.abs(green - light[i]!)))).toBeLessThan(4);
         await page.goBack();
         await page.waitForFunction((session) => window.wakesurf?.session === session, first);
         await finalSurface(page);

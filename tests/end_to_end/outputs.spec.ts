@@ -224,6 +224,7 @@ describe('a film', () => {
         await page.locator('#film-seconds').press('Tab');
         await page.locator('#record-film').click();
         await page.waitForFunction(() => window.wakesurf!.displayed!.time < 9.5);
+        // Before the first frame it looks what colours range over, at 13 times.
         await expect.poll(() => page.getByRole('progressbar').getAttribute('max'), { timeout: 30_000 }).toBe('720');
         await page.getByRole('button', { name: 'Cancel' }).click();
         await page.locator('#record-film').waitFor();

@@ -141,7 +141,8 @@ function start(app: App): void {
     const shelf = new SessionShelf({ state, worker, server, restored: (session) => controller.restored(session) });
     const clock = new ClockControl({ state, worker, requestFrame });
     const playback = new Playback({ state, edits, clock });
-    const figure = new Figure(scene, () => labels.parentElement?.querySelector<HTMLElement>('wakesurf-scalar-bar') ?? null);
+    const findBar = (): HTMLElement | null => labels.parentElement?.querySelector<HTMLElement>('wakesurf-scalar-bar') ?? null;
+    const figure = new Figure(scene, findBar);
     const film = new FilmMaker({ state, view, worker, edits, playback, figure });
     const mesh = new MeshDownload(server);
     scene.loop.beforeFrame(() => edits.flush());
@@ -209,6 +210,10 @@ function start(app: App): void {
         },
         note: { view, calls },
         timeBar: { state, view, playback, edits },
+    });
+    void app.updateComplete.then(() => {
+        const bar = findBar();
+        if (bar !== null) scene.watchCover(bar);
     });
     addEventListener('online', retryNow);
     server.onOther(session, (login) => worker.takeLogin(login));

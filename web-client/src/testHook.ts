@@ -17,6 +17,9 @@ export interface TestHook {
     readonly framesDrawn: number;
     /** Pixels of the last picture for one of CSS, along one side. */
     readonly pixelRatio: number;
+    /** Pictures that the last one is the mean of, and whether it gets no better. */
+    readonly samples: number;
+    readonly isAtRest: boolean;
     readonly connection: string;
     readonly stage: string;
     readonly session: string | null;
@@ -92,6 +95,12 @@ export function installTestHook({ state, view, scene, latency, canvas, figure }:
         },
         get pixelRatio() {
             return scene.pixelRatio;
+        },
+        get samples() {
+            return scene.samples;
+        },
+        get isAtRest() {
+            return scene.isAtRest;
         },
         get connection() {
             return state.connection.value.state;

@@ -1,6 +1,7 @@
 // A figure: the picture at any size, with another background or none, and with the text that lies over it. Drawn in the drawing
 // buffer of the canvas, in tiles where it is large; the canvas has its own size again before the browser shows it.
 import { Color } from 'three';
+import { type Cover, coverOf, placeOf } from './base/cover.ts';
 import { DomainOutline } from './domain/domainOutline.ts';
 import { paintElement } from './elementPainter.ts';
 import type { FlowScene } from './scene.ts';
@@ -29,6 +30,8 @@ const longestSide = 16_384;
 const pixelsAtMost = 128e6;
 /** Drawn at once; peeling needs some 60 bytes a pixel. */
 const tileSide = 2048;
+/** In pixels of CSS. A number of an axis, 12 of them high, has a sixtieth of the height of a figure at least. */
+const tallestLayout = 720;
 /** Of handles, which reach from one tile into another; in pixels of CSS. */
 const tileMargin = 24;
 
@@ -59,16 +62,19 @@ export function capture(scene: FlowScene, setting: FigureSetting, side?: number)
     const { width, height, background } = setting;
     const fault = sizeFault(setting);
     if (fault !== null) throw new Error(fault);
-    // As tall as the picture on the page, so that text and handles have the same share of it.
-    const layout = { width: 0, height: Math.max(1, scene.size.height) };
+    // As tall as the picture on the page, so that text, lines and handles have the same share of it. Pages may be so tall that
+    // this share is too small to be read in a figure.
+    const layout = { width: 0, height: Math.max(1, Math.min(tallestLayout, scene.size.height)) };
     const pixelRatio = height / layout.height;
     layout.width = width / pixelRatio;
     const leftOut = (layer: Layer): boolean =>
         layer.notForFigures === true ||
         (!setting.rake && layer === scene.rakes) ||
         (!setting.axes && layer instanceof DomainOutline);
+    const page = scene.labels.getBoundingClientRect();
+    const cover = setting.bar === null ? null : coverOf(page, setting.bar.getBoundingClientRect());
     const tiles = tilesOf(setting, side ?? drawnSide(scene, pixelRatio), Math.ceil(tileMargin * pixelRatio));
-    return scene.drawAside(layout, pixelRatio, leftOut, (draw) => {
+    return scene.drawAside(layout, pixelRatio, leftOut, { encoded: background === 'clear', cover }, (draw) => {
         const drawn = scene.renderer.domElement;
         const figure = document.createElement('canvas');
         [figure.width, figure.height] = [width, height];
@@ -95,7 +101,7 @@ export function capture(scene: FlowScene, setting: FigureSetting, side?: number)
                 context.putImageData(onBlack, x, y);
             } else shoot(background === 'white' ? new Color(1, 1, 1) : null);
         }
-        paintText(context, scene, setting, layout, pixelRatio);
+        paintText(context, scene, setting, { layout, cover, pixelRatio });
         return figure;
     });
 }
@@ -122,8 +128,7 @@ function paintText(
     context: CanvasRenderingContext2D,
     scene: FlowScene,
     { background, axes, rake, bar, caption }: FigureSetting,
-    layout: ScreenSize,
-    pixelRatio: number,
+    { layout, cover, pixelRatio }: { layout: ScreenSize; cover: Cover | null; pixelRatio: number },
 ): void {
     const { labels } = scene;
     const elements = bar === null ? [labels] : [labels, bar];
@@ -139,10 +144,10 @@ function paintText(
         (!axes && element.matches('.tick, .axis-name')) ||
         (!rake && element.matches('.rake-label'));
     paintElement(context, labels, { x: -page.left, y: -page.top }, skipped);
-    if (bar !== null) {
+    if (bar !== null && cover !== null) {
         // Where the labels lie has been placed for the figure, the bar has not.
-        const [dx, dy] = [layout.width - page.width, layout.height - page.height];
-        paintElement(context, bar, { x: dx - page.left, y: dy - page.top }, () => false);
+        const [at, box] = [placeOf(cover, layout), bar.getBoundingClientRect()];
+        paintElement(context, bar, { x: at.x - box.left, y: at.y - box.top }, () => false);
     }
     if (caption !== null) {
         const style = getComputedStyle(labels);

@@ -6,15 +6,18 @@ function steppedLoop() {
     const scheduled: (() => void)[] = [];
     const finishing: (() => void)[] = [];
     let drawn = 0;
+    const changes: boolean[] = [];
     const loop = new FrameLoop(
-        (finished) => {
+        (finished, changed) => {
             ++drawn;
+            changes.push(changed);
             finishing.push(finished);
         },
         (callback) => scheduled.push(callback),
     );
     return {
         loop,
+        changes,
         get drawn() {
             return drawn;
         },
@@ -56,5 +59,43 @@ describe('FrameLoop', () => {
         stepped.loop.request();
         stepped.animationFrame();
         expect(order).toEqual([0]);
+    });
+
+    it('draws what changes at the start of a frame in that frame, and no other for it', () => {
+        const stepped = steppedLoop();
+        stepped.loop.beforeFrame(() => stepped.loop.request());
+        stepped.loop.request();
+        for (let i = 0; i < 3; ++i) {
+            stepped.animationFrame();
+            stepped.gpuFinishes();
+        }
+        expect(stepped.drawn).toBe(1);
+    });
+
+    it('goes on for as long as what is done at the start of a frame asks for the next', () => {
+        const stepped = steppedLoop();
+        stepped.loop.beforeFrame(() => stepped.drawn < 3 && stepped.loop.requestNext());
+        stepped.loop.request();
+        for (let i = 0; i < 6; ++i) {
+            stepped.animationFrame();
+            stepped.gpuFinishes();
+        }
+        expect(stepped.changes).toEqual([true, true, true, true]);
+    });
+
+    it('tells a better picture of the same from one of a change, which goes first', () => {
+        const stepped = steppedLoop();
+        const frame = (): void => {
+            stepped.animationFrame();
+            stepped.gpuFinishes();
+        };
+        stepped.loop.requestBetter();
+        frame();
+        stepped.loop.requestBetter();
+        stepped.loop.request();
+        frame();
+        stepped.loop.requestBetter();
+        frame();
+        expect(stepped.changes).toEqual([false, true, false]);
     });
 });

@@ -1,6 +1,7 @@
 // The picture: surfaces, rake, domain and body, drawn on demand. Knows nothing of the server; session/ feeds it and listens
 // to it.
 import { type BufferGeometry, type Color, type Material, type Mesh, Scene, WebGLRenderer } from 'three';
+import type { BodyMesh } from '../mesh/bodyMesh.ts';
 import type { TimedMeshChange } from '../mesh/meshChange.ts';
 import type { Vec3 } from '../protocol/messages.ts';
 import { CameraControls } from './camera/cameraControls.ts';
@@ -17,6 +18,7 @@ import { PointerTools } from './base/pointerTools.ts';
 import { RakeAim } from './rake/rakeAim.ts';
 import { RakeInteraction } from './rake/rakeInteraction.ts';
 import { RakeLayer } from './rake/rakeLayer.ts';
+import { SampledPicture, samplePlaces } from './sampledPicture.ts';
 import { Stillness } from './stillness.ts';
 import { clipMaterial } from './surface/bodyClip.ts';
 import { SurfaceLayer } from './surface/surfaceLayer.ts';
@@ -24,6 +26,7 @@ import type { PickGrid, PickHit, PickOptions } from './surface/pickHit.ts';
 import { SurfacePick } from './surface/surfacePick.ts';
 import { pictureColours } from './theme.ts';
 import type { Part } from './tiles.ts';
+import { type Cover, coverOf } from './base/cover.ts';
 import { type Layer, type ScreenPoint, type ScreenSize, View } from './base/view.ts';
 
 /** Of software rendering, while nothing is known of its speed. */
@@ -41,7 +44,7 @@ export interface FlowSceneOptions {
 }
 
 export class FlowScene {
-    readonly loop = new FrameLoop((finished) => this.drawFrame(finished));
+    readonly loop = new FrameLoop((finished, changed) => this.drawFrame(finished, changed));
     readonly controls = new CameraControls({
         requestFrame: this.loop.request,
         onHold: (held) => this.hold(held),
@@ -70,6 +73,11 @@ export class FlowScene {
     private readonly fullRatio: number;
     private readonly rest = new Stillness(() => this.drawSharply(), restMs);
     private readonly stillness = new Stillness(() => this.drawExactly(), exactAfterMs);
+    /** Pictures that one which stands still, or is saved, is the mean of. */
+    private readonly places: readonly (readonly [number, number])[];
+    private readonly sampled: SampledPicture;
+    private readonly smoothness = new Stillness(() => this.loop.requestBetter(), restMs);
+    private held = false;
     private exactWhenStill = false;
     private exactNext = false;
     private sharpNext = false;
@@ -82,6 +90,8 @@ export class FlowScene {
     private figureSize: ScreenSize | null = null;
     private outline: DomainOutline | null = null;
     private obstacle: Mesh<BufferGeometry, Material> | null = null;
+    /** What lies over the picture, over that of a figure too. */
+    private cover: Cover | null = null;
     private bodyPlanes: readonly [number, number, number, number][] = [];
 
     constructor(options: FlowSceneOptions) {
@@ -91,6 +101,8 @@ export class FlowScene {
         this.fullRatio = this.software ? 1 : Math.min(2, devicePixelRatio);
         this.movingResolution = new MovingResolution(this.fullRatio, this.software ? firstSoftwareRatio : this.fullRatio);
         this.renderer = createRenderer(options);
+        this.places = samplePlaces(this.software ? 4 : 8);
+        this.sampled = new SampledPicture(this.renderer);
         this.renderer.setPixelRatio(this.fullRatio);
         this.renderer.localClippingEnabled = true;
         this.picker = new SurfacePick(this.renderer, this.surfaces);
@@ -126,10 +138,20 @@ export class FlowScene {
         return this.renderer.getPixelRatio();
     }
 
+    /** Pictures that the last one is the mean of; 0: it moves. */
+    get samples(): number {
+        return this.sampled.count;
+    }
+
+    /** Whether the picture gets no better. */
+    get isAtRest(): boolean {
+        return this.sampled.count === this.places.length;
+    }
+
     /** Camera and canvas as they are now. */
     view(): View {
         this.controls.camera.updateMatrixWorld();
-        return new View(this.controls.camera, this.size);
+        return new View(this.controls.camera, this.size, this.size, this.pixelRatio);
     }
 
     add(layer: Layer): void {
@@ -158,6 +180,17 @@ export class FlowScene {
         this.loop.request();
     }
 
+    /** An element that lies over the picture from now on; numbers make way for it. */
+    watchCover(element: HTMLElement): void {
+        const measure = (): void => {
+            this.cover = coverOf(this.labels.getBoundingClientRect(), element.getBoundingClientRect());
+            this.outline?.setCover(this.cover);
+            this.loop.request();
+        };
+        const sizes = new ResizeObserver(measure);
+        for (const each of [element, this.labels]) sizes.observe(each);
+    }
+
     /** Whether a picture that stands still is drawn once more, with everything transparent in its exact order. */
     setExactWhenStill(on: boolean): void {
         if (on === this.exactWhenStill) return;
@@ -177,6 +210,7 @@ export class FlowScene {
         }
         this.outline = new DomainOutline(bounds, this.labels, pictureColours[this.theme].outline);
         this.outline.setUnit(this.unit);
+        this.outline.setCover(this.cover);
         this.add(this.outline);
         this.controls.setBounds(bounds);
         this.rakes.setBounds(bounds);
@@ -184,9 +218,9 @@ export class FlowScene {
         this.surfaces.setBounds(bounds);
     }
 
-    setObstacle(positions: Float32Array, indices: Uint32Array): void {
+    setObstacle(body: BodyMesh): void {
         this.removeObstacle();
-        this.obstacle = createObstacleMesh(positions, indices);
+        this.obstacle = createObstacleMesh(body);
         clipMaterial(this.obstacle.material, this.bodyPlanes);
         this.scene.add(this.obstacle);
         this.loop.request();
@@ -249,6 +283,7 @@ export class FlowScene {
         const { drawingBufferWidth: width, drawingBufferHeight: height } = gl;
         const pixels = new Uint8Array(width * height * 4);
         gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+        if (this.samples > 0) this.sampled.show(this.controls.camera);
         return { width, height, pixels };
     }
 
@@ -264,7 +299,8 @@ export class FlowScene {
         if (context === null || shown.width === 0 || shown.height === 0 || (exact && this.software)) return null;
         [copy.width, copy.height] = [width, height];
         this.setPixelRatio(this.fullRatio);
-        this.draw(exact);
+        if (this.isAtRest) this.sampled.show(this.controls.camera);
+        else this.draw(exact);
         const scale = Math.min(shown.width / width, shown.height / height);
         const [wide, high] = [width * scale, height * scale];
         context.imageSmoothingQuality = 'high';
@@ -273,14 +309,15 @@ export class FlowScene {
     }
 
     /**
-     * For capture.ts: as if the canvas were of this size, with so many pixels for one of CSS, without what is not for figures, and
-     * with everything transparent in its exact order. `use` may draw before several backgrounds, and part by part; the drawing
-     * is gone when it returns.
+     * For capture.ts: as if the canvas were of this size, with so many pixels for one of CSS, without what is not for figures, with
+     * smooth edges, and with everything transparent in its exact order. `use` may draw before several backgrounds, and part by
+     * part; the drawing is gone when it returns. `encoded`: see SampledPicture.begin; `cover`: what will lie over it.
      */
     drawAside<T>(
         size: ScreenSize,
         pixelRatio: number,
         leftOut: (layer: Layer) => boolean,
+        { encoded, cover }: { encoded: boolean; cover: Cover | null },
         use: (draw: (background: Color | null, part: Part) => void) => T,
     ): T {
         const { renderer, scene } = this;
@@ -288,6 +325,7 @@ export class FlowScene {
         const hidden = this.layers.filter((layer) => layer.object.visible && leftOut(layer));
         for (const { object } of hidden) object.visible = false;
         this.figureSize = size;
+        this.outline?.setCover(cover);
         this.controls.setAspect(size.width / size.height);
         let drawn: ScreenSize = { width: 0, height: 0 };
         try {
@@ -299,10 +337,17 @@ export class FlowScene {
                     const ratio = pixelRatio * (1 + 1e-9);
                     renderer.setDrawingBufferSize(part.width / pixelRatio, part.height / pixelRatio, ratio);
                 }
-                this.draw(true, { ...part, pixelRatio });
+                this.sampled.begin(encoded);
+                for (const place of this.places) {
+                    this.draw(true, { ...part, pixelRatio }, place);
+                    this.sampled.add(this.controls.camera);
+                }
+                this.sampled.show(this.controls.camera);
             });
         } finally {
+            this.sampled.begin();
             this.figureSize = null;
+            this.outline?.setCover(this.cover);
             scene.background = backgroundBefore;
             for (const { object } of hidden) object.visible = true;
             renderer.setPixelRatio(ratioBefore);
@@ -311,36 +356,54 @@ export class FlowScene {
         }
     }
 
-    /** @param part the only one of the picture that is drawn */
-    private draw(exact = false, part: (Part & { pixelRatio: number }) | null = null): void {
+    /** @param part the only one of the picture that is drawn  @param moved by so many pixels */
+    private draw(
+        exact = false,
+        part: (Part & { pixelRatio: number }) | null = null,
+        moved: readonly [number, number] = [0, 0],
+    ): void {
         const { camera, size } = this.view();
         if (size.width === 0 || size.height === 0) return;
         const drawn = part === null ? size : { width: part.width / part.pixelRatio, height: part.height / part.pixelRatio };
-        const view = new View(camera, size, drawn);
+        const ratio = part?.pixelRatio ?? this.pixelRatio;
+        const view = new View(camera, size, drawn, ratio);
         for (const layer of this.layers) layer.update(view);
         const { transparency } = this.surfaces;
         transparency.exact = exact;
-        if (part !== null) {
-            const [width, height] = [size.width * part.pixelRatio, size.height * part.pixelRatio];
-            camera.setViewOffset(width, height, part.x, part.y, part.width, part.height);
-        }
+        this.surfaces.shared.pixelRatio.value = ratio;
+        const [width, height] = [size.width * ratio, size.height * ratio];
+        const { x, y, ...shown } = part ?? { x: 0, y: 0, width, height };
+        camera.setViewOffset(width, height, x + moved[0], y + moved[1], shown.width, shown.height);
         try {
             this.renderer.render(this.scene, camera);
         } finally {
-            if (part !== null) camera.clearViewOffset();
+            camera.clearViewOffset();
         }
         this.transparency = !transparency.isNeeded ? 'none' : exact ? 'exact' : 'blended';
-        this.stillness.drawn(this.exactWhenStill && this.transparency === 'blended');
-        ++this.framesDrawn;
         for (const listener of this.drawn) listener(view);
     }
 
-    private drawFrame(finished: () => void): void {
+    private get awaitsExact(): boolean {
+        return this.exactWhenStill && this.transparency === 'blended';
+    }
+
+    private drawFrame(finished: () => void, changed: boolean): void {
+        if (changed || this.exactNext || this.sharpNext) this.drawAnew(finished);
+        else if (this.samples > 0 && !this.isAtRest && !this.held) this.drawSmoother(finished);
+        else finished();
+    }
+
+    private drawAnew(finished: () => void): void {
         const begun = performance.now();
         const moving = !this.exactNext && !this.sharpNext && this.movement.at(begun);
         this.setPixelRatio(moving ? this.movingResolution.ratio : this.fullRatio);
         this.rest.drawn(false);
-        this.draw(this.exactNext);
+        this.smoothness.drawn(false);
+        this.sampled.begin();
+        this.draw(this.exactNext, null, moving ? undefined : this.places[0]);
+        ++this.framesDrawn;
+        this.stillness.drawn(this.awaitsExact);
+        if (!moving) this.sampled.add(this.controls.camera);
         [this.exactNext, this.sharpNext] = [false, false];
         const listeners = this.afterNextFrame.splice(0);
         whenDrawn(this.renderer.getContext() as WebGL2RenderingContext, (time) => {
@@ -351,11 +414,24 @@ export class FlowScene {
         });
     }
 
+    /** The mean of what is on the screen and of the same once more, seen from elsewhere in each pixel. */
+    private drawSmoother(finished: () => void): void {
+        this.draw(this.transparency === 'exact', null, this.places[this.samples]);
+        this.sampled.add(this.controls.camera);
+        this.sampled.show(this.controls.camera);
+        whenDrawn(this.renderer.getContext() as WebGL2RenderingContext, () => {
+            finished();
+            this.loop.requestBetter();
+        });
+    }
+
     /** @param movingMs how long a picture of a movement took */
     private pictureShown(time: number, movingMs: number | null): void {
         this.movement.drawn(time);
         if (movingMs !== null) this.movingResolution.drawn(movingMs);
-        this.rest.drawn(this.pixelRatio < this.fullRatio, Math.min(longestRestMs, picturesOfRest * (movingMs ?? 0)));
+        const atLeastMs = Math.min(longestRestMs, picturesOfRest * (movingMs ?? 0));
+        this.rest.drawn(this.pixelRatio < this.fullRatio, atLeastMs);
+        this.smoothness.drawn(this.samples > 0 && !this.awaitsExact);
     }
 
     private drawSharply(): void {
@@ -370,7 +446,9 @@ export class FlowScene {
 
     /** While something is moved, no picture may be late: none is exact. */
     private hold(held: boolean): void {
+        this.held = held;
         this.movement.hold(held);
+        this.smoothness.hold(held);
         this.stillness.hold(held);
         if (held) this.exactNext = false;
     }
@@ -387,6 +465,7 @@ export class FlowScene {
         this.controls.resized(width / height);
         // At once: the canvas is blank after a change of size.
         this.draw();
+        this.loop.request();
     }
 }
 

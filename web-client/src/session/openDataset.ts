@@ -69,7 +69,7 @@ export class OpenDataset {
             const geometry = await this.options.worker.obstacle(dataset, lattice);
             const stillShown = this.options.state.dataset.value?.dataset === dataset;
             if (geometry !== null && stillShown) {
-                this.options.scene.setObstacle(geometry.positions, geometry.indices);
+                this.options.scene.setObstacle(geometry);
             }
         } catch (error) {
             this.options.state.notices.tell('body', error);

@@ -1,10 +1,11 @@
 // The body of a dataset: the frames of one KEY, one after the other, each after its length in bytes.
 import { signed } from '../connection/ownServer.ts';
+import type { BodyMesh } from '../mesh/bodyMesh.ts';
 import type { DracoPoints } from '../protocol/dracoPoints.ts';
 import { dequantise, type Lattice } from '../protocol/lattice.ts';
 import { MeshDecoder } from '../protocol/meshDecoder.ts';
 import { triangleCount, triangulate } from '../protocol/triangulate.ts';
-import type { GeometryArrays } from './workerMessages.ts';
+import { creaseNormals } from './creaseNormals.ts';
 
 /** Null when the dataset has no obstacle. */
 export async function fetchObstacle(
@@ -12,7 +13,7 @@ export async function fetchObstacle(
     dataset: string,
     draco: DracoPoints,
     lattice: Lattice,
-): Promise<GeometryArrays | null> {
+): Promise<BodyMesh | null> {
     const path = `api/v1/datasets/${encodeURIComponent(dataset)}/obstacle.bin`;
     const response = await fetch(new URL(path, baseUrl), signed(login));
     if (response.status === 404) return null;
@@ -20,7 +21,7 @@ export async function fetchObstacle(
     return decodeObstacle(new Uint8Array(await response.arrayBuffer()), draco, lattice);
 }
 
-export function decodeObstacle(bytes: Uint8Array, draco: DracoPoints, lattice: Lattice): GeometryArrays | null {
+export function decodeObstacle(bytes: Uint8Array, draco: DracoPoints, lattice: Lattice): BodyMesh | null {
     const decoder = new MeshDecoder(draco, lattice, 0);
     for (const frame of framesOf(bytes)) decoder.fold(frame);
     const { mesh } = decoder;
@@ -30,7 +31,7 @@ export function decodeObstacle(bytes: Uint8Array, draco: DracoPoints, lattice: L
     dequantise(lattice, nodes, positions);
     const indices = new Uint32Array(3 * triangleCount(mesh.cells));
     triangulate(mesh.cells, positions, indices);
-    return { positions, indices };
+    return creaseNormals(positions, indices);
 }
 
 export function framesOf(bytes: Uint8Array): Uint8Array[] {

@@ -1,9 +1,10 @@
 // The page's end of the worker: calls as promises, events as callbacks. A worker that hangs is replaced.
 import type { Credentials } from '../connection/authorise.ts';
 import { systemClock } from '../connection/clock.ts';
+import type { BodyMesh } from '../mesh/bodyMesh.ts';
 import type { Lattice } from '../protocol/lattice.ts';
 import { errorWords, type MethodName, type ParamsOf, type ResultOf } from '../protocol/messages.ts';
-import type { CallFailure, FromWorker, GeometryArrays, MessageOf, PartsWish, ToWorker } from './workerMessages.ts';
+import type { CallFailure, FromWorker, MessageOf, PartsWish, ToWorker } from './workerMessages.ts';
 import { Watchdog } from './watchdog.ts';
 
 /** A call that the server refused, that no connection carried, or of which this page does not understand the answer. */
@@ -140,7 +141,7 @@ export class WorkerClient {
         });
     }
 
-    obstacle(dataset: string, lattice: Lattice): Promise<GeometryArrays | null> {
+    obstacle(dataset: string, lattice: Lattice): Promise<BodyMesh | null> {
         return this.ask((id) => ({ type: 'obstacle', id, dataset, lattice }));
     }
 

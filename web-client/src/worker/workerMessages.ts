@@ -76,9 +76,4 @@ export interface PartsWish {
     hidden: readonly (readonly [number, number])[];
 }
 
-export interface GeometryArrays {
-    positions: Float32Array;
-    indices: Uint32Array;
-}
-
 export type MessageOf<Table> = { [Type in keyof Table]: { type: Type } & Table[Type] }[keyof Table];

@@ -29,15 +29,30 @@ export class View {
     readonly size: ScreenSize;
     /** What of it is drawn at once: less where a picture is drawn in tiles. */
     readonly drawnSize: ScreenSize;
+    /** Pixels for one of CSS, along one side. */
+    readonly pixelRatio: number;
 
-    constructor(camera: SceneCamera, size: ScreenSize, drawnSize = size) {
+    constructor(camera: SceneCamera, size: ScreenSize, drawnSize = size, pixelRatio = 1) {
         this.camera = camera;
         this.size = size;
         this.drawnSize = drawnSize;
+        this.pixelRatio = pixelRatio;
     }
 
     get eye(): Vec3 {
         return this.camera.position.toArray();
+    }
+
+    get isParallel(): boolean {
+        return isOrthographic(this.camera);
+    }
+
+    /** Where the rays come from: the eye, or without perspective a place far away behind it. */
+    get outside(): Vec3 {
+        const { camera, eye } = this;
+        if (!isOrthographic(camera)) return eye;
+        const back = new Vector3(0, 0, 1).applyQuaternion(camera.quaternion).multiplyScalar(1e4 * camera.far);
+        return back.add(camera.position).toArray();
     }
 
     /** Null behind a camera with perspective. */

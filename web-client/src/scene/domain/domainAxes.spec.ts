@@ -1,7 +1,7 @@
 import { PerspectiveCamera } from 'three';
 import { describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../protocol/messages.ts';
-import { type Bounds, boxEdges, centreOf, keptIn, labelledEdges } from './domainAxes.ts';
+import { type Bounds, boxEdges, centreOf, edgesBeforeBox, keptIn, labelledEdges } from './domainAxes.ts';
 import { projectToScreen } from '../base/view.ts';
 
 const bounds: Bounds = [-3, 13, -4, 4, 0, 6];
@@ -35,6 +35,28 @@ describe('labelledEdges', () => {
     it('follows the camera to the other side', () => {
         const [x] = edgesSeenFrom([20, 40, 25]);
         expect(x?.from).toEqual([-3, 4, 0]);
+    });
+});
+
+describe('edgesBeforeBox', () => {
+    const before = (eye: Vec3): number[][] => {
+        const ends = boxEdges(bounds);
+        const middle = (i: number, k: number): number => (ends[6 * i + k]! + ends[6 * i + 3 + k]!) / 2 + centreOf(bounds)[k]!;
+        return edgesBeforeBox(bounds, eye).flatMap((is, i) => (is ? [[0, 1, 2].map((k) => middle(i, k))] : []));
+    };
+
+    it('are the three that meet in the corner next to an eye that sees three faces', () => {
+        expect(before([-20, -40, 25])).toEqual([
+            [-3, -4, 3],
+            [5, -4, 6],
+            [-3, 0, 6],
+        ]);
+    });
+
+    it('is one where two faces are seen, and none where one is, or where the eye is inside', () => {
+        expect(before([-20, -40, 3])).toEqual([[-3, -4, 3]]);
+        expect(before([5, -40, 3])).toEqual([]);
+        expect(before([5, 0, 3])).toEqual([]);
     });
 });
 

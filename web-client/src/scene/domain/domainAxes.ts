@@ -20,7 +20,7 @@ export interface AxisEdge {
 
 /**
  * @param project canvas position, null behind the camera
- * @param eye     position of the camera
+ * @param eye     position of the camera, far away without perspective
  */
 export function labelledEdges(bounds: Bounds, eye: Vec3, project: (point: Vec3) => ScreenPoint | null): AxisEdge[] {
     const centre = project(centreOf(bounds));
@@ -63,6 +63,19 @@ export function boxEdges(bounds: Bounds): Float32Array {
         }
     }
     return new Float32Array(ends);
+}
+
+/** Of the edges of boxEdges, those between two faces that are turned to the eye: what is in the box is behind them. */
+export function edgesBeforeBox(bounds: Bounds, eye: Vec3): boolean[] {
+    const before: boolean[] = [];
+    for (let corner = 0; corner < 8; ++corner) {
+        for (const axis of [0, 1, 2] as const) {
+            if ((corner >> axis) % 2 === 1) continue;
+            const others = ([0, 1, 2] as const).filter((each) => each !== axis);
+            before.push(others.every((each) => faces(bounds, each, ((corner >> each) & 1) as 0 | 1, eye)));
+        }
+    }
+    return before;
 }
 
 /**

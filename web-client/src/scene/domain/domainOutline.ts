@@ -1,9 +1,11 @@
 // The box of the domain with numbers and names along three of its edges. The numbers are DOM text
 // over the canvas: sharp at any size and readable by assistive tools.
-import { BufferAttribute, BufferGeometry, type Color, LineBasicMaterial, LineSegments } from 'three';
+import type { Color, Object3D } from 'three';
 import type { Vec3 } from '../../protocol/messages.ts';
-import { type AxisEdge, type Bounds, boxEdges, centreOf, keptIn, labelledEdges } from './domainAxes.ts';
+import { BoxLines } from './boxLines.ts';
+import { type AxisEdge, type Bounds, keptIn, labelledEdges } from './domainAxes.ts';
 import { Labels } from '../base/labels.ts';
+import { type Cover, isCovered } from '../base/cover.ts';
 import type { Layer, ScreenPoint, ScreenSize, View } from '../base/view.ts';
 import { niceTicks } from '../base/ticks.ts';
 
@@ -16,34 +18,40 @@ const clearancePx = { x: 8, y: 13 };
 /** About half of what a sign of a number and of a name takes. */
 const halfSignPx = 3.5;
 const halfNameSignPx = 4.6;
+const halfHeightPx = 8;
+/** Where along an axis its name is looked for a place. */
+const nameParts = [0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8];
 
 interface PlacedWords extends ScreenPoint {
     halfWidth: number;
 }
 
 export class DomainOutline implements Layer {
-    readonly object: LineSegments<BufferGeometry, LineBasicMaterial>;
+    private readonly lines: BoxLines;
     private readonly bounds: Bounds;
     private readonly labels: Labels;
     private unit = '';
     private placed: PlacedWords[] = [];
     private size: ScreenSize = { width: 0, height: 0 };
     private placedFor = '';
+    private cover: Cover | null = null;
 
     constructor(bounds: Bounds, layer: HTMLElement, colour: Color) {
         this.bounds = bounds;
         this.labels = new Labels(layer);
-        // Not by three's EdgesGeometry, which takes points nearer to each other than 1e-4 for one.
-        const geometry = new BufferGeometry().setAttribute('position', new BufferAttribute(boxEdges(bounds), 3));
-        this.object = new LineSegments(geometry, new LineBasicMaterial({ color: colour }));
-        this.object.position.set(...centreOf(bounds));
+        this.lines = new BoxLines(bounds, colour);
+    }
+
+    get object(): Object3D {
+        return this.lines.object;
     }
 
     /** Places the labels for the present camera, unless they are there already: text is costly to lay out. */
     update(view: View): void {
-        const { eye } = view;
+        this.lines.update(view);
+        const eye = view.outside;
         const project = (point: Vec3): ScreenPoint | null => view.project(point);
-        const drawn = JSON.stringify([eye, project(this.corner(0)), project(this.corner(1))]);
+        const drawn = JSON.stringify([eye, view.size, project(this.corner(0)), project(this.corner(1))]);
         if (drawn === this.placedFor) return;
         this.placedFor = drawn;
         this.labels.begin();
@@ -54,12 +62,19 @@ export class DomainOutline implements Layer {
     }
 
     setColour(colour: Color): void {
-        this.object.material.color = colour;
+        this.lines.setColour(colour);
     }
 
     /** Of lengths, behind the names of the axes; empty: unknown. */
     setUnit(unit: string): void {
         this.unit = unit;
+        this.placedFor = '';
+    }
+
+    /** Where no words are to be. */
+    setCover(cover: Cover | null): void {
+        if (cover === this.cover) return;
+        this.cover = cover;
         this.placedFor = '';
     }
 
@@ -69,7 +84,7 @@ export class DomainOutline implements Layer {
     }
 
     dispose(): void {
-        this.object.geometry.dispose();
+        this.lines.dispose();
         this.labels.dispose();
     }
 
@@ -82,10 +97,12 @@ export class DomainOutline implements Layer {
         const [low, high] = [edge.from[edge.axis], edge.to[edge.axis]];
         const { ticks, shared } = niceTicks(low, high, Math.min(8, lengthPx / pxPerTick));
         // First, because a number less is no loss.
-        const middle = { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 };
         const name = axisNames[edge.axis] ?? '';
         const words = [name, this.unit === '' ? '' : `(${this.unit})`, shared].filter((each) => each !== '').join(' ');
-        this.place(middle, edge.outward, nameGapPx, words, `axis-name axis-${name}`);
+        for (const part of nameParts) {
+            const at = { x: a.x + part * (b.x - a.x), y: a.y + part * (b.y - a.y) };
+            if (this.place(at, edge.outward, nameGapPx, words, `axis-name axis-${name}`)) break;
+        }
         for (const tick of ticks) {
             const at: Vec3 = [...edge.from];
             at[edge.axis] = tick.value;
@@ -93,14 +110,17 @@ export class DomainOutline implements Layer {
         }
     }
 
-    private place(at: ScreenPoint | null, outward: ScreenPoint, gapPx: number, text: string, className: string): void {
-        if (at === null) return;
+    private place(at: ScreenPoint | null, outward: ScreenPoint, gapPx: number, text: string, className: string): boolean {
+        if (at === null) return false;
         const halfWidth = text.length * (className === 'tick' ? halfSignPx : halfNameSignPx);
         const place = keptIn({ x: at.x + outward.x * gapPx, y: at.y + outward.y * gapPx }, at, this.size, halfWidth);
         const words = { ...place, halfWidth };
-        if (this.placed.some((other) => collide(other, words))) return;
+        const half = { width: halfWidth, height: halfHeightPx };
+        if (this.cover !== null && isCovered(place, half, this.cover, this.size)) return false;
+        if (this.placed.some((other) => collide(other, words))) return false;
         this.placed.push(words);
         this.labels.place(place, text, className);
+        return true;
     }
 }
 

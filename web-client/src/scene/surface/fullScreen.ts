@@ -14,8 +14,11 @@ import {
 
 export type FullScreen = Mesh<BufferGeometry, ShaderMaterial>;
 
-/** `over`: laid over what is there; `under`: shines through what lets light pass of that. Colours come multiplied by alpha. */
-export type Laid = 'over' | 'under';
+/**
+ * `over`: laid over what is there; `under`: shines through what lets light pass of that; `added` to it. Colours come multiplied by
+ * alpha.
+ */
+export type Laid = 'over' | 'under' | 'added';
 
 export function fullScreen(
     laid: Laid,
@@ -23,7 +26,7 @@ export function fullScreen(
 ): FullScreen {
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new BufferAttribute(Float32Array.of(-1, -1, 0, 3, -1, 0, -1, 3, 0), 3));
-    const blendSrc = laid === 'over' ? OneFactor : OneMinusDstAlphaFactor;
+    const blendSrc = laid === 'under' ? OneMinusDstAlphaFactor : OneFactor;
     const blendDst = laid === 'over' ? OneMinusSrcAlphaFactor : OneFactor;
     const material = new ShaderMaterial({
         ...shader,

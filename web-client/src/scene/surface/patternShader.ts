@@ -12,10 +12,12 @@ uniform sampler2D noise;
 // Where t is 0 for the pattern, and +1 or -1: the way it flows.
 uniform vec2 patternT;
 uniform float flowShift;
+// Of the picture for one of CSS: spacing and widths are meant in these.
+uniform float pixelRatio;
 
 /** Frequency (a power of two) and how far it is on the way to the next one, for a change of c by \`rate\` a pixel. */
 vec2 levelOf(float rate, float periodPx) {
-    float wanted = -log2(max(rate, 1e-9) * periodPx);
+    float wanted = -log2(max(rate, 1e-9) * periodPx * pixelRatio);
     float level = floor(wanted);
     return vec2(exp2(level), smoothstep(0.25, 0.75, wanted - level));
 }
@@ -25,8 +27,14 @@ float halves(float x, float rate) {
     return clamp(0.5 + (0.25 - abs(fract(x) - 0.5)) / max(rate, 1e-6), 0.0, 1.0);
 }
 
+/** How much of a pixel lies to one side of an edge that is so many pixels away from its middle. */
+float beyond(float distance) {
+    return clamp(distance + 0.5, 0.0, 1.0);
+}
+
 float thinLine(float x, float rate) {
-    return 1.0 - smoothstep(0.6, 1.6, abs(fract(x - 0.5) - 0.5) / max(rate, 1e-6));
+    float away = abs(fract(x - 0.5) - 0.5) / max(rate, 1e-6);
+    return beyond(1.1 * pixelRatio - away) - beyond(-1.1 * pixelRatio - away);
 }
 
 float stripesAt(float c, float rate) {

@@ -38,6 +38,7 @@ export function sharedUniforms(textures: SurfaceTextures) {
         depthRange: { value: new Vector2(0, 1) },
         respectPaint: { value: true },
         flowShift: { value: 0 },
+        pixelRatio: { value: 1 },
         noise: { value: textures.noise },
         ...peelUniforms(),
     };

@@ -131,6 +131,8 @@ void main() {
     mat2 slope = mat2(dFdx(place), dFdy(place));
     float areaPerPixel = length(cross(dFdx(worldPosition), dFdy(worldPosition)));
     float facingSlope = fwidth(facing);
+    vec3 flatNormal = cross(dFdx(viewPosition), dFdy(viewPosition));
+    float flatFacing = abs(dot(flatNormal, toViewer)) / max(length(flatNormal), 1e-30);
     if (isCut()) discard;
 #endif
 #ifdef TRANSPARENT
@@ -144,7 +146,11 @@ void main() {
     base *= pattern(place, slope);
     vec3 colour = lit(base, n, toViewer);
     float outlined = 0.0;
-    if (silhouettes) outlined = 1.0 - smoothstep(1.0, 2.4, facing / max(facingSlope, 0.004));
+    if (silhouettes) {
+        outlined = 1.0 - smoothstep(1.0, 2.4, facing / max(facingSlope * max(pixelRatio, 0.7), 0.004));
+        // Where the surface itself faces the eye, only its normals turn: at a crease, which is no outline.
+        outlined *= 1.0 - smoothstep(0.45, 0.65, flatFacing);
+    }
     colour *= 1.0 - 0.9 * outlined;
 #ifdef TRANSPARENT
     float alpha = max(opacityAt(facing, abs(determinant(slope)), areaPerPixel), outlined * revealed());

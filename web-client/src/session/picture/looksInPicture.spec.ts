@@ -9,7 +9,7 @@ function bench() {
     state.stage.value = 'running';
     const shown: unknown[] = [];
     const scene = {
-        loop: { request: () => undefined, beforeFrame: () => undefined },
+        loop: { request: () => undefined, requestNext: () => undefined, beforeFrame: () => undefined },
         surfaces: { setStyle: () => undefined, spanOf: () => null, moveTexture: () => undefined },
         setClip: () => undefined,
     };

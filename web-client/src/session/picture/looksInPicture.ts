@@ -14,7 +14,7 @@ export interface LooksOptions {
     state: AppState;
     view: ViewState;
     scene: Pick<FlowScene, 'setClip'> & {
-        loop: Pick<FrameLoop, 'request' | 'beforeFrame'>;
+        loop: Pick<FrameLoop, 'request' | 'requestNext' | 'beforeFrame'>;
         surfaces: Pick<SurfaceLayer, 'setStyle' | 'spanOf' | 'moveTexture'>;
     };
     worker: Pick<WorkerClient, 'show'>;
@@ -83,6 +83,7 @@ function flowTexture({ state, view, scene }: Pick<LooksOptions, 'state' | 'view'
         before = now;
         scene.surfaces.moveTexture((step * Math.max(0, ...spans.filter(Number.isFinite))) / secondsAcross);
         scene.loop.request();
+        scene.loop.requestNext();
     });
     calm.addEventListener('change', scene.loop.request);
 }

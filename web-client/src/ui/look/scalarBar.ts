@@ -50,7 +50,7 @@ export class ScalarBar extends SignalElement {
                 width: 260px;
                 padding: 8px 14px 6px;
                 border-radius: 8px;
-                background: light-dark(rgb(246 248 251 / 0.86), rgb(11 16 24 / 0.82));
+                background: light-dark(#f6f8fb, #0d131d);
                 font-size: 12px;
                 pointer-events: none;
             }

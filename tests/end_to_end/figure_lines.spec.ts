@@ -1,0 +1,210 @@
+// What surrounds the surface in a picture: the lines of the box, numbers and names of the axes, and the bar, in pixels of figures.
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
+import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
+import { ask, screenshot } from './support/browser_page.ts';
+import { pixelsOf } from './support/figure_download.ts';
+import { useStand } from './support/stand.ts';
+
+const stand = useStand();
+const size = { width: 900, height: 520 };
+
+interface Wanted {
+    scale?: number;
+    axes: boolean;
+    bar?: boolean;
+    background?: 'shown' | 'white' | 'clear';
+}
+
+/** With so many pixels for one of the page; and how a place on the page is found in it. */
+async function figure(page: Page, { scale = 1, axes, bar = false, background = 'white' }: Wanted) {
+    const box = (await page.locator('canvas').first().boundingBox())!;
+    const wanted = { width: Math.round(box.width * scale), height: Math.round(box.height * scale) };
+    const setting = { ...wanted, background, axes, bar, rake: false, caption: null };
+    const address = await page.evaluate((each) => window.wakesurf!.picture(each), setting);
+    const { pixels, width, height } = await pixelsOf(page, Buffer.from(address.slice(address.indexOf(',') + 1), 'base64'));
+    const rgba = (x: number, y: number): number[] => {
+        const at =
+            4 * (Math.min(height - 1, Math.max(0, Math.floor(y))) * width + Math.min(width - 1, Math.max(0, Math.floor(x))));
+        return [...pixels.subarray(at, at + 4)];
+    };
+    return { width, height, rgba, inFigure: (x: number, y: number) => ({ x: (x - box.x) * scale, y: (y - box.y) * scale }) };
+}
+
+interface OnEdge {
+    at: { x: number; y: number };
+    /** What is seen there and round it beside the box: a part of all. */
+    hit: number;
+    edge: number;
+}
+
+/** Places along the twelve edges of the domain that are in the picture. */
+function placesOnEdges(page: Page): Promise<OnEdge[]> {
+    return page.evaluate(() => {
+        const hook = window.wakesurf!;
+        const b = hook.bounds!;
+        const canvas = document.querySelector('wakesurf-app')!.shadowRoot!.querySelector('canvas')!.getBoundingClientRect();
+        const found: OnEdge[] = [];
+        for (let edge = 0; edge < 12; ++edge) {
+            const [axis, side] = [edge % 3, Math.floor(edge / 3)];
+            for (let part = 0.02; part < 1; part += 0.04) {
+                const point = [0, 0, 0] as [number, number, number];
+                const [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
+                point[axis] = b[2 * axis]! + part * (b[2 * axis + 1]! - b[2 * axis]!);
+                point[u] = b[2 * u + (side & 1)]!;
+                point[v] = b[2 * v + (side >> 1)]!;
+                const at = hook.project(point);
+                if (at === null || at.x < canvas.left + 4 || at.x > canvas.right - 4) continue;
+                if (at.y < canvas.top + 4 || at.y > canvas.bottom - 4) continue;
+                found.push({ at, hit: hook.pickGrid(at, 3).hits.filter((each) => each !== null).length / 49, edge });
+            }
+        }
+        return found;
+    });
+}
+
+const apart = (a: readonly number[], b: readonly number[]): number => Math.max(...a.map((c, i) => Math.abs(c - b[i]!)));
+const eye: Vec3 = [-14, -26, 12];
+
+describe('the box of the domain', () => {
+    it.each(['with', 'without'])(
+        'is behind what is in it, %s perspective, and its nearest edges are pale',
+        async (perspective) => {
+            const page = await stand.visit(size);
+            await page.evaluate((from) => window.wakesurf!.setCamera(from, [4, 0, 3]), eye);
+            if (perspective === 'without') await page.getByRole('button', { name: 'Parallel' }).click();
+            const places = await placesOnEdges(page);
+            const [boxed, bare] = [await figure(page, { axes: true }), await figure(page, { axes: false })];
+            const differences = places.map(({ at, hit, edge }) => {
+                const { x, y } = boxed.inFigure(at.x, at.y);
+                const around = [-1, 0, 1].flatMap((dx) =>
+                    [-1, 0, 1].map((dy) => apart(boxed.rgba(x + dx, y + dy), bare.rgba(x + dx, y + dy))),
+                );
+                return { hit, edge, by: Math.max(...around) };
+            });
+            await screenshot(page, `box-${perspective}`);
+            const covered = differences.filter(({ hit }) => hit === 1);
+            expect(covered.length).toBeGreaterThan(3);
+            // Numbers of axes may stand there.
+            expect(covered.filter(({ by }) => by > 2).length / covered.length).toBeLessThan(0.1);
+            const meanOf = (edge: number): number => {
+                const own = differences.filter((each) => each.edge === edge && each.hit === 0).map(({ by }) => by);
+                return own.reduce((sum, by) => sum + by, 0) / Math.max(1, own.length);
+            };
+            // Edge 0 is along x at the least y and z, and so on: from this eye three meet at the corner (-3, -4, 6).
+            const near = new Set(
+                [6, 1 + 6, 2].filter((edge) => differences.some((each) => each.edge === edge && each.hit === 0)),
+            );
+            const strengths = Array.from({ length: 12 }, (_, edge) => meanOf(edge)).filter((_, edge) => !near.has(edge));
+            expect(strengths.filter((by) => by > 60).length).toBeGreaterThanOrEqual(7);
+            const weak = Array.from({ length: 12 }, (_, edge) => meanOf(edge)).filter((by) => by > 8 && by < 60);
+            expect(weak.length).toBeGreaterThanOrEqual(2);
+            expect(weak.length).toBeLessThanOrEqual(3);
+            await page.context().close();
+        },
+    );
+
+    it('has lines of a width of its own: the same share of a picture of few pixels and of many', async () => {
+        const page = await stand.visit(size);
+        await page.evaluate((from) => window.wakesurf!.setCamera(from, [4, 0, 3]), eye);
+        const places = (await placesOnEdges(page)).filter(({ hit }) => hit === 0);
+        const widths: number[] = [];
+        for (const scale of [0.4, 1, 3]) {
+            const { rgba, inFigure } = await figure(page, { scale, axes: true, background: 'clear' });
+            // Across an upright line, the parts of pixels that it covers add up to its width.
+            const own = places
+                .filter(({ edge }) => edge % 3 === 2)
+                .map(({ at }) => {
+                    const { x, y } = inFigure(at.x, at.y);
+                    const reach = Math.ceil(4 * scale);
+                    let sum = 0;
+                    for (let dx = -reach; dx <= reach; ++dx) sum += rgba(x + dx, y)[3]! / 255;
+                    return sum / scale;
+                })
+                .sort((a, b) => a - b);
+            widths.push(own[Math.floor(0.75 * own.length)]!);
+        }
+        for (const width of widths) expect(Math.abs(width - 1.1)).toBeLessThan(0.2);
+        await page.context().close();
+    });
+});
+
+describe('words in a figure', () => {
+    it('grow with it, and have a sixtieth of its height at least, however tall the page', async () => {
+        const heightOf = async (page: Page, scale: number): Promise<{ rows: number; of: number }> => {
+            const name = (await page.locator('.labels .axis-x').boundingBox())!;
+            const { rgba, inFigure, height } = await figure(page, { scale, axes: true, bar: true, background: 'clear' });
+            const [from, to] = [inFigure(name.x - 1, name.y - 2), inFigure(name.x + name.width + 1, name.y + name.height + 2)];
+            const rows: number[] = [];
+            for (let y = Math.floor(from.y); y <= to.y; ++y) {
+                let most = 0;
+                for (let x = Math.floor(from.x); x <= to.x; ++x) most = Math.max(most, rgba(x, y)[3]!);
+                if (most > 128) rows.push(y);
+            }
+            return { rows: rows.length === 0 ? 0 : Math.max(...rows) - Math.min(...rows) + 1, of: height };
+        };
+        const page = await stand.visit(size);
+        const [one, three] = [await heightOf(page, 1), await heightOf(page, 3)];
+        expect(one.rows).toBeGreaterThan(5);
+        expect(Math.abs(three.rows - 3 * one.rows)).toBeLessThanOrEqual(4);
+        await page.context().close();
+        const tall = await stand.visit({ width: 1500, height: 1400 });
+        const setting = {
+            width: 1200,
+            height: 1440,
+            background: 'clear',
+            axes: false,
+            bar: false,
+            rake: false,
+            caption: 'H',
+        } as const;
+        const address = await tall.evaluate((each) => window.wakesurf!.picture(each), setting);
+        const { pixels } = await pixelsOf(tall, Buffer.from(address.slice(address.indexOf(',') + 1), 'base64'));
+        // A letter of 16 pixels of the page is some 11 high: twice that in a figure of twice 720 rows.
+        const inked = Array.from({ length: 100 }, (_, y) => y).filter((y) =>
+            Array.from({ length: 60 }, (_, x) => pixels[4 * (y * 1200 + x + 20) + 3]!).some((alpha) => alpha > 128),
+        );
+        expect(inked.length).toBeGreaterThan(20);
+        expect(inked.length).toBeLessThan(27);
+        await tall.context().close();
+    });
+
+    it('are not under the scalar bar, on the page and in figures', async () => {
+        const page = await stand.visit(size);
+        const barBox = (await page.locator('wakesurf-scalar-bar').boundingBox())!;
+        const overlaps = async (): Promise<number> => {
+            let found = 0;
+            for (let turn = 0; turn < 10; ++turn) {
+                found += await page.evaluate(
+                    async ({ angle, bar }) => {
+                        const hook = window.wakesurf!;
+                        const before = hook.framesDrawn;
+                        hook.setCamera([4 + 22 * Math.cos(angle), 22 * Math.sin(angle), 8], [1, 0, 3]);
+                        while (hook.framesDrawn === before) await new Promise(requestAnimationFrame);
+                        const labels = document
+                            .querySelector('wakesurf-app')!
+                            .shadowRoot!.querySelectorAll('.labels .tick, .labels .axis-name');
+                        return [...labels].filter((each) => {
+                            const box = each.getBoundingClientRect();
+                            if (box.width === 0) return false;
+                            return (
+                                box.right > bar.x &&
+                                box.left < bar.x + bar.width &&
+                                box.bottom > bar.y &&
+                                box.top < bar.y + bar.height
+                            );
+                        }).length;
+                    },
+                    { angle: 0.63 * turn + 0.2, bar: barBox },
+                );
+            }
+            return found;
+        };
+        expect(await overlaps()).toBe(0);
+        // Where there is no bar, there are some.
+        await page.locator('wakesurf-scalar-bar').evaluate((each: HTMLElement) => (each.style.display = 'none'));
+        expect(await overlaps()).toBeGreaterThan(2);
+        expect(await ask(page, (hook) => hook.stage)).toBe('running');
+        await page.context().close();
+    });
+});
