@@ -56,8 +56,9 @@ describe.each([
         const touch = await page.context().newCDPSession(page);
         const points = (dx: number) => [{ x: bar.x + bar.width / 2 + dx, y: bar.y + bar.height / 2 }];
         await touch.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: points(0) });
-        for (const dx of [10, 30, 60, 90])
-            {await touch.send('Input.dispatchTouchEvent', { type: 'touchMove', touchPoints: points(dx) });}
+        for (const dx of [10, 30, 60, 90]) {
+            await touch.send('Input.dispatchTouchEvent', { type: 'touchMove', touchPoints: points(dx) });
+        }
         await touch.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
         await expect.poll(() => ask(page, (hook) => hook.camera.position)).not.toEqual(before);
     });
