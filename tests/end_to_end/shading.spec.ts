@@ -95,7 +95,8 @@ describe('flat sheets', () => {
             const page = await open(side);
             drawn[side] = await pixels(
                 page,
-                bands.map((z) => placeIn(left, z, 1.2)),
+                // Beyond the arrows of the chosen rake.
+                bands.map((z) => placeIn(left, z, 2.3)),
                 false,
             );
             await screenshot(page, `sides-${side}`);

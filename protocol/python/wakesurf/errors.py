@@ -141,7 +141,7 @@ def in_python(hint: str) -> str:
         hint = re.sub(pattern, words, hint)
     # These alone: fields of the data may be spelt like that as well.
     return re.sub(r"\b(maxQuads|releaseUntil|stagnationSpeed|expiresIn|ifRev|timeoutMs)\b",
-                  lambda found: re.sub("[A-Z]", lambda m: "_" + m[0].lower(), found[0]), hint)
+                  lambda found: re.sub("([A-Z])", r"_\1", found[0]).lower(), hint)
 
 
 def error_of(fault: Mapping[str, Any]) -> WakesurfError:

@@ -1,7 +1,6 @@
 // What a probe says where the data have no velocity, at the time that it asks for.
-#include "server/session/live/probe.hpp"
-
 #include "core/field/stored_flow.hpp"
+#include "server/session/live/probe.hpp"
 #include "tests/support/sampled_source.hpp"
 
 #include <gtest/gtest.h>
@@ -21,9 +20,8 @@ TEST(Probe, IsOutsideAndHasNoNumberWhereTheDataHaveNone) {
         std::make_shared<tests::SampledSource>(
             core::UniformGrid{{0, 0, 0}, Vec3(0.25), {9, 9, 9}}, std::vector{0.0, 1.0, 2.0},
             [](const Vec3& p, double t) {
-                return p.z > (t > 1.5 ? 1.3 : 1.8)
-                           ? Vec3(std::numeric_limits<double>::quiet_NaN())
-                           : Vec3(1.0, 0.3 * p.z, 0.2);
+                return p.z > (t > 1.5 ? 1.3 : 1.8) ? Vec3(std::numeric_limits<double>::quiet_NaN())
+                                                   : Vec3(1.0, 0.3 * p.z, 0.2);
             }),
         core::TimeStepCache::Options{}));
     const ProbeRequest request{{{1, 1, 1.1}, {1, 1, 1.6}, {1, 1, 1.9}}, 1.0, {}};
