@@ -1,5 +1,5 @@
-// What counts as the end of a range of coordinates or times. Solvers write 0.1 in 32 bits, which is 0.100000001: who types 0.1 means
-// that plane, and that time.
+// What counts as the end of a range of coordinates or times. Solvers write 0.1 in 32 bits, which is
+// 0.100000001: a person who types 0.1 means that plane, and that time.
 #pragma once
 
 #include "core/base/box.hpp"
@@ -9,9 +9,9 @@
 
 namespace wakesurf::core {
 
-/// How far beyond an end of lo..hi a number still means that end: four roundings of a 32-bit number of their size. Far from the origin
-/// these become long beside the range, whose numbers then have more bits: no more than 1e-5 of the range. Where it is one number, of
-/// its size alone.
+/// How far beyond an end of lo..hi a number still means that end: four roundings of a 32-bit number of their
+/// size. Far from the origin these become long beside the range, whose numbers then have more bits: no more
+/// than 1e-5 of the range. Where it is one number, of its size alone.
 inline double rounding(double lo, double hi) {
     const double roundings = 0x1p-22 * std::max(std::abs(lo), std::abs(hi));
     return hi > lo ? std::min(roundings, 1e-5 * (hi - lo)) : roundings;
@@ -23,12 +23,10 @@ inline bool within_rounding(double x, double lo, double hi) {
     return x >= lo - slack && x <= hi + slack;
 }
 
-/// Of the longest axis: what a place may be off.
-inline double rounding(const Box& box) {
-    double most = 0.0;
-    for (int axis = 0; axis < 3; ++axis)
-        most = std::max(most, rounding(box.lo[axis], box.hi[axis]));
-    return most;
+/// What a place may be off along each axis. A thin domain is as long on the others.
+inline Vec3 rounding(const Box& box) {
+    return {rounding(box.lo.x, box.hi.x), rounding(box.lo.y, box.hi.y),
+            rounding(box.lo.z, box.hi.z)};
 }
 
 /// A point that is beyond a face by rounding, on that face; any other as it is.

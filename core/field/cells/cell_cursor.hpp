@@ -5,6 +5,8 @@
 #include "core/base/point_status.hpp"
 #include "core/field/cells/cell_domain.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -55,6 +57,11 @@ class CellCursor {
 
   private:
     static constexpr int most_moves = 32;
+
+    /// Along each axis.
+    static bool within(const Vec3& by, const Vec3& most) {
+        return std::abs(by.x) <= most.x && std::abs(by.y) <= most.y && std::abs(by.z) <= most.z;
+    }
 
     template <class Usable>
     PointStatus search(const Vec3& p, const Usable& usable) {
@@ -119,18 +126,19 @@ class CellCursor {
     /// The nearest place in the cell beyond a crack as wide as a rounding, in which `p` is: cells of different sizes that meet leave some, as
     /// the nodes of the small ones are not those of the large ones. @param from  where the particle comes from
     std::optional<CellPlace> across_crack(const Vec3& p, const Vec3& from) {
-        const double widest = 2.0 * domain_->rounding;
+        const Vec3 widest = 2.0 * domain_->rounding;
         for (const Vec3& way : {p - here_.position(local_), p - from}) {
-            const double length = glm::length(way);
-            if (!(length > 0.0))
+            const Vec3 parts = glm::abs(way) / widest;
+            const double longest = std::max(std::max(parts.x, parts.y), parts.z);
+            if (!(longest > 0.0))
                 continue;
-            const Vec3 beyond = p + way * (widest / length);
+            const Vec3 beyond = p + way / longest;
             auto found = domain_->locator.find(beyond, there_);
             if (!found || (!domain_->walls.empty() && domain_->walls.crossed(from, beyond)))
                 continue;
             there_.invert(p, found->local);
             found->local = clamp_to_cell(there_.shape(), found->local);
-            if (glm::length(there_.position(found->local) - p) <= widest)
+            if (within(there_.position(found->local) - p, widest))
                 return found;
         }
         return std::nullopt;
@@ -163,8 +171,7 @@ class CellCursor {
         here_.invert(p, u);
         local_ = clamp_to_cell(here_.shape(), u);
         const PointStatus met = walk(p, u, usable, false);
-        return glm::length(p - here_.position(local_)) <= domain_->rounding ? PointStatus::Inside
-                                                                            : met;
+        return within(p - here_.position(local_), domain_->rounding) ? PointStatus::Inside : met;
     }
 
     /// Takes the place that `there_` is the geometry of, unless something is in the way.

@@ -19,8 +19,8 @@ struct CellDomain {
     const CellMesh& mesh;
     CellLocator locator;
     CellWalls walls;
-    bool one_piece;  ///< all cells hang together by their faces: no blocks, which may overlap
-    double rounding; ///< a particle may begin this far beyond the border
+    bool one_piece; ///< all cells hang together by their faces: no blocks, which may overlap
+    Vec3 rounding;  ///< along each axis a particle may begin this far beyond the border
 };
 
 } // namespace wakesurf::core

@@ -102,7 +102,8 @@ class Parts {
     // Joins the parts that touch, and finds those that overlap.
     void look_beyond_faces() {
         const core::CellLocator locator(mesh_);
-        const double step = 2.0 * core::rounding(locator.bounds());
+        const core::Vec3 off = core::rounding(locator.bounds());
+        const double step = 2.0 * std::max({off.x, off.y, off.z});
         core::CellGeometry geometry;
         for (const auto& at : faces_) {
             const Face face = face_of(mesh_, at);

@@ -156,6 +156,16 @@ TEST(Inlet, APointInItIsInsideAndOneTenThousandthBeforeItIsNot) {
     }
 }
 
+TEST(Inlet, InADomainThatIsLongAndThinRoundingIsThatOfEachAxis) {
+    const Vec3 size(1000.0, 1000.0, 1e-3);
+    const auto flow = flow_of(block(
+        {4, 4, 4}, [&](const Vec3& u) { return in_32_bits(Vec3(0.1, 0.1, 0.0) + size * u); }));
+    EXPECT_EQ(flow->status({0.1, 500.0, 5e-4}), PointStatus::Inside);
+    // A quarter of the thickness above; 32 bits keep the length to a tenth of that.
+    EXPECT_EQ(flow->status({500.0, 500.0, 1.2e-3}), PointStatus::OutsideDomain);
+    EXPECT_EQ(flow->status({500.0, 500.0, 1.001e-3}), PointStatus::OutsideDomain);
+}
+
 TEST(Inlet, ATimeThatIsTypedIsThatOfTheDataIn32BitsAndAnEarlierOneIsNot) {
     const auto flow = flow_of(cases().front().grid);
     const Rake rake{Rake::Kind::Line, {{0.5, 0.0, 1.0}, {0.5, 0.5, 1.0}}, 5};
