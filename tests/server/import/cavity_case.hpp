@@ -47,9 +47,12 @@ class CavityCase : public testing::Test {
         const std::filesystem::path place = folder_ / "cavity" / inside;
         write_foam_mesh(place / "constant", mesh, binary);
         for (int step = 0; step < 3; ++step)
-            for (const auto& field : {velocity(mesh, step), pressure(mesh, step)})
+            for (auto field : {velocity(mesh, step), pressure(mesh, step)}) {
+                if (units_named_)
+                    field.dimensions = field.name == "U" ? "[m s^-1]" : "[m^2 s^-2]";
                 write_foam_field(place / time_names[static_cast<std::size_t>(step)], mesh, field,
                                  binary);
+            }
         write_file(folder_ / "cavity" / "cavity.foam", "");
         return folder_ / "cavity" / "cavity.foam";
     }
@@ -64,6 +67,7 @@ class CavityCase : public testing::Test {
     std::filesystem::path at(const std::string& name) const { return folder_ / "cavity" / name; }
 
     TemporaryFolder folder_;
+    bool units_named_ = false; ///< put writes dimensions as OpenFOAM does since version 10
 };
 
 // Every cell's number follows from its first component; all others must fit it.

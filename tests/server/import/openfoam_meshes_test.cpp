@@ -94,19 +94,5 @@ TEST_F(OpenfoamMeshes, ThatChangeAsTheRunGoesAreRefused) {
     EXPECT_EQ(server::open_openfoam(at("cavity.foam")).error().message, words);
 }
 
-TEST_F(OpenfoamMeshes, WithDimensionsInWordsSayHowToWriteThem) {
-    const auto mesh = foam_block_mesh({});
-    put(mesh);
-    for (const std::string time : time_names) {
-        auto field = velocity(mesh, 0);
-        field.dimensions = "[m s^-1]";
-        write_foam_field(at(time), mesh, field);
-    }
-    const auto refused = server::open_openfoam(at("cavity.foam"));
-    ASSERT_FALSE(refused.has_value());
-    EXPECT_EQ(refused.error().message, "0/U of cavity.foam has its dimensions in words, [m s^-1], "
-                                       "which VTK's reader cannot read");
-}
-
 } // namespace
 } // namespace wakesurf::server::openfoam_meshes_test

@@ -22,11 +22,18 @@ namespace fs = std::filesystem;
 
 using OpenfoamSource = CavityCase;
 
-class WholeCase : public OpenfoamSource, public testing::WithParamInterface<bool> {};
+/// Binary? Dimensions that name units?
+using Written = std::tuple<bool, bool>;
+
+const auto each_way = testing::Combine(testing::Bool(), testing::Bool());
+
+class WholeCase : public OpenfoamSource, public testing::WithParamInterface<Written> {};
 
 TEST_P(WholeCase, GivesEveryValueOfEveryTimeStepInAnyOrder) {
     const auto mesh = foam_block_mesh({{4, 3, 2}, true});
-    put(mesh, GetParam());
+    const auto [binary, units_named] = GetParam();
+    units_named_ = units_named;
+    put(mesh, binary);
     const auto source = open();
     EXPECT_EQ(source->description().name, "cavity");
     EXPECT_EQ(source->description().times, (std::vector<double>{0.0, 0.5, 10.0}));
@@ -57,9 +64,17 @@ TEST_P(WholeCase, GivesEveryValueOfEveryTimeStepInAnyOrder) {
     EXPECT_EQ(source->files(1)->front().name, "0.5/U");
 }
 
-INSTANTIATE_TEST_SUITE_P(AsciiAndBinary, WholeCase, testing::Bool());
+INSTANTIATE_TEST_SUITE_P(EachWay, WholeCase, each_way);
 
-TEST_F(OpenfoamSource, GivesTheAskedFieldsOnly) {
+/// As numbers or as names of units.
+class Dimensions : public OpenfoamSource, public testing::WithParamInterface<bool> {
+  protected:
+    void SetUp() override { units_named_ = GetParam(); }
+};
+
+INSTANTIATE_TEST_SUITE_P(EachWay, Dimensions, testing::Bool());
+
+TEST_P(Dimensions, GivesTheAskedFieldsOnly) {
     put(foam_block_mesh({}));
     const auto source = open();
     const auto& fields = source->description().fields;
@@ -77,7 +92,7 @@ TEST_F(OpenfoamSource, GivesTheAskedFieldsOnly) {
     }
 }
 
-TEST_F(OpenfoamSource, KeepsPolyhedraWithTheirFaces) {
+TEST_P(Dimensions, KeepsPolyhedraWithTheirFaces) {
     const auto mesh = foam_block_mesh({{4, 2, 2}, true});
     put(mesh);
     const auto source = open();
@@ -99,7 +114,7 @@ TEST_F(OpenfoamSource, KeepsPolyhedraWithTheirFaces) {
     EXPECT_EQ(polyhedra, 4); // the large boxes at the interface
 }
 
-TEST_F(OpenfoamSource, TellsWallsFromOtherPatchesAndStillOnesFromMovingOnes) {
+TEST_P(Dimensions, TellsWallsFromOtherPatchesAndStillOnesFromMovingOnes) {
     const auto mesh = foam_block_mesh({});
     put(mesh);
     const auto source = open();
@@ -124,7 +139,7 @@ TEST_F(OpenfoamSource, TellsWallsFromOtherPatchesAndStillOnesFromMovingOnes) {
     }
 }
 
-TEST_F(OpenfoamSource, GivesADecomposedCaseAsTheWholeOne) {
+TEST_P(Dimensions, GivesADecomposedCaseAsTheWholeOne) {
     const auto mesh = foam_block_mesh({{4, 3, 2}, true});
     for (const auto& part : decompose(mesh, 0.2))
         put(part, part.part == 1, "processor" + std::to_string(part.part));
@@ -143,7 +158,7 @@ TEST_F(OpenfoamSource, GivesADecomposedCaseAsTheWholeOne) {
     }
 }
 
-TEST_F(OpenfoamSource, GivesRegionsWithAVelocityAsFluidAndOthersAsSolids) {
+TEST_P(Dimensions, GivesRegionsWithAVelocityAsFluidAndOthersAsSolids) {
     const auto mesh = foam_block_mesh({});
     write_foam_mesh(at("constant/air"), mesh);
     write_foam_mesh(at("constant/heater"), foam_block_mesh({{1, 1, 1}, false}));
@@ -316,7 +331,7 @@ void write_packed(const fs::path& file, const std::string& text) {
     ASSERT_EQ(::gzclose(out), Z_OK);
 }
 
-TEST_F(OpenfoamSource, ReadsCompressedFiles) {
+TEST_P(Dimensions, ReadsCompressedFiles) {
     const auto mesh = foam_block_mesh({});
     put(mesh);
     for (const char* const file : {"constant/polyMesh/points", "constant/polyMesh/boundary", "0/U",
@@ -344,11 +359,13 @@ std::vector<double> shape_of(vtkDataSet& block) {
 }
 
 // Files of every kind cut off at every 4 KiB, and close to their end.
-class Truncated : public OpenfoamSource, public testing::WithParamInterface<bool> {};
+class Truncated : public OpenfoamSource, public testing::WithParamInterface<Written> {};
 
 TEST_P(Truncated, FilesFailOrAreReadRightly) {
     const auto mesh = foam_block_mesh({{12, 8, 4}, true});
-    put(mesh, GetParam());
+    const auto [binary, units_named] = GetParam();
+    units_named_ = units_named;
+    put(mesh, binary);
     const auto sound = open();
     const auto shape = shape_of(*sound->read(1, sound->description().fields)->blocks[0]);
     int failures = 0;
@@ -388,7 +405,7 @@ TEST_P(Truncated, FilesFailOrAreReadRightly) {
     EXPECT_GT(failures, 20);
 }
 
-INSTANTIATE_TEST_SUITE_P(AsciiAndBinary, Truncated, testing::Bool());
+INSTANTIATE_TEST_SUITE_P(EachWay, Truncated, each_way);
 
 } // namespace
 } // namespace wakesurf::server::openfoam_source_test

@@ -18,25 +18,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// zlib hands plain files through. Nothing where the file cannot be read, or ends before its checksum.
-std::optional<std::string> content(const fs::path& file, std::size_t at_most) {
-    const std::unique_ptr<gzFile_s, int (*)(gzFile)> in(::gzopen(file.c_str(), "rb"), ::gzclose);
-    if (!in)
-        return std::nullopt;
-    std::string out;
-    std::array<char, 1 << 16> part{};
-    while (out.size() < at_most) {
-        const auto wanted = std::min(part.size(), at_most - out.size());
-        const int got = ::gzread(in.get(), part.data(), static_cast<unsigned>(wanted));
-        if (got < 0)
-            return std::nullopt;
-        if (got == 0)
-            break;
-        out.append(part.data(), static_cast<std::size_t>(got));
-    }
-    return out;
-}
-
 // Words, and ( ) { } ; as tokens of their own; comments and quotes left out.
 std::vector<std::string_view> tokens_of(std::string_view text) {
     std::vector<std::string_view> out;
@@ -111,8 +92,27 @@ std::optional<fs::path> foam_file(const fs::path& file) {
     return std::nullopt;
 }
 
+std::optional<std::string> foam_content(const fs::path& file, std::size_t at_most) {
+    // zlib hands plain files through.
+    const std::unique_ptr<gzFile_s, int (*)(gzFile)> in(::gzopen(file.c_str(), "rb"), ::gzclose);
+    if (!in)
+        return std::nullopt;
+    std::string out;
+    std::array<char, 1 << 16> part{};
+    while (out.size() < at_most) {
+        const auto wanted = std::min(part.size(), at_most - out.size());
+        const int got = ::gzread(in.get(), part.data(), static_cast<unsigned>(wanted));
+        if (got < 0)
+            return std::nullopt;
+        if (got == 0)
+            break;
+        out.append(part.data(), static_cast<std::size_t>(got));
+    }
+    return out;
+}
+
 std::optional<FoamHeader> read_foam_header(const fs::path& file) {
-    const auto text = content(file, foam_header_bytes);
+    const auto text = foam_content(file, foam_header_bytes);
     if (!text)
         return std::nullopt;
     const auto body = behind_header(*text);
@@ -135,14 +135,14 @@ std::optional<FoamHeader> read_foam_header(const fs::path& file) {
             out.unit = foam_unit(rest.substr(open, close + 1 - open));
         if (open != std::string_view::npos && close != std::string_view::npos && open < close &&
             has_letter(rest.substr(open, close - open)))
-            out.words = rest.substr(open, close + 1 - open);
+            out.names_units = true;
     }
     return out;
 }
 
 core::Result<std::vector<FoamPatch>> read_foam_patches(const fs::path& file,
                                                        const std::string& name) {
-    const auto text = content(file, std::numeric_limits<std::size_t>::max());
+    const auto text = foam_content(file, std::numeric_limits<std::size_t>::max());
     if (!text)
         return core::fail(Error::Code::Io, name + " cannot be read");
     const auto tokens = tokens_of(std::string_view(*text).substr(behind_header(*text)));
@@ -173,7 +173,7 @@ core::Result<std::vector<FoamPatch>> read_foam_patches(const fs::path& file,
 
 bool written_by_hand(const fs::path& file) {
     constexpr std::size_t at_most = 1 << 16;
-    const auto text = content(file, at_most);
+    const auto text = foam_content(file, at_most);
     if (!text)
         return false;
     const auto tokens = tokens_of(std::string_view(*text).substr(behind_header(*text)));
@@ -200,8 +200,8 @@ bool ends_as_written(const fs::path& file) {
 
 bool same_foam_body(const fs::path& one, const fs::path& other) {
     constexpr auto all = std::numeric_limits<std::size_t>::max();
-    const auto first = content(one, all);
-    const auto second = content(other, all);
+    const auto first = foam_content(one, all);
+    const auto second = foam_content(other, all);
     return first && second &&
            std::string_view(*first).substr(behind_header(*first)) ==
                std::string_view(*second).substr(behind_header(*second));

@@ -1,5 +1,5 @@
 // What the importer itself reads of OpenFOAM's files, plain or compressed with gzip: headers, units, patches. The
-// values are VTK's business. Format: OpenFOAM User Guide, "Basic input/output file format".
+// values are VTK's business, or that of openfoam_values.hpp. Format: OpenFOAM User Guide, "Basic input/output file format".
 #pragma once
 
 #include "core/base/result.hpp"
@@ -17,9 +17,9 @@ namespace wakesurf::server {
 constexpr std::size_t foam_header_bytes = 4096;
 
 struct FoamHeader {
-    std::string type;   ///< its `class` entry: volVectorField, polyBoundaryMesh ...
-    std::string object; ///< the file's name for itself
-    std::string words;  ///< its `dimensions` entry where that names units: "[m s^-1]"
+    std::string type;         ///< its `class` entry: volVectorField, polyBoundaryMesh ...
+    std::string object;       ///< the file's name for itself
+    bool names_units = false; ///< its `dimensions` entry is "[m s^-1]", not "[0 1 -1 0 0 0 0]"
     std::string unit; ///< of its `dimensions` entry: "m/s"; empty without one, or where it has none
 };
 
@@ -31,6 +31,9 @@ struct FoamPatch {
 
 /// `file`, or `file` + ".gz" where only that exists.
 std::optional<std::filesystem::path> foam_file(const std::filesystem::path& file);
+
+/// What a file holds, unpacked. Nothing where it cannot be read, or ends before its checksum.
+std::optional<std::string> foam_content(const std::filesystem::path& file, std::size_t at_most);
 
 /// Reads that many bytes at most. Nothing where that is no header of an OpenFOAM file.
 std::optional<FoamHeader> read_foam_header(const std::filesystem::path& file);

@@ -3,17 +3,65 @@
 #include "server/import/sources/openfoam/openfoam_cells.hpp"
 #include "server/import/sources/openfoam/openfoam_file.hpp"
 #include "server/import/sources/openfoam/openfoam_times.hpp"
+#include "server/import/sources/openfoam/openfoam_values.hpp"
 #include "server/import/vtk_messages.hpp"
 
+#include <vtkCellData.h>
+#include <vtkFloatArray.h>
 #include <vtkMultiBlockDataSet.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <new>
+#include <span>
 
 namespace wakesurf::server {
 
 using core::Error;
 using core::FieldInfo;
+
+namespace {
+
+// Faces of a patch that states no value get one that is no number, and so none of a wall at rest.
+core::Result<void> add_array(const Leaf& leaf,
+                             const FieldInfo& field,
+                             const FoamValues& values,
+                             const std::string& file) {
+    constexpr std::array none{std::nanf("")};
+    const auto patch = values.patches.find(leaf.name());
+    const auto given = is_inside(leaf)                 ? std::span<const float>(values.inside)
+                       : patch == values.patches.end() ? std::span<const float>(none)
+                                                       : std::span<const float>(patch->second);
+    const auto wanted = static_cast<std::size_t>(leaf.data->GetNumberOfCells() * field.components);
+    const bool one_for_all = given.size() == static_cast<std::size_t>(field.components);
+    if (given.size() != wanted && !one_for_all && given.data() != none.data())
+        return core::fail(Error::Code::Corrupt,
+                          file + " has other than " +
+                              std::to_string(leaf.data->GetNumberOfCells()) + " values of " +
+                              (is_inside(leaf) ? std::string("the cells") : leaf.name()),
+                          "copy the case again");
+    const auto array = vtkSmartPointer<vtkFloatArray>::New();
+    array->SetName(field.name.c_str());
+    array->SetNumberOfComponents(field.components);
+    array->SetNumberOfTuples(leaf.data->GetNumberOfCells());
+    for (std::size_t i = 0; i < wanted; ++i)
+        array->SetValue(static_cast<vtkIdType>(i), given[i % given.size()]);
+    leaf.data->GetCellData()->AddArray(array);
+    return {};
+}
+
+} // namespace
+
+bool is_inside(const Leaf& leaf) {
+    return leaf.name() == "internalMesh";
+}
+
+std::string region_of(const Leaf& leaf) {
+    const std::size_t own_names = is_inside(leaf) ? 1 : 2;
+    const std::string region = leaf.path.size() > own_names ? leaf.path.front() : "";
+    return region == "defaultRegion" ? "" : region;
+}
 
 OpenfoamReader::OpenfoamReader(const FoamCase& found, std::string part)
     : found_(found), part_(std::move(part)) {}
@@ -41,16 +89,6 @@ core::Result<void> OpenfoamReader::check_files(const FoamTime& time,
                                   file.name + " of " + found_.file + " says it is the field '" +
                                       header->object + "'",
                                   "write `object " + field.name + ";` into its header");
-        }
-        for (const auto& field : fields) {
-            const auto file =
-                found_.file_at(found_.relative(part_, time.name, region.name, field.name));
-            if (const auto header = read_foam_header(file.path); header && !header->words.empty())
-                return core::fail(Error::Code::Unsupported,
-                                  file.name + " of " + found_.file +
-                                      " has its dimensions in words, " + header->words +
-                                      ", which VTK's reader cannot read",
-                                  "write them as numbers: [0 1 -1 0 0 0 0] for a velocity in m/s");
         }
         for (const auto& name : foam_fields(folder)) {
             const auto same = [&](const FieldInfo& field) { return field.name == name; };
@@ -112,6 +150,15 @@ void OpenfoamReader::choose_patches() {
     }
 }
 
+// Does VTK's reader stop at it?
+bool OpenfoamReader::names_units(const FoamTime& time,
+                                 const FoamRegion& region,
+                                 const std::string& field) const {
+    const auto header = read_foam_header(
+        found_.file_at(found_.relative(part_, time.name, region.name, field)).path);
+    return header && header->names_units;
+}
+
 // What VTK meets first at a later time it would read unasked, unless it is known as not wanted.
 void OpenfoamReader::choose_fields(const FoamTime& time, const std::vector<FieldInfo>& fields) {
     for (const auto& region : found_.regions)
@@ -119,11 +166,33 @@ void OpenfoamReader::choose_fields(const FoamTime& time, const std::vector<Field
              foam_fields(found_.folder / found_.relative(part_, time.name, region.name, ""))) {
             const bool wanted =
                 std::any_of(fields.begin(), fields.end(),
-                            [&](const FieldInfo& field) { return field.name == name; });
+                            [&](const FieldInfo& field) { return field.name == name; }) &&
+                !names_units(time, region, name);
             reader_->SetPointArrayStatus(name.c_str(), 0);
             if ((reader_->GetCellArrayStatus(name.c_str()) != 0) != wanted || !wanted)
                 reader_->SetCellArrayStatus(name.c_str(), wanted ? 1 : 0);
         }
+}
+
+core::Result<void> OpenfoamReader::add_values(const FoamTime& time,
+                                              const std::vector<FieldInfo>& fields,
+                                              std::vector<Leaf>& leaves) const {
+    for (const auto& region : found_.regions)
+        for (const auto& field : fields) {
+            if (!region.fluid || !names_units(time, region, field.name))
+                continue;
+            const auto file =
+                found_.file_at(found_.relative(part_, time.name, region.name, field.name));
+            const std::string name = file.name + " of " + found_.file;
+            const auto values = read_foam_values(file.path, name, field.components);
+            if (!values)
+                return tl::unexpected(values.error());
+            for (auto& leaf : leaves)
+                if (region_of(leaf) == region.name)
+                    if (auto added = add_array(leaf, field, *values, name); !added)
+                        return added;
+        }
+    return {};
 }
 
 core::Result<std::vector<Leaf>> OpenfoamReader::read(const FoamTime& time,
@@ -157,6 +226,8 @@ core::Result<std::vector<Leaf>> OpenfoamReader::read(const FoamTime& time,
             copy->ShallowCopy(leaf.data);
             leaf.data = copy;
         }
+        if (auto added = add_values(time, fields, leaves); !added)
+            return give_up(added.error());
         return leaves;
     } catch (const std::bad_alloc&) {
         return give_up({Error::Code::OverLimit, "there is not enough memory to read " + what, {}});

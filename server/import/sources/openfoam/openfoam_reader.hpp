@@ -1,4 +1,5 @@
-// One folder of an OpenFOAM case that holds a mesh, read by VTK, one time-step at a time.
+// One folder of an OpenFOAM case that holds a mesh, read by VTK, one time-step at a time. Fields whose dimensions name units are read
+// beside it (openfoam_values.hpp).
 #pragma once
 
 #include "server/import/source.hpp"
@@ -8,6 +9,12 @@
 #include <vtkOpenFOAMReader.h>
 
 namespace wakesurf::server {
+
+/// Cells, not faces of a patch?
+bool is_inside(const Leaf& leaf);
+
+/// Its name as in FoamRegion.
+std::string region_of(const Leaf& leaf);
 
 /// Not thread-safe. Keeps the mesh between time-steps.
 class OpenfoamReader {
@@ -26,6 +33,11 @@ class OpenfoamReader {
                                    const std::vector<core::FieldInfo>& fields) const;
     core::Result<void> open(const std::string& what);
     void choose_patches();
+    bool
+    names_units(const FoamTime& time, const FoamRegion& region, const std::string& field) const;
+    core::Result<void> add_values(const FoamTime& time,
+                                  const std::vector<core::FieldInfo>& fields,
+                                  std::vector<Leaf>& leaves) const;
     void choose_fields(const FoamTime& time, const std::vector<core::FieldInfo>& fields);
 
     const FoamCase& found_;

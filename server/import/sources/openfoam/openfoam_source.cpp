@@ -124,13 +124,9 @@ class OpenfoamSource final : public Source {
 
     core::Result<void>
     take(Leaf& leaf, const FoamTime& time, const std::vector<FieldInfo>& fields, SourceStep& out) {
-        const bool inside = leaf.name() == "internalMesh";
-        const std::size_t own_names = inside ? 1 : 2;
-        const std::string region = leaf.path.size() > own_names ? leaf.path.front() : "";
         const auto known =
-            std::find_if(found_.regions.begin(), found_.regions.end(), [&](const FoamRegion& one) {
-                return one.name == (region == "defaultRegion" ? "" : region);
-            });
+            std::find_if(found_.regions.begin(), found_.regions.end(),
+                         [&](const FoamRegion& one) { return one.name == region_of(leaf); });
         if (known == found_.regions.end())
             return {}; // the whole mesh its regions were split from
         if (!known->fluid) {
@@ -148,7 +144,7 @@ class OpenfoamSource final : public Source {
             return whole;
         }
         keep_only(*leaf.data, fields);
-        if (inside)
+        if (is_inside(leaf))
             out.blocks.push_back(leaf.data);
         else if (auto* faces = vtkPolyData::SafeDownCast(leaf.data))
             out.walls.push_back({faces, stands_still(*faces, fields)});
