@@ -18,6 +18,14 @@ namespace wakesurf::tests {
 
 enum class Pointers { Written, Missing };
 
+/// Where their numbers are, and how many there are.
+struct Boundary {
+    bool last = true;
+    bool between = false; ///< others are between the cells
+    bool mixed = false;   ///< a section of elements of several types
+    cgsize_t count = 1;
+};
+
 struct Contents {
     std::vector<double> times{0.25, 0.5, 2};
     std::string vector = "Velocity"; ///< its components get X, Y and Z
@@ -28,8 +36,8 @@ struct Contents {
     int first_step = 0; ///< which known flow the first time-step is
     CGNS_ENUMT(LengthUnits_t) length = CGNS_ENUMV(LengthUnitsNull);         ///< of the base
     CGNS_ENUMT(LengthUnits_t) of_coordinates = CGNS_ENUMV(LengthUnitsNull); ///< of their node
-    bool solid = false; ///< the second zone has a temperature only, and the first a pressure
-    bool boundary_first = false;    ///< its elements are numbered before those of cells
+    bool solid = false;  ///< the second zone has a temperature only, and the first a pressure
+    Boundary boundary{}; ///< elements of an unstructured zone that are no cells
     std::optional<float> version{}; ///< of the CGNS library that wrote it, by its own word
 };
 
@@ -74,10 +82,8 @@ inline int write_zone(int file, const std::string& name, vtkStructuredGrid& grid
     return zone;
 }
 
-inline int write_zone(int file,
-                      const std::string& name,
-                      vtkUnstructuredGrid& grid,
-                      bool boundary_first = false) {
+inline int
+write_zone(int file, const std::string& name, vtkUnstructuredGrid& grid, const Boundary& boundary) {
     const std::array<cgsize_t, 3> size{grid.GetNumberOfPoints(), grid.GetNumberOfCells(), 0};
     int zone = 0;
     ok(cg_zone_write(file, 1, name.c_str(), size.data(), CGNS_ENUMV(Unstructured), &zone));
@@ -88,13 +94,26 @@ inline int write_zone(int file,
          {VTK_TETRA, CGNS_ENUMV(TETRA_4)}}};
     cgsize_t next = 1;
     int section = 0;
+    int sections = 0;
     const auto write_boundary = [&] {
-        const std::array<cgsize_t, 4> quad{1, 2, 10, 9}; // no cell
-        ok(cg_section_write(file, 1, zone, "Floor", CGNS_ENUMV(QUAD_4), next, next, 0, quad.data(),
-                            &section));
-        ++next;
+        const std::string name = "Floor" + std::to_string(sections++);
+        std::vector<cgsize_t> nodes;
+        std::vector<cgsize_t> offsets{0};
+        for (cgsize_t i = 0; i < boundary.count; ++i) {
+            if (boundary.mixed)
+                nodes.push_back(CGNS_ENUMV(QUAD_4));
+            nodes.insert(nodes.end(), {1, 2, 10, 9}); // no cell
+            offsets.push_back(static_cast<cgsize_t>(nodes.size()));
+        }
+        const cgsize_t last = next + boundary.count - 1;
+        ok(boundary.mixed
+               ? cg_poly_section_write(file, 1, zone, name.c_str(), CGNS_ENUMV(MIXED), next, last,
+                                       0, nodes.data(), offsets.data(), &section)
+               : cg_section_write(file, 1, zone, name.c_str(), CGNS_ENUMV(QUAD_4), next, last, 0,
+                                  nodes.data(), &section));
+        next = last + 1;
     };
-    if (boundary_first)
+    if (!boundary.last)
         write_boundary();
     for (const auto& [vtk, cgns] : types) {
         std::vector<cgsize_t> nodes;
@@ -110,8 +129,10 @@ inline int write_zone(int file,
         elements.insert(0, 1, 'E');
         ok(cg_section_write(file, 1, zone, elements.c_str(), cgns, first, next - 1, 0, nodes.data(),
                             &section));
+        if (boundary.between)
+            write_boundary();
     }
-    if (!boundary_first)
+    if (boundary.last)
         write_boundary();
     return zone;
 }
@@ -187,7 +208,7 @@ inline void write_cgns(const std::filesystem::path& path, const Contents& conten
             data = grid;
         } else {
             auto grid = sample_mesh(20.0 * block);
-            zone = write_zone(file, name, *grid, contents.boundary_first);
+            zone = write_zone(file, name, *grid, contents.boundary);
             data = grid;
         }
         write_coordinates(file, zone, *data);

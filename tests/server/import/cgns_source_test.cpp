@@ -31,6 +31,18 @@ class CgnsSource : public testing::Test {
             expect_step(**source, i < times.size() ? i : 2 * times.size() - 1 - i, vector);
     }
 
+    static void expect_vector_in_cells(vtkDataSet& block, int step) {
+        auto* array = block.GetCellData()->GetArray("Velocity");
+        ASSERT_NE(array, nullptr);
+        ASSERT_EQ(array->GetNumberOfTuples(), block.GetNumberOfCells());
+        for (vtkIdType i = 0; i < block.GetNumberOfCells(); ++i)
+            for (int c = 0; c < 3; ++c)
+                ASSERT_NEAR(
+                    array->GetComponent(i, c),
+                    known_velocity(cell_centre(block, i).data(), step)[static_cast<std::size_t>(c)],
+                    1e-9);
+    }
+
     core::Result<std::unique_ptr<Source>> open(const Contents& contents) const {
         write_cgns(folder_ / "flow.cgns", contents);
         return open_source(folder_ / "flow.cgns");
@@ -62,16 +74,8 @@ TEST_F(CgnsSource, LeavesCellDataInTheCells) {
         for (int step = 0; step < 3; ++step) {
             const auto read = (*source)->read(static_cast<std::size_t>(step), {*velocity});
             ASSERT_TRUE(read.has_value()) << read.error().message;
-            for (const auto& block : read->blocks) {
-                auto* array = block->GetCellData()->GetArray("Velocity");
-                ASSERT_EQ(array->GetNumberOfTuples(), block->GetNumberOfCells());
-                for (vtkIdType i = 0; i < block->GetNumberOfCells(); ++i)
-                    for (int c = 0; c < 3; ++c)
-                        ASSERT_NEAR(array->GetComponent(i, c),
-                                    known_velocity(cell_centre(*block, i).data(),
-                                                   step)[static_cast<std::size_t>(c)],
-                                    1e-9);
-            }
+            for (const auto& block : read->blocks)
+                expect_vector_in_cells(*block, step);
         }
     }
 }
@@ -201,17 +205,58 @@ TEST_F(CgnsSource, DoesNotGiveAnotherStepForOneThatIsGone) {
                    "flow.cgns at time 2 is not in the file any more");
 }
 
-TEST_F(CgnsSource, WithBoundariesNumberedFirstOpensByVerticesAndSaysHowToWriteCells) {
+// VTK's reader takes for cells what is numbered up to their count.
+TEST_F(CgnsSource, ReadsTheCellsWhereverTheElementsOfBoundariesAreNumbered) {
+    const auto cells = sample_mesh()->GetNumberOfCells();
+    for (const auto& boundary : std::vector<Boundary>{{false, false, false, 1},
+                                                      {false, false, false, 3 * cells},
+                                                      {true, true, false, 1},
+                                                      {false, true, true, 2},
+                                                      {true, false, true, 4}})
+        for (const bool at_cells : {false, true}) {
+            SCOPED_TRACE(testing::Message()
+                         << (boundary.last ? "last" : "first") << boundary.between << boundary.mixed
+                         << boundary.count << (at_cells ? " at cells" : " at nodes"));
+            Contents contents;
+            contents.structured = false;
+            contents.boundary = boundary;
+            contents.at_cells = at_cells;
+            const auto source = open(contents);
+            ASSERT_TRUE(source.has_value()) << source.error().message;
+            EXPECT_EQ((*source)->description().times, contents.times);
+            const auto* velocity = field_named(**source, "Velocity");
+            const auto* density = field_named(**source, "Density");
+            ASSERT_NE(velocity, nullptr);
+            ASSERT_NE(density, nullptr);
+            for (const std::size_t step : {2u, 0u, 1u}) {
+                const auto read = (*source)->read(step, {*velocity, *density});
+                ASSERT_TRUE(read.has_value()) << read.error().message;
+                ASSERT_EQ(read->blocks.size(), 2u);
+                for (const auto& block : read->blocks) {
+                    EXPECT_EQ(block->GetNumberOfCells(), cells);
+                    at_cells ? expect_vector_in_cells(*block, static_cast<int>(step))
+                             : expect_vector(*block, "Velocity", static_cast<int>(step));
+                }
+            }
+        }
+}
+
+TEST_F(CgnsSource, WithOtherNumbersTellsZonesWithoutAVelocityFromTheFluid) {
     Contents contents;
     contents.structured = false;
-    contents.boundary_first = true;
-    auto source = open(contents);
-    ASSERT_TRUE(source.has_value()) << source.error().message;
-    expect_step(**source, 1, "Velocity");
+    contents.boundary.last = false;
     contents.at_cells = true;
-    expect_failure(open(contents), Error::Code::Unsupported,
-                   "flow.cgns has values in cells, and numbers its boundary section Floor before "
-                   "the cells: this version of VTK's reader cannot read that");
+    contents.solid = true;
+    contents.times.clear();
+    const auto source = open(contents);
+    ASSERT_TRUE(source.has_value()) << source.error().message;
+    const auto read = (*source)->read(0, (*source)->description().fields);
+    ASSERT_TRUE(read.has_value()) << read.error().message;
+    ASSERT_EQ(read->blocks.size(), 1u);
+    EXPECT_EQ(read->solids.size(), 1u);
+    expect_vector_in_cells(*read->blocks[0], 0);
+    EXPECT_NE(field_named(**source, "Pressure"), nullptr);
+    EXPECT_EQ(field_named(**source, "Temperature"), nullptr);
 }
 
 } // namespace

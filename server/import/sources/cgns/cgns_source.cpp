@@ -6,6 +6,7 @@
 #include "server/import/sources/blocks/wall_patches.hpp"
 #include "server/import/sources/blocks/wanted_arrays.hpp"
 #include "server/import/sources/cgns/cgns_survey.hpp"
+#include "server/import/sources/cgns/cgns_zones.hpp"
 #include "server/import/sources/files/file_names.hpp"
 #include "server/import/sources/series/series_times.hpp"
 #include "server/import/vtk_messages.hpp"
@@ -78,15 +79,14 @@ class CgnsSource final : public Source {
 
     core::Result<void> open() {
         description_.name = series_.name;
-        description_.reader = "vtkCGNSReader (" + series_.kind + ")";
         std::vector<TimedEntry> times;
-        CgnsUnits units;
+        CgnsSurvey first;
         for (std::size_t i = 0; i < series_.entries.size(); ++i) {
             const auto survey = survey_cgns(listed(i));
             if (!survey)
                 return tl::unexpected(survey.error());
             if (i == 0)
-                units = survey->units;
+                first = *survey;
             if (auto rising = check_order(i, survey->times); !rising)
                 return rising;
             if (survey->times.empty()) {
@@ -106,8 +106,11 @@ class CgnsSource final : public Source {
         description_.time_note = std::move(settled->note);
         description_.places = std::move(settled->places);
         keep(settled->order);
-        add_note(description_.note, units.note);
-        return load(0, {true, {}}, units).and_then([&](const std::vector<Zone>& zones) {
+        description_.reader =
+            (first.cells_have_other_numbers ? "CGNS library (" : "vtkCGNSReader (") + series_.kind +
+            ")";
+        add_note(description_.note, first.units.note);
+        return load(0, {true, {}}, first).and_then([&](const std::vector<Zone>& zones) {
             return describe(zones);
         });
     }
@@ -133,7 +136,7 @@ class CgnsSource final : public Source {
                  : !survey->times.empty())
             return core::fail(Error::Code::Corrupt,
                               step_name(step) + " is not in the file any more");
-        const auto zones = load(step, {false, fields}, survey->units);
+        const auto zones = load(step, {false, fields}, *survey);
         if (!zones)
             return tl::unexpected(zones.error());
         SourceStep out;
@@ -210,8 +213,8 @@ class CgnsSource final : public Source {
         return listed(file).name + (time ? " at time " + time_text(*time) : "");
     }
 
-    core::Result<std::vector<Zone>>
-    load(std::size_t step, const WantedArrays& wanted, const CgnsUnits& units) const {
+    core::Result<std::vector<Leaf>> leaves_by_vtk(std::size_t step,
+                                                  const WantedArrays& wanted) const {
         const std::string name = step_name(step);
         const VtkMessages messages;
         auto reader =
@@ -233,14 +236,31 @@ class CgnsSource final : public Source {
         }
         if (auto clean = messages.verdict(name); !clean)
             return tl::unexpected(clean.error());
+        return leaves_of(output);
+    }
+
+    core::Result<std::vector<Zone>>
+    load(std::size_t step, const WantedArrays& wanted, const CgnsSurvey& survey) const {
+        const auto& [file, time] = steps_[step];
+        const auto place = std::find(survey.times.begin(), survey.times.end(), time);
+        const auto leaves =
+            survey.cells_have_other_numbers
+                ? read_cgns_zones(listed(file),
+                                  time ? std::optional<std::size_t>(place - survey.times.begin())
+                                       : std::nullopt,
+                                  wanted)
+                : leaves_by_vtk(step, wanted);
+        if (!leaves)
+            return tl::unexpected(leaves.error());
+        const std::string name = step_name(step);
         std::vector<Zone> zones;
-        for (const auto& leaf : leaves_of(output)) {
+        for (const auto& leaf : *leaves) {
             if (!has_solid_cells(*leaf.data))
                 continue;
             auto block = fluid_part(*leaf.data, name);
             if (!block)
                 return tl::unexpected(block.error());
-            scale_points(**block, units.coordinates);
+            scale_points(**block, survey.units.coordinates);
             std::string place;
             for (const auto& part : leaf.path)
                 place += "/" + part;

@@ -1,15 +1,12 @@
 #include "server/import/sources/cgns/cgns_survey.hpp"
 
+#include "server/import/process_memory.hpp"
 #include "server/import/progress_marks.hpp"
-
-#include <vtk_cgns.h>
-// clang-format off
-#include VTK_CGNS(cgnslib.h)
-// clang-format on
+#include "server/import/sources/cgns/cgns_file.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstdint>
 #include <map>
 
 namespace wakesurf::server {
@@ -17,30 +14,6 @@ namespace wakesurf::server {
 using core::Error;
 
 namespace {
-
-using Name = std::array<char, 34>; // CGNS names have 32 characters
-
-class CgnsFile {
-  public:
-    explicit CgnsFile(const std::filesystem::path& path)
-        : sound_(cg_open(path.c_str(), CG_MODE_READ, &id_) == CG_OK) {}
-
-    ~CgnsFile() {
-        if (sound_)
-            cg_close(id_);
-    }
-
-    CgnsFile(const CgnsFile&) = delete;
-    CgnsFile& operator=(const CgnsFile&) = delete;
-
-    bool sound() const { return sound_; }
-
-    int id() const { return id_; }
-
-  private:
-    int id_ = 0;
-    bool sound_ = false;
-};
 
 class Survey {
   public:
@@ -52,7 +25,7 @@ class Survey {
             return damaged();
         bool solid = false;
         for (int base = 1; base <= bases; ++base) {
-            Name name{};
+            CgnsName name{};
             int cells = 0;
             int space = 0;
             if (cg_base_read(id_, base, name.data(), &cells, &space) != CG_OK)
@@ -75,14 +48,10 @@ class Survey {
     }
 
   private:
-    tl::unexpected<Error> damaged() const {
-        return core::fail(Error::Code::Corrupt,
-                          name_ + " is damaged or not what it says it is (CGNS: " + cg_get_error() +
-                              ")");
-    }
+    tl::unexpected<Error> damaged() const { return cgns_damage(name_); }
 
     core::Result<void> look_at_base(int base) {
-        Name name{};
+        CgnsName name{};
         int steps = 0;
         const int status = cg_biter_read(id_, base, name.data(), &steps);
         if (status != CG_OK && status != CG_NODE_NOT_FOUND)
@@ -111,7 +80,7 @@ class Survey {
             cg_narrays(&arrays) != CG_OK)
             return damaged();
         for (int i = 1; i <= arrays; ++i) {
-            Name name{};
+            CgnsName name{};
             CGNS_ENUMT(DataType_t) type{};
             int rank = 0;
             std::array<cgsize_t, 12> size{};
@@ -144,13 +113,13 @@ class Survey {
         int solutions = 0;
         if (cg_nsols(id_, base, zone, &solutions) != CG_OK)
             return damaged();
-        if (auto ordered = check_sections(base, zone, solutions); !ordered)
-            return ordered;
+        if (auto looked = look_at_mesh(base, zone); !looked)
+            return looked;
         if (*pointers >= 0)
             return {};
         std::map<int, std::string> at;
         for (int i = 1; i <= solutions; ++i) {
-            Name name{};
+            CgnsName name{};
             CGNS_ENUMT(GridLocation_t) location{};
             if (cg_sol_info(id_, base, zone, i, name.data(), &location) != CG_OK)
                 return damaged();
@@ -169,20 +138,29 @@ class Survey {
         return {};
     }
 
-    // VTK's reader takes values of cells for those of all elements up to the last cell, boundary or not, and gives up.
-    core::Result<void> check_sections(int base, int zone, int solutions) {
+    // VTK's reader takes for cells what has a number up to their count, and counts on them to begin with 1.
+    core::Result<void> look_at_mesh(int base, int zone) {
+        CgnsName name{};
         CGNS_ENUMT(ZoneType_t) type{};
+        std::array<cgsize_t, 9> size{};
         int sections = 0;
-        if (cg_zone_type(id_, base, zone, &type) != CG_OK)
+        if (cg_zone_type(id_, base, zone, &type) != CG_OK ||
+            cg_zone_read(id_, base, zone, name.data(), size.data()) != CG_OK)
             return damaged();
-        if (type != CGNS_ENUMV(Unstructured))
+        const bool structured = type == CGNS_ENUMV(Structured);
+        std::uint64_t nodes = 1;
+        for (std::size_t i = 0; i < (structured ? 3 : 1); ++i) {
+            if (size[i] < 0)
+                return core::fail(Error::Code::Corrupt, name_ + " has a zone of negative size");
+            nodes *= static_cast<std::uint64_t>(size[i]);
+            if (auto fits = check_claim(name_, nodes, 3 * sizeof(double)); !fits)
+                return fits;
+        }
+        if (structured)
             return {};
         if (cg_nsections(id_, base, zone, &sections) != CG_OK)
             return damaged();
-        std::map<cgsize_t, std::pair<std::string, bool>>
-            by_number; // whether they are of the boundary
         for (int i = 1; i <= sections; ++i) {
-            Name name{};
             CGNS_ENUMT(ElementType_t) element{};
             std::array<cgsize_t, 2> range{};
             int boundary = 0;
@@ -190,35 +168,31 @@ class Survey {
             if (cg_section_read(id_, base, zone, i, name.data(), &element, &range[0], &range[1],
                                 &boundary, &parents) != CG_OK)
                 return damaged();
-            const bool flat = element <= CGNS_ENUMV(QUAD_9) && element >= CGNS_ENUMV(NODE);
-            by_number[range[0]] = {name.data(), flat};
+            const auto elements =
+                static_cast<std::uint64_t>(range[1]) - static_cast<std::uint64_t>(range[0]);
+            if (auto fits = check_claim(name_, elements, sizeof(cgsize_t)); !fits)
+                return fits;
+            if (element == CGNS_ENUMV(NGON_n) || element == CGNS_ENUMV(NFACE_n))
+                return {};
+            if (element == CGNS_ENUMV(MIXED)) {
+                std::array<cgsize_t, 256> first{};
+                std::array<cgsize_t, 2> offsets{};
+                if (cg_poly_elements_partial_read(id_, base, zone, i, range[0], range[0],
+                                                  first.data(), offsets.data(), nullptr) != CG_OK)
+                    return damaged();
+                element = static_cast<CGNS_ENUMT(ElementType_t)>(first[0]);
+            }
+            const cgsize_t cells = size[1];
+            out_.cells_have_other_numbers =
+                out_.cells_have_other_numbers ||
+                (is_volume(element) ? range[1] > cells : range[0] <= cells);
         }
-        bool of_cells = false;
-        for (int i = 1; i <= solutions; ++i) {
-            Name name{};
-            CGNS_ENUMT(GridLocation_t) location{};
-            if (cg_sol_info(id_, base, zone, i, name.data(), &location) != CG_OK)
-                return damaged();
-            of_cells = of_cells || location == CGNS_ENUMV(CellCenter);
-        }
-        const bool cells_follow =
-            !by_number.empty() && by_number.begin()->second.second &&
-            std::any_of(by_number.begin(), by_number.end(),
-                        [](const auto& section) { return !section.second.second; });
-        if (!of_cells || !cells_follow)
-            return {};
-        return core::fail(
-            Error::Code::Unsupported,
-            name_ + " has values in cells, and numbers its boundary section " +
-                by_number.begin()->second.first +
-                " before the cells: this version of VTK's reader cannot read that",
-            "number the elements of cells from 1 and those of boundaries behind them, or "
-            "write the values at the vertices");
+        return {};
     }
 
     // How many solutions the zone's FlowSolutionPointers name; -1 where it has none.
     core::Result<int> solution_pointers(int base, int zone) {
-        Name name{};
+        CgnsName name{};
         const int status = cg_ziter_read(id_, base, zone, name.data());
         if (status == CG_NODE_NOT_FOUND)
             return -1;

@@ -10,6 +10,8 @@ namespace wakesurf::server {
 struct CgnsSurvey {
     std::vector<double> times; ///< of BaseIterativeData, as they are; empty where there are none
     CgnsUnits units;
+    bool cells_have_other_numbers =
+        false; ///< than 1 to their count, in a zone: elements of boundaries come before them
 };
 
 /// Error: Corrupt (not CGNS, cut off, pointers that do not fit the number of time-steps), Unsupported (no
