@@ -94,6 +94,8 @@ void write_foam_mesh(const std::filesystem::path& folder, const FoamMesh& mesh, 
         if (patch.other_part >= 0)
             out << "    myProcNo " << mesh.part << ";\n    neighbProcNo " << patch.other_part
                 << ";\n";
+        if (!patch.other_patch.empty())
+            out << "    neighbourPatch " << patch.other_patch << ";\n";
         out << "}\n";
     }
     out << ")\n";

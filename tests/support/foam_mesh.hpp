@@ -20,7 +20,8 @@ struct FoamMesh {
         std::string type;
         int start = 0;
         int size = 0;
-        int other_part = -1; ///< of processor patches
+        int other_part = -1;       ///< of processor patches
+        std::string other_patch{}; ///< of cyclic ones
     };
 
     std::vector<std::array<double, 3>> points;

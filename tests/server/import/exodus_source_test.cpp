@@ -19,6 +19,7 @@
 #include <vtk_exodusII.h>
 
 #include <algorithm>
+#include <array>
 
 namespace wakesurf::server::exodus_source_test {
 namespace {
@@ -194,6 +195,41 @@ TEST_F(ExodusSource, GivesEveryValueOfEveryTimeStepWithoutDisplacements) {
                   only->blocks[0]->GetCellData()->GetNumberOfArrays(),
               1);
     EXPECT_EQ(source->shared_files()->front().name, "flow.exo");
+}
+
+void put_time(const fs::path& file, int step, double time) {
+    int word = 8;
+    int stored = 0;
+    float version = 0;
+    const int out = ex_open(file.c_str(), EX_WRITE, &word, &stored, &version);
+    ASSERT_GE(out, 0);
+    ASSERT_EQ(ex_put_time(out, step, &time), 0);
+    ASSERT_EQ(ex_close(out), 0);
+}
+
+TEST_F(ExodusSource, TakesTheStepThatARestartWroteLast) {
+    put_time(file(), 3, times[1]); // 0, 0.25, 0.25
+    const auto again = open_exodus(file());
+    ASSERT_TRUE(again.has_value()) << again.error().message;
+    EXPECT_EQ((*again)->description().times, (std::vector<double>{times[0], times[1]}));
+    EXPECT_NE((*again)->description().time_note.find(
+                  "left out, as another was written later for the same time: time-step 1 of "
+                  "flow.exo"),
+              std::string::npos)
+        << (*again)->description().time_note;
+    for (const std::size_t step : {1u, 0u, 1u}) {
+        const auto read = (*again)->read(step, (*again)->description().fields);
+        ASSERT_TRUE(read.has_value()) << read.error().message;
+        expect_values(*read, step == 0 ? 0 : 2);
+    }
+    put_time(file(), 3, 0.125); // 0, 0.25, 0.125
+    const auto back = open_exodus(file()).value();
+    EXPECT_EQ(back->description().times, (std::vector<double>{0, 0.125, 0.25}));
+    for (const std::size_t step : {1u, 2u, 0u}) {
+        const auto read = back->read(step, back->description().fields);
+        ASSERT_TRUE(read.has_value()) << read.error().message;
+        expect_values(*read, std::array<std::size_t, 3>{0, 2, 1}[step]);
+    }
 }
 
 TEST_F(ExodusSource, AFileCutOffFailsAtOnceOrWhenItIsRead) {

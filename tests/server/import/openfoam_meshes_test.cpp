@@ -94,5 +94,45 @@ TEST_F(OpenfoamMeshes, ThatChangeAsTheRunGoesAreRefused) {
     EXPECT_EQ(server::open_openfoam(at("cavity.foam")).error().message, words);
 }
 
+TEST_F(OpenfoamMeshes, WithCyclicPatchesSayHowFarApartTheyAreAndThatParticlesEndThere) {
+    for (const bool units_named : {false, true}) {
+        units_named_ = units_named;
+        auto mesh = foam_block_mesh({});
+        std::array<double, 2> ends{1e9, -1e9};
+        for (const auto& point : mesh.points)
+            ends = {std::min(ends[0], point[0]), std::max(ends[1], point[0])};
+        for (auto& patch : mesh.patches) {
+            if (patch.name != "inlet" && patch.name != "outlet")
+                continue;
+            patch.type = patch.name == "inlet" ? "cyclic" : "cyclicAMI";
+            patch.other_patch = patch.name == "inlet" ? "outlet" : "inlet";
+        }
+        put(mesh);
+        const auto source = open();
+        std::array<char, 32> apart{};
+        std::snprintf(apart.data(), apart.size(), "%.3g", ends[1] - ends[0]);
+        EXPECT_EQ(source->description().note,
+                  "the flow goes on from one cyclic patch to another (inlet to outlet, " +
+                      std::string(apart.data()) + " apart), particles do not: they end there");
+        const auto step = source->read(1, source->description().fields);
+        ASSERT_TRUE(step.has_value()) << step.error().message;
+        EXPECT_EQ(step->walls.size(), 2u) << "of the walls alone";
+        expect_values(*step, 1, mesh.cells.size());
+    }
+}
+
+TEST_F(OpenfoamMeshes, DecomposedAcrossCyclicPatchesNameThemAsWell) {
+    for (auto part : decompose(foam_block_mesh({}))) {
+        const std::string name = part.part == 0 ? "inlet" : "outlet";
+        for (auto& patch : part.patches)
+            if (patch.name == name)
+                patch.type = "processorCyclic;\n    referPatch " + name;
+        put(part, false, "processor" + std::to_string(part.part));
+    }
+    EXPECT_EQ(open()->description().note,
+              "the flow goes on from one cyclic patch to another (inlet, outlet), particles do "
+              "not: they end there");
+}
+
 } // namespace
 } // namespace wakesurf::server::openfoam_meshes_test

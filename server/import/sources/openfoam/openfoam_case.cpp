@@ -1,6 +1,5 @@
 #include "server/import/sources/openfoam/openfoam_case.hpp"
 
-#include "server/import/notes.hpp"
 #include "server/import/sources/openfoam/openfoam_file.hpp"
 #include "server/import/sources/openfoam/openfoam_motion.hpp"
 #include "server/import/sources/openfoam/openfoam_times.hpp"
@@ -99,15 +98,16 @@ core::Result<void> find_walls(const FoamCase& found, FoamRegion& region) {
             return tl::unexpected(patches.error());
         if (auto spatial = check_directions(*patches, found.file); !spatial)
             return spatial;
-        const auto add = [](std::vector<std::string>& list, const std::string& name) {
-            if (std::find(list.begin(), list.end(), name) == list.end())
-                list.push_back(name);
-        };
-        for (const auto& patch : *patches)
-            if (is_wall(patch.type))
-                add(region.walls, patch.name);
-            else if (patch.type.starts_with("cyclic") && patch.faces > 0)
-                add(region.cyclic, patch.name);
+        for (const auto& patch : *patches) {
+            auto& walls = region.walls;
+            if (is_wall(patch.type) &&
+                std::find(walls.begin(), walls.end(), patch.name) == walls.end())
+                walls.push_back(patch.name);
+            if (patch.type.starts_with("cyclic") && patch.faces > 0)
+                region.cyclic[patch.name] = patch.neighbour;
+            if (patch.type == "processorCyclic" && patch.faces > 0)
+                region.cyclic.try_emplace(patch.part_of);
+        }
     }
     return {};
 }
@@ -128,15 +128,6 @@ core::Result<std::vector<FoamRegion>> find_regions(const FoamCase& found) {
         out.push_back(std::move(region));
     }
     return out;
-}
-
-std::string note_on_cyclic(const std::vector<std::string>& patches) {
-    std::string names;
-    for (const auto& name : patches)
-        names += (names.empty() ? "" : ", ") + name;
-    return names.empty() ? ""
-                         : "the flow goes on from one cyclic patch to another (" + names +
-                               "), particles do not: they end there";
 }
 
 int components_of(const FoamHeader& header) {
@@ -277,9 +268,6 @@ core::Result<FoamCase> scan_openfoam_case(const fs::path& path, const std::strin
     for (auto& region : chosen->regions)
         if (auto walls = find_walls(*chosen, region); !chosen->mesh_times.empty() && !walls)
             return tl::unexpected(walls.error());
-    for (const auto& region : chosen->regions)
-        if (region.fluid)
-            add_note(chosen->note, note_on_cyclic(region.cyclic));
     find_fields(*chosen);
     return chosen;
 }

@@ -7,6 +7,7 @@
 #include "server/import/sources/files/source_files.hpp"
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -20,8 +21,9 @@ struct FoamTime {
 struct FoamRegion {
     std::string name; ///< empty: the only one, or OpenFOAM's region0
     bool fluid = false;
-    std::vector<std::string> walls;    ///< its patches of a type of wall, in any part
-    std::vector<std::string> cyclic{}; ///< its patches that continue at another one
+    std::vector<std::string> walls; ///< its patches of a type of wall, in any part
+    /// Its patches that continue at another one, in any part, and the names of those; empty where the file does not say.
+    std::map<std::string, std::string> cyclic{};
 };
 
 struct FoamCase {

@@ -154,11 +154,17 @@ core::Result<std::vector<FoamPatch>> read_foam_patches(const fs::path& file,
     int depth = 0;
     for (auto at = begin + 1; at != tokens.end(); ++at) {
         if (*at == "{" && ++depth == 1)
-            out.push_back({std::string(*(at - 1)), {}, 0});
+            out.push_back({std::string(*(at - 1)), {}, 0, {}, {}});
         if (*at == "}")
             --depth;
-        if (*at == "type" && depth == 1 && at + 1 != tokens.end())
-            out.back().type = *(at + 1);
+        if (depth == 1 && at + 1 != tokens.end()) {
+            if (*at == "type")
+                out.back().type = *(at + 1);
+            if (*at == "neighbourPatch")
+                out.back().neighbour = *(at + 1);
+            if (*at == "referPatch")
+                out.back().part_of = *(at + 1);
+        }
         if (*at == "nFaces" && depth == 1 && at + 1 != tokens.end()) {
             const auto number = *(at + 1);
             const char* const end = number.data() + number.size();

@@ -27,6 +27,9 @@ struct FoamPatch {
     std::string name;
     std::string type;      ///< wall, patch, empty, processor ...
     std::size_t faces = 0; ///< its `nFaces`
+    std::string neighbour; ///< of a cyclic one: its `neighbourPatch`; may be empty
+    std::string
+        part_of; ///< of one between processors: the cyclic one it is cut from, its `referPatch`
 };
 
 /// `file`, or `file` + ".gz" where only that exists.

@@ -1,12 +1,17 @@
 #include "server/import/sources/openfoam/openfoam_source.hpp"
 
+#include "server/import/notes.hpp"
 #include "server/import/sources/blocks/wall_faces.hpp"
 #include "server/import/sources/openfoam/openfoam_case.hpp"
 #include "server/import/sources/openfoam/openfoam_file.hpp"
 #include "server/import/sources/openfoam/openfoam_reader.hpp"
 
+#include <vtkBoundingBox.h>
+
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <map>
 
 namespace wakesurf::server {
 
@@ -52,6 +57,7 @@ class OpenfoamSource final : public Source {
         }
         if (!first)
             return tl::unexpected(first.error());
+        add_note(description_.note, note_on_cyclic());
         std::vector<FieldInfo> seen;
         for (const auto& block : first->blocks)
             add_fields(*block, seen);
@@ -136,6 +142,10 @@ class OpenfoamSource final : public Source {
             }
             return {};
         }
+        if (known->cyclic.contains(leaf.name())) {
+            cyclic_[known->name + "/" + leaf.name()].AddBounds(leaf.data->GetBounds());
+            return {};
+        }
         const std::string file = time.name + " of " + found_.file;
         if (auto whole = require_fields(*leaf.data, fields, file); !whole) {
             // The file is there: VTK passes over one that cannot be unpacked.
@@ -151,9 +161,34 @@ class OpenfoamSource final : public Source {
         return {};
     }
 
+    // How far apart two are is told by the middles of their boxes: they have the same shape.
+    std::string note_on_cyclic() const {
+        std::string pairs;
+        for (const auto& region : found_.regions)
+            for (const auto& [name, other] : region.cyclic) {
+                if (!region.fluid || (region.cyclic.contains(other) && other < name))
+                    continue;
+                pairs += (pairs.empty() ? "" : ", ") + name + (other.empty() ? "" : " to " + other);
+                const auto here = cyclic_.find(region.name + "/" + name);
+                const auto there = cyclic_.find(region.name + "/" + other);
+                if (here == cyclic_.end() || there == cyclic_.end())
+                    continue;
+                std::array<double, 3> a{};
+                std::array<double, 3> b{};
+                here->second.GetCenter(a.data());
+                there->second.GetCenter(b.data());
+                pairs += ", " + length_text(std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2])) +
+                         " apart";
+            }
+        return pairs.empty() ? ""
+                             : "the flow goes on from one cyclic patch to another (" + pairs +
+                                   "), particles do not: they end there";
+    }
+
     FoamCase found_;
     std::vector<OpenfoamReader> readers_;
     SourceDescription description_;
+    std::map<std::string, vtkBoundingBox> cyclic_; ///< of such patches: REGION/NAME
 };
 
 } // namespace
