@@ -69,8 +69,11 @@ inline constexpr std::chrono::seconds login_most{30 * 24 * 3600}; ///< since it 
 
 // Share links.
 inline constexpr std::size_t grant_depth = 8; ///< links made by links
-inline constexpr std::size_t lowered = 64;    ///< participants of a link with a lesser role
-inline constexpr std::size_t seated = 4096;   ///< participants of a link whose person is known
+inline constexpr std::size_t copies_by_link =
+    32; ///< of a session, with a link into each, for all who came by one link
+inline constexpr std::size_t copies_by_links = 256; ///< the same of all links
+inline constexpr std::size_t lowered = 64;          ///< participants of a link with a lesser role
+inline constexpr std::size_t seated = 4096; ///< participants of a link whose person is known
 
 // What waits for those who look at a surface.
 inline constexpr std::size_t ring_bytes = std::size_t{32}

@@ -47,6 +47,8 @@ std::string grant_text(const GrantRecord& record) {
         out["lineage"] = record.lineage;
     if (!record.lowered.empty())
         out["lowered"] = record.lowered;
+    if (!record.copier.empty())
+        out["copier"] = record.copier;
     return out.dump();
 }
 
@@ -55,13 +57,15 @@ core::Result<GrantRecord> read_grant(std::string_view text) {
     if (!kept.is_object() || !kept.contains("role") || !kept.contains("sha256") ||
         !fits(kept, "role", is_text) || !fits(kept, "sha256", is_text) ||
         !fits(kept, "expires", is_number) || !fits(kept, "maker", is_text) ||
-        !fits(kept, "lineage", is_list_of_texts) || !fits(kept, "lowered", is_map_of_texts))
+        !fits(kept, "copier", is_text) || !fits(kept, "lineage", is_list_of_texts) ||
+        !fits(kept, "lowered", is_map_of_texts))
         return core::fail(core::Error::Code::Corrupt, "a saved share link is damaged",
                           "make a new one with session.share");
     GrantRecord record{kept["role"], kept["sha256"], {}, {}, {}, {}};
     if (kept.contains("expires"))
         record.expires = kept["expires"].get<std::int64_t>();
     record.maker = kept.value("maker", std::string());
+    record.copier = kept.value("copier", std::string());
     record.lineage = kept.value("lineage", std::vector<std::string>());
     record.lowered = kept.value("lowered", std::map<std::string, std::string>());
     return record;

@@ -20,6 +20,7 @@ struct GrantRecord {
     std::string maker;                          ///< name of who made it; empty: a script
     std::vector<std::string> lineage;           ///< links it was made by, the first one first
     std::map<std::string, std::string> lowered; ///< participant -> role
+    std::string copier = {}; ///< link by which its session was copied; empty: no copy
 
     bool operator==(const GrantRecord&) const = default;
 };

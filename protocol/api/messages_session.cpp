@@ -40,6 +40,9 @@ bool is_profile(const json& value) {
     for (const json& each : value["people"])
         if (!is_person(each))
             return false;
+    for (const char* name : {"copyOf", "copyName"})
+        if (value.contains(name) && !value[name].is_string())
+            return false;
     if (!value.contains("data"))
         return true;
     const json& data = value["data"];
@@ -60,6 +63,10 @@ std::string profile_text(const SessionProfile& profile) {
              {"people", std::move(people)}};
     if (!profile.data.empty())
         out["data"] = profile.data;
+    if (!profile.copy_of.empty()) {
+        out["copyOf"] = profile.copy_of;
+        out["copyName"] = profile.copy_name;
+    }
     if (profile.created)
         out["created"] = *profile.created;
     if (profile.deleted)
@@ -81,6 +88,8 @@ core::Result<SessionProfile> read_profile(std::string_view text) {
         out.people.push_back({each["participant"], each["name"], each["colour"]});
     if (kept->contains("data"))
         out.data = (*kept)["data"].get<std::map<std::string, std::string>>();
+    out.copy_of = kept->value("copyOf", std::string());
+    out.copy_name = kept->value("copyName", std::string());
     if (kept->contains("created"))
         out.created = (*kept)["created"].get<std::int64_t>();
     if (kept->contains("deleted"))

@@ -31,6 +31,8 @@ struct SessionProfile {
     std::vector<SessionPerson> people;       ///< who came last comes first
     std::optional<std::int64_t> deleted;     ///< in the trash since then
     std::map<std::string, std::string> data; ///< by dataset, which values its surfaces were of
+    std::string copy_of = {};   ///< id of the session that it is a copy of; empty: none
+    std::string copy_name = {}; ///< that this one had then
 
     bool operator==(const SessionProfile&) const = default;
 };

@@ -17,6 +17,10 @@ struct Identity {
     Role role = Role::Host; ///< the server's own token is a host's everywhere
     std::string session;    ///< the only session a share link lets in; empty: every one
     std::string grant;      ///< id of the share link; empty: the server's own token
+    std::string copier{};   ///< of a link into a copy: the link whose holder made that; else empty
+
+    /// The link that all this is counted for: copies give nobody more of the server than their link does.
+    const std::string& account() const { return copier.empty() ? grant : copier; }
 
     bool operator==(const Identity&) const = default;
 };

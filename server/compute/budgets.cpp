@@ -134,7 +134,7 @@ std::size_t Budgets::used(Use use) const {
 
 std::string Budgets::line(const Visitor& who) {
     // No session is called like that.
-    return who.grant.empty() ? "\n" + who.person : "\nlink " + who.grant;
+    return who.grant.empty() ? "\n" + who.person : "\nlink " + who.account();
 }
 
 /// A script with the server's token has no login of its own, and all of one machine would be one person.
@@ -142,8 +142,8 @@ Budgets::Accounts Budgets::of(const Visitor& who) {
     Accounts out;
     const bool token = who.grant.empty();
     if (!token || who.person.starts_with("login "))
-        out.person = account(who.grant + "\n" + who.person, limits::person);
-    out.holder = account(who.grant, token ? limits::token : limits::link);
+        out.person = account(who.account() + "\n" + who.person, limits::person);
+    out.holder = account(who.account(), token ? limits::token : limits::link);
     out.links = token ? nullptr : by_links_;
     return out;
 }

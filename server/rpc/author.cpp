@@ -15,6 +15,12 @@ Author author_of(const Call& call, Session& session, std::optional<std::string> 
     return {grant.empty() ? "script" : "script:" + grant, "a script", gesture.value_or("")};
 }
 
+LinkMaker maker_of(const Call& call, Session& session) {
+    const Participant* const me =
+        call.client != nullptr ? session.participants().find(*call.client) : nullptr;
+    return {call.identity.grant, me != nullptr ? me->name : std::string()};
+}
+
 bool is_host(const Call& call, const Session& session) {
     return role_in(session.id(), call) == Role::Host;
 }

@@ -4,6 +4,7 @@
 #include "protocol/api/utc_text.hpp"
 #include "server/limits.hpp"
 #include "server/rpc/aside_json.hpp"
+#include "server/rpc/author.hpp"
 #include "server/rpc/durability_notice.hpp"
 #include "server/rpc/method_table.hpp"
 #include "server/rpc/patch_json.hpp"
@@ -28,6 +29,33 @@ json participants_json(Session& session) {
     return list;
 }
 
+/// With a share link: a link of its own into the copy, which the caller could not enter otherwise. Copies that nobody has changed make room
+/// for further ones, so that nobody can keep the other holders of the link from theirs by making many and leaving them.
+core::Result<void> room_for_copy(const Call& call) {
+    if (call.identity.grant.empty())
+        return {};
+    const auto over = [&](const std::string& by, std::size_t most) {
+        const auto copies = call.context.grants.copies(by);
+        std::vector<std::string> ids;
+        for (const Grant& each : copies)
+            ids.push_back(each.session);
+        return copies.size() >= most && !call.context.sessions.give_up_one(ids);
+    };
+    if (over(call.identity.account(), limits::copies_by_link))
+        return core::over_limit(
+            limits::copies_by_link,
+            "those who came by this share link have " + std::to_string(limits::copies_by_link) +
+                " copies already, and have changed each of them",
+            "go on in one of them, or ask a host of the session for a link to edit");
+    if (over({}, limits::copies_by_links))
+        return core::over_limit(limits::copies_by_links,
+                                "those who came by share links have " +
+                                    std::to_string(limits::copies_by_links) +
+                                    " copies already, and have changed each of them",
+                                "ask someone with the server's token to delete some");
+    return {};
+}
+
 json made_json(const Call& call, const Session& session) {
     return {{"session", session.id()},
             {"name", session.name()},
@@ -42,16 +70,27 @@ void session_create(const Call& call, const protocol::SessionCreate& of, Reply r
     reply.result(made_json(call, **session));
 }
 
-/// For the server's own token only: someone who came by a share link could not enter the copy.
 void session_fork(const Call& call, const protocol::SessionFork& of, Reply reply) {
     const auto from = choose_session(call, of.session);
     if (!from)
         return reply.fault(from.error());
-    const auto session =
-        call.context.sessions.fork((*from)->id(), core::display_name(of.name, limits::name_bytes));
+    if (const auto room = room_for_copy(call); !room)
+        return reply.fault(room.error());
+    const bool by_link = !call.identity.grant.empty();
+    const auto session = call.context.sessions.fork(
+        (*from)->id(), core::display_name(of.name, limits::name_bytes), !by_link);
     if (!session)
         return reply.fault(session.error());
-    reply.result(made_json(call, **session));
+    json out = made_json(call, **session);
+    if (by_link) {
+        const auto made =
+            call.context.grants.make_for_copy((*session)->id(), maker_of(call, **from));
+        if (!made)
+            return reply.fault(made.error());
+        out["key"] = made->key;
+        out["link"] = link_to((*session)->id(), made->key);
+    }
+    reply.result(std::move(out));
 }
 
 void session_list(const Call& call, const protocol::SessionList& of, Reply reply) {
@@ -92,8 +131,11 @@ void session_join(const Call& call, const protocol::SessionJoin& asked, Reply re
              {"you", joined->you.id},
              {"role", name(joined->you.role)},
              {"resumeToken", joined->resume_token}};
-    if (const auto created = (*session)->profile().created)
-        out["created"] = protocol::utc_text(*created);
+    const protocol::SessionProfile& profile = (*session)->profile();
+    if (profile.created)
+        out["created"] = protocol::utc_text(*profile.created);
+    if (!profile.copy_of.empty())
+        out["copyOf"] = {{"session", profile.copy_of}, {"name", profile.copy_name}};
     const auto missed = joined->same_life && asked.last_seq
                             ? (*session)->changes_since(*asked.last_seq)
                             : std::nullopt;

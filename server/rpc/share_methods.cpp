@@ -2,6 +2,7 @@
 // hosts.
 #include "protocol/api/generated/share.hpp"
 #include "server/limits.hpp"
+#include "server/rpc/author.hpp"
 #include "server/rpc/method_table.hpp"
 #include "server/rpc/session_choice.hpp"
 
@@ -20,7 +21,9 @@ json grant_json(const Grant& grant, const Grants& grants) {
     json out{{"grant", grant.id},
              {"role", name(grant.role)},
              {"madeBy", std::move(made_by)},
-             {"children", grants.descendants(grant.session, grant.id).size()}};
+             {"children", grants.descendants(grant.id).size()}};
+    if (!grant.copier.empty())
+        out["copy"] = grant.session;
     if (grant.expires)
         out["expires"] = *grant.expires;
     if (grant.newcomers() != grant.role)
@@ -46,26 +49,18 @@ std::optional<std::chrono::seconds> lifetime(const protocol::SessionShare& of, c
     return std::min(week, call.context.grants.longest_of(call.identity.grant).value_or(week));
 }
 
-/// In words for people: the name in this session, where the caller is in it.
-std::string name_of(const Call& call, Session& session) {
-    const Participant* const me =
-        call.client != nullptr ? session.participants().find(*call.client) : nullptr;
-    return me != nullptr ? me->name : std::string();
-}
-
 void session_share(const Call& call, const protocol::SessionShare& of, Reply reply) {
     const auto session = choose_session(call, of.session);
     if (!session)
         return reply.fault(session.error());
-    const auto made =
-        call.context.grants.make((*session)->id(), *role_named(of.role), lifetime(of, call),
-                                 {call.identity.grant, name_of(call, **session)});
+    const auto made = call.context.grants.make((*session)->id(), *role_named(of.role),
+                                               lifetime(of, call), maker_of(call, **session));
     if (!made)
         return reply.fault(made.error());
     (*session)->made_on_purpose();
     json out = grant_json(made->grant, call.context.grants);
     out["key"] = made->key;
-    out["link"] = "#session=" + (*session)->id() + "&token=" + made->key;
+    out["link"] = link_to((*session)->id(), made->key);
     reply.result(out);
 }
 
@@ -84,8 +79,7 @@ void session_unshare(const Call& call, const protocol::SessionUnshare& of, Reply
     Grants& grants = call.context.grants;
     if (const auto done = grants.revoke((*session)->id(), of.grant, of.children); !done)
         return reply.fault(done.error());
-    reply.result(
-        {{"children", grants_json(grants.descendants((*session)->id(), of.grant), grants)}});
+    reply.result({{"children", grants_json(grants.descendants(of.grant), grants)}});
 }
 
 /// Someone with the server's own token is not at the mercy of those who came by a link.

@@ -175,7 +175,7 @@ class Session {
     void recall_aside(std::vector<KeptAside> records, bool fresh);
 
     /// Takes over another session's records as they are, into a session without records.
-    void copy(const Session& other);
+    void copy(const Session& other, bool on_purpose);
 
     /// Writes the session into the journal as it is, name and all.
     void keep();

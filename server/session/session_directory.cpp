@@ -94,8 +94,8 @@ core::Result<std::shared_ptr<Session>> SessionDirectory::create(std::string name
     return session;
 }
 
-core::Result<std::shared_ptr<Session>> SessionDirectory::fork(const std::string& id,
-                                                              std::string name) {
+core::Result<std::shared_ptr<Session>>
+SessionDirectory::fork(const std::string& id, std::string name, bool on_purpose) {
     const auto from = find(id); // held, lest it make room for its own fork
     if (!from)
         return from;
@@ -103,7 +103,7 @@ core::Result<std::shared_ptr<Session>> SessionDirectory::fork(const std::string&
         return tl::unexpected(room.error());
     auto session = add_new(name.empty() ? (*from)->name() : std::move(name));
     if (session)
-        (*session)->copy(**from);
+        (*session)->copy(**from, on_purpose);
     return session;
 }
 
@@ -171,23 +171,36 @@ std::size_t SessionDirectory::remaining() const {
 core::Result<void> SessionDirectory::make_room() {
     if (sessions_.size() < limits::kept_sessions)
         return {};
-    const Session* going = nullptr;
+    std::vector<std::string> ids;
     for (const auto& [id, session] : sessions_)
-        if (may_go(*session) &&
-            (going == nullptr || session->profile().last_used < going->profile().last_used))
-            going = session.get();
-    if (going == nullptr)
+        ids.push_back(id);
+    if (!give_up_one(ids))
         return core::over_limit(limits::kept_sessions,
                                 "the server keeps at most " +
                                     std::to_string(limits::kept_sessions) +
                                     " sessions, and that many are there",
                                 "delete one that is no longer needed with session.delete; "
                                 "session.export saves it first");
+    return {};
+}
+
+bool SessionDirectory::give_up_one(std::span<const std::string> ids) {
+    const Session* going = nullptr;
+    for (const std::string& each : ids) {
+        const auto found = sessions_.find(each);
+        if (found == sessions_.end() || !may_go(*found->second))
+            continue;
+        const Session& session = *found->second;
+        if (going == nullptr || session.profile().last_used < going->profile().last_used)
+            going = &session;
+    }
+    if (going == nullptr)
+        return false;
     const std::string id = going->id();
     log_event("session_never_used_given_up", id);
     sessions_.erase(id);
     forget(id);
-    return {};
+    return true;
 }
 
 core::Result<std::int64_t> SessionDirectory::remove(const std::string& id) {

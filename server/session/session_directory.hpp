@@ -26,8 +26,14 @@ class SessionDirectory {
     /// when there is none of those.
     core::Result<std::shared_ptr<Session>> create(std::string name);
 
-    /// A new session with the records of another. Error: NotFound, OverLimit.
-    core::Result<std::shared_ptr<Session>> fork(const std::string& id, std::string name);
+    /// A new session with the records of another, at the time that this one shows. Error: NotFound, OverLimit.
+    /// @param on_purpose  false: it may go once it is not needed, like one that no one has edited
+    core::Result<std::shared_ptr<Session>>
+    fork(const std::string& id, std::string name, bool on_purpose = true);
+
+    /// Gives up the one of these sessions that has been unused for longest, of those that no one has edited, named or shared and no one
+    /// is in. False: all of them are somebody's work.
+    bool give_up_one(std::span<const std::string> ids);
 
     /// A new session of records that have been checked. Error: OverLimit.
     core::Result<std::shared_ptr<Session>> import(KeptRecords records, std::string name);

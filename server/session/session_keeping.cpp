@@ -1,4 +1,5 @@
 // A session beyond its life: to the journal, back from it, and as a copy.
+#include "protocol/api/messages_grant.hpp"
 #include "server/limits.hpp"
 #include "server/session/session.hpp"
 
@@ -11,6 +12,14 @@ namespace {
 
 /// What was told but had not reached the disk when the server ended is not known; numbers start well above it.
 constexpr std::uint32_t restart_gap = 1u << 16;
+
+/// The link that lets somebody into a copy of their own shares it with no one.
+bool was_shared(const JournalEntry& entry) {
+    if (entry.type != "grant" || !entry.record)
+        return false;
+    const auto grant = protocol::read_grant(*entry.record);
+    return !grant || grant->copier.empty();
+}
 
 } // namespace
 
@@ -26,8 +35,7 @@ protocol::SessionProfile Session::profile_of(KeptRecords& kept,
         profile.on_purpose = !name_.empty() && name_ != id_;
     }
     profile.on_purpose =
-        profile.on_purpose || std::any_of(entries.begin(), entries.end(),
-                                          [](const auto& each) { return each.type == "grant"; });
+        profile.on_purpose || std::any_of(entries.begin(), entries.end(), was_shared);
     return profile;
 }
 
@@ -144,11 +152,16 @@ void Session::recall_aside(std::vector<KeptAside> records, bool fresh) {
                   std::make_move_iterator(records.end()));
 }
 
-void Session::copy(const Session& other) {
+void Session::copy(const Session& other, bool on_purpose) {
     records_ = other.records_;
     units_ = other.units_;
-    profile_.made_on_purpose();
-    profile_.edited();
+    profile_.copied(other.id_, other.name_);
+    if (on_purpose) {
+        profile_.made_on_purpose();
+        profile_.edited();
+    }
+    clock_.restore(other.clock_.record());
+    builds_.show(clock_.time(), false, true);
     begin(0, false); // a copy is made to be looked at
 }
 

@@ -54,6 +54,12 @@ void ProfileKeeper::made_on_purpose() {
     value_.on_purpose = true;
 }
 
+void ProfileKeeper::copied(const std::string& session, const std::string& name) {
+    value_.copy_of = session;
+    value_.copy_name = name;
+    changed_ = true;
+}
+
 void ProfileKeeper::deleted(std::optional<std::int64_t> when) {
     changed_ = changed_ || value_.deleted != when;
     value_.deleted = when;

@@ -27,6 +27,7 @@ class ProfileKeeper {
     void used();
     void edited();
     void made_on_purpose();
+    void copied(const std::string& session, const std::string& name);
     void deleted(std::optional<std::int64_t> when);
 
     /// Which values a dataset had (store::ValueMarks::text); empty: no surface has used it.

@@ -213,12 +213,14 @@ describe('notes', () => {
 
 describe('a copy of the session', () => {
     it('has the same rake, and goes on without the others', async () => {
-        await host.getByRole('button', { name: 'Continue in a copy' }).click();
-        const link = (await host.getByRole('link', { name: 'Open the copy' }).getAttribute('href'))!;
-        const copy = await stand.open(host, link);
-        expect(await ask(copy, (hook) => hook.rakePoints)).toEqual(await ask(host, (hook) => hook.rakePoints));
-        expect(await ask(copy, (hook) => hook.session)).not.toBe(await ask(host, (hook) => hook.session));
+        const copy = await stand.open(host, host.url());
         const before = await ask(host, (hook) => hook.rakePoints);
+        await copy.getByRole('tab', { name: 'Share' }).click();
+        await copy.getByRole('button', { name: 'Continue in a copy' }).click();
+        await copy.getByText('A copy of').waitFor();
+        await finalSurface(copy);
+        expect(await ask(copy, (hook) => hook.rakePoints)).toEqual(before);
+        expect(await ask(copy, (hook) => hook.session)).not.toBe(await ask(host, (hook) => hook.session));
         await copy.getByRole('spinbutton', { name: 'Start x' }).fill('-1');
         await copy.keyboard.press('Enter');
         await copy.waitForFunction(() => (window.wakesurf?.displayed?.epoch ?? 0) > 1);

@@ -35,6 +35,7 @@ import { showRakes } from './session/picture/rakeScene.ts';
 import { ServerNews } from './session/serverNews.ts';
 import { SessionController } from './session/sessionController.ts';
 import { readNewLink } from './session/sessions/newLink.ts';
+import { OwnCopy } from './session/sessions/ownCopy.ts';
 import { SessionShelf } from './session/sessions/sessionShelf.ts';
 import { SurfaceProgress } from './session/surface/surfaceProgress.ts';
 import { SurfaceOutcomes } from './session/surface/surfaceOutcomes.ts';
@@ -85,7 +86,6 @@ function start(app: App): void {
         taken: (gesture) => edits.history.noted(gesture),
     });
     const progress = new SurfaceProgress({ state, worker, calls });
-    connectRakes({ state, view, scene, edits, people });
     showPeople(state, view, scene);
     showTheme(view, scene);
     tellLostGraphics(state, canvas);
@@ -117,6 +117,8 @@ function start(app: App): void {
     const feed = new SurfaceFeed({ state, scene, worker, latency });
     const outcomes = new SurfaceOutcomes({ state, worker });
     const views = new Views({ state, view, scene, url });
+    const ownCopy = new OwnCopy({ state, calls, views });
+    connectRakes({ state, view, scene, edits, people, ownCopy });
     const imports = new ImportWait({ state, worker });
     const thumbnails = new Thumbnails({
         ...{ state, worker, edits },
@@ -188,28 +190,29 @@ function start(app: App): void {
         panel: {
             state,
             view,
+            ownCopy,
             help: { view },
             sessionHead: { state, view, shelf },
             datasetHead: { state, shelf },
             rakeList: { state, view, edits },
             surface: { state, view, edits, chooseKind: (kind) => chooseKind({ state, edits, clock, playback }, kind) },
             rake: { state, view, edits, scene },
-            look: { state, view, edits, scene },
+            look: { state, view, edits, scene, ownCopy },
             bookmarks: { state, views, calls, clock },
             probe: { state, view, probing },
             surroundings: { state, view, typeUnits: (change) => void typeUnits(state, calls, change) },
             people: { state, view, people, calls, rename: (name) => controller.rename(name), logOut: leave },
-            links: { state, views, calls, worker },
+            links: { state, views, calls, worker, ownCopy },
             notes: { state, view, calls, scene },
             export: {
                 picture: { state, view, figure },
-                film: { state, view, playback, figure, film },
+                film: { state, view, playback, figure, film, ownCopy },
                 mesh: { state, view, mesh },
             },
             status: { state, view, edits, progress, worker, mesh },
         },
         note: { view, calls },
-        timeBar: { state, view, playback, edits },
+        timeBar: { state, view, playback, edits, ownCopy },
     });
     void app.updateComplete.then(() => {
         const bar = findBar();

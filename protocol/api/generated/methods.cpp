@@ -79,7 +79,7 @@ constexpr MethodDescription described[]{
     {"cache.status", "viewer", false, false, false, of_cache_status},
     {"probe.sample", "viewer", false, false, false, of_probe_sample},
     {"session.create", "editor", false, true, true, of_session_create},
-    {"session.fork", "editor", false, true, true, of_session_fork},
+    {"session.fork", "viewer", false, true, false, of_session_fork},
     {"session.list", "viewer", false, false, false, of_session_list},
     {"session.join", "viewer", true, false, false, of_session_join},
     {"session.leave", "viewer", true, false, false, {}},

@@ -201,7 +201,7 @@ const std::string_view methods_2 = R"json({
    "result": {"name": "result", "value": {"name": "wing tip", "remaining": 1022, "session": "session-1"}}}]},
 {
  "name": "session.fork",
- "summary": "Makes a new session with the records of another, but without its people, links and history. Not available with a share link.",
+ "summary": "Makes a new session with the records of another and the time it shows, but without its people, links and history. With a share link, of any role, it copies the link's session only, and `key` lets you into the copy as an editor, for as long as your link is valid.",
  "tags": [{"name": "session"}],
  "paramStructure": "by-name",
  "params": [
@@ -220,14 +220,15 @@ const std::string_view methods_2 = R"json({
    "schema": {"type": "string", "maxLength": 120, "default": "", "description": "display name"}}],
  "result": {
   "name": "result",
-  "description": "A new session.",
+  "description": "what it answers",
   "schema": {
    "type": "object",
-   "description": "A new session.",
    "properties": {
     "session": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the session"},
     "name": {"type": "string", "description": "display name"},
     "remaining": {"type": "integer", "minimum": 0, "description": "how many more sessions can be made"},
+    "key": {"type": "string", "description": "with a share link: secret key of a link into the copy; it is returned only this once"},
+    "link": {"type": "string", "description": "with a share link: what to append to the address of the page"},
     "durable": {"type": "boolean", "description": "true: the edit is on the server's disk; only present if the server runs with --state"},
     "hint": {"type": "string", "description": "why the edit is not on the disk"}},
    "required": ["session", "name", "remaining"],
@@ -240,7 +241,7 @@ const std::string_view methods_2 = R"json({
   {"$ref": "#/components/errors/notPermitted"},
   {"$ref": "#/components/errors/notFound"},
   {"$ref": "#/components/errors/overLimit"}],
- "x-leastRole": "editor",
+ "x-leastRole": "viewer",
  "x-websocketOnly": false,
  "examples": [
   {

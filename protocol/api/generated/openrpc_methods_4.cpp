@@ -286,6 +286,7 @@ const std::string_view methods_4 = R"json({
      "enum": ["viewer", "editor"],
      "description": "role of those who come by it from now on; present if a host has given someone who came by it a lower role"},
     "madeBy": {"$ref": "#/components/schemas/ShareMaker"},
+    "copy": {"type": "string", "minLength": 1, "maxLength": 256, "description": "for a link into a copy that session.fork has made: id of the copy"},
     "children": {"type": "integer", "minimum": 0, "description": "number of valid links that were made through this one, directly or indirectly"},
     "key": {"type": "string", "description": "secret key of the link"},
     "link": {"type": "string", "description": "what to append to the address of the page"},

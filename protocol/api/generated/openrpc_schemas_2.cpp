@@ -131,6 +131,7 @@ const std::string_view schemas_2 = R"json("SessionName": {
   "seq": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "`seq` of the session now"},
   "participants": {"type": "array", "description": "all participants", "items": {"$ref": "#/components/schemas/Participant"}},
   "created": {"type": "string", "description": "when the session was made, in UTC, as in session.list"},
+  "copyOf": {"$ref": "#/components/schemas/SessionName"},
   "resumed": {"type": "boolean", "description": "true: `patches` is present; false: `snapshot` is present"},
   "snapshot": {"$ref": "#/components/schemas/Snapshot"},
   "patches": {
@@ -158,6 +159,7 @@ const std::string_view schemas_2 = R"json("SessionName": {
    "enum": ["viewer", "editor"],
    "description": "role of those who come by it from now on; present if a host has given someone who came by it a lower role"},
   "madeBy": {"$ref": "#/components/schemas/ShareMaker"},
+  "copy": {"type": "string", "minLength": 1, "maxLength": 256, "description": "for a link into a copy that session.fork has made: id of the copy"},
   "children": {"type": "integer", "minimum": 0, "description": "number of valid links that were made through this one, directly or indirectly"}},
  "required": ["grant", "role", "madeBy", "children"],
  "additionalProperties": false},

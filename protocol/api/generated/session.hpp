@@ -25,8 +25,10 @@ struct SessionCreate {
 
 void read(CheckedJson& in, SessionCreate& out);
 
-/// Parameters of session.fork: Makes a new session with the records of another, but without its
-/// people, links and history. Not available with a share link.
+/// Parameters of session.fork: Makes a new session with the records of another and the time it
+/// shows, but without its people, links and history. With a share link, of any role, it copies the
+/// link's session only, and `key` lets you into the copy as an editor, for as long as your link is
+/// valid.
 struct SessionFork {
     static constexpr std::string_view method = "session.fork";
 

@@ -36,31 +36,42 @@ core::Result<Grants::Made> Grants::make(const std::string& session,
                                 "a session may have at most " + std::to_string(limits::grants) +
                                     " share links",
                                 "revoke some with session.unshare");
-    std::vector<std::string> lineage;
-    if (const Grant* parent = grant(maker.grant)) {
-        lineage = parent->lineage;
-        lineage.push_back(parent->id);
-    }
-    if (lineage.size() > limits::grant_depth)
-        return core::over_limit(limits::grant_depth,
-                                "a chain of links, each made by the one before, may have at most " +
-                                    std::to_string(limits::grant_depth),
-                                "ask someone with the server's token for one");
     const auto longest = longest_of(maker.grant);
     if (longest && (!expires_in || *expires_in > *longest))
         return fail(Error::Code::InvalidArgument,
                     "`expiresIn` must be at most " + std::to_string(longest->count()) +
                         ": a link cannot outlive the link that made it",
                     "leave it out, and the new link ends with yours");
+    Grant link{{}, session, role};
+    if (const Grant* parent = grant(maker.grant))
+        link.copier = parent->copier; // a copy's links count for who copied
+    return add(std::move(link), expires_in, maker);
+}
+
+core::Result<Grants::Made> Grants::make_for_copy(const std::string& copy, const LinkMaker& by) {
+    const Grant* const parent = grant(by.grant);
+    Grant link{{}, copy, Role::Editor};
+    link.copier = parent != nullptr && !parent->copier.empty() ? parent->copier : by.grant;
+    return add(std::move(link), longest_of(by.grant), by);
+}
+
+core::Result<Grants::Made>
+Grants::add(Grant link, std::optional<std::chrono::seconds> expires_in, const LinkMaker& maker) {
+    if (const Grant* parent = grant(maker.grant)) {
+        link.lineage = parent->lineage;
+        link.lineage.push_back(parent->id);
+    }
+    if (link.lineage.size() > limits::grant_depth)
+        return core::over_limit(limits::grant_depth,
+                                "a chain of links, each made by the one before, may have at most " +
+                                    std::to_string(limits::grant_depth),
+                                "ask someone with the server's token for one");
     std::string key = random_hex(services_.entropy, 32);
     const std::uint64_t number = next_++;
-    const std::string id = "g" + std::to_string(number);
-    Entry& entry = entries_[id];
-    entry.grant.id = id;
-    entry.grant.session = session;
-    entry.grant.role = role;
-    entry.grant.maker = maker.name;
-    entry.grant.lineage = std::move(lineage);
+    link.id = "g" + std::to_string(number);
+    link.maker = maker.name;
+    Entry& entry = entries_[link.id];
+    entry.grant = std::move(link);
     entry.digest = secret_digest(key);
     entry.number = number;
     if (expires_in) {
@@ -72,10 +83,12 @@ core::Result<Grants::Made> Grants::make(const std::string& session,
     return Made{entry.grant, std::move(key)};
 }
 
-std::vector<Grant> Grants::of(const std::string& session) const {
+/// In force, oldest first.
+template <class Fits>
+std::vector<Grant> Grants::those(Fits fits) const {
     std::vector<const Entry*> found;
     for (const auto& [id, entry] : entries_)
-        if (entry.grant.session == session && in_force(entry))
+        if (in_force(entry) && fits(entry.grant))
             found.push_back(&entry);
     std::sort(found.begin(), found.end(),
               [](const Entry* a, const Entry* b) { return a->number < b->number; });
@@ -83,6 +96,22 @@ std::vector<Grant> Grants::of(const std::string& session) const {
     for (const Entry* each : found)
         out.push_back(each->grant);
     return out;
+}
+
+std::vector<Grant> Grants::of(const std::string& session) const {
+    return those([&](const Grant& each) { return each.session == session; });
+}
+
+std::vector<Grant> Grants::copies(const std::string& id) const {
+    return those([&](const Grant& each) {
+        return !each.copier.empty() && (id.empty() || each.copier == id);
+    });
+}
+
+std::vector<Grant> Grants::descendants(const std::string& id) const {
+    return those([&](const Grant& each) {
+        return std::find(each.lineage.begin(), each.lineage.end(), id) != each.lineage.end();
+    });
 }
 
 std::optional<std::chrono::seconds> Grants::longest_of(const std::string& grant) const {
@@ -94,14 +123,6 @@ std::optional<std::chrono::seconds> Grants::longest_of(const std::string& grant)
     return std::max(left, std::chrono::seconds(1));
 }
 
-std::vector<Grant> Grants::descendants(const std::string& session, const std::string& id) const {
-    std::vector<Grant> out = of(session);
-    std::erase_if(out, [&](const Grant& each) {
-        return std::find(each.lineage.begin(), each.lineage.end(), id) == each.lineage.end();
-    });
-    return out;
-}
-
 core::Result<void>
 Grants::revoke(const std::string& session, const std::string& id, bool children) {
     const auto found = entries_.find(id);
@@ -111,7 +132,7 @@ Grants::revoke(const std::string& session, const std::string& id, bool children)
                     "list them with session.shares");
     const char* const reason = "the share link was revoked";
     if (children)
-        for (const Grant& each : descendants(session, id))
+        for (const Grant& each : descendants(id))
             end(each.id, reason);
     end(id, reason);
     return {};
@@ -192,14 +213,14 @@ std::optional<Identity> Grants::find(std::string_view key) const {
             match = &entry;
     if (match == nullptr || !in_force(*match))
         return std::nullopt;
-    return Identity{match->grant.newcomers(), match->grant.session, match->grant.id};
+    return identity(match->grant.id);
 }
 
 std::optional<Identity> Grants::identity(const std::string& id) const {
     const Grant* const link = grant(id);
     if (link == nullptr)
         return std::nullopt;
-    return Identity{link->newcomers(), link->session, id};
+    return Identity{link->newcomers(), link->session, id, link->copier};
 }
 
 std::optional<SecretDigest> Grants::digest(const std::string& id) const {
@@ -240,7 +261,8 @@ Grants::restore(const std::string& session, const std::string& id, std::string_v
         return fail(Error::Code::Corrupt, "a saved share link is damaged",
                     "make a new one with session.share");
     next_ = std::max(next_, *number + 1);
-    Entry entry{{id, session, *role, kept->expires, kept->maker, kept->lineage, std::move(lowered)},
+    Entry entry{{id, session, *role, kept->expires, kept->maker, kept->lineage, std::move(lowered),
+                 kept->copier},
                 *digest,
                 {},
                 *number,
@@ -329,7 +351,8 @@ void Grants::keep(const Entry& entry) {
                                  grant.expires,
                                  grant.maker,
                                  grant.lineage,
-                                 {}};
+                                 {},
+                                 grant.copier};
     for (const auto& [participant, role] : grant.lowered)
         record.lowered[participant] = name(role);
     services_.journal->write(grant.session, {{"grant", grant.id, protocol::grant_text(record)}});

@@ -39,10 +39,16 @@ struct Grant {
     std::string maker = {};                   ///< name of the participant; empty: a script
     std::vector<std::string> lineage = {};    ///< links it descends from; the last is its maker's
     std::map<std::string, Role> lowered = {}; ///< participants to whom a host gave a lesser role
+    std::string copier = {}; ///< link by which somebody made its session, a copy; empty: no copy
 
     /// What somebody without a place of their own may do by it: no more than anybody it was taken from.
     Role newcomers() const;
 };
+
+/// What to append to the address of the page, with the key of a link into that session.
+inline std::string link_to(const std::string& session, const std::string& key) {
+    return "#session=" + session + "&token=" + key;
+}
 
 /// A client that came in by a share link and is to go when it ends.
 class GrantHolder {
@@ -86,8 +92,15 @@ class Grants {
     /// Those in force, oldest first.
     std::vector<Grant> of(const std::string& session) const;
 
-    /// Those in force that were made by a link, or by one that it made; oldest first.
-    std::vector<Grant> descendants(const std::string& session, const std::string& id) const;
+    /// An editor's link into a copy, for the holder of the link `by` who has made that. It ends with that link at the latest.
+    /// Error: OverLimit.
+    core::Result<Made> make_for_copy(const std::string& copy, const LinkMaker& by);
+
+    /// Those in force into copies that holders of the link have made, or of all links where it is empty; oldest first.
+    std::vector<Grant> copies(const std::string& id = {}) const;
+
+    /// Those in force that were made by a link, or by one that it made, into copies as well; oldest first.
+    std::vector<Grant> descendants(const std::string& id) const;
 
     /// Ends a link of this session, and with `children` its descendants; their holders are told. Error: NotFound.
     core::Result<void>
@@ -148,6 +161,10 @@ class Grants {
         std::map<std::string, std::string> people = {}; ///< of participants, as far as is known
     };
 
+    template <class Fits>
+    std::vector<Grant> those(Fits fits) const;
+    core::Result<Made>
+    add(Grant link, std::optional<std::chrono::seconds> expires_in, const LinkMaker& maker);
     bool expired(const Entry& entry) const;
     bool in_force(const Entry& entry) const;
     void end(const std::string& id, const std::string& reason);

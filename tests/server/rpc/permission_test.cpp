@@ -49,7 +49,7 @@ const std::map<std::string, Row> rows{
     {"cache.status", {Role::Viewer, About::Nothing}},
     {"probe.sample", {Role::Viewer, About::Nothing}},
     {"session.create", {Role::Editor, About::Server}},
-    {"session.fork", {Role::Editor, About::Server}},
+    {"session.fork", {Role::Viewer, About::Session}},
     {"session.list", {Role::Viewer, About::Nothing}},
     {"session.rename", {Role::Host, About::Session}},
     {"session.setUnits", {Role::Editor, About::Session}},

@@ -1,4 +1,5 @@
 // Several people in one session, over real sockets: share links from the link to its end, presence, and coming back.
+#include "server/limits.hpp"
 #include "tests/support/server/server_process.hpp"
 #include "tests/support/server/websocket_client.hpp"
 
@@ -323,6 +324,92 @@ TEST_F(Sharing, ForksASessionWithItsRecords) {
     EXPECT_EQ(state["name"], "copy");
     EXPECT_EQ(state["rakes"][0]["points"], host.result("session.state")["rakes"][0]["points"]);
     EXPECT_TRUE(state["participants"].empty());
+}
+
+TEST_F(Sharing, LetsAViewerContinueInACopyAtTheTimeThatIsShown) {
+    host.result("rake.set", rake(1));
+    host.result("time.set", {{"time", 0.25}});
+    const json viewers = share("viewer");
+    WebSocketClient guest(server, "", with_key(viewers["key"]));
+    guest.result("session.join", {{"session", "main"}, {"name", "Ada"}});
+    EXPECT_EQ(guest.call("time.play", {{"from", 0}, {"to", 1}})["error"]["code"], -32003);
+    const json made = guest.result("session.fork", {{"name", "main copy"}});
+    EXPECT_EQ(made["link"], "#session=" + made["session"].get<std::string>() +
+                                "&token=" + made["key"].get<std::string>());
+
+    WebSocketClient own(server, "", with_key(made["key"]));
+    const json joined = own.result("session.join");
+    EXPECT_EQ(joined["role"], "editor");
+    EXPECT_EQ(joined["copyOf"], (json{{"session", "main"}, {"name", "main"}}));
+    EXPECT_EQ(joined["snapshot"]["clock"]["time"], 0.25);
+    own.result("time.play", {{"from", 0}, {"to", 1}});
+    own.result("rake.set", rake(2));
+    const json shown = host.result("session.state");
+    EXPECT_EQ(shown["clock"]["time"], 0.25) << "nobody else sees any of it";
+    EXPECT_EQ(shown["rakes"].size(), 1u);
+
+    EXPECT_EQ(own.call("session.share", {{"role", "viewer"}})["error"]["code"], -32003);
+    EXPECT_EQ(own.call("session.state", {{"session", "main"}})["error"]["code"], -32003);
+    EXPECT_EQ(guest.call("session.fork", {{"session", made["session"]}})["error"]["code"], -32003);
+    EXPECT_EQ(guest.call("session.state", {{"session", made["session"]}})["error"]["code"], -32003)
+        << "a key lets into one session only";
+}
+
+TEST_F(Sharing, EndsCopiesWithTheLinkTheyWereMadeByWhereAHostAsksForIt) {
+    const json viewers = share("viewer");
+    WebSocketClient guest(server, "", with_key(viewers["key"]));
+    guest.result("session.join", {{"session", "main"}, {"name", "Ada"}});
+    const json made = guest.result("session.fork");
+    WebSocketClient own(server, "", with_key(made["key"]));
+    own.result("session.join");
+    EXPECT_EQ(host.result("session.shares")["shares"][0]["children"], 1);
+    const json left = host.result("session.unshare", {{"grant", viewers["grant"]}})["children"];
+    ASSERT_EQ(left.size(), 1u);
+    EXPECT_EQ(left[0]["copy"], made["session"]);
+    EXPECT_EQ(left[0]["madeBy"], (json{{"name", "Ada"}, {"grant", viewers["grant"]}}));
+    host.result("session.unshare", {{"session", left[0]["copy"]}, {"grant", left[0]["grant"]}});
+    EXPECT_EQ(close_code(own), link_ended);
+
+    const json others = share("viewer");
+    WebSocketClient next(server, "", with_key(others["key"]));
+    next.result("session.join");
+    WebSocketClient theirs(server, "", with_key(next.result("session.fork")["key"]));
+    theirs.result("session.join");
+    host.result("session.unshare", {{"grant", others["grant"]}, {"children", true}});
+    EXPECT_EQ(close_code(theirs), link_ended);
+}
+
+TEST_F(Sharing, CopiesThatNobodyChangedMakeRoomForOthers) {
+    const json viewers = share("viewer");
+    const Headers key = with_key(viewers["key"]);
+    const auto copy = [&] {
+        return json::parse(http(server.port(), "POST", "/rpc", key,
+                                R"({"jsonrpc":"2.0","id":1,"method":"session.fork"})")
+                               .body);
+    };
+    const json first = copy()["result"];
+    const auto change = [&](const json& made) {
+        WebSocketClient own(server, "", with_key(made["key"]));
+        own.result("session.join");
+        own.result("rake.set", rake(1));
+    };
+    change(first);
+    for (std::size_t i = 1; i < server::limits::copies_by_link; ++i)
+        ASSERT_TRUE(copy().contains("result")) << i;
+    const json one_more = copy()["result"];
+    EXPECT_EQ(host.result("session.list")["sessions"].size(), server::limits::copies_by_link + 1);
+    EXPECT_TRUE(host.call("session.state", {{"session", first["session"]}}).contains("result"))
+        << "somebody's work stays";
+    change(one_more);
+    const json list = host.result("session.list")["sessions"];
+    for (const json& each : list) {
+        json of = rake(1);
+        of["session"] = each["session"];
+        host.result("rake.set", of);
+    }
+    EXPECT_EQ(copy()["error"]["code"], -32014);
+    EXPECT_EQ(copy()["error"]["data"]["limit"], server::limits::copies_by_link);
+    EXPECT_TRUE(host.call("session.fork").contains("result")) << "for the token there is room";
 }
 
 TEST_F(Sharing, RefusesNamesAndColoursThatAreNone) {

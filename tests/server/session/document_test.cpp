@@ -100,7 +100,7 @@ TEST(Document, RakesKeepColourAndAuthorWhenTheyAreUndoneForkedAndRestored) {
     after.sessions.restore("main", "main", bench.journal.entries("main"));
     EXPECT_TRUE(is_adas(*after.session)) << "restored";
     SessionBench copy;
-    copy.session->copy(*bench.session);
+    copy.session->copy(*bench.session, true);
     EXPECT_TRUE(is_adas(*copy.session)) << "forked";
 }
 
@@ -280,9 +280,11 @@ TEST(Document, AForkHasTheRecordsAndGoesItsOwnWay) {
     ASSERT_TRUE(bench.session->set_surface(surface_on(first), bench.ada));
     ASSERT_TRUE(bench.session->set_rake(dragged(2, first), bench.ada));
     ASSERT_TRUE(bench.session->set_annotation(note("here"), bench.ada));
-    const auto fork = bench.sessions.fork("main", "mine");
+    bench.session->clock().set(0.25);
+    const auto fork = bench.sessions.fork("main", "mine", false);
     ASSERT_TRUE(fork);
     EXPECT_EQ((*fork)->name(), "mine");
+    EXPECT_EQ((*fork)->clock().time(), 0.25);
     EXPECT_EQ(content((*fork)->records()), content(bench.session->records()));
     EXPECT_FALSE((*fork)->rakes().front().dragging) << "a lease is no one's in the fork";
     EXPECT_EQ((*fork)->surfaces().front().epoch, 1u);
@@ -294,8 +296,9 @@ TEST(Document, AForkHasTheRecordsAndGoesItsOwnWay) {
         bench.session->move_in_history(server::HistoryMove::Undo, bench.bob).changes.empty());
     SessionBench after;
     after.sessions.restore((*fork)->id(), "", bench.journal.entries((*fork)->id()));
-    EXPECT_EQ(content((*after.sessions.find((*fork)->id()))->records()),
-              content((*fork)->records()));
+    const auto back = *after.sessions.find((*fork)->id());
+    EXPECT_EQ(content(back->records()), content((*fork)->records()));
+    EXPECT_EQ(back->profile().copy_of, "main");
     EXPECT_EQ(bench.sessions.fork("none", "").error().code, Error::Code::NotFound);
 }
 

@@ -19,9 +19,14 @@ export class KeptLogins {
         this.name = `wakesurf.logins ${new URL(baseUrl).pathname}`;
     }
 
-    /** This window's own, and else one of the browser's. @param session that is to be shown, if it is known */
+    /**
+     * This window's own for that session, and else one of the browser's: a window goes from a session to a copy and back.
+     * @param session that is to be shown, if it is known
+     */
     recall(session: string | null): KeptLogin | null {
-        return this.read(() => sessionStorage)[0] ?? this.shared(session);
+        const own = this.read(() => sessionStorage);
+        const fits = (each: KeptLogin): boolean => session === null || each.session === null || each.session === session;
+        return own.find(fits) ?? this.shared(session) ?? own[0] ?? null;
     }
 
     /** The one that lets in most: a link that somebody has others open takes nothing from who has more. */
@@ -35,11 +40,12 @@ export class KeptLogins {
         );
     }
 
-    /** One takes the place of those for the same session; of this window it is the only one. */
+    /** One takes the place of those for the same session. */
     keep(made: KeptLogin): void {
-        const others = this.read(() => localStorage).filter(({ session }) => session !== made.session);
-        this.write(() => localStorage, [made, ...others].slice(0, mostKept));
-        this.write(() => sessionStorage, [made]);
+        for (const place of [() => localStorage, () => sessionStorage]) {
+            const others = this.read(place).filter(({ session }) => session !== made.session);
+            this.write(place, [made, ...others].slice(0, mostKept));
+        }
     }
 
     /** It has ended. */

@@ -203,6 +203,7 @@ export class SessionController {
         state.role.value = joined.role;
         state.session.value = joined.snapshot.session;
         state.sessionName.value = joined.snapshot.name;
+        state.copyOf.value = joined.copyOf ?? null;
         state.gone.value = null;
         state.notices.solved('start');
         people.joined(joined);

@@ -84,6 +84,8 @@ export class AppState {
     readonly you = signal<string | null>(null);
     readonly session = signal<string | null>(null);
     readonly sessionName = signal('');
+    /** The session that this one was copied from; null: none. */
+    readonly copyOf = signal<{ session: string; name: string } | null>(null);
     /** That people of this session have typed; an empty one is as the dataset says. */
     readonly typedUnits = signal<Units>(noUnits);
     readonly gone = signal<GoneSession | null>(null);

@@ -13,6 +13,8 @@ import './out/copyAs.ts';
 import { type ExportModel, exportBody } from './out/exportPanel.ts';
 import './help/helpDialog.ts';
 import type { HelpModel } from './help/helpDialog.ts';
+import type { OwnCopy } from '../session/sessions/ownCopy.ts';
+import './share/ownCopy.ts';
 import './share/linksPanel.ts';
 import type { LinksModel } from './share/linksPanel.ts';
 import './share/notesPanel.ts';
@@ -43,6 +45,7 @@ export interface PanelModel {
     /** What the scripts that are offered below a part are made of. */
     state: AppState;
     view: ViewState;
+    ownCopy: OwnCopy;
     help: HelpModel;
     sessionHead: SessionHeadModel;
     datasetHead: DatasetHeadModel;
@@ -260,7 +263,7 @@ export class Panel extends SignalElement {
                 </div>
                 <wakesurf-session-head .model=${this.model.sessionHead}></wakesurf-session-head>
                 <wakesurf-dataset-head .model=${this.model.datasetHead}></wakesurf-dataset-head>
-                ${state.role.value === 'viewer' ? html`<p class="quiet" id="role">Your link is for looking: you can turn, colour, measure and save what others make.</p>` : nothing}
+                ${this.place()}
             </div>
             <div role="tablist" aria-label="Settings" @keydown=${this.turn}>
                 ${tabs.map(({ id, label }) => this.tab(id, label, id === chosen.id))}
@@ -270,6 +273,23 @@ export class Panel extends SignalElement {
             </div>
             <wakesurf-status role="region" aria-label="Status" .model=${this.model.status}></wakesurf-status>
         `;
+    }
+
+    /** What may be done here, where it is not everything; and whose session it is, where it is a copy. */
+    private place(): TemplateResult | typeof nothing {
+        const { state, ownCopy } = this.model;
+        if (state.role.value === 'viewer') {
+            return html`<p class="quiet" id="role">
+                Your link is for looking: you can turn, colour, measure and save. To play and to edit for yourself:
+                <wakesurf-own-copy .model=${ownCopy}></wakesurf-own-copy>
+            </p>`;
+        }
+        const from = state.copyOf.value;
+        if (from === null) return nothing;
+        return html`<p class="quiet" id="copy-of">
+            A copy of “${from.name}”: what changes here changes nothing there.
+            <button type="button" @click=${() => ownCopy.back()}>Back to “${from.name}”</button>
+        </p>`;
     }
 
     private tab(id: string, label: string, selected: boolean): TemplateResult {

@@ -38,6 +38,7 @@ import type {
     SessionExportParams,
     SessionExportResult,
     SessionForkParams,
+    SessionForkResult,
     SessionImportParams,
     SessionImportResult,
     SessionJoinParams,
@@ -135,10 +136,11 @@ export interface Methods {
      */
     'session.create': { params: SessionCreateParams; result: SessionMade };
     /**
-     * Makes a new session with the records of another, but without its people, links and history. Not available with a
-     * share link.
+     * Makes a new session with the records of another and the time it shows, but without its people, links and
+     * history. With a share link, of any role, it copies the link's session only, and `key` lets you into the copy as
+     * an editor, for as long as your link is valid.
      */
-    'session.fork': { params: SessionForkParams; result: SessionMade };
+    'session.fork': { params: SessionForkParams; result: SessionForkResult };
     /** Lists the sessions of this server. With a share link, only the session of the link is listed. */
     'session.list': { params: SessionListParams; result: SessionListResult };
     /** Enters a session. From now on its changes are sent to this WebSocket. */

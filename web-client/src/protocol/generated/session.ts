@@ -297,6 +297,8 @@ export interface Joined {
     participants: Participant[];
     /** when the session was made, in UTC, as in session.list */
     created?: string;
+    /** for a session that session.fork has made: the one it is a copy of, with the name it had then */
+    copyOf?: SessionName;
     /** true: `patches` is present; false: `snapshot` is present */
     resumed: boolean;
     /** all records of the session */
@@ -312,6 +314,7 @@ export const joinedCheck = members<Joined>({
     seq: whole,
     participants: list(participantCheck),
     created: optional(text),
+    copyOf: optional(sessionNameCheck),
     resumed: flag,
     snapshot: optional(snapshotCheck),
     patches: optional(list(patchCheck)),
@@ -329,6 +332,20 @@ export interface SessionForkParams {
     session?: string;
     /** display name */
     name?: string;
+}
+
+/** What session.fork answers. */
+export interface SessionForkResult {
+    /** id of the session */
+    session: string;
+    /** display name */
+    name: string;
+    /** how many more sessions can be made */
+    remaining: number;
+    /** with a share link: secret key of a link into the copy; it is returned only this once */
+    key?: string;
+    /** with a share link: what to append to the address of the page */
+    link?: string;
 }
 
 /** Parameters of session.list. */

@@ -29,6 +29,8 @@ export interface Share {
     newcomers?: NewcomerRole;
     /** who made it */
     madeBy: ShareMaker;
+    /** for a link into a copy that session.fork has made: id of the copy */
+    copy?: string;
     /** number of valid links that were made through this one, directly or indirectly */
     children: number;
 }
@@ -39,6 +41,7 @@ export const shareCheck = members<Share>({
     expires: optional(number),
     newcomers: optional(newcomerRoleCheck),
     madeBy: shareMakerCheck,
+    copy: optional(text),
     children: whole,
 });
 
@@ -67,6 +70,8 @@ export interface SessionShareResult {
     newcomers?: NewcomerRole;
     /** who made it */
     madeBy: ShareMaker;
+    /** for a link into a copy that session.fork has made: id of the copy */
+    copy?: string;
     /** number of valid links that were made through this one, directly or indirectly */
     children: number;
     /** secret key of the link */

@@ -15,7 +15,8 @@ function bench() {
         chooseRake: (rake) => void heard.push(['chosen', rake]),
     };
     const people = { tell: (presence: object) => void heard.push(presence) };
-    connectRakes({ state, view, edits, people, scene: { interaction: { connect: (made) => void users.push(made) } } });
+    const ownCopy = { begin: async () => void heard.push('copied') };
+    connectRakes({ state, view, edits, people, ownCopy, scene: { interaction: { connect: (made) => void users.push(made) } } });
     return { state, view, heard, user: users[0]! };
 }
 
@@ -60,6 +61,15 @@ describe('the hand on a rake', () => {
         state.notices.remedyOf('locked')?.act();
         expect([...view.visibility.value.lockedRakes]).toEqual(['r2']);
         expect(state.notices.all.value.size).toBe(0);
+    });
+
+    it('is offered a copy where a link is for looking', () => {
+        const { state, heard, user } = bench();
+        state.role.value = 'viewer';
+        user.refused();
+        expect(state.notices.all.value.get('locked')).toBe('This link is for viewing: you cannot move rakes.');
+        state.notices.remedyOf('locked')?.act();
+        expect(heard).toEqual(['copied']);
     });
 
     it('puts the tool away that has placed a point, and no other', () => {

@@ -4,6 +4,7 @@ import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import type { Edits } from '../edits/edits.ts';
 import type { People } from '../people/people.ts';
+import type { OwnCopy } from '../sessions/ownCopy.ts';
 
 export interface RakesByHandOptions {
     state: Pick<AppState, 'locked' | 'role' | 'activeRake' | 'notices'>;
@@ -11,12 +12,13 @@ export interface RakesByHandOptions {
     scene: { interaction: Pick<FlowScene['interaction'], 'connect'> };
     edits: Pick<Edits, 'moveRake' | 'draggedNow' | 'chooseRake'>;
     people: Pick<People, 'tell'>;
+    ownCopy: Pick<OwnCopy, 'begin'>;
 }
 
-export function connectRakes({ state, view, scene, edits, people }: RakesByHandOptions): void {
+export function connectRakes({ state, view, scene, edits, people, ownCopy }: RakesByHandOptions): void {
     scene.interaction.connect({
         mayMove: () => !state.locked.value,
-        refused: () => tellLocked(state, view),
+        refused: () => tellLocked(state, view, ownCopy),
         hasPointer: () => view.tool.value === 'none' || view.tool.value === 'place',
         moved: (move) => {
             edits.moveRake(move);
@@ -29,11 +31,20 @@ export function connectRakes({ state, view, scene, edits, people }: RakesByHandO
     });
 }
 
-function tellLocked({ role, activeRake, notices }: RakesByHandOptions['state'], view: RakesByHandOptions['view']): void {
+function tellLocked(
+    { role, activeRake, notices }: RakesByHandOptions['state'],
+    view: RakesByHandOptions['view'],
+    copy: Pick<OwnCopy, 'begin'>,
+): void {
     const rake = activeRake.value ?? '';
     const { lockedRakes } = view.visibility.value;
-    if (role.value === 'viewer') notices.sayUntil('press', 'locked', 'This link is for viewing: you cannot move rakes.');
-    else if (lockedRakes.has(rake)) {
+    if (role.value === 'viewer') {
+        const act = (): void => void copy.begin();
+        notices.sayUntil('press', 'locked', 'This link is for viewing: you cannot move rakes.', {
+            label: 'Continue in a copy',
+            act,
+        });
+    } else if (lockedRakes.has(rake)) {
         const act = (): void => {
             view.changeVisibility({ lockedRakes: new Set([...lockedRakes].filter((each) => each !== rake)) });
             notices.solved('locked');

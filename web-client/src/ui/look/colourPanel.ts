@@ -8,6 +8,8 @@ import type { Edits } from '../../session/edits/edits.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { colourChoices, mapNames } from './colourNames.ts';
+import '../share/ownCopy.ts';
+import type { OwnCopyButton } from '../share/ownCopy.ts';
 import { checkRow, lookStyles, pairRow, selectRow } from './lookStyles.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
@@ -17,6 +19,7 @@ export interface ColourModel {
     view: ViewState;
     edits: Pick<Edits, 'changeSurface'>;
     scene: Pick<FlowScene, 'surfaces'>;
+    ownCopy: OwnCopyButton['model'];
 }
 
 export class ColourPanel extends SignalElement {
@@ -94,6 +97,14 @@ export class ColourPanel extends SignalElement {
         const range = look.range ?? scene.surfaces.spanOf(id)?.colours ?? ([0, 1] as const);
         return html`
             ${selectRow('colour-by', 'Colour by', choices, look.colourBy, (colourBy) => this.colourBy(colourBy))}
+            ${
+                state.role.value === 'viewer'
+                    ? html`<p class="quiet">
+                      What has no values on this surface yet can be chosen in a copy of your own.
+                      <wakesurf-own-copy .model=${this.model.ownCopy}></wakesurf-own-copy>
+                  </p>`
+                    : nothing
+            }
             ${this.waiting(id, look)}
             ${look.colourBy === 'constant' ? this.constant(look) : html`${this.maps(look)} ${this.range(look, range)}`}
         `;

@@ -13,6 +13,8 @@ import { exportStyles } from './exportStyles.ts';
 import { fileName, saveFile } from '../base/saveFile.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
+import '../share/ownCopy.ts';
+import type { OwnCopyButton } from '../share/ownCopy.ts';
 import { SizeChoice } from './sizeChoice.ts';
 
 const rates = [12, 24, 25, 30, 60];
@@ -32,6 +34,7 @@ export interface FilmExportModel {
     playback: Pick<Playback, 'mode' | 'span'>;
     figure: Pick<Figure, 'shownSize'>;
     film: Pick<FilmMaker, 'record' | 'cancel' | 'progress'>;
+    ownCopy: OwnCopyButton['model'];
 }
 
 export class FilmExport extends SignalElement {
@@ -45,6 +48,12 @@ export class FilmExport extends SignalElement {
         const { film, figure, playback, state } = this.model;
         const reason = this.whyNot();
         if (reason !== null) return html`<p>${reason}</p>`;
+        if (state.role.value === 'viewer') {
+            return html`<p>
+                Recording changes the time for everyone, which your link does not allow.
+                <wakesurf-own-copy .model=${this.model.ownCopy}></wakesurf-own-copy>
+            </p>`;
+        }
         const progress = film.progress.value;
         if (progress.state === 'measuring' || progress.state === 'recording') return this.recording(progress);
         const [from, to] = playback.span.value;
@@ -101,11 +110,10 @@ export class FilmExport extends SignalElement {
     }
 
     private whyNot(): string | null {
-        const { playback, state } = this.model;
+        const { playback } = this.model;
         if (!canEncode()) {
             return 'Recording needs a current browser over HTTPS (or on localhost).';
         }
-        if (state.role.value === 'viewer') return 'View-only link: recording changes the shared time, which you cannot do.';
         return playback.mode.value === 'none' ? 'The data have only one time-step: there is nothing to play.' : null;
     }
 

@@ -8,7 +8,8 @@ import type { AppState } from '../../state/appState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
 import { copyText } from '../base/copyText.ts';
 import { momentWords } from '../base/timeWords.ts';
-import { fitting } from '../../session/sessions/fitting.ts';
+import './ownCopy.ts';
+import type { OwnCopyButton } from './ownCopy.ts';
 import { roleWords } from './roleWords.ts';
 import { listStyles } from '../base/listStyles.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
@@ -26,10 +27,11 @@ const lifetimes = [
 const purposes: Record<Role, string> = { viewer: 'To look', editor: 'To edit', host: 'To edit and invite' };
 
 export interface LinksModel {
-    state: Pick<AppState, 'role' | 'session' | 'sessionName'>;
+    state: Pick<AppState, 'role'>;
     calls: Pick<Calls, 'try'>;
     views: Pick<Views, 'link'>;
     worker: Pick<WorkerClient, 'call'>;
+    ownCopy: OwnCopyButton['model'];
 }
 
 export class LinksPanel extends SignalElement {
@@ -40,7 +42,6 @@ export class LinksPanel extends SignalElement {
     /** The link that is about to be taken back, and has made others. */
     private readonly asked = signal<string | null>(null);
     private readonly copied = signal(false);
-    private readonly forked = signal<string | null>(null);
 
     static override styles = [
         sharedStyles,
@@ -97,9 +98,6 @@ export class LinksPanel extends SignalElement {
             p {
                 margin: 6px 0;
             }
-            .fork {
-                margin-top: 10px;
-            }
         `,
     ];
 
@@ -111,7 +109,8 @@ export class LinksPanel extends SignalElement {
     override render(): TemplateResult {
         const { state } = this.model;
         if (state.role.value !== 'host') {
-            return html`<p class="quiet">Only people who can invite can make links for others.</p>`;
+            return html`<p class="quiet">Only people who can invite can make links for others.</p>
+                ${this.ownCopy()}`;
         }
         const made = this.made.value;
         return html`
@@ -144,18 +143,13 @@ export class LinksPanel extends SignalElement {
                       ${this.shares.value.map((share) => this.share(share))}
                   </ul>`
             }
-            <div class="fork">
-                <button type="button" id="fork" @click=${this.fork}>Continue in a copy</button>
-                ${
-                    this.forked.value === null
-                        ? nothing
-                        : html`<p>
-                          <a id="forked" href=${this.forked.value} target="_blank" rel="noopener">Open the copy</a>:
-                          the same rakes and surfaces, and no one else in it.
-                      </p>`
-                }
-            </div>
+            ${this.ownCopy()}
         `;
+    }
+
+    private ownCopy(): TemplateResult {
+        return html`<p class="quiet">A copy has the same rakes and surfaces, and no one else in it. Everyone who has a link may make copies; they last as long as the link.</p>
+            <wakesurf-own-copy .model=${this.model.ownCopy}></wakesurf-own-copy>`;
     }
 
     private share(share: ShareLink): TemplateResult {
@@ -170,12 +164,12 @@ export class LinksPanel extends SignalElement {
                 >${purposes[role]}, until ${untilWords(expires)}<small>${makerWords(share)}</small>${
                     children === 0
                         ? nothing
-                        : html`<small>${children === 1 ? '1 link was' : `${children} links were`} made by people who used it</small>`
+                        : html`<small>${children === 1 ? '1 link or copy was' : `${children} links and copies were`} made by people who used it</small>`
                 }</span
             >
             ${
                 asked
-                    ? html`<p>Revoke the links made by those people as well?</p>
+                    ? html`<p>Revoke what those people made as well?</p>
                       <button type="button" @click=${() => this.takeBack(grant, true)}>${children === 1 ? 'Both' : `All ${children + 1}`}</button>
                       <button type="button" @click=${() => this.takeBack(grant, false)}>Only this one</button>
                       <button type="button" @click=${() => (this.asked.value = null)}>Cancel</button>`
@@ -219,14 +213,6 @@ export class LinksPanel extends SignalElement {
         this.asked.value = null;
         await this.model.calls.try('session.unshare', { grant, ...(children ? { children } : {}) });
         await this.list();
-    }
-
-    private async fork(): Promise<void> {
-        const fork = await this.model.calls.try('session.fork', { name: fitting(this.model.state.sessionName.value, ' copy') });
-        if (fork === null) return;
-        const link = new URL(location.href);
-        link.hash = `session=${encodeURIComponent(fork.session)}`;
-        this.forked.value = link.href;
     }
 }
 

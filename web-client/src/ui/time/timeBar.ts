@@ -13,6 +13,8 @@ import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import '../out/copyAs.ts';
 import { titleOf } from '../base/lockedWords.ts';
+import '../share/ownCopy.ts';
+import type { OwnCopyButton } from '../share/ownCopy.ts';
 import { icon } from '../base/icons.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
@@ -34,6 +36,7 @@ export interface TimeBarModel {
     view: Pick<ViewState, 'units'>;
     playback: Playback;
     edits: Pick<Edits, 'intent' | 'changeSurface'>;
+    ownCopy: OwnCopyButton['model'];
 }
 
 export class TimeBar extends SignalElement {
@@ -168,7 +171,8 @@ export class TimeBar extends SignalElement {
     private whyNot(): TemplateResult | typeof nothing {
         const { state } = this.model;
         if (state.role.value !== 'viewer') return nothing;
-        return html` <span class="quiet" id="time-locked">People who can edit choose the time for everyone.</span>`;
+        return html` <span class="quiet" id="time-locked">People who can edit choose the time for everyone. To play for yourself:</span>
+            <wakesurf-own-copy .model=${this.model.ownCopy}></wakesurf-own-copy>`;
     }
 
     private legend(): TemplateResult {

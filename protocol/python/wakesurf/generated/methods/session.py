@@ -9,9 +9,9 @@ from typing import Any, Literal, Mapping, Optional, Union
 from ...api_call import Noun, LEFT_OUT, LeftOut
 from ...names import named
 from ...plain import Json, NULL
-from ..records import (Joined, SessionDeleteResult, SessionExportResult, SessionImportResult, SessionListResult,
-                       SessionMade, SessionName, SessionSetRoleResult, SessionShareResult, SessionSharesResult,
-                       SessionStateResult, SessionUnshareResult)
+from ..records import (Joined, SessionDeleteResult, SessionExportResult, SessionForkResult, SessionImportResult,
+                       SessionListResult, SessionMade, SessionName, SessionSetRoleResult, SessionShareResult,
+                       SessionSharesResult, SessionStateResult, SessionUnshareResult)
 
 
 class SessionMethods(Noun):
@@ -34,19 +34,20 @@ class SessionMethods(Noun):
         return answer
 
     @named
-    def fork(self, *, name: Optional[str] = None, session: Optional[str] = None) -> SessionMade:
-        """Makes a new session with the records of another, but without its people, links and history. Not available
-        with a share link.
+    def fork(self, *, name: Optional[str] = None, session: Optional[str] = None) -> SessionForkResult:
+        """Makes a new session with the records of another and the time it shows, but without its people, links and
+        history. With a share link, of any role, it copies the link's session only, and `key` lets you into the copy
+        as an editor, for as long as your link is valid.
 
         `name`: display name.
 
-        Error: NotFound, OverLimit. For editors.
+        Error: NotFound, OverLimit.
 
         For example:
 
             api.session.fork(session='main', name='copy')
         """
-        answer: SessionMade = self._call("session.fork", {"session": session, "name": name})
+        answer: SessionForkResult = self._call("session.fork", {"session": session, "name": name})
         return answer
 
     @named

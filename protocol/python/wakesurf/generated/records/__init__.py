@@ -8,8 +8,9 @@ from .server import (Quantiles, CacheStanding, MemoryStanding, Stages, RpcDiscov
 from .dataset import (Steps, DatasetEntry, Field, Dataset, SuggestedSurface, SuggestedRake, CacheStatus,
                       DatasetListResult, DatasetSuggestResult, ProbeSampleResult)
 from .session import (AsideRecord, KeptAside, Units, Snapshot, SessionName, SessionMade, TimesOfDataset, NamedDataset,
-                      FileRecords, SessionFile, Visitor, SessionEntry, Patch, Joined, SessionListResult,
-                      SessionStateResult, SessionDeleteResult, SessionExportResult, SessionImportResult)
+                      FileRecords, SessionFile, Visitor, SessionEntry, Patch, Joined, SessionForkResult,
+                      SessionListResult, SessionStateResult, SessionDeleteResult, SessionExportResult,
+                      SessionImportResult)
 from .share import (ShareMaker, Share, SessionShareResult, SessionSharesResult, SessionUnshareResult,
                     SessionSetRoleResult)
 from .presence import Camera, DraggedRake, Presence, Participant
@@ -30,7 +31,7 @@ __all__ = ["Lattice", "Problem", "Quantiles", "CacheStanding", "MemoryStanding",
            "Terminations", "BuildSeconds", "Emptiness", "Statistics", "ValueRange", "BookmarkRecord",
            "AnnotationRecord", "Change", "Skip", "HistoryDepth", "ClockRecord", "ClockAnswer", "RpcDiscoverResult",
            "ServerInfoResult", "ServerStatsResult", "DatasetListResult", "DatasetSuggestResult", "ProbeSampleResult",
-           "SessionListResult", "SessionStateResult", "SessionDeleteResult", "SessionExportResult",
+           "SessionForkResult", "SessionListResult", "SessionStateResult", "SessionDeleteResult", "SessionExportResult",
            "SessionImportResult", "SessionShareResult", "SessionSharesResult", "SessionUnshareResult",
            "SessionSetRoleResult", "RakeSetResult", "RakeListResult", "SurfaceStopResult", "SurfaceListResult",
            "SurfaceSubscribeResult", "BookmarkSetResult", "BookmarkListResult", "AnnotationSetResult",

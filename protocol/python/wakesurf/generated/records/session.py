@@ -154,9 +154,20 @@ class Joined(TypedDict, total=False):
     seq: int  # `seq` of the session now
     participants: List[Participant]  # all participants
     created: str  # when the session was made, in UTC, as in session.list; may be missing
+    copyOf: SessionName  # for a session that session.fork has made: the one it is a copy of, with the name it had ...
     resumed: bool  # true: `patches` is present; false: `snapshot` is present
     snapshot: Snapshot  # all records of the session; may be missing
     patches: List[Patch]  # what changed after `lastSeq`; for each record only the newest change; may be missing
+
+
+class SessionForkResult(TypedDict, total=False):
+    """What session.fork answers."""
+
+    session: str  # id of the session
+    name: str  # display name
+    remaining: int  # how many more sessions can be made
+    key: str  # with a share link: secret key of a link into the copy; it is returned only this once; may be missing
+    link: str  # with a share link: what to append to the address of the page; may be missing
 
 
 class SessionListResult(TypedDict, total=False):

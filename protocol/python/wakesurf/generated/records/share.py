@@ -22,6 +22,7 @@ class Share(TypedDict, total=False):
     expires: float  # when the link expires; if left out, never (s since 1970); may be missing
     newcomers: Literal["viewer", "editor"]  # role of those who come by it from now on; present if a host has given ...
     madeBy: ShareMaker  # who made it
+    copy: str  # for a link into a copy that session.fork has made: id of the copy; may be missing
     children: int  # number of valid links that were made through this one, directly or indirectly
 
 
@@ -33,6 +34,7 @@ class SessionShareResult(TypedDict, total=False):
     expires: float  # when the link expires; if left out, never (s since 1970); may be missing
     newcomers: Literal["viewer", "editor"]  # role of those who come by it from now on; present if a host has given ...
     madeBy: ShareMaker  # who made it
+    copy: str  # for a link into a copy that session.fork has made: id of the copy; may be missing
     children: int  # number of valid links that were made through this one, directly or indirectly
     key: str  # secret key of the link
     link: str  # what to append to the address of the page

@@ -1,0 +1,25 @@
+// The way into a copy of the session, beside what cannot be done in the session itself.
+import { html, type TemplateResult } from 'lit';
+import type { OwnCopy } from '../../session/sessions/ownCopy.ts';
+import { sharedStyles } from '../base/sharedStyles.ts';
+import { SignalElement } from '../base/signalElement.ts';
+
+export class OwnCopyButton extends SignalElement {
+    static override properties = { model: { attribute: false } };
+    declare model: Pick<OwnCopy, 'possible' | 'begin'>;
+
+    static override styles = [sharedStyles];
+
+    override render(): TemplateResult {
+        return html`<button
+            type="button"
+            title="The same rakes and surfaces at the same time, in a session of your own: what you do there, nobody else sees"
+            ?disabled=${!this.model.possible.value}
+            @click=${() => this.model.begin()}
+        >
+            Continue in a copy
+        </button>`;
+    }
+}
+
+customElements.define('wakesurf-own-copy', OwnCopyButton);
