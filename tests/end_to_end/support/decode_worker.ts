@@ -24,7 +24,7 @@ async function measure(frames: Uint8Array[], rounds: number): Promise<DecodedUpd
         // The page draws the first attribute; s and t come with it.
         const names = ['speed', 's', 't', ...Array.from({ length: attributeCount }, (_, i) => `${i}`)];
         const display = new DisplayArrays(lattice(latticeBits), names.slice(0, attributeCount));
-        display.show(['speed'], null);
+        display.show({ attributes: ['speed'], parts: null, trimmed: true });
         let start = performance.now();
         for (const frame of frames) {
             const applied = decoder.fold(frame);

@@ -21,7 +21,9 @@ export interface MeshChange {
     /** Three a triangle. */
     indices: Uint32Array;
     /** Null: as before, or not asked for. */
-    parts: PartsFound | null;
+    parts: readonly SurfacePart[] | null;
+    /** Null: as before. */
+    cut: Cut | null;
 }
 
 /** The same, of one simulation time. */
@@ -35,14 +37,20 @@ export interface ScalarChange {
     values: Float32Array;
 }
 
-/** Connected parts of a surface, in the order of their first vertices. */
-export interface PartsFound {
-    /** 1 for each vertex of a hidden part. */
-    hidden: Uint8Array;
-    parts: readonly SurfacePart[];
+/** Nothing is drawn where levels, between vertices as they come, are higher. */
+export const cutLevel = 63;
+/** Of what is not drawn at all. */
+export const wholeCut = 255;
+
+/** What is not drawn: hidden parts, and what is trimmed at torn borders. */
+export interface Cut {
+    /** Of each vertex; empty: nothing is cut. */
+    levels: Uint8Array;
+    /** Cells that are trimmed, most of them in part. */
+    trimmedCells: number;
 }
 
-/** A connected part of a surface. */
+/** A connected part of a surface, in the order of their first vertices. */
 export interface SurfacePart {
     cells: number;
     /** s and t of its first vertex, which names the part. */

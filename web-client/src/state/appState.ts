@@ -100,6 +100,8 @@ export class AppState {
     /** Surfaces that this page does not show, and is sent nothing of. */
     readonly hiddenSurfaces = signal<ReadonlySet<string>>(new Set());
     readonly displayed = signal<ReadonlyMap<string, DisplayedSurface>>(new Map());
+    /** Quads of which something is not drawn, at torn borders; by surface. */
+    readonly trimmed = signal<ReadonlyMap<string, number>>(new Map());
     /** By surface, where they are asked for. */
     readonly parts = signal<ReadonlyMap<string, readonly SurfacePart[]>>(new Map());
     /** The newest epoch that an answer or a record of the server has named, by surface. */

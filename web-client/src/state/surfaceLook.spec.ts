@@ -22,6 +22,7 @@ const other: SurfaceLook = {
     sWindow: [0.25, 0.5],
     ageWindow: [1, 3],
     hiddenParts: [[0.5, 2]],
+    trimmed: false,
     painting: true,
     faded: 0.1,
 };

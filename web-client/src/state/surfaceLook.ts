@@ -43,6 +43,8 @@ export interface SurfaceLook {
     ageWindow: Pair | null;
     /** Each names the part of the surface it lies on, by s and t. */
     hiddenParts: readonly Pair[];
+    /** Smooth borders where it is torn. */
+    trimmed: boolean;
     /** Only what the brush has revealed is shown; the rest has opacity `faded`. */
     painting: boolean;
     faded: number;
@@ -69,6 +71,7 @@ export const usualLook: SurfaceLook = {
     sWindow: null,
     ageWindow: null,
     hiddenParts: [],
+    trimmed: true,
     painting: false,
     faded: 0,
 };
@@ -108,6 +111,7 @@ const checks: Record<keyof SurfaceLook, (value: unknown) => boolean> = {
     sWindow: isSpan,
     ageWindow: isSpan,
     hiddenParts: (value) => Array.isArray(value) && value.length <= partsAtMost && value.every(isPair),
+    trimmed: isFlag,
     painting: isFlag,
     faded: isPart,
 };

@@ -8,6 +8,7 @@ import { ranges } from '../protocol/testing/randomSurface.ts';
 import { lattice, randomUpdates } from '../protocol/testing/randomUpdates.ts';
 import { DisplayArrays } from './displayArrays.ts';
 import { addNormals } from './normals.ts';
+import type { ShowWish } from './workerMessages.ts';
 
 let points: DracoPoints;
 beforeAll(async () => {
@@ -20,6 +21,7 @@ class Screen {
     private readonly seeds = new Float32Array(6000);
     private readonly scalars = new Float32Array(3000);
     private readonly indices = new Uint32Array(60_000);
+    private cut = new Uint8Array(0);
     private vertices = 0;
     private triangles = 0;
 
@@ -31,25 +33,31 @@ class Screen {
             if (name === 'speed') this.scalars.set(values, fromVertex);
         }
         this.indices.set(change.indices, change.fromIndex);
+        if (change.cut !== null) this.cut = new Uint8Array(change.cut.levels);
         ({ vertices: this.vertices, triangles: this.triangles } = change);
     }
 
-    get picture(): Record<'positions' | 'normals' | 'seeds' | 'scalars' | 'indices', number[]> {
+    get picture(): Record<'positions' | 'normals' | 'seeds' | 'scalars' | 'indices' | 'cut', number[]> {
         return {
             positions: [...this.room.positions.subarray(0, 3 * this.vertices)],
             normals: [...this.room.normals.subarray(0, 3 * this.vertices)],
             seeds: [...this.seeds.subarray(0, 2 * this.vertices)],
             scalars: [...this.scalars.subarray(0, this.vertices)],
             indices: [...this.indices.subarray(0, 3 * this.triangles)],
+            cut: [...this.cut],
         };
     }
 }
 
 const attributes = ['speed', 's', 't'].slice(0, ranges.length);
 
+function wish(attributes: readonly string[]): ShowWish {
+    return { attributes, parts: null, trimmed: true };
+}
+
 function display(): DisplayArrays {
     const made = new DisplayArrays(lattice, attributes);
-    made.show(['speed'], null);
+    made.show(wish(['speed']));
     return made;
 }
 
@@ -80,6 +88,31 @@ function play(still: boolean, seed: number, check: (screen: Screen, update: Appl
 }
 
 describe('DisplayArrays', () => {
+    it('trims torn borders while it is asked to, of changes as of the whole', () => {
+        const decoder = new MeshDecoder(points, lattice, ranges.length);
+        const [shown, screen] = [new DisplayArrays(lattice, ['t', 's']), new Screen()];
+        shown.show(wish([]));
+        let most = 0;
+        for (const frame of randomUpdates(36, 80, false).flatMap(({ frames }) => frames)) {
+            const update = decoder.fold(frame);
+            if (update === undefined) continue;
+            const { mesh } = update;
+            const fresh = new DisplayArrays(lattice, ['t', 's']);
+            for (const each of [shown, fresh]) each.note(update);
+            fresh.show(wish([]));
+            const { cut } = fresh.take(mesh);
+            screen.put(shown.take(mesh));
+            expect(screen.picture.cut).toEqual([...cut!.levels]);
+            most = Math.max(most, cut!.trimmedCells);
+            expect(shown.take(mesh).cut).toBeNull();
+            expect(shown.show({ ...wish([]), trimmed: false })).toBe(true);
+            expect(shown.take(mesh).cut).toEqual({ levels: new Uint8Array(0), trimmedCells: 0 });
+            expect(shown.show(wish([]))).toBe(true);
+            expect(shown.take(mesh).cut).toEqual(cut);
+        }
+        expect(most).toBeGreaterThan(3);
+    });
+
     it('returns changes that add up to the whole, while vertices stay where they are', () => {
         const partial = play(true, 31, (screen, update) => {
             expect(screen.picture).toEqual(whole(update).picture);
@@ -92,6 +125,7 @@ describe('DisplayArrays', () => {
             const [shown, expected] = [screen.picture, whole(update).picture];
             expect(shown.positions).toEqual(expected.positions);
             expect(shown.scalars).toEqual(expected.scalars);
+            expect(shown.cut).toEqual(expected.cut);
             expect(shown.indices).toHaveLength(expected.indices.length);
             const normals = new Float32Array(shown.positions.length);
             addNormals(Float32Array.from(shown.positions), Uint32Array.from(shown.indices), 0, normals);
@@ -122,11 +156,11 @@ describe('DisplayArrays', () => {
         shown.note(applied.at(-1)!);
         expect(shown.take(mesh).scalars.map(({ name }) => name)).toEqual(['speed']);
         expect(shown.take(mesh).scalars).toEqual([]);
-        expect(shown.show(['speed', 's'], null)).toBe(true);
+        expect(shown.show(wish(['speed', 's']))).toBe(true);
         const [only, ...others] = shown.take(mesh).scalars;
         expect([only?.name, only?.fromVertex, only?.values.length, others.length]).toEqual(['s', 0, mesh.vertices, 0]);
-        expect(shown.show(['s'], null)).toBe(false);
-        expect(shown.show(['unknown', 's'], null)).toBe(false);
+        expect(shown.show(wish(['s']))).toBe(false);
+        expect(shown.show(wish(['unknown', 's']))).toBe(false);
         shown.rename(['speed', 's', 'unknown']);
         expect(shown.take(mesh).scalars.map(({ name, values }) => [name, values.length])).toEqual([['unknown', mesh.vertices]]);
     });
@@ -137,8 +171,8 @@ describe('DisplayArrays', () => {
         const update = frames.map((frame) => decoder.fold(frame)).at(-1)!;
         const shown = display();
         expect(shown.take(update.mesh).parts).toBeNull();
-        expect(shown.show(['speed'], { hidden: [] })).toBe(true);
-        const cells = shown.take(update.mesh).parts!.parts.reduce((sum, part) => sum + part.cells, 0);
+        expect(shown.show({ ...wish(['speed']), parts: { hidden: [] } })).toBe(true);
+        const cells = shown.take(update.mesh).parts!.reduce((sum, part) => sum + part.cells, 0);
         expect(cells).toBe(update.mesh.cellCount);
         expect(shown.take(update.mesh).parts).toBeNull();
         shown.note(update);

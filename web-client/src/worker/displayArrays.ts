@@ -1,23 +1,24 @@
 // The state of a surface as the GPU takes it: float32 positions, normals, s and t, the attributes that are shown, triangles.
 // Keeps what it has made, so that a surface that only grows costs what has grown.
 import { cellStride } from '../protocol/cell.ts';
-import type { MeshChange, PartsFound, ScalarChange } from '../mesh/meshChange.ts';
+import type { Cut, MeshChange, ScalarChange, SurfacePart } from '../mesh/meshChange.ts';
 import { dequantise, type Lattice } from '../protocol/lattice.ts';
 import type { AppliedUpdate } from '../protocol/meshDecoder.ts';
 import { triangleCount, triangulate } from '../protocol/triangulate.ts';
 import { type AttributeRange, lastCode, type WireMesh } from '../protocol/wireMesh.ts';
 import { addNormals } from './normals.ts';
 import { findParts } from './parts.ts';
-import type { PartsWish } from './workerMessages.ts';
+import { trimTornBorder } from './tornBorder.ts';
+import type { ShowWish } from './workerMessages.ts';
 
 export class DisplayArrays {
     private readonly lattice: Lattice;
     private attributes: readonly string[];
-    private wanted: readonly string[] = [];
     /** By the name of an attribute that is wanted and there: from which vertex on it has changed. */
     private shown = new Map<string, number>();
-    private partsWish: PartsWish | null = null;
+    private wish: ShowWish = { attributes: [], parts: null, trimmed: false };
     private partsAsked = false;
+    private cutAsked = false;
     private positions = new Float32Array(0);
     private indices = new Uint32Array(0);
     private triangles = 0;
@@ -40,21 +41,22 @@ export class DisplayArrays {
     }
 
     /** Whether take() has anything new to give because of it. */
-    show(attributes: readonly string[], parts: PartsWish | null): boolean {
-        this.wanted = attributes;
+    show({ attributes, parts, trimmed }: ShowWish): boolean {
+        const before = this.wish;
+        this.wish = { attributes, parts, trimmed };
         const known = attributes.filter((name) => this.attributes.includes(name));
         const added = known.some((name) => !this.shown.has(name));
         this.shown = new Map(known.map((name) => [name, this.shown.get(name) ?? 0]));
-        const asked = parts !== null && JSON.stringify(parts) !== JSON.stringify(this.partsWish);
-        this.partsWish = parts;
-        this.partsAsked ||= asked;
-        return added || asked;
+        const parted = parts !== null && JSON.stringify(parts) !== JSON.stringify(before.parts);
+        this.partsAsked ||= parted;
+        this.cutAsked ||= parted || trimmed !== before.trimmed;
+        return added || parted || trimmed !== before.trimmed;
     }
 
     /** The frames carry other attributes from the next KEY on. */
     rename(attributes: readonly string[]): void {
         this.attributes = attributes;
-        this.show(this.wanted, this.partsWish);
+        this.show(this.wish);
     }
 
     /** Notes what an update has changed; cheap, because states that are never shown need no arrays. */
@@ -74,7 +76,9 @@ export class DisplayArrays {
         const keptCells = mesh.cellCount - cells.length / cellStride + replacedCells.count;
         if (header.key || removedVertices.count + removedCells.count > 0) this.fromCell = 0;
         this.fromCell = Math.min(this.fromCell, replacedCells.all[0]?.begin ?? keptCells);
-        this.partsAsked ||= this.partsWish !== null && (turned || cells.length > 0);
+        const news = turned || cells.length > 0;
+        this.partsAsked ||= this.wish.parts !== null && news;
+        this.cutAsked ||= (this.wish.parts !== null || this.wish.trimmed) && news;
     }
 
     /** All that has been noted, in arrays to give away. */
@@ -100,7 +104,7 @@ export class DisplayArrays {
             scalars: this.scalarsOf(mesh),
             fromIndex,
             indices: this.indices.slice(fromIndex, 3 * this.triangles),
-            parts: this.partsOf(mesh),
+            ...this.partsAndCut(mesh),
         };
         this.fromVertex = this.fromNormal = this.fromSeed = vertices;
         this.fromCell = mesh.cellCount;
@@ -141,11 +145,23 @@ export class DisplayArrays {
         return changes;
     }
 
-    private partsOf(mesh: WireMesh): PartsFound | null {
-        if (!this.partsAsked || this.partsWish === null) return null;
-        this.partsAsked = false;
-        const seeds = this.seedsOf(mesh, 0);
-        return findParts(mesh.cells, mesh.vertices, { seeds, tFrom: this.rangeOf(mesh, 't')?.lo ?? 0 }, this.partsWish);
+    private partsAndCut(mesh: WireMesh): { parts: readonly SurfacePart[] | null; cut: Cut | null } {
+        const { parts: wanted, trimmed } = this.wish;
+        const [partsAsked, cutAsked] = [this.partsAsked && wanted !== null, this.cutAsked];
+        this.partsAsked = this.cutAsked = false;
+        const seeds = partsAsked || cutAsked ? this.seedsOf(mesh, 0) : new Float32Array(0);
+        const { cells, vertices } = mesh;
+        const from = { seeds, tFrom: this.rangeOf(mesh, 't')?.lo ?? 0 };
+        const found = wanted === null || !(partsAsked || cutAsked) ? null : findParts(cells, vertices, from, wanted);
+        const parts = partsAsked ? (found?.parts ?? null) : null;
+        if (!cutAsked) return { parts, cut: null };
+        const { positions } = this;
+        const trimming = trimmed ? trimTornBorder({ cells, vertices, positions, isEnd: endsOf(seeds) }) : null;
+        const hides = found?.parts.some(({ hidden }) => hidden) === true;
+        if (trimming === null && !hides) return { parts, cut: { levels: new Uint8Array(0), trimmedCells: 0 } };
+        const levels = found?.hidden ?? new Uint8Array(vertices);
+        trimming?.levels.forEach((level, v) => (levels[v] = Math.max(level, levels[v]!)));
+        return { parts, cut: { levels, trimmedCells: trimming?.cells ?? 0 } };
     }
 
     private rangeOf(mesh: WireMesh, name: string): AttributeRange | undefined {
@@ -171,6 +187,21 @@ export class DisplayArrays {
             into[at] = first + scale * values[i]!;
         }
     }
+}
+
+/** Where a surface was meant to end: at the ends of the rake, and at the first and the last t. @param seeds s and t in turns */
+function endsOf(seeds: Float32Array): (vertex: number) => boolean {
+    let [low, high] = [Infinity, -Infinity];
+    for (let i = 1; i < seeds.length; i += 2) {
+        low = Math.min(low, seeds[i]!);
+        high = Math.max(high, seeds[i]!);
+    }
+    const near = 1e-4;
+    const nearT = near * (high - low);
+    return (vertex) => {
+        const [s, t] = [seeds[2 * vertex]!, seeds[2 * vertex + 1]!];
+        return s <= near || s >= 1 - near || t <= low + nearT || t >= high - nearT;
+    };
 }
 
 /** Ends of new cells are vertices whose normals turn. */

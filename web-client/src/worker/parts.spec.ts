@@ -63,6 +63,6 @@ describe('findParts', () => {
     it('hides the part that a place is on, at all of its vertices', () => {
         const { parts, hidden } = findParts(cells, 20, { seeds, tFrom: 3.8e9 }, { hidden: [[0.79, 3.8e9 + 0.61]] });
         expect(parts.map((part) => part.hidden)).toEqual([false, true]);
-        expect([...hidden]).toEqual(Array.from({ length: 20 }, (_, i) => (i < 8 ? 0 : 1)));
+        expect([...hidden]).toEqual(Array.from({ length: 20 }, (_, i) => (i < 8 ? 0 : 255)));
     });
 });

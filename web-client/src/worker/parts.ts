@@ -1,12 +1,13 @@
 // Connected parts of a surface: a tear leaves several. Found by joining the vertices of each cell (disjoint sets with path
 // halving, Tarjan and van Leeuwen 1984).
 import { cellStride, noVertex } from '../protocol/cell.ts';
-import type { PartsFound, SurfacePart } from '../mesh/meshChange.ts';
+import { type SurfacePart, wholeCut } from '../mesh/meshChange.ts';
 import type { PartsWish } from './workerMessages.ts';
 
 /** Of each vertex, the first vertex of its part. */
 export function rootsOf(cells: Int32Array, vertices: number): Int32Array {
-    const parent = Int32Array.from({ length: vertices }, (_, i) => i);
+    const parent = new Int32Array(vertices);
+    for (let i = 0; i < vertices; ++i) parent[i] = i;
     const find = (vertex: number): number => {
         let at = vertex;
         while (parent[at] !== at) {
@@ -30,13 +31,13 @@ export function rootsOf(cells: Int32Array, vertices: number): Int32Array {
     return parent;
 }
 
-/** @param seeds s and t less tFrom of each vertex */
+/** Connected parts, and the levels (`Cut`) of those that are hidden. @param seeds s and t less tFrom of each vertex */
 export function findParts(
     cells: Int32Array,
     vertices: number,
     { seeds, tFrom }: { seeds: Float32Array; tFrom: number },
     wish: PartsWish,
-): PartsFound {
+): { hidden: Uint8Array; parts: readonly SurfacePart[] } {
     const roots = rootsOf(cells, vertices);
     const cellsOf = new Map<number, number>();
     for (let base = 0; base < cells.length; base += cellStride) {
@@ -52,7 +53,7 @@ export function findParts(
             hidden: hiddenRoots.has(root),
         }));
     const hidden = new Uint8Array(vertices);
-    if (hiddenRoots.size > 0) roots.forEach((root, i) => (hidden[i] = hiddenRoots.has(root) ? 1 : 0));
+    if (hiddenRoots.size > 0) roots.forEach((root, i) => (hidden[i] = hiddenRoots.has(root) ? wholeCut : 0));
     return { hidden, parts };
 }
 

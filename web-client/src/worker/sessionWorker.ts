@@ -75,7 +75,7 @@ class SessionWorker {
         } else if (message.type === 'notify') {
             this.socket.send(encodeNotification(message.method, message.params));
         } else if (message.type === 'taken') this.folder.taken(message.surface);
-        else if (message.type === 'show') this.folder.show(message.surface, message.attributes, message.parts);
+        else if (message.type === 'show') this.folder.show(message.surface, message);
         else if (message.type === 'forget') this.folder.forget(message.surface);
         else if (message.type === 'retryNow') this.socket.retryNow();
         else if (message.type === 'logIn') {
@@ -181,9 +181,9 @@ class SessionWorker {
     }
 
     private sendState(state: SurfaceState): void {
-        const { positions, normals, seeds, scalars, indices, parts } = state;
+        const { positions, normals, seeds, scalars, indices, cut } = state;
         const arrays: ArrayBufferView[] = [positions, normals, seeds, indices, ...scalars.map(({ values }) => values)];
-        if (parts !== null) arrays.push(parts.hidden);
+        if (cut !== null) arrays.push(cut.levels);
         const transfer = arrays.map(({ buffer }) => buffer as ArrayBuffer);
         this.port.postMessage({ type: 'surface', ...state }, transfer);
     }

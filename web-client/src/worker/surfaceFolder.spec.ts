@@ -106,7 +106,7 @@ describe('SurfaceFolder', () => {
         bench.receive(0);
         expect(bench.states.at(-1)!.scalars.map(({ name }) => name)).toEqual(['speed']);
         bench.folder.taken('s1');
-        bench.folder.show('s1', ['t'], null);
+        bench.folder.show('s1', { attributes: ['t'], parts: null, trimmed: true });
         expect(bench.states).toHaveLength(2);
         expect(bench.states[1]!.scalars.map(({ name }) => name)).toEqual(['t']);
         expect(bench.states[1]!.positions).toHaveLength(0);
@@ -114,7 +114,7 @@ describe('SurfaceFolder', () => {
             ['s', 't'],
             ['speed', 's'],
         ]);
-        bench.folder.show('s1', ['t'], null);
+        bench.folder.show('s1', { attributes: ['t'], parts: null, trimmed: true });
         expect(bench.states).toHaveLength(2);
         bench.folder.taken('s1');
         bench.subscribe(9);
@@ -124,7 +124,7 @@ describe('SurfaceFolder', () => {
 
     it('names attributes by the fields that the surface had at the epoch of the frames', () => {
         bench.folder.recorded(surfaceOf('s1', { fields: ['p'] }));
-        bench.folder.show('s1', ['p', 'speed'], null);
+        bench.folder.show('s1', { attributes: ['p', 'speed'], parts: null, trimmed: true });
         // Three attributes, and not the four that were told: only what every surface has is sure.
         bench.receive(0);
         expect(bench.states.at(-1)!.scalars.map(({ name }) => name)).toEqual(['speed']);

@@ -6,18 +6,12 @@ import { MeshDecoder } from '../protocol/meshDecoder.ts';
 import { surfaceOf } from '../protocol/meshFrame.ts';
 import { AttributeNames, everySurface } from './attributeNames.ts';
 import { DisplayArrays } from './displayArrays.ts';
-import type { PartsWish, SurfaceState } from './workerMessages.ts';
+import type { ShowWish, SurfaceState } from './workerMessages.ts';
 
 /** One on its way to the screen, and one to be there at once afterwards. */
 const statesUntaken = 2;
 
-/** What the page wants of a surface. */
-interface Wish {
-    attributes: readonly string[];
-    parts: PartsWish | null;
-}
-
-const firstWish: Wish = { attributes: ['speed'], parts: null };
+const firstWish: ShowWish = { attributes: ['speed'], parts: null, trimmed: true };
 
 export interface UpdatePlace {
     epoch: number;
@@ -47,7 +41,7 @@ interface Followed {
 export class SurfaceFolder {
     private readonly options: SurfaceFolderOptions;
     private readonly followed = new Map<string, Followed>();
-    private readonly wishes = new Map<string, Wish>();
+    private readonly wishes = new Map<string, ShowWish>();
     private readonly names = new AttributeNames();
     /** Only of this connection; the states outlive it. */
     private readonly bySubscription = new Map<number, Followed>();
@@ -74,8 +68,7 @@ export class SurfaceFolder {
             return;
         }
         const display = new DisplayArrays(lattice, attributes);
-        const wish = this.wishes.get(surface) ?? firstWish;
-        display.show(wish.attributes, wish.parts);
+        display.show(this.wishes.get(surface) ?? firstWish);
         const followed = {
             surface,
             decoder: new MeshDecoder(this.options.draco, lattice, null),
@@ -97,10 +90,10 @@ export class SurfaceFolder {
     }
 
     /** Sends at once what is asked for and is here. */
-    show(surface: string, attributes: readonly string[], parts: PartsWish | null): void {
-        this.wishes.set(surface, { attributes, parts });
+    show(surface: string, wish: ShowWish): void {
+        this.wishes.set(surface, wish);
         const followed = this.followed.get(surface);
-        if (followed === undefined || !followed.display.show(attributes, parts)) return;
+        if (followed === undefined || !followed.display.show(wish)) return;
         followed.news = true;
         this.offer(followed);
     }

@@ -4,7 +4,7 @@ import { systemClock } from '../connection/clock.ts';
 import type { BodyMesh } from '../mesh/bodyMesh.ts';
 import type { Lattice } from '../protocol/lattice.ts';
 import { errorWords, type MethodName, type ParamsOf, type ResultOf } from '../protocol/messages.ts';
-import type { CallFailure, FromWorker, MessageOf, PartsWish, ToWorker } from './workerMessages.ts';
+import type { CallFailure, FromWorker, MessageOf, ShowWish, ToWorker } from './workerMessages.ts';
 import { Watchdog } from './watchdog.ts';
 
 /** A call that the server refused, that no connection carried, or of which this page does not understand the answer. */
@@ -106,8 +106,8 @@ export class WorkerClient {
     }
 
     /** What of a surface is drawn; until told, the speed. */
-    show(surface: string, attributes: readonly string[], parts: PartsWish | null): void {
-        this.post({ type: 'show', surface, attributes, parts });
+    show(surface: string, wish: ShowWish): void {
+        this.post({ type: 'show', surface, ...wish });
     }
 
     forget(surface: string): void {

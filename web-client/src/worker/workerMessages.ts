@@ -18,7 +18,7 @@ export interface ToWorker {
     /** A state of this surface is on the screen: the next one may come. */
     taken: { surface: string };
     /** Of the surface's attributes, the page wants these; of its parts, what is asked here. */
-    show: { surface: string; attributes: readonly string[]; parts: PartsWish | null };
+    show: { surface: string } & ShowWish;
     /** The surface is no more. */
     forget: { surface: string };
     /** Another token; or a login, for a page that is not let in with what it has. Connects, if it was refused. */
@@ -69,6 +69,14 @@ export interface SurfaceState extends TimedMeshChange {
     withheld: readonly string[];
     /** Time it took here to decode what is new and to make the arrays. */
     decodeMs: number;
+}
+
+/** What the page wants of a surface. */
+export interface ShowWish {
+    attributes: readonly string[];
+    parts: PartsWish | null;
+    /** Smooth borders where it is torn. */
+    trimmed: boolean;
 }
 
 /** Those parts are hidden that hold the vertex nearest to one of these places, [s, t]. */

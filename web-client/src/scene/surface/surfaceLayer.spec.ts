@@ -9,7 +9,18 @@ import { plainStyle } from './surfaceStyle.ts';
 function meshOf(vertices: number): TimedMeshChange {
     const t = Array.from({ length: vertices }, (_, i) => i / Math.max(1, vertices - 1));
     return {
-        ...{ time: 0, vertices, triangles: 0, fromVertex: 0, fromNormal: 0, fromSeed: 0, fromIndex: 0, tFrom: 0, parts: null },
+        ...{
+            time: 0,
+            vertices,
+            triangles: 0,
+            fromVertex: 0,
+            fromNormal: 0,
+            fromSeed: 0,
+            fromIndex: 0,
+            tFrom: 0,
+            parts: null,
+            cut: null,
+        },
         positions: new Float32Array(3 * vertices),
         normals: new Float32Array(3 * vertices),
         seeds: new Float32Array(t.flatMap((each) => [0.5, each])),

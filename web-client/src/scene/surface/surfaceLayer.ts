@@ -218,7 +218,7 @@ export class SurfaceLayer {
         if (surface.style.painting) this.maskOf(surface);
         materials.apply(surface.style, mesh);
         const transparent = isTransparent(surface.style);
-        const plain = isPlain(surface.style) && !this.clipped && !mesh.hasHiddenParts;
+        const plain = isPlain(surface.style) && !this.clipped;
         if (transparent) {
             this.object.remove(mesh.mesh);
             this.transparency.show(mesh.mesh, materials);

@@ -25,7 +25,7 @@ const kinds = {
     seed: { size: 2, array: Float32Array },
     scalar: { size: 1, array: Float32Array },
     stretch: { size: 1, array: Float32Array },
-    hiddenPart: { size: 1, array: Uint8Array },
+    cut: { size: 1, array: Uint8Array },
 } as const;
 type Kind = keyof typeof kinds;
 
@@ -51,11 +51,6 @@ export class SurfaceMesh {
         this.mesh.frustumCulled = false;
     }
 
-    /** Whether some of it may be hidden because of the part it belongs to. */
-    get hasHiddenParts(): boolean {
-        return this.used.has('hiddenPart');
-    }
-
     get hasStretch(): boolean {
         return this.used.has('stretch');
     }
@@ -65,7 +60,7 @@ export class SurfaceMesh {
     }
 
     update(change: TimedMeshChange): void {
-        const { vertices, triangles, fromVertex, fromSeed, positions, normals, seeds, parts } = change;
+        const { vertices, triangles, fromVertex, fromSeed, positions, normals, seeds, cut } = change;
         this.reserve(vertices, 3 * triangles);
         this.time = change.time;
         this.vertices = vertices;
@@ -75,7 +70,7 @@ export class SurfaceMesh {
         this.tFrom = change.tFrom;
         this.seenT = widened(fromSeed === 0 && seeds.length > 0 ? emptyRange() : this.seenT, seeds, 2, 1);
         for (const each of change.scalars) this.takeScalar(each.name, each.values, each.fromVertex);
-        if (parts !== null) this.refill('hiddenPart', parts.hidden, 0);
+        if (cut !== null) this.takeCut(cut.levels);
         const { geometry } = this.mesh;
         if (geometry.index !== null) refill(geometry.index, change.indices, change.fromIndex);
         geometry.setDrawRange(0, 3 * triangles);
@@ -117,6 +112,11 @@ export class SurfaceMesh {
         if (name !== this.shownScalar) return;
         this.refill('scalar', values, from);
         this.scalarRange = widened(from === 0 ? emptyRange() : this.scalarRange, values, 1, 0);
+    }
+
+    private takeCut(levels: Uint8Array): void {
+        if (levels.length > 0) this.refill('cut', levels, 0);
+        else if (this.used.has('cut')) this.refill('cut', new Uint8Array(this.vertices), 0);
     }
 
     private attribute(name: Kind): BufferAttribute {

@@ -1,6 +1,7 @@
-// The shader of the surfaces, one text for five programs: the first draws; PLAIN does so without cutting, painting, stripes and
+// The shader of the surfaces, one text for five programs: the first draws; PLAIN does so without planes, windows, painting, stripes and
 // outlines, which most surfaces have none of; BLENDED adds to the targets of transparency (weightedBlending.ts); PEELED draws one
 // of its layers (peeling.ts); the pick writes what is where (surfacePick.ts). Looks differ in uniforms alone.
+import { cutLevel } from '../../mesh/meshChange.ts';
 import { patternGlsl } from './patternShader.ts';
 import { tableSize } from './colourMap.ts';
 
@@ -8,14 +9,14 @@ export const vertexShader = `
 attribute vec2 seed;
 attribute float scalar;
 attribute float stretch;
-attribute float hiddenPart;
+attribute float cut;
 uniform int source;
 uniform vec2 ageOf;
 out vec3 viewNormal;
 out vec3 viewPosition;
 out vec3 worldPosition;
 out vec2 place;
-// What colours, age, stretching, whether hidden.
+// What colours, age, stretching, whether it is cut.
 out vec4 values;
 // What is drawn in several programs has to be at the same depth in all.
 invariant gl_Position;
@@ -29,7 +30,7 @@ void main() {
     place = seed;
     float age = ageOf.x + ageOf.y * seed.y;
     float value = source == 1 ? scalar : source == 2 ? seed.x : age;
-    values = vec4(value, age, stretch, hiddenPart);
+    values = vec4(value, age, stretch, cut);
     gl_Position = projectionMatrix * inView;
 }`;
 
@@ -48,10 +49,14 @@ uniform vec2 maskT;
 uniform sampler2D mask;
 uniform float opacity;
 
+bool isLeftOut() {
+    return values.w > ${cutLevel}.5;
+}
+
 bool isCut() {
     bvec2 early = lessThan(vec2(place.x, values.y), window.xz);
     bvec2 late = greaterThan(vec2(place.x, values.y), window.yw);
-    bool cut = values.w > 0.5 || any(early) || any(late);
+    bool cut = isLeftOut() || any(early) || any(late);
     for (int i = 0; i < 3; ++i) cut = cut || dot(clip[i].xyz, worldPosition) > clip[i].w;
     return cut;
 }
@@ -134,6 +139,8 @@ void main() {
     vec3 flatNormal = cross(dFdx(viewPosition), dFdy(viewPosition));
     float flatFacing = abs(dot(flatNormal, toViewer)) / max(length(flatNormal), 1e-30);
     if (isCut()) discard;
+#else
+    if (isLeftOut()) discard;
 #endif
 #ifdef TRANSPARENT
     if (isPeeledOff()) discard;

@@ -1,5 +1,6 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { AppState } from '../../state/appState.ts';
+import type { ShowWish } from '../../worker/workerMessages.ts';
 import { ViewState } from '../../state/viewState.ts';
 import { surfaceOf } from '../../testing/records.ts';
 import { showLooks } from './looksInPicture.ts';
@@ -13,7 +14,7 @@ function bench() {
         surfaces: { setStyle: () => undefined, spanOf: () => null, moveTexture: () => undefined },
         setClip: () => undefined,
     };
-    const worker = { show: (id: string, _: unknown, parts: unknown) => shown.push([id, parts]) };
+    const worker = { show: (id: string, { parts }: ShowWish) => shown.push([id, parts]) };
     showLooks({ state, view, scene, worker });
     const has = (...ids: string[]): void => {
         state.surfaces.value = new Map(ids.map((id) => [id, surfaceOf(id)]));

@@ -46,11 +46,11 @@ export function showLooks({ state, view, scene, worker }: LooksOptions): void {
             if (state.hiddenSurfaces.value.has(id)) continue;
             const look = view.lookOf(id);
             const parts = look.hiddenParts.length > 0 || listed === id ? { hidden: look.hiddenParts } : null;
-            const wish = { attributes: attributesOf(look), parts };
+            const wish = { attributes: attributesOf(look), parts, trimmed: look.trimmed };
             const text = JSON.stringify(wish);
             if (told.get(id) === text) continue;
             told.set(id, text);
-            worker.show(id, wish.attributes, wish.parts);
+            worker.show(id, wish);
         }
     });
     effect(() => {

@@ -122,7 +122,8 @@ export class SurfaceFeed {
         for (const [surface, arrived] of this.waiting) {
             for (const change of arrived) {
                 scene.setSurface(surface, change);
-                if (change.parts !== null) state.parts.value = withEntry(state.parts.value, surface, change.parts.parts);
+                if (change.parts !== null) state.parts.value = withEntry(state.parts.value, surface, change.parts);
+                if (change.cut !== null) state.trimmed.value = withEntry(state.trimmed.value, surface, change.cut.trimmedCells);
                 worker.taken(surface);
             }
             const { epoch, vertices, cells, triangles, stateSum, phase, time, keys, deltas, withheld } = arrived.at(-1)!;
@@ -198,6 +199,7 @@ export class SurfaceFeed {
         scene.removeSurface(surface);
         state.displayed.value = withoutEntry(state.displayed.value, surface);
         state.parts.value = withoutEntry(state.parts.value, surface);
+        state.trimmed.value = withoutEntry(state.trimmed.value, surface);
         state.valueRanges.value = withoutEntry(state.valueRanges.value, surface);
     }
 }

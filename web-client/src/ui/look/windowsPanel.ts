@@ -1,11 +1,12 @@
-// Which part of the selected surface is shown: from some seeds only, or of some age only.
+// Which part of the selected surface is shown: from some seeds only, or of some age only, and whether its torn borders are smooth.
 import { html, nothing, type TemplateResult } from 'lit';
 import { placeNumber, resolutionOf } from '../../scene/base/numbers.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { ageName } from './colourNames.ts';
-import { lookStyles, sliderRow } from './lookStyles.ts';
+import { checkRow, lookStyles, sliderRow } from './lookStyles.ts';
+import { countWords } from '../base/statusWords.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
 
@@ -13,7 +14,7 @@ type Window = 'sWindow' | 'ageWindow';
 type Span = readonly [number, number];
 
 export interface WindowsModel {
-    state: Pick<AppState, 'activeSurface' | 'displayed' | 'surface'>;
+    state: Pick<AppState, 'activeSurface' | 'displayed' | 'surface' | 'trimmed'>;
     view: Pick<ViewState, 'changeLook' | 'lookOf'>;
     scene: Pick<FlowScene, 'surfaces'>;
 }
@@ -30,6 +31,7 @@ export class WindowsPanel extends SignalElement {
         const look = view.lookOf(id);
         const span = scene.surfaces.spanOf(id);
         if (span === null) return html`<p class="quiet">There is no surface yet.</p>`;
+        const trimmed = state.trimmed.value.get(id) ?? 0;
         const shown = look.sWindow !== null || look.ageWindow !== null;
         return html`
             ${this.window('sWindow', 's-window', 'Position on the rake', look.sWindow, [0, 1])}
@@ -39,6 +41,11 @@ export class WindowsPanel extends SignalElement {
                     ? html`<div class="buttons"><button id="show-whole" type="button" @click=${this.reset}>Show all of it</button></div>`
                     : nothing
             }
+            ${checkRow('trimmed', 'Trim torn borders', look.trimmed, (on) => view.changeLook(id, { trimmed: on }))}
+            <p class="quiet">
+                ${trimmed === 0 ? 'Nothing is trimmed.' : `Of ${countWords(trimmed)} ${trimmed === 1 ? 'quad' : 'quads'} at torn borders a part is not drawn.`}
+                Meshes, lines and numbers always have all of it.
+            </p>
         `;
     }
 

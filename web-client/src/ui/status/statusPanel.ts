@@ -96,13 +96,14 @@ export class StatusPanel extends SignalElement {
         const displayed = state.displayed.value.get(id);
         const phase = state.phase.value;
         const outcome = state.outcomes.value.get(id);
+        const trimmed = state.trimmed.value.get(id) ?? 0;
         const count = (value: number | undefined): string => (value === undefined ? '–' : countWords(value));
         return html`<dl>
                 <dt>Surface</dt>
                 <dd class=${phase === 'final' && isDoubtful(outcome) ? 'doubtful' : phase}><span role="status">${displayed === undefined && phase === 'stopped' ? phaseWords.error : statusWords(phase, outcome, view.units.value.length)}</span></dd>
             </dl>
             <p class="counts">
-                ${count(displayed?.cells)} quads, ${count(displayed?.vertices)} vertices, separation
+                ${count(displayed?.cells)} quads${trimmed === 0 ? '' : ` (${countWords(trimmed)} trimmed)`}, ${count(displayed?.vertices)} vertices, separation
                 ${withUnit(shortNumber(state.surface.value?.separation ?? Number.NaN), view.units.value.length)}
             </p>
             ${phase === 'coarsened' ? this.quadLimit() : nothing}
