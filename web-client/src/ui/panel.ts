@@ -245,7 +245,7 @@ export class Panel extends SignalElement {
                     overflow: visible;
                 }
                 wakesurf-status {
-                    max-height: none;
+                    display: contents;
                 }
             }
         `,

@@ -25,8 +25,21 @@ export function curlScript(place: ScriptPlace, all: readonly ScriptStep[]): stri
     if (steps.some((step) => !('mesh' in step) && step.keep !== undefined)) {
         lines.push(`id_of() { jq -er --arg noun "$1" '.result[$noun] // error(.error.message)'; }`);
     }
-    for (const step of steps) lines.push('mesh' in step ? download(place, step) : call(place, step));
+    for (const step of all) lines.push(...written(place, step));
     return `${lines.join('\n')}\n`;
+}
+
+function written(place: ScriptPlace, step: ScriptStep): string[] {
+    if ('mesh' in step) return [download(place, step)];
+    if (!('there' in step)) return [call(place, step)];
+    const mesh = { format: 'vtp' } as const;
+    const made = [...step.otherwise, { mesh, surface: new KeptId('surface') }].flatMap((each) => written(place, each));
+    return [
+        '# The surface that is there, once it is final; if it is not there any more, the same again.',
+        `${download(place, { mesh, surface: step.there })} || {`,
+        ...made.map((line) => `    ${line}`),
+        '}',
+    ];
 }
 
 function call(place: ScriptPlace, { method, params, keep }: CallStep): string {

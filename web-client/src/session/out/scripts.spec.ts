@@ -51,9 +51,9 @@ print(json.dumps(calls))`;
     return JSON.parse(out.trim().split('\n').at(-1)!) as unknown[];
 }
 
-/** Runs a script in a shell whose curl prints its arguments and answers with an id. */
+/** Runs a script in a shell whose curl prints its arguments and answers with an id, or fails where they say "gone". */
 function curlArguments(script: string): string[][] {
-    const shell = `curl() { for a in "$@"; do printf '%s\\0' "$a" >&2; done; printf '\\1' >&2; echo '{"result":{"rake":"r7","surface":"s8"}}'; }
+    const shell = `curl() { for a in "$@"; do printf '%s\\0' "$a" >&2; done; printf '\\1' >&2; [[ $* != *gone* ]] && echo '{"result":{"rake":"r7","surface":"s8"}}'; }
 ${script}`;
     const out = execFileSync('bash', ['-c', `{ ${shell}\n} 2>&1 >/dev/null`], { encoding: 'utf8' });
     return out
@@ -107,7 +107,17 @@ describe('a script for Python', () => {
                 .slice(-3)
                 .map((line) => line.split('  #')[0]),
         ).toEqual(['print(surface.wait()["quads"], "quads")', 'mesh = surface.mesh()', 'surface.export("surface.vtp")']);
-        expect(curlScript(place, steps)).toBe(curlScript(place, [rake, surface]));
+        const there = curlArguments(curlScript(place, steps));
+        expect(there).toHaveLength(1);
+        expect(there[0]).toContain(`${place.server}/api/v1/sessions/main/surfaces/s8/mesh.vtp`);
+        const gone = curlArguments(curlScript(place, [{ there: 'gone', otherwise: [rake, surface] }]));
+        expect(gone.map((call) => call.find((each) => each.startsWith(place.server)))).toEqual([
+            `${place.server}/api/v1/sessions/main/surfaces/gone/mesh.vtp`,
+            `${place.server}/rpc`,
+            `${place.server}/rpc`,
+            `${place.server}/api/v1/sessions/main/surfaces/s8/mesh.vtp`,
+        ]);
+        expect(sent(gone[2]!)).toMatchObject({ rake: 'r7' });
     });
 
     it('exports a .glb for programs without Draco', () => {

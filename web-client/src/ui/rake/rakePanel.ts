@@ -37,7 +37,7 @@ const turnKeys: Record<string, 1 | -1> = { ArrowLeft: 1, ArrowUp: 1, ArrowRight:
 const stepFractions = [0.002, 0.01, 0.05];
 const turnDegrees = 5;
 /** More of them are written smaller. */
-const roomySigns = 7;
+const roomySigns = 6;
 const mostSeeds = limits.seeds;
 const axes = ['x', 'y', 'z'] as const;
 const shapes: [RakeKind, string][] = [

@@ -86,6 +86,19 @@ export class StatusPanel extends SignalElement {
             .error {
                 color: var(--warm);
             }
+            /* Below the picture, where all scrolls: how far the surface is stays in sight. */
+            @media (max-width: 760px) {
+                dl {
+                    position: sticky;
+                    bottom: 0;
+                    padding: 6px 16px;
+                    border-top: 1px solid var(--line);
+                    background: var(--ground);
+                }
+                dl ~ * {
+                    padding-inline: 16px;
+                }
+            }
         `,
     ];
 
