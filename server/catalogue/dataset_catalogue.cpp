@@ -11,27 +11,6 @@ namespace wakesurf::server {
 
 using core::Error;
 
-namespace {
-
-// What an import under way does not change: one that is ready grows and is told when it has. One that failed is imported again.
-bool settled(DatasetState state) {
-    return state == DatasetState::Ready || state == DatasetState::Stopped ||
-           state == DatasetState::Incomplete;
-}
-
-Error incomplete(std::size_t ready, std::size_t total) {
-    return {Error::Code::Io,
-            "only " + std::to_string(ready) + " of " + std::to_string(total) +
-                " time-steps are stored",
-            "import it again into the same store: the import resumes where the last one ended"};
-}
-
-double share(std::size_t part, std::size_t whole) {
-    return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
-}
-
-} // namespace
-
 core::Result<std::unique_ptr<DatasetCatalogue>> DatasetCatalogue::open(
     const std::vector<std::string>& arguments, OpenOptions options, Listener listener) {
     const auto stored = std::count_if(arguments.begin(), arguments.end(),
@@ -76,7 +55,7 @@ core::Result<void> DatasetCatalogue::add(const std::string& text) {
         return tl::unexpected(argument.error());
     if (auto fit = check_source_options(*argument, options_.taken); !fit)
         return fit;
-    auto entry = std::make_unique<Entry>();
+    auto entry = std::make_unique<Entry>(mutex_, options_.cache);
     entry->argument = std::move(*argument);
     entry->taken = options_.taken;
     entry->status.name = entry->argument.name;
@@ -86,7 +65,7 @@ core::Result<void> DatasetCatalogue::add(const std::string& text) {
             return tl::unexpected(flow.error());
         entry->status.name = flow->info.name;
         entry->status.dataset = unused_id(entry->status.name);
-        finish(*entry, std::move(flow));
+        entry->finish(std::move(flow));
     } else {
         entry->status.dataset = unused_id(entry->status.name);
     }
@@ -109,18 +88,8 @@ DatasetCatalogue::Entry* DatasetCatalogue::find_entry(std::string_view dataset) 
     return found == entries_.end() ? nullptr : found->get();
 }
 
-DatasetState DatasetCatalogue::state_of(const Entry& entry) const {
-    const std::scoped_lock lock(mutex_);
-    return entry.status.state;
-}
-
-SourceOptions DatasetCatalogue::taken_of(const Entry& entry) const {
-    const std::scoped_lock lock(mutex_);
-    return entry.taken;
-}
-
 std::filesystem::path DatasetCatalogue::store_folder_of(const Entry& entry) const {
-    return store_folder(options_.store_root, entry.argument, taken_of(entry));
+    return store_folder(options_.store_root, entry.argument, entry.taken_now());
 }
 
 void DatasetCatalogue::work(const std::stop_token& stop) {
@@ -169,14 +138,14 @@ void DatasetCatalogue::attend(Entry& entry, const std::stop_token& stop) {
     using Clock = std::chrono::steady_clock;
     const auto started = Clock::now();
     const bool first = !std::exchange(entry.begun, true);
-    const DatasetState state = state_of(entry);
+    const DatasetState state = entry.state();
     const std::string before = entry.status.values;
     bool looked_only = false;
     if (!entry.watch)
         entry.watch.emplace(entry.argument.path,
                             entry.argument.kind == DatasetArgument::Kind::Store);
     if (state == DatasetState::Stopped)
-        show_what_is_there(entry, store_folder_of(entry));
+        entry.show_what_is_there(store_folder_of(entry));
     else if (first || state == DatasetState::Importing || due(entry))
         import_one(entry, stop);
     else
@@ -218,26 +187,26 @@ void DatasetCatalogue::import_one(Entry& entry, const std::stop_token& stop) {
     if (const auto manifest = store::read_store_manifest(folder, core::PosixDisk()))
         entry.watch->made_from(manifest->source);
     if (!imported && imported.error().code == Error::Code::Cancelled && !stop.stop_requested())
-        return show_what_is_there(entry, folder);
+        return entry.show_what_is_there(folder);
     entry.failed = !imported;
     if (!imported) {
         ++entry.failures;
-        return give_up(entry, folder, imported.error());
+        return entry.give_up(folder, imported.error());
     }
-    auto opened = reopened(entry, folder);
+    auto opened = entry.reopened(folder);
     entry.failed = !opened;
     entry.failures = opened ? 0 : entry.failures + 1;
-    finish(entry, std::move(opened));
+    entry.finish(std::move(opened));
 }
 
 // One that cannot be read just now may be being written: what is open of it stays.
 void DatasetCatalogue::look_at_store(Entry& entry) {
-    auto opened = reopened(entry, entry.argument.path);
+    auto opened = entry.reopened(entry.argument.path);
     entry.failed = !opened;
     entry.failures += opened ? 0 : 1;
     const auto manifest = store::read_store_manifest(entry.argument.path, core::PosixDisk());
     if (opened || manifest || !entry.open)
-        return finish(entry, std::move(opened));
+        return entry.finish(std::move(opened));
     const std::scoped_lock lock(mutex_);
     entry.status.error = opened.error();
 }
@@ -275,22 +244,14 @@ core::Result<void> DatasetCatalogue::import_within(Entry& entry,
     if (!memory)
         return tl::unexpected(memory.error());
     const auto listener = [&](const store::ImportProgress& progress) {
-        if (show(entry, progress, folder))
+        if (entry.show(progress, folder))
             listener_(entry.status.dataset);
     };
     const std::size_t most =
         memory->bytes() > 0 ? std::max(memory->bytes(), smallest_import) : 0; // 0: its own bound
     ImportCommand command{entry.argument.path, folder, {}, {}, options_.importer, {}, 0, most};
-    command.taken = taken_of(entry);
+    command.taken = entry.taken_now();
     return run_import_process(command, listener, stop);
-}
-
-// Of an import that was stopped, or of an earlier one; by now it may be wanted again.
-void DatasetCatalogue::show_what_is_there(Entry& entry, const std::filesystem::path& folder) {
-    auto opened = reopened(entry, folder);
-    if (!opened || (!entry.open && steps_ready(*opened) == 0))
-        return;
-    finish(entry, std::move(opened), Ending::Stopped);
 }
 
 bool DatasetCatalogue::stop_import(std::string_view dataset) {
@@ -355,109 +316,6 @@ core::Result<void> DatasetCatalogue::choose_velocity(std::string_view dataset,
     again_.notify_all();
     listener_(std::string(dataset));
     return {};
-}
-
-// What is open stays open as long as it is the same series, of the same values. What took its place may need its memory.
-core::Result<LoadedDataset> DatasetCatalogue::reopened(Entry& entry,
-                                                       const std::filesystem::path& folder) {
-    if (!entry.open)
-        return open_store(folder, options_.cache);
-    auto opened = open_again(*entry.open, folder, options_.cache);
-    if (opened || opened.error().code != Error::Code::OverLimit || still_there(*entry.open))
-        return opened;
-    {
-        const std::scoped_lock lock(mutex_);
-        entry.open.reset();
-    }
-    return open_store(folder, options_.cache);
-}
-
-// Time-steps before the one that could not be imported stay usable.
-void DatasetCatalogue::give_up(Entry& entry,
-                               const std::filesystem::path& folder,
-                               const core::Error& error) {
-    auto left = entry.open ? reopened(entry, folder) : tl::unexpected(error);
-    if (!left)
-        return finish(entry, tl::unexpected(error));
-    finish(entry, std::move(left));
-    const std::scoped_lock lock(mutex_);
-    entry.status.error = error;
-    if (entry.status.error->hint.empty())
-        entry.status.error->hint = "the other time-steps can be used; once the cause is fixed, the "
-                                   "import resumes by itself";
-}
-
-/// Data in use were computed again: what is open of them is there no more, and their import counts as one from the beginning.
-void DatasetCatalogue::notice_replacement(Entry& entry) {
-    if (!entry.open || std::exchange(entry.compared, true) || still_there(*entry.open))
-        return;
-    const std::scoped_lock lock(mutex_);
-    entry.open.reset();
-    if (entry.status.state != DatasetState::Stopped)
-        entry.status.state = DatasetState::Importing;
-    entry.status.error.reset();
-}
-
-// Who is told of ready time-steps asks for them at once: they are counted once find() has them, and not before.
-bool DatasetCatalogue::show(Entry& entry,
-                            const store::ImportProgress& progress,
-                            const std::filesystem::path& folder) {
-    if (progress.done > 0)
-        notice_replacement(entry);
-    if (settled(state_of(entry)))
-        return false;
-    std::shared_ptr<const LoadedDataset> first;
-    if (progress.done > 0 && !entry.open)
-        if (auto opened = open_store(folder, options_.cache)) {
-            opened->info.dataset = entry.status.dataset;
-            opened->info.name = entry.status.name;
-            first = std::make_shared<const LoadedDataset>(std::move(*opened));
-        }
-    const std::scoped_lock lock(mutex_);
-    if (first) {
-        entry.open = std::move(first);
-        entry.status.values = values_of(*entry.open);
-    }
-    if (settled(entry.status.state))
-        return false;
-    entry.status.steps_ready = entry.open ? progress.done : 0;
-    entry.status.steps_total = progress.total;
-    entry.status.progress = share(progress.done, progress.total);
-    entry.status.remaining = progress.remaining;
-    return true;
-}
-
-void DatasetCatalogue::finish(Entry& entry, core::Result<LoadedDataset> opened, Ending how) {
-    std::size_t ready = 0;
-    if (opened) {
-        opened->info.dataset = entry.status.dataset;
-        opened->info.name = entry.status.name;
-        ready = steps_ready(*opened);
-    }
-    const bool gone = !opened && entry.open && !still_there(*entry.open);
-    const std::scoped_lock lock(mutex_);
-    if (gone) {
-        entry.open.reset();
-        entry.status.values.clear();
-        entry.status.steps_ready = 0;
-    }
-    if (!opened) {
-        entry.status.state = DatasetState::Failed;
-        entry.status.error = opened.error();
-        return;
-    }
-    if (how == Ending::Whole) {
-        const std::size_t total = opened->info.times.size();
-        entry.status.state = ready < total ? DatasetState::Incomplete : DatasetState::Ready;
-        entry.status.error.reset();
-        if (ready < total)
-            entry.status.error = incomplete(ready, total);
-    }
-    entry.status.steps_ready = ready;
-    entry.status.steps_total = opened->info.times.size();
-    entry.status.progress = how == Ending::Whole ? 1.0 : share(ready, entry.status.steps_total);
-    entry.status.values = values_of(*opened);
-    entry.open = std::make_shared<const LoadedDataset>(std::move(*opened));
 }
 
 std::vector<DatasetStatus> DatasetCatalogue::list() const {

@@ -3,8 +3,7 @@
 #pragma once
 
 #include "server/catalogue/import_lanes.hpp"
-#include "server/catalogue/open_dataset.hpp"
-#include "server/catalogue/source_watch.hpp"
+#include "server/catalogue/served_dataset.hpp"
 
 #include <chrono>
 #include <condition_variable>
@@ -19,24 +18,6 @@
 #include <vector>
 
 namespace wakesurf::server {
-
-/// Stopped: by the last client that waited for the import; the time-steps until then can be used. Incomplete: it ended before the last time-step,
-/// as on a full disk; those there can be used, and `error` says why and what to do.
-enum class DatasetState { Importing, Ready, Failed, Stopped, Incomplete };
-
-struct DatasetStatus {
-    std::string dataset; ///< id: a slug of the name, unique
-    std::string name;
-    DatasetState state = DatasetState::Importing;
-    std::size_t steps_ready = 0;
-    std::size_t steps_total = 0;     ///< 0 while unknown
-    double progress = 0.0;           ///< of the import, 0..1
-    std::optional<double> remaining; ///< seconds the import will still take, once that can be told
-    std::string
-        values; ///< what its values are told from others by (store::ValueMarks); empty: a built-in flow
-    std::optional<core::Error>
-        error; ///< why it failed or is incomplete; of one that is ready, why what was looked for since could not be read
-};
 
 /// Thread safety: every call may come from any thread.
 class DatasetCatalogue {
@@ -77,25 +58,7 @@ class DatasetCatalogue {
     core::Result<void> choose_velocity(std::string_view dataset, const std::string& velocity);
 
   private:
-    struct Entry {
-        DatasetArgument argument;
-        SourceOptions taken; ///< its velocity guarded as the status is
-        DatasetStatus status;
-        std::shared_ptr<const LoadedDataset> open;
-        std::stop_source running; ///< its import under way
-        bool busy = false;        ///< a thread has it
-        bool begun = false;
-        std::chrono::steady_clock::time_point rests_until{}; ///< it is not looked at before
-        // Of the thread that has it.
-        std::optional<SourceWatch> watch;
-        bool failed = false;   ///< its last import
-        unsigned failures = 0; ///< in a row, of the same source
-        unsigned looks = 0;    ///< since
-        bool compared = false; ///< what this import writes, with what is open
-    };
-
-    /// Of an import. Stopped: the caller that stops and starts it says how the dataset stands.
-    enum class Ending { Whole, Stopped };
+    using Entry = ServedDataset;
 
     DatasetCatalogue(OpenOptions options, Listener listener)
         : options_(std::move(options)), listener_(std::move(listener)) {}
@@ -103,8 +66,6 @@ class DatasetCatalogue {
     core::Result<void> add(const std::string& argument);
     std::string unused_id(const std::string& name) const;
     Entry* find_entry(std::string_view dataset) const;
-    DatasetState state_of(const Entry& entry) const;
-    SourceOptions taken_of(const Entry& entry) const;
     std::filesystem::path store_folder_of(const Entry& entry) const;
     std::size_t wanted_lanes() const;
     void work(const std::stop_token& stop);
@@ -118,14 +79,7 @@ class DatasetCatalogue {
                                      const std::filesystem::path& folder,
                                      std::size_t lanes,
                                      const std::stop_token& stop);
-    void show_what_is_there(Entry& entry, const std::filesystem::path& folder);
     bool due(Entry& entry) const;
-    core::Result<LoadedDataset> reopened(Entry& entry, const std::filesystem::path& folder);
-    void notice_replacement(Entry& entry);
-    void give_up(Entry& entry, const std::filesystem::path& folder, const core::Error& error);
-    bool
-    show(Entry& entry, const store::ImportProgress& progress, const std::filesystem::path& folder);
-    void finish(Entry& entry, core::Result<LoadedDataset> opened, Ending how = Ending::Whole);
 
     OpenOptions options_;
     Listener listener_;

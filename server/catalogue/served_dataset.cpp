@@ -1,0 +1,147 @@
+#include "server/catalogue/served_dataset.hpp"
+
+#include <utility>
+
+namespace wakesurf::server {
+
+using core::Error;
+
+namespace {
+
+// What an import under way does not change: one that is ready grows and is told when it has. One that failed is imported again.
+bool settled(DatasetState state) {
+    return state == DatasetState::Ready || state == DatasetState::Stopped ||
+           state == DatasetState::Incomplete;
+}
+
+Error incomplete(std::size_t ready, std::size_t total) {
+    return {Error::Code::Io,
+            "only " + std::to_string(ready) + " of " + std::to_string(total) +
+                " time-steps are stored",
+            "import it again into the same store: the import resumes where the last one ended"};
+}
+
+double share(std::size_t part, std::size_t whole) {
+    return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
+}
+
+} // namespace
+
+DatasetState ServedDataset::state() const {
+    const std::scoped_lock lock(guard_);
+    return status.state;
+}
+
+SourceOptions ServedDataset::taken_now() const {
+    const std::scoped_lock lock(guard_);
+    return taken;
+}
+
+// What is open stays open as long as it is the same series, of the same values. What took its place may need its memory.
+core::Result<LoadedDataset> ServedDataset::reopened(const std::filesystem::path& folder) {
+    if (!open)
+        return open_store(folder, cache_);
+    auto opened = open_again(*open, folder, cache_);
+    if (opened || opened.error().code != Error::Code::OverLimit || still_there(*open))
+        return opened;
+    {
+        const std::scoped_lock lock(guard_);
+        open.reset();
+    }
+    return open_store(folder, cache_);
+}
+
+// Time-steps before the one that could not be imported stay usable.
+void ServedDataset::give_up(const std::filesystem::path& folder, const core::Error& error) {
+    auto left = open ? reopened(folder) : tl::unexpected(error);
+    if (!left)
+        return finish(tl::unexpected(error));
+    finish(std::move(left));
+    const std::scoped_lock lock(guard_);
+    status.error = error;
+    if (status.error->hint.empty())
+        status.error->hint = "the other time-steps can be used; once the cause is fixed, the "
+                             "import resumes by itself";
+}
+
+/// Data in use were computed again: what is open of them is there no more, and their import counts as one from the beginning.
+void ServedDataset::notice_replacement() {
+    if (!open || std::exchange(compared, true) || still_there(*open))
+        return;
+    const std::scoped_lock lock(guard_);
+    open.reset();
+    if (status.state != DatasetState::Stopped)
+        status.state = DatasetState::Importing;
+    status.error.reset();
+}
+
+// Who is told of ready time-steps asks for them at once: they are counted once find() has them, and not before.
+bool ServedDataset::show(const store::ImportProgress& progress,
+                         const std::filesystem::path& folder) {
+    if (progress.done > 0)
+        notice_replacement();
+    if (settled(state()))
+        return false;
+    std::shared_ptr<const LoadedDataset> first;
+    if (progress.done > 0 && !open)
+        if (auto opened = open_store(folder, cache_)) {
+            opened->info.dataset = status.dataset;
+            opened->info.name = status.name;
+            first = std::make_shared<const LoadedDataset>(std::move(*opened));
+        }
+    const std::scoped_lock lock(guard_);
+    if (first) {
+        open = std::move(first);
+        status.values = values_of(*open);
+    }
+    if (settled(status.state))
+        return false;
+    status.steps_ready = open ? progress.done : 0;
+    status.steps_total = progress.total;
+    status.progress = share(progress.done, progress.total);
+    status.remaining = progress.remaining;
+    return true;
+}
+
+void ServedDataset::finish(core::Result<LoadedDataset> opened, Ending how) {
+    std::size_t ready = 0;
+    if (opened) {
+        opened->info.dataset = status.dataset;
+        opened->info.name = status.name;
+        ready = steps_ready(*opened);
+    }
+    const bool gone = !opened && open && !still_there(*open);
+    const std::scoped_lock lock(guard_);
+    if (gone) {
+        open.reset();
+        status.values.clear();
+        status.steps_ready = 0;
+    }
+    if (!opened) {
+        status.state = DatasetState::Failed;
+        status.error = opened.error();
+        return;
+    }
+    if (how == Ending::Whole) {
+        const std::size_t total = opened->info.times.size();
+        status.state = ready < total ? DatasetState::Incomplete : DatasetState::Ready;
+        status.error.reset();
+        if (ready < total)
+            status.error = incomplete(ready, total);
+    }
+    status.steps_ready = ready;
+    status.steps_total = opened->info.times.size();
+    status.progress = how == Ending::Whole ? 1.0 : share(ready, status.steps_total);
+    status.values = values_of(*opened);
+    open = std::make_shared<const LoadedDataset>(std::move(*opened));
+}
+
+// Of an import that was stopped, or of an earlier one; by now it may be wanted again.
+void ServedDataset::show_what_is_there(const std::filesystem::path& folder) {
+    auto opened = reopened(folder);
+    if (!opened || (!open && steps_ready(*opened) == 0))
+        return;
+    finish(std::move(opened), Ending::Stopped);
+}
+
+} // namespace wakesurf::server

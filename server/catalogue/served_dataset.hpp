@@ -1,0 +1,80 @@
+// One dataset as it is served: how its import stands, and what is open of it.
+#pragma once
+
+#include "server/catalogue/open_dataset.hpp"
+#include "server/catalogue/source_watch.hpp"
+#include "store/import_progress.hpp"
+
+#include <chrono>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <string>
+
+namespace wakesurf::server {
+
+/// Stopped: by the last client that waited for the import; the time-steps until then can be used. Incomplete: it ended before the last time-step,
+/// as on a full disk; those there can be used, and `error` says why and what to do.
+enum class DatasetState { Importing, Ready, Failed, Stopped, Incomplete };
+
+struct DatasetStatus {
+    std::string dataset; ///< id: a slug of the name, unique
+    std::string name;
+    DatasetState state = DatasetState::Importing;
+    std::size_t steps_ready = 0;
+    std::size_t steps_total = 0;     ///< 0 while unknown
+    double progress = 0.0;           ///< of the import, 0..1
+    std::optional<double> remaining; ///< seconds the import will still take, once that can be told
+    std::string
+        values; ///< what its values are told from others by (store::ValueMarks); empty: a built-in flow
+    std::optional<core::Error>
+        error; ///< why it failed or is incomplete; of one that is ready, why what was looked for since could not be read
+};
+
+/// Its methods are for the thread that has it (`busy`), but for state() and taken_now().
+class ServedDataset {
+  public:
+    /// Of an import. Stopped: the caller that stops and starts it says how the dataset stands.
+    enum class Ending { Whole, Stopped };
+
+    /// @param guard  of what others look at; it is taken by each method
+    ServedDataset(std::mutex& guard, core::TimeStepCache::Options cache)
+        : guard_(guard), cache_(std::move(cache)) {}
+
+    DatasetState state() const;
+    SourceOptions taken_now() const;
+
+    /// What is in the store now; what is open where that is the same series, of the same values.
+    core::Result<LoadedDataset> reopened(const std::filesystem::path& folder);
+    /// Of an import that was stopped, or of an earlier one.
+    void show_what_is_there(const std::filesystem::path& folder);
+    /// After an import that failed.
+    void give_up(const std::filesystem::path& folder, const core::Error& error);
+    /// False where there is nothing to tell.
+    bool show(const store::ImportProgress& progress, const std::filesystem::path& folder);
+    void finish(core::Result<LoadedDataset> opened, Ending how = Ending::Whole);
+
+    DatasetArgument argument;
+    SourceOptions taken; ///< its velocity guarded as the status is
+    DatasetStatus status;
+    std::shared_ptr<const LoadedDataset> open;
+    std::stop_source running; ///< its import under way
+    bool busy = false;        ///< a thread has it
+    bool begun = false;
+    std::chrono::steady_clock::time_point rests_until{}; ///< it is not looked at before
+    // Of the thread that has it.
+    std::optional<SourceWatch> watch;
+    bool failed = false;   ///< its last import
+    unsigned failures = 0; ///< in a row, of the same source
+    unsigned looks = 0;    ///< since
+    bool compared = false; ///< what this import writes, with what is open
+
+  private:
+    void notice_replacement();
+
+    std::mutex& guard_;
+    core::TimeStepCache::Options cache_;
+};
+
+} // namespace wakesurf::server
