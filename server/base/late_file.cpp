@@ -6,17 +6,6 @@
 
 namespace wakesurf::server {
 
-LateFile::~LateFile() {
-    if (!thread_.joinable())
-        return;
-    {
-        const std::lock_guard lock(mutex_);
-        stopping_ = true;
-    }
-    wake_.notify_one();
-    thread_.join();
-}
-
 void LateFile::put(std::string text, Done done) {
     {
         const std::lock_guard lock(mutex_);
@@ -24,16 +13,13 @@ void LateFile::put(std::string text, Done done) {
         waiting_.push_back(std::move(done));
     }
     if (!thread_.joinable())
-        thread_ = std::thread([this] { work(); });
+        thread_ = std::jthread([this](const std::stop_token& stop) { work(stop); });
     wake_.notify_one();
 }
 
-void LateFile::work() {
+void LateFile::work(const std::stop_token& stop) {
     std::unique_lock lock(mutex_);
-    while (true) {
-        wake_.wait(lock, [this] { return stopping_ || text_; });
-        if (!text_)
-            return;
+    while (wake_.wait(lock, stop, [this] { return text_.has_value(); })) {
         const std::string text = *std::exchange(text_, std::nullopt);
         auto waited = std::exchange(waiting_, {});
         lock.unlock();

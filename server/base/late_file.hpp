@@ -9,6 +9,7 @@
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <thread>
 #include <vector>
@@ -24,7 +25,7 @@ class LateFile {
     LateFile(Loop& loop, std::filesystem::path file) : loop_(loop), file_(std::move(file)) {}
 
     /// Writes what still waits. Waits for the disk.
-    ~LateFile();
+    ~LateFile() = default;
     LateFile(const LateFile&) = delete;
     LateFile& operator=(const LateFile&) = delete;
 
@@ -32,16 +33,15 @@ class LateFile {
     void put(std::string text, Done done);
 
   private:
-    void work();
+    void work(const std::stop_token& stop);
 
     Loop& loop_;
     std::filesystem::path file_;
     std::mutex mutex_; ///< guards what follows; never held while the disk is waited for
-    std::condition_variable wake_;
+    std::condition_variable_any wake_;
     std::optional<std::string> text_;
     std::vector<Done> waiting_;
-    bool stopping_ = false;
-    std::thread thread_;
+    std::jthread thread_; ///< last: it uses the others
 };
 
 } // namespace wakesurf::server

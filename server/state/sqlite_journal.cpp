@@ -18,21 +18,16 @@ SqliteJournal::SqliteJournal(Loop& loop,
                              OnDurability changed,
                              std::chrono::milliseconds retry)
     : loop_(loop), store_(std::move(store)), durability_changed_(std::move(changed)), retry_(retry),
-      thread_([this] { work(); }) {}
+      thread_([this](const std::stop_token& stop) { work(stop); }) {}
 
 SqliteJournal::~SqliteJournal() {
     finish();
 }
 
 void SqliteJournal::finish() {
-    if (!thread_.joinable())
-        return;
-    {
-        const std::lock_guard lock(mutex_);
-        stopping_ = true;
-    }
-    wake_.notify_one();
-    thread_.join();
+    thread_.request_stop();
+    if (thread_.joinable())
+        thread_.join();
 }
 
 void SqliteJournal::write(const std::string& session, std::vector<JournalEntry> entries) {
@@ -61,7 +56,7 @@ void SqliteJournal::remove(const std::string& session) {
 
 void SqliteJournal::settled(std::function<void(core::Result<void>)> done) {
     const std::lock_guard lock(mutex_);
-    if (stopping_)
+    if (ending())
         loop_.post([done = std::move(done)] {
             done(core::fail(core::Error::Code::Io, "the server is ending", "try again"));
         });
@@ -84,7 +79,7 @@ bool SqliteJournal::run(Errand errand) {
     std::future<void> ended = done->get_future();
     {
         const std::lock_guard lock(mutex_);
-        if (stopping_)
+        if (ending())
             return false;
         errands_.push_back([errand = std::move(errand), done](StateStore& store) {
             errand(store);
@@ -108,20 +103,20 @@ bool SqliteJournal::release() {
     return run([&](StateStore& store) { whole = store.release(); }) && whole;
 }
 
-void SqliteJournal::wait_for_work(std::unique_lock<std::mutex>& lock) {
+void SqliteJournal::wait_for_work(std::unique_lock<std::mutex>& lock, const std::stop_token& stop) {
     if (refusal_)
-        wake_.wait_for(lock, retry_, [this] { return stopping_; });
+        wake_.wait_for(lock, stop, retry_, [] { return false; });
     else
-        wake_.wait_for(lock, look, [this] {
-            return stopping_ || !changes_.empty() || !waiting_.empty() || !errands_.empty();
+        wake_.wait_for(lock, stop, look, [this] {
+            return !changes_.empty() || !waiting_.empty() || !errands_.empty();
         });
 }
 
-void SqliteJournal::work() {
+void SqliteJournal::work(const std::stop_token& stop) {
     std::unique_lock lock(mutex_);
     for (bool last = false; !last;) {
-        wait_for_work(lock);
-        last = stopping_;
+        wait_for_work(lock, stop);
+        last = stop.stop_requested();
         PendingWrites changes = std::exchange(changes_, {});
         Waiting waiting = std::exchange(waiting_, {});
         const std::vector<Errand> errands = std::exchange(errands_, {});

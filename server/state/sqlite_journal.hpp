@@ -12,6 +12,7 @@
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <thread>
 #include <vector>
@@ -57,9 +58,12 @@ class SqliteJournal final : public Journal {
     using Errand = std::function<void(StateStore&)>;
     using Waiting = std::vector<std::function<void(core::Result<void>)>>;
 
-    void work();
+    void work(const std::stop_token& stop);
     bool run(Errand errand);
-    void wait_for_work(std::unique_lock<std::mutex>& lock);
+    void wait_for_work(std::unique_lock<std::mutex>& lock, const std::stop_token& stop);
+
+    bool ending() const { return thread_.get_stop_token().stop_requested(); }
+
     void tell(PendingWrites tried, const core::Result<void>& outcome, Waiting waited);
 
     Loop& loop_;
@@ -68,15 +72,14 @@ class SqliteJournal final : public Journal {
     std::chrono::milliseconds retry_;
 
     mutable std::mutex mutex_; ///< guards all below; never held while the disk is waited for
-    std::condition_variable wake_;
+    std::condition_variable_any wake_;
     PendingWrites changes_;
     Waiting waiting_;
     std::vector<Errand> errands_;
     std::optional<core::Error> refusal_; ///< of the last try
     bool writing_ = false;
-    bool stopping_ = false;
 
-    std::thread thread_;
+    std::jthread thread_; ///< last: it uses the others
 };
 
 } // namespace wakesurf::server
