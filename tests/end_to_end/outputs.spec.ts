@@ -1,27 +1,16 @@
 // What one takes away: pictures whose pixels are looked at, a film that is played, meshes compared byte for byte, and scripts
 // that are run against the server and make the same records.
-import { execFile } from "node:child_process";
-import { readFileSync } from "node:fs";
-import { join } from "node:path";
-import { promisify } from "node:util";
-import type { BrowserContext, Page } from "playwright-core";
-import { afterAll, afterEach, beforeEach, describe, expect, it } from "vitest";
-import type {
-  ClockRecord,
-  RakeRecord,
-  SurfaceRecord,
-  Vec3,
-} from "../../web-client/src/protocol/messages.ts";
-import {
-  ask,
-  finalSurface,
-  newContext,
-  openPage,
-  screenshot,
-} from "./support/browser_page.ts";
-import { pixelsOfPng } from "./support/png_pixels.ts";
-import { temporaryFolder } from "./support/server_process.ts";
-import { useStand } from "./support/stand.ts";
+import { execFile } from 'node:child_process';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { promisify } from 'node:util';
+import type { BrowserContext, Page } from 'playwright-core';
+import { afterAll, afterEach, beforeEach, describe, expect, it } from 'vitest';
+import type { ClockRecord, RakeRecord, SurfaceRecord, Vec3 } from '../../web-client/src/protocol/messages.ts';
+import { ask, finalSurface, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { pixelsOfPng } from './support/png_pixels.ts';
+import { temporaryFolder } from './support/server_process.ts';
+import { useStand } from './support/stand.ts';
 
 const run = promisify(execFile);
 const stand = useStand();
@@ -32,465 +21,337 @@ let page: Page;
 afterAll(() => work.remove());
 
 beforeEach(async () => {
-  context = await newContext(stand.browser, { width: 900, height: 520 });
-  await context.grantPermissions(["clipboard-read", "clipboard-write"]);
-  page = await openPage(context, await stand.server.newSession());
-  await finalSurface(page);
+    context = await newContext(stand.browser, { width: 900, height: 520 });
+    await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+    page = await openPage(context, await stand.server.newSession());
+    await finalSurface(page);
 });
 
 afterEach(() => context.close());
 
-const toExport = (): Promise<void> =>
-  page.getByRole("tab", { name: "Export" }).click();
+const toExport = (): Promise<void> => page.getByRole('tab', { name: 'Export' }).click();
 
 /** Presses a button that ends in a download, and waits for that. */
-async function saved(
-  button: string,
-): Promise<{ name: string; path: string; bytes: Buffer }> {
-  const download = page.waitForEvent("download");
-  await page.locator(button).click();
-  const file = await download;
-  const path = join(work.path, file.suggestedFilename());
-  await file.saveAs(path);
-  return { name: file.suggestedFilename(), path, bytes: readFileSync(path) };
+async function saved(button: string): Promise<{ name: string; path: string; bytes: Buffer }> {
+    const download = page.waitForEvent('download');
+    await page.locator(button).click();
+    const file = await download;
+    const path = join(work.path, file.suggestedFilename());
+    await file.saveAs(path);
+    return { name: file.suggestedFilename(), path, bytes: readFileSync(path) };
 }
 
-async function chooseSize(
-  id: string,
-  width: number,
-  height: number,
-): Promise<void> {
-  await page.locator(`#${id}-size`).selectOption("typed");
-  for (const [side, value] of [
-    ["width", width],
-    ["height", height],
-  ] as const) {
-    await page.locator(`#${id}-${side}`).fill(String(value));
-    await page.locator(`#${id}-${side}`).press("Tab");
-  }
+async function chooseSize(id: string, width: number, height: number): Promise<void> {
+    await page.locator(`#${id}-size`).selectOption('typed');
+    for (const [side, value] of [
+        ['width', width],
+        ['height', height],
+    ] as const) {
+        await page.locator(`#${id}-${side}`).fill(String(value));
+        await page.locator(`#${id}-${side}`).press('Tab');
+    }
 }
 
 async function streak(): Promise<void> {
-  await page.getByRole("radio", { name: "Streak" }).check();
-  await page.waitForFunction(
-    () => (window.wakesurf?.displayed?.epoch ?? 0) > 1,
-  );
-  await finalSurface(page);
+    await page.getByRole('radio', { name: 'Streak' }).check();
+    await page.waitForFunction(() => (window.wakesurf?.displayed?.epoch ?? 0) > 1);
+    await finalSurface(page);
 }
 
-async function records(): Promise<{
-  clock: ClockRecord;
-  rakes: RakeRecord[];
-  surfaces: SurfaceRecord[];
-}> {
-  const session = await ask(page, (hook) => hook.session);
-  return (await stand.server.call("session.state", { session })) as never;
+async function records(): Promise<{ clock: ClockRecord; rakes: RakeRecord[]; surfaces: SurfaceRecord[] }> {
+    const session = await ask(page, (hook) => hook.session);
+    return (await stand.server.call('session.state', { session })) as never;
 }
 
-describe("a picture", () => {
-  it("of twice the size has no ground but the surface, at the same places in the same colours", async () => {
-    await toExport();
-    const box = (await page.locator("canvas").first().boundingBox())!;
-    await chooseSize("picture", 2 * box.width, 2 * box.height);
-    await page.locator("#background").selectOption("clear");
-    await screenshot(page, "export");
-    const { name, bytes } = await saved("#save-picture");
-    const time = await ask(page, (hook) => hook.displayed!.time);
-    expect(await page.locator("#picture-time").textContent()).toContain(
-      `at t = ${time}`,
-    );
-    expect(await page.locator("#mesh-time").textContent()).toContain(
-      `at t = ${time}`,
-    );
-    expect(name).toBe(`sqcyl-t${time}-${2 * box.width}x${2 * box.height}.png`);
-    const seen = await page.evaluate(() => {
-      const hook = window.wakesurf!;
-      const places = hook.vertices(37).map(({ point }) => hook.project(point)!);
-      return { places, colours: hook.pixelsAt(places) };
-    });
-    // Some vertices are behind the body, under the rake or at the rim: what counts is where the page shows colour.
-    const shown = seen.places
-      .map((at, i) => ({ at, colour: seen.colours[i]! }))
-      .filter(
-        ({ colour: [r, g, b] }) => Math.max(r, g, b) - Math.min(r, g, b) > 50,
-      );
-    expect(shown.length).toBeGreaterThan(50);
-    const inPicture = shown.map(({ at }) => ({
-      x: 2 * (at.x - box.x),
-      y: 2 * (at.y - box.y),
-    }));
-    const corners = [
-      { x: 4, y: 4 },
-      { x: box.width, y: 10 },
-      { x: 4, y: 2 * box.height - 4 },
-    ];
-    const { width, height, at } = await pixelsOfPng(page, bytes, [
-      ...corners,
-      ...inPicture,
-    ]);
-    expect([width, height]).toEqual([2 * box.width, 2 * box.height]);
-    for (const corner of at.slice(0, corners.length))
-      expect(corner).toEqual([0, 0, 0, 0]);
-    const same = at.slice(corners.length).filter(([r, g, b, alpha], i) => {
-      const [red, green, blue] = shown[i]!.colour;
-      return alpha === 255 && Math.hypot(r! - red, g! - green, b! - blue) < 24;
-    });
-    expect(same.length / shown.length).toBeGreaterThan(0.93);
-    // The page is as it was.
-    expect(
-      await page
-        .locator("canvas")
-        .first()
-        .evaluate((each: HTMLCanvasElement) => [each.width, each.height]),
-    ).toEqual([box.width, box.height]);
-  });
-
-  it("holds bar and numbers or leaves them out, and is not drawn larger than the graphics can", async () => {
-    await toExport();
-    await page.locator("#background").selectOption("clear");
-    const box = (await page.locator("canvas").first().boundingBox())!;
-    const axis = (await page.locator(".axis-x").boundingBox())!;
-    const bar = (await page
-      .locator("wakesurf-scalar-bar canvas")
-      .boundingBox())!;
-    const inside = (from: typeof box, fx: number, fy: number) => ({
-      x: from.x - box.x + fx * from.width,
-      y: from.y - box.y + fy * from.height,
-    });
-    const letter = Array.from({ length: 12 }, (_, i) =>
-      inside(axis, (i + 0.5) / 12, 0.5),
-    );
-    const ends = [inside(bar, 0.01, 0.5), inside(bar, 0.99, 0.5)];
-    const opaque = (all: number[][]): number =>
-      all.filter(([, , , alpha]) => alpha! > 128).length;
-    const complete = await pixelsOfPng(
-      page,
-      (await saved("#save-picture")).bytes,
-      [...ends, ...letter],
-    );
-    const [low, high] = complete.at;
-    expect(Math.hypot(low![0]! - 68, low![1]! - 1, low![2]! - 84)).toBeLessThan(
-      40,
-    ); // dark violet
-    expect(
-      Math.hypot(high![0]! - 253, high![1]! - 231, high![2]! - 37),
-    ).toBeLessThan(40); // yellow
-    expect(opaque(complete.at.slice(2))).toBeGreaterThan(0);
-    await page.getByRole("checkbox", { name: "Scalar bar" }).uncheck();
-    await page.getByRole("checkbox", { name: "Box and axes" }).uncheck();
-    const bare = await pixelsOfPng(page, (await saved("#save-picture")).bytes, [
-      ...ends,
-      ...letter,
-    ]);
-    expect(opaque(bare.at)).toBe(0);
-    await chooseSize("picture", 100_000, 500);
-    await page.locator("#save-picture").click();
-    expect(
-      await page
-        .getByRole("alert")
-        .filter({ hasText: "at most" })
-        .textContent(),
-    ).toMatch(/at most \d+ pixels per side/);
-  });
-
-  it("may be larger than the graphics draw at once: tiles make the same picture as one drawing", async () => {
-    await page.getByRole("tab", { name: "Look" }).click();
-    await page.locator("#opacity").evaluate((slider: HTMLInputElement) => {
-      slider.value = "0.5";
-      slider.dispatchEvent(new Event("input", { bubbles: true }));
-    });
-    await page.waitForFunction(
-      () => window.wakesurf!.transparency === "blended",
-    );
-    await toExport();
-    await page.getByRole("checkbox", { name: "Rake" }).check();
-    for (const background of ["shown", "clear"]) {
-      await page.locator("#background").selectOption(background);
-      const { differing, coloured } = await page.evaluate(() => {
-        const hook = window.wakesurf!;
-        const size = { width: 620, height: 402 };
-        const [tiled, whole] = [
-          hook.figure(size, 330),
-          hook.figure(size, 2000),
+describe('a picture', () => {
+    it('of twice the size has no ground but the surface, at the same places in the same colours', async () => {
+        await toExport();
+        const box = (await page.locator('canvas').first().boundingBox())!;
+        await chooseSize('picture', 2 * box.width, 2 * box.height);
+        await page.locator('#background').selectOption('clear');
+        await screenshot(page, 'export');
+        const { name, bytes } = await saved('#save-picture');
+        const time = await ask(page, (hook) => hook.displayed!.time);
+        expect(await page.locator('#picture-time').textContent()).toContain(`at t = ${time}`);
+        expect(await page.locator('#mesh-time').textContent()).toContain(`at t = ${time}`);
+        expect(name).toBe(`sqcyl-t${time}-${2 * box.width}x${2 * box.height}.png`);
+        const seen = await page.evaluate(() => {
+            const hook = window.wakesurf!;
+            const places = hook.vertices(37).map(({ point }) => hook.project(point)!);
+            return { places, colours: hook.pixelsAt(places) };
+        });
+        // Some vertices are behind the body, under the rake or at the rim: what counts is where the page shows colour.
+        const shown = seen.places
+            .map((at, i) => ({ at, colour: seen.colours[i]! }))
+            .filter(({ colour: [r, g, b] }) => Math.max(r, g, b) - Math.min(r, g, b) > 50);
+        expect(shown.length).toBeGreaterThan(50);
+        const inPicture = shown.map(({ at }) => ({ x: 2 * (at.x - box.x), y: 2 * (at.y - box.y) }));
+        const corners = [
+            { x: 4, y: 4 },
+            { x: box.width, y: 10 },
+            { x: 4, y: 2 * box.height - 4 },
         ];
-        let [differ, colours] = [0, 0];
-        for (let i = 0; i < whole.length; i += 4) {
-          const pixel = [0, 1, 2, 3].map((k) => i + k);
-          if (
-            Math.max(...pixel.map((at) => Math.abs(whole[at]! - tiled[at]!))) >
-            3
-          )
-            ++differ;
-          const [r, g, b] = [whole[i]!, whole[i + 1]!, whole[i + 2]!];
-          if (Math.max(r, g, b) - Math.min(r, g, b) > 40) ++colours;
-        }
-        return { differing: differ, coloured: colours };
-      });
-      expect(coloured).toBeGreaterThan(10_000);
-      // Of 249 240; at an edge rounding may put a pixel on the other side.
-      expect(differing).toBeLessThan(60);
-    }
-    // Wider than a texture may be here.
-    await chooseSize("picture", 9000, 120);
-    const { width, height, at } = await pixelsOfPng(
-      page,
-      (await saved("#save-picture")).bytes,
-      [{ x: 8990, y: 60 }],
-    );
-    expect([width, height, at[0]]).toEqual([9000, 120, [0, 0, 0, 0]]);
-  });
-});
-
-describe("a film", () => {
-  it("has every frame of the playback; it and one that is cancelled leave the clock as it was", async () => {
-    await streak();
-    const session = await ask(page, (hook) => hook.session);
-    await stand.server.call("time.set", { session, time: 10 });
-    await page.waitForFunction(() => window.wakesurf!.displayed!.time === 10);
-    await toExport();
-    await chooseSize("film", 320, 240);
-    await page.locator("#film-fps").selectOption("12");
-    await page.locator("#film-seconds").fill("1");
-    await page.locator("#film-seconds").press("Tab");
-    const { bytes, name } = await saved("#record-film");
-    expect(name).toBe("sqcyl-film.webm");
-    await expect
-      .poll(async () => (await records()).clock)
-      .toMatchObject({ time: 10, playing: false });
-    // In a page without the content security policy of ours, which plays nothing.
-    const player = await context.newPage();
-    const played = await player.evaluate(async (data) => {
-      const content = Uint8Array.from(atob(data), (each) => each.charCodeAt(0));
-      const video = document.createElement("video");
-      video.muted = true;
-      document.body.append(video);
-      video.src = URL.createObjectURL(
-        new Blob([content], { type: "video/webm" }),
-      );
-      await new Promise((resolve, reject) => {
-        video.onloadeddata = resolve;
-        video.onerror = () => reject(new Error(video.error?.message));
-      });
-      const drawing = new OffscreenCanvas(
-        video.videoWidth,
-        video.videoHeight,
-      ).getContext("2d", {
-        willReadFrequently: true,
-      })!;
-      const frames: Uint8ClampedArray[] = [];
-      for (let i = 0; i < 12; ++i) {
-        const sought = new Promise((resolve) =>
-          video.requestVideoFrameCallback(resolve),
-        );
-        video.currentTime = (i + 0.5) / 12;
-        await sought;
-        drawing.drawImage(video, 0, 0);
-        frames.push(
-          drawing.getImageData(0, 0, video.videoWidth, video.videoHeight).data,
-        );
-      }
-      const differ = (a: Uint8ClampedArray, b: Uint8ClampedArray): number =>
-        a.reduce(
-          (sum, value, k) => sum + (Math.abs(value - b[k]!) > 24 ? 1 : 0),
-          0,
-        );
-      const changes = frames
-        .slice(1)
-        .map((frame, i) => differ(frame, frames[i]!));
-      return {
-        duration: video.duration,
-        size: [video.videoWidth, video.videoHeight],
-        changes,
-      };
-    }, bytes.toString("base64"));
-    await player.close();
-    expect(played.size).toEqual([320, 240]);
-    expect(played.duration).toBeCloseTo(1, 1);
-    // The sheet grows from frame to frame.
-    expect(played.changes).toHaveLength(11);
-    expect(Math.min(...played.changes)).toBeGreaterThan(20);
-    // Another one, and not to its end.
-    await chooseSize("film", 160, 120);
-    await page.locator("#film-seconds").fill("60");
-    await page.locator("#film-seconds").press("Tab");
-    await page.locator("#record-film").click();
-    await page.waitForFunction(() => window.wakesurf!.displayed!.time < 9.5);
-    // Before the first frame it looks what colours range over, at 13 times.
-    await expect
-      .poll(() => page.getByRole("progressbar").getAttribute("max"), {
-        timeout: 30_000,
-      })
-      .toBe("720");
-    await page.getByRole("button", { name: "Cancel" }).click();
-    await page.locator("#record-film").waitFor();
-    await expect.poll(async () => (await records()).clock.time).toBe(10);
-  });
-});
-
-describe("a mesh", () => {
-  it("is downloaded byte for byte as the server sends it, in every format", async () => {
-    await toExport();
-    const session = await ask(page, (hook) => hook.session);
-    const { surface } = await ask(page, (hook) => hook.displayed!);
-    const headers = { Authorization: `Bearer ${stand.server.token}` };
-    for (const [choice, file] of [
-      ["vtp", "mesh.vtp"],
-      ["glb-plain", "mesh.glb?draco=false"],
-      ["glb", "mesh.glb"],
-      ["ply", "mesh.ply"],
-      ["obj", "mesh.obj"],
-      ["drc", "mesh.drc"],
-    ] as const) {
-      await page.locator("#mesh-format").selectOption(choice);
-      const { name, bytes } = await saved("#download-mesh");
-      const reply = await fetch(
-        new URL(
-          `/api/v1/sessions/${session}/surfaces/${surface}/${file}`,
-          stand.server.link,
-        ),
-        {
-          headers,
-        },
-      );
-      expect(name).toBe(`sqcyl-stream.${choice.split("-")[0]}`);
-      expect(reply.status).toBe(200);
-      const given = Buffer.from(await reply.arrayBuffer());
-      expect(bytes.equals(given), file).toBe(true);
-      if (choice === "glb-plain")
-        expect(given.includes("KHR_draco_mesh_compression")).toBe(false);
-    }
-  });
-});
-
-describe("a script", () => {
-  const environment = (): NodeJS.ProcessEnv => ({
-    ...process.env,
-    WAKESURF_TOKEN: stand.server.token,
-  });
-  /** After what its first lines say is to be done. */
-  const runPython = async (text: string) => {
-    await runShell(/^# +(curl .*)$/m.exec(text)![1]!);
-    return run("/usr/bin/python3", ["-c", text], {
-      env: environment(),
-      cwd: work.path,
+        const { width, height, at } = await pixelsOfPng(page, bytes, [...corners, ...inPicture]);
+        expect([width, height]).toEqual([2 * box.width, 2 * box.height]);
+        for (const corner of at.slice(0, corners.length)) expect(corner).toEqual([0, 0, 0, 0]);
+        const same = at.slice(corners.length).filter(([r, g, b, alpha], i) => {
+            const [red, green, blue] = shown[i]!.colour;
+            return alpha === 255 && Math.hypot(r! - red, g! - green, b! - blue) < 24;
+        });
+        expect(same.length / shown.length).toBeGreaterThan(0.93);
+        // The page is as it was.
+        expect(
+            await page
+                .locator('canvas')
+                .first()
+                .evaluate((each: HTMLCanvasElement) => [each.width, each.height]),
+        ).toEqual([box.width, box.height]);
     });
-  };
-  const runShell = (text: string) =>
-    run("bash", ["-c", text], { env: environment(), cwd: work.path });
-  const copied = async (within: string, language: string): Promise<string> => {
-    await page
-      .locator(`${within} wakesurf-copy-as`)
-      .getByRole("button", { name: language })
-      .click();
-    await page.locator(within).getByText(`Copied as ${language}`).waitFor();
-    const text = await page.evaluate(() => navigator.clipboard.readText());
-    expect(text).not.toContain(stand.server.token);
-    return text;
-  };
-  /** Without what the server adds to each record. */
-  const asked = ({
-    surface: _surface,
-    rake: _rake,
-    rev: _rev,
-    epoch: _epoch,
-    ...rest
-  }: SurfaceRecord) => rest;
-  const placed = ({
-    rake: _rake,
-    rev: _rev,
-    author: _author,
-    ...rest
-  }: RakeRecord) => rest;
 
-  it("fetches the surface that is there; where it is gone, it makes the same rake and surface", async () => {
-    await streak();
-    const surfacePanel = 'section[aria-labelledby="surface-head"]';
-    const before = await records();
-    const [python, curl] = [
-      await copied(surfacePanel, "Python"),
-      await copied(surfacePanel, "curl"),
-    ];
-    expect(String((await runPython(python)).stdout)).toMatch(/^\d+ quads$/m);
-    await runShell(curl);
-    expect(readFileSync(join(work.path, "surface.vtp")).length).toBeGreaterThan(
-      1000,
-    );
-    expect(await records()).toEqual(before);
-    const shown = before.surfaces[0]!.surface;
-    for (const [script, runs] of [
-      [python.replaceAll(JSON.stringify(shown), '"gone"'), runPython],
-      [curl.replaceAll(`'${shown}'`, `'gone'`), runShell],
-    ] as const) {
-      await runs(script);
-      const after = await records();
-      const made = after.surfaces.at(-1)!;
-      expect(after.surfaces.map(({ surface }) => surface)).toContain(
-        made.surface,
-      );
-      expect(before.surfaces.map(({ surface }) => surface)).not.toContain(
-        made.surface,
-      );
-      expect(asked(made)).toEqual(asked(before.surfaces[0]!));
-      const rake = after.rakes.find((each) => each.rake === made.rake)!;
-      expect(placed(rake)).toEqual(placed(before.rakes[0]!));
-      await stand.server.call("rake.delete", {
-        session: await ask(page, (hook) => hook.session),
-        rake: made.rake,
-      });
-    }
-  });
+    it('holds bar and numbers or leaves them out, and is not drawn larger than the graphics can', async () => {
+        await toExport();
+        await page.locator('#background').selectOption('clear');
+        const box = (await page.locator('canvas').first().boundingBox())!;
+        const axis = (await page.locator('.axis-x').boundingBox())!;
+        const bar = (await page.locator('wakesurf-scalar-bar canvas').boundingBox())!;
+        const inside = (from: typeof box, fx: number, fy: number) => ({
+            x: from.x - box.x + fx * from.width,
+            y: from.y - box.y + fy * from.height,
+        });
+        const letter = Array.from({ length: 12 }, (_, i) => inside(axis, (i + 0.5) / 12, 0.5));
+        const ends = [inside(bar, 0.01, 0.5), inside(bar, 0.99, 0.5)];
+        const opaque = (all: number[][]): number => all.filter(([, , , alpha]) => alpha! > 128).length;
+        const complete = await pixelsOfPng(page, (await saved('#save-picture')).bytes, [...ends, ...letter]);
+        const [low, high] = complete.at;
+        expect(Math.hypot(low![0]! - 68, low![1]! - 1, low![2]! - 84)).toBeLessThan(40); // dark violet
+        expect(Math.hypot(high![0]! - 253, high![1]! - 231, high![2]! - 37)).toBeLessThan(40); // yellow
+        expect(opaque(complete.at.slice(2))).toBeGreaterThan(0);
+        await page.getByRole('checkbox', { name: 'Scalar bar' }).uncheck();
+        await page.getByRole('checkbox', { name: 'Box and axes' }).uncheck();
+        const bare = await pixelsOfPng(page, (await saved('#save-picture')).bytes, [...ends, ...letter]);
+        expect(opaque(bare.at)).toBe(0);
+        await chooseSize('picture', 100_000, 500);
+        await page.locator('#save-picture').click();
+        expect(await page.getByRole('alert').filter({ hasText: 'at most' }).textContent()).toMatch(/at most \d+ pixels per side/);
+    });
 
-  it("sets the clock, and fetches the mesh", async () => {
-    await streak();
-    const session = await ask(page, (hook) => hook.session);
-    for (const [language, runs, time] of [
-      ["Python", runPython, 11.5],
-      ["curl", runShell, 12],
-    ] as const) {
-      await stand.server.call("time.set", { session, time });
-      await page.waitForFunction(
-        (at) => window.wakesurf!.displayed!.time === at,
-        time,
-      );
-      const text = await copied("wakesurf-time-bar", language);
-      await stand.server.call("time.set", { session, time: 9 });
-      await runs(text);
-      expect((await records()).clock.time).toBe(time);
-    }
-    await stand.server.call("time.set", { session, time: null });
-    await toExport();
-    await page.locator("#mesh-format").selectOption("ply");
-    const { bytes } = await saved("#download-mesh");
-    for (const [language, runs] of [
-      ["Python", runPython],
-      ["curl", runShell],
-    ] as const) {
-      await runs(await copied("wakesurf-mesh-export", language));
-      expect(readFileSync(join(work.path, "surface.ply")).equals(bytes)).toBe(
-        true,
-      );
-    }
-  });
+    it('may be larger than the graphics draw at once: tiles make the same picture as one drawing', async () => {
+        await page.getByRole('tab', { name: 'Look' }).click();
+        await page.locator('#opacity').evaluate((slider: HTMLInputElement) => {
+            slider.value = '0.5';
+            slider.dispatchEvent(new Event('input', { bubbles: true }));
+        });
+        await page.waitForFunction(() => window.wakesurf!.transparency === 'blended');
+        await toExport();
+        await page.getByRole('checkbox', { name: 'Rake' }).check();
+        for (const background of ['shown', 'clear']) {
+            await page.locator('#background').selectOption(background);
+            const { differing, coloured } = await page.evaluate(() => {
+                const hook = window.wakesurf!;
+                const size = { width: 620, height: 402 };
+                const [tiled, whole] = [hook.figure(size, 330), hook.figure(size, 2000)];
+                let [differ, colours] = [0, 0];
+                for (let i = 0; i < whole.length; i += 4) {
+                    const pixel = [0, 1, 2, 3].map((k) => i + k);
+                    if (Math.max(...pixel.map((at) => Math.abs(whole[at]! - tiled[at]!))) > 3) ++differ;
+                    const [r, g, b] = [whole[i]!, whole[i + 1]!, whole[i + 2]!];
+                    if (Math.max(r, g, b) - Math.min(r, g, b) > 40) ++colours;
+                }
+                return { differing: differ, coloured: colours };
+            });
+            expect(coloured).toBeGreaterThan(10_000);
+            // Of 249 240; at an edge rounding may put a pixel on the other side.
+            expect(differing).toBeLessThan(60);
+        }
+        // Wider than a texture may be here.
+        await chooseSize('picture', 9000, 120);
+        const { width, height, at } = await pixelsOfPng(page, (await saved('#save-picture')).bytes, [{ x: 8990, y: 60 }]);
+        expect([width, height, at[0]]).toEqual([9000, 120, [0, 0, 0, 0]]);
+    });
+});
 
-  it("is shown to be copied by hand where there is no clipboard", async () => {
-    // As in pages that come over plain http from another machine.
-    await page.evaluate(() =>
-      Object.defineProperty(navigator, "clipboard", { value: undefined }),
-    );
-    const button = page
-      .locator('section[aria-labelledby="rake-head"] wakesurf-copy-as')
-      .getByRole("button", { name: "curl" });
-    await button.scrollIntoViewIfNeeded();
-    await button.click();
-    const text = page.getByRole("textbox", { name: "Script" });
-    await text.waitFor();
-    await screenshot(page, "copy-by-hand");
-    await runShell(await text.inputValue());
-    const { rakes } = await records();
-    expect(rakes).toHaveLength(2);
-    const points = (rake: RakeRecord | undefined): Vec3[] => rake?.points ?? [];
-    expect(points(rakes[1])).toEqual(points(rakes[0]));
-    await page.keyboard.press("Escape");
-    await text.waitFor({ state: "hidden" });
-  });
+describe('a film', () => {
+    it('has every frame of the playback; it and one that is cancelled leave the clock as it was', async () => {
+        await streak();
+        const session = await ask(page, (hook) => hook.session);
+        await stand.server.call('time.set', { session, time: 10 });
+        await page.waitForFunction(() => window.wakesurf!.displayed!.time === 10);
+        await toExport();
+        await chooseSize('film', 320, 240);
+        await page.locator('#film-fps').selectOption('12');
+        await page.locator('#film-seconds').fill('1');
+        await page.locator('#film-seconds').press('Tab');
+        const { bytes, name } = await saved('#record-film');
+        expect(name).toBe('sqcyl-film.webm');
+        await expect.poll(async () => (await records()).clock).toMatchObject({ time: 10, playing: false });
+        // In a page without the content security policy of ours, which plays nothing.
+        const player = await context.newPage();
+        const played = await player.evaluate(async (data) => {
+            const content = Uint8Array.from(atob(data), (each) => each.charCodeAt(0));
+            const video = document.createElement('video');
+            video.muted = true;
+            document.body.append(video);
+            video.src = URL.createObjectURL(new Blob([content], { type: 'video/webm' }));
+            await new Promise((resolve, reject) => {
+                video.onloadeddata = resolve;
+                video.onerror = () => reject(new Error(video.error?.message));
+            });
+            const drawing = new OffscreenCanvas(video.videoWidth, video.videoHeight).getContext('2d', {
+                willReadFrequently: true,
+            })!;
+            const frames: Uint8ClampedArray[] = [];
+            for (let i = 0; i < 12; ++i) {
+                const sought = new Promise((resolve) => video.requestVideoFrameCallback(resolve));
+                video.currentTime = (i + 0.5) / 12;
+                await sought;
+                drawing.drawImage(video, 0, 0);
+                frames.push(drawing.getImageData(0, 0, video.videoWidth, video.videoHeight).data);
+            }
+            const differ = (a: Uint8ClampedArray, b: Uint8ClampedArray): number =>
+                a.reduce((sum, value, k) => sum + (Math.abs(value - b[k]!) > 24 ? 1 : 0), 0);
+            const changes = frames.slice(1).map((frame, i) => differ(frame, frames[i]!));
+            return { duration: video.duration, size: [video.videoWidth, video.videoHeight], changes };
+        }, bytes.toString('base64'));
+        await player.close();
+        expect(played.size).toEqual([320, 240]);
+        expect(played.duration).toBeCloseTo(1, 1);
+        // The sheet grows from frame to frame.
+        expect(played.changes).toHaveLength(11);
+        expect(Math.min(...played.changes)).toBeGreaterThan(20);
+        // Another one, and not to its end.
+        await chooseSize('film', 160, 120);
+        await page.locator('#film-seconds').fill('60');
+        await page.locator('#film-seconds').press('Tab');
+        await page.locator('#record-film').click();
+        await page.waitForFunction(() => window.wakesurf!.displayed!.time < 9.5);
+        // Before the first frame it looks what colours range over, at 13 times.
+        await expect.poll(() => page.getByRole('progressbar').getAttribute('max'), { timeout: 30_000 }).toBe('720');
+        await page.getByRole('button', { name: 'Cancel' }).click();
+        await page.locator('#record-film').waitFor();
+        await expect.poll(async () => (await records()).clock.time).toBe(10);
+    });
+});
+
+describe('a mesh', () => {
+    it('is downloaded byte for byte as the server sends it, in every format', async () => {
+        await toExport();
+        const session = await ask(page, (hook) => hook.session);
+        const { surface } = await ask(page, (hook) => hook.displayed!);
+        const headers = { Authorization: `Bearer ${stand.server.token}` };
+        for (const [choice, file] of [
+            ['vtp', 'mesh.vtp'],
+            ['glb-plain', 'mesh.glb?draco=false'],
+            ['glb', 'mesh.glb'],
+            ['ply', 'mesh.ply'],
+            ['obj', 'mesh.obj'],
+            ['drc', 'mesh.drc'],
+        ] as const) {
+            await page.locator('#mesh-format').selectOption(choice);
+            const { name, bytes } = await saved('#download-mesh');
+            const reply = await fetch(new URL(`/api/v1/sessions/${session}/surfaces/${surface}/${file}`, stand.server.link), {
+                headers,
+            });
+            expect(name).toBe(`sqcyl-stream.${choice.split('-')[0]}`);
+            expect(reply.status).toBe(200);
+            const given = Buffer.from(await reply.arrayBuffer());
+            expect(bytes.equals(given), file).toBe(true);
+            if (choice === 'glb-plain') expect(given.includes('KHR_draco_mesh_compression')).toBe(false);
+        }
+    });
+});
+
+describe('a script', () => {
+    const environment = (): NodeJS.ProcessEnv => ({ ...process.env, WAKESURF_TOKEN: stand.server.token });
+    /** After what its first lines say is to be done. */
+    const runPython = async (text: string) => {
+        await runShell(/^# +(curl .*)$/m.exec(text)![1]!);
+        return run('/usr/bin/python3', ['-c', text], { env: environment(), cwd: work.path });
+    };
+    const runShell = (text: string) => run('bash', ['-c', text], { env: environment(), cwd: work.path });
+    const copied = async (within: string, language: string): Promise<string> => {
+        await page.locator(`${within} wakesurf-copy-as`).getByRole('button', { name: language }).click();
+        await page.locator(within).getByText(`Copied as ${language}`).waitFor();
+        const text = await page.evaluate(() => navigator.clipboard.readText());
+        expect(text).not.toContain(stand.server.token);
+        return text;
+    };
+    /** Without what the server adds to each record. */
+    const asked = ({ surface: _surface, rake: _rake, rev: _rev, epoch: _epoch, ...rest }: SurfaceRecord) => rest;
+    const placed = ({ rake: _rake, rev: _rev, author: _author, ...rest }: RakeRecord) => rest;
+
+    it('fetches the surface that is there; where it is gone, it makes the same rake and surface', async () => {
+        await streak();
+        const surfacePanel = 'section[aria-labelledby="surface-head"]';
+        const before = await records();
+        const [python, curl] = [await copied(surfacePanel, 'Python'), await copied(surfacePanel, 'curl')];
+        expect(String((await runPython(python)).stdout)).toMatch(/^\d+ quads$/m);
+        await runShell(curl);
+        expect(readFileSync(join(work.path, 'surface.vtp')).length).toBeGreaterThan(1000);
+        expect(await records()).toEqual(before);
+        const shown = before.surfaces[0]!.surface;
+        for (const [script, runs] of [
+            [python.replaceAll(JSON.stringify(shown), '"gone"'), runPython],
+            [curl.replaceAll(`'${shown}'`, "'gone'"), runShell],
+        ] as const) {
+            await runs(script);
+            const after = await records();
+            const made = after.surfaces.at(-1)!;
+            expect(after.surfaces.map(({ surface }) => surface)).toContain(made.surface);
+            expect(before.surfaces.map(({ surface }) => surface)).not.toContain(made.surface);
+            expect(asked(made)).toEqual(asked(before.surfaces[0]!));
+            const rake = after.rakes.find((each) => each.rake === made.rake)!;
+            expect(placed(rake)).toEqual(placed(before.rakes[0]!));
+            await stand.server.call('rake.delete', {
+                session: await ask(page, (hook) => hook.session),
+                rake: made.rake,
+            });
+        }
+    });
+
+    it('sets the clock, and fetches the mesh', async () => {
+        await streak();
+        const session = await ask(page, (hook) => hook.session);
+        for (const [language, runs, time] of [
+            ['Python', runPython, 11.5],
+            ['curl', runShell, 12],
+        ] as const) {
+            await stand.server.call('time.set', { session, time });
+            await page.waitForFunction((at) => window.wakesurf!.displayed!.time === at, time);
+            const text = await copied('wakesurf-time-bar', language);
+            await stand.server.call('time.set', { session, time: 9 });
+            await runs(text);
+            expect((await records()).clock.time).toBe(time);
+        }
+        await stand.server.call('time.set', { session, time: null });
+        await toExport();
+        await page.locator('#mesh-format').selectOption('ply');
+        const { bytes } = await saved('#download-mesh');
+        for (const [language, runs] of [
+            ['Python', runPython],
+            ['curl', runShell],
+        ] as const) {
+            await runs(await copied('wakesurf-mesh-export', language));
+            expect(readFileSync(join(work.path, 'surface.ply')).equals(bytes)).toBe(true);
+        }
+    });
+
+    it('is shown to be copied by hand where there is no clipboard', async () => {
+        // As in pages that come over plain http from another machine.
+        await page.evaluate(() => Object.defineProperty(navigator, 'clipboard', { value: undefined }));
+        const button = page
+            .locator('section[aria-labelledby="rake-head"] wakesurf-copy-as')
+            .getByRole('button', { name: 'curl' });
+        await button.scrollIntoViewIfNeeded();
+        await button.click();
+        const text = page.getByRole('textbox', { name: 'Script' });
+        await text.waitFor();
+        await screenshot(page, 'copy-by-hand');
+        await runShell(await text.inputValue());
+        const { rakes } = await records();
+        expect(rakes).toHaveLength(2);
+        const points = (rake: RakeRecord | undefined): Vec3[] => rake?.points ?? [];
+        expect(points(rakes[1])).toEqual(points(rakes[0]));
+        await page.keyboard.press('Escape');
+        await text.waitFor({ state: 'hidden' });
+    });
 });

@@ -1,140 +1,99 @@
 // The first minute on a telephone: fingers, little room, and nothing in the way of what the tour asks for.
-import type { Page } from "playwright-core";
-import { afterEach, describe, expect, it } from "vitest";
-import { ask, finalSurface, screenshot } from "./support/browser_page.ts";
-import { useStand } from "./support/stand.ts";
+import type { Page } from 'playwright-core';
+import { afterEach, describe, expect, it } from 'vitest';
+import { ask, finalSurface, screenshot } from './support/browser_page.ts';
+import { useStand } from './support/stand.ts';
 
 const stand = useStand();
 let page: Page;
 
 async function visit(width: number, height: number): Promise<void> {
-  const context = await stand.browser.newContext({
-    viewport: { width, height },
-    hasTouch: true,
-    isMobile: true,
-    reducedMotion: "reduce",
-  });
-  page = await context.newPage();
-  await page.goto(await stand.server.newSession());
-  await finalSurface(page);
-  await page.getByRole("region", { name: "Tour" }).waitFor();
+    const context = await stand.browser.newContext({
+        viewport: { width, height },
+        hasTouch: true,
+        isMobile: true,
+        reducedMotion: 'reduce',
+    });
+    page = await context.newPage();
+    await page.goto(await stand.server.newSession());
+    await finalSurface(page);
+    await page.getByRole('region', { name: 'Tour' }).waitFor();
 }
 
 afterEach(async () => {
-  await page.context().close();
+    await page.context().close();
 });
 
-const covers = async (
-  name: string,
-  at: { x: number; y: number },
-  px: number,
-): Promise<boolean> => {
-  const box = await page.locator(name).first().boundingBox();
-  if (box === null) return false;
-  return (
-    at.x > box.x - px &&
-    at.x < box.x + box.width + px &&
-    at.y > box.y - px &&
-    at.y < box.y + box.height + px
-  );
+const covers = async (name: string, at: { x: number; y: number }, px: number): Promise<boolean> => {
+    const box = await page.locator(name).first().boundingBox();
+    if (box === null) return false;
+    return at.x > box.x - px && at.x < box.x + box.width + px && at.y > box.y - px && at.y < box.y + box.height + px;
 };
 
 describe.each([
-  ["upright", 390, 844],
-  ["on its side", 844, 390],
-])("a telephone, %s", (_, width, height) => {
-  it("shows the handles beside the card that speaks of them, and takes each by a finger", async () => {
-    await visit(width, height);
-    await screenshot(page, `phone-tour-${width}`);
-    for (const handle of [0, 1, "middle", "rotate"] as const) {
-      const at = (await page.evaluate(
-        (each) => window.wakesurf!.handleOnScreen(each),
-        handle,
-      ))!;
-      for (const part of [
-        "wakesurf-tour section",
-        "wakesurf-scalar-bar",
-        "wakesurf-tool-buttons",
-        "wakesurf-time-bar",
-      ]) {
-        expect(await covers(part, at, 8), `${handle} under ${part}`).toBe(
-          false,
-        );
-      }
-      expect(at.x).toBeGreaterThan(0);
-      expect(at.x).toBeLessThan(width);
-    }
-    await page.getByRole("button", { name: "Next", exact: true }).click();
-    await page.getByText(/with two fingers to pan, and pinch/).waitFor();
-  });
-
-  it("says how far the surface is without scrolling", async () => {
-    await visit(width, height);
-    await page.getByRole("button", { name: "Skip" }).click();
-    for (const tab of ["Look", "Flow"]) {
-      await page.getByRole("tab", { name: tab }).click();
-      const box = (await page
-        .locator("wakesurf-status")
-        .getByText(/^Final/)
-        .boundingBox())!;
-      expect(box.y).toBeGreaterThan(0);
-      expect(box.y + box.height).toBeLessThanOrEqual(height);
-    }
-  });
-
-  it("turns the view by a drag that begins on the bar of colours", async () => {
-    await visit(width, height);
-    const bar = (await page.locator("wakesurf-scalar-bar").boundingBox())!;
-    const before = await ask(page, (hook) => hook.camera.position);
-    const touch = await page.context().newCDPSession(page);
-    const points = (dx: number) => [
-      { x: bar.x + bar.width / 2 + dx, y: bar.y + bar.height / 2 },
-    ];
-    await touch.send("Input.dispatchTouchEvent", {
-      type: "touchStart",
-      touchPoints: points(0),
+    ['upright', 390, 844],
+    ['on its side', 844, 390],
+])('a telephone, %s', (_, width, height) => {
+    it('shows the handles beside the card that speaks of them, and takes each by a finger', async () => {
+        await visit(width, height);
+        await screenshot(page, `phone-tour-${width}`);
+        for (const handle of [0, 1, 'middle', 'rotate'] as const) {
+            const at = (await page.evaluate((each) => window.wakesurf!.handleOnScreen(each), handle))!;
+            for (const part of ['wakesurf-tour section', 'wakesurf-scalar-bar', 'wakesurf-tool-buttons', 'wakesurf-time-bar']) {
+                expect(await covers(part, at, 8), `${handle} under ${part}`).toBe(false);
+            }
+            expect(at.x).toBeGreaterThan(0);
+            expect(at.x).toBeLessThan(width);
+        }
+        await page.getByRole('button', { name: 'Next', exact: true }).click();
+        await page.getByText(/with two fingers to pan, and pinch/).waitFor();
     });
-    for (const dx of [10, 30, 60, 90]) {
-      await touch.send("Input.dispatchTouchEvent", {
-        type: "touchMove",
-        touchPoints: points(dx),
-      });
-    }
-    await touch.send("Input.dispatchTouchEvent", {
-      type: "touchEnd",
-      touchPoints: [],
+
+    it('says how far the surface is without scrolling', async () => {
+        await visit(width, height);
+        await page.getByRole('button', { name: 'Skip the tour' }).click();
+        for (const tab of ['Look', 'Flow']) {
+            await page.getByRole('tab', { name: tab }).click();
+            const box = (await page
+                .locator('wakesurf-status')
+                .getByText(/^Final/)
+                .boundingBox())!;
+            expect(box.y).toBeGreaterThan(0);
+            expect(box.y + box.height).toBeLessThanOrEqual(height);
+        }
     });
-    await expect
-      .poll(() => ask(page, (hook) => hook.camera.position))
-      .not.toEqual(before);
-  });
+
+    it('turns the view by a drag that begins on the bar of colours', async () => {
+        await visit(width, height);
+        const bar = (await page.locator('wakesurf-scalar-bar').boundingBox())!;
+        const before = await ask(page, (hook) => hook.camera.position);
+        const touch = await page.context().newCDPSession(page);
+        const points = (dx: number) => [{ x: bar.x + bar.width / 2 + dx, y: bar.y + bar.height / 2 }];
+        await touch.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: points(0) });
+        for (const dx of [10, 30, 60, 90]) {
+            await touch.send('Input.dispatchTouchEvent', { type: 'touchMove', touchPoints: points(dx) });
+        }
+        await touch.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
+        await expect.poll(() => ask(page, (hook) => hook.camera.position)).not.toEqual(before);
+    });
 });
 
-describe("a telephone whose panel is folded", () => {
-  it("still shows the whole surface", async () => {
-    await visit(390, 844);
-    await page.getByRole("button", { name: "Skip the tour" }).click();
-    await page.getByRole("button", { name: /panel/i }).first().click();
-    const outside = (): Promise<number> =>
-      ask(page, (hook) => {
-        const box = document
-          .querySelector("wakesurf-app")!
-          .shadowRoot!.querySelector("canvas")!
-          .getBoundingClientRect();
-        const seen = hook.vertices(5).map(({ point }) => hook.project(point)!);
-        return seen.filter(
-          ({ x, y }) =>
-            x < box.left || x > box.right || y < box.top || y > box.bottom,
-        ).length;
-      });
-    await page.waitForFunction(
-      () =>
-        document
-          .querySelector("wakesurf-app")!
-          .shadowRoot!.querySelector("canvas")!
-          .getBoundingClientRect().height > 500,
-    );
-    await expect.poll(outside).toBe(0);
-    await screenshot(page, "phone-folded");
-  });
+describe('a telephone whose panel is folded', () => {
+    it('still shows the whole surface', async () => {
+        await visit(390, 844);
+        await page.getByRole('button', { name: 'Skip the tour' }).click();
+        await page.getByRole('button', { name: /panel/i }).first().click();
+        const outside = (): Promise<number> =>
+            ask(page, (hook) => {
+                const box = document.querySelector('wakesurf-app')!.shadowRoot!.querySelector('canvas')!.getBoundingClientRect();
+                const seen = hook.vertices(5).map(({ point }) => hook.project(point)!);
+                return seen.filter(({ x, y }) => x < box.left || x > box.right || y < box.top || y > box.bottom).length;
+            });
+        await page.waitForFunction(
+            () =>
+                document.querySelector('wakesurf-app')!.shadowRoot!.querySelector('canvas')!.getBoundingClientRect().height > 500,
+        );
+        await expect.poll(outside).toBe(0);
+        await screenshot(page, 'phone-folded');
+    });
 });
