@@ -129,6 +129,40 @@ describe('the box of the domain', () => {
     });
 });
 
+describe('the line of a measure', () => {
+    it('is as wide in a picture of many pixels as on the page', async () => {
+        const page = await stand.visit(size);
+        await page.evaluate(() => window.wakesurf!.setCamera([5, -26, 8], [5, 0, 3]));
+        const scales = [1, 3];
+        const bare: Awaited<ReturnType<typeof figure>>[] = [];
+        for (const scale of scales) bare.push(await figure(page, { scale, axes: false }));
+        await page.getByRole('tab', { name: 'View' }).click();
+        await page.getByRole('button', { name: 'Measure', exact: true }).click();
+        const ends = [
+            { x: 300, y: 260 },
+            { x: 430, y: 240 },
+        ] as const;
+        for (const { x, y } of ends) await page.mouse.click(x, y);
+        await page.locator('#measured dd').first().waitFor();
+        for (const [i, scale] of scales.entries()) {
+            const { rgba, inFigure } = await figure(page, { scale, axes: false });
+            // Away from both ends and from the words in the middle.
+            const widths = [0.12, 0.16, 0.2, 0.24, 0.78, 0.82, 0.86].map((part) => {
+                const at = inFigure(ends[0].x + part * (ends[1].x - ends[0].x), ends[0].y + part * (ends[1].y - ends[0].y));
+                const reach = Math.ceil(6 * scale);
+                const by = Array.from({ length: 2 * reach + 1 }, (_, k) => {
+                    const [column, row] = [at.x, at.y + k - reach];
+                    return apart(rgba(column, row), bare[i]!.rgba(column, row));
+                });
+                return by.reduce((sum, each) => sum + each, 0) / Math.max(...by) / scale;
+            });
+            widths.sort((a, b) => a - b);
+            expect(Math.abs(widths[3]! - 1.5)).toBeLessThan(0.4);
+        }
+        await page.context().close();
+    });
+});
+
 describe('words in a figure', () => {
     it('grow with it, and have a sixtieth of its height at least, however tall the page', async () => {
         const heightOf = async (page: Page, scale: number): Promise<{ rows: number; of: number }> => {

@@ -1,6 +1,6 @@
 // The picture: surfaces, rake, domain and body, drawn on demand. Knows nothing of the server; session/ feeds it and listens
 // to it.
-import { type BufferGeometry, type Color, type Material, type Mesh, Scene, WebGLRenderer } from 'three';
+import { type Color, Scene, WebGLRenderer } from 'three';
 import type { BodyMesh } from '../mesh/bodyMesh.ts';
 import type { TimedMeshChange } from '../mesh/meshChange.ts';
 import type { Vec3 } from '../protocol/messages.ts';
@@ -20,6 +20,7 @@ import { RakeInteraction } from './rake/rakeInteraction.ts';
 import { RakeLayer } from './rake/rakeLayer.ts';
 import { SampledPicture, samplePlaces } from './sampledPicture.ts';
 import { Stillness } from './stillness.ts';
+import { pushBack } from './surface/bodyDepth.ts';
 import { clipMaterial } from './surface/bodyClip.ts';
 import { SurfaceLayer } from './surface/surfaceLayer.ts';
 import type { PickGrid, PickHit, PickOptions } from './surface/pickHit.ts';
@@ -89,7 +90,7 @@ export class FlowScene {
     /** While a figure is drawn, which has another size than the canvas. */
     private figureSize: ScreenSize | null = null;
     private outline: DomainOutline | null = null;
-    private obstacle: Mesh<BufferGeometry, Material> | null = null;
+    private obstacle: ReturnType<typeof createObstacleMesh> | null = null;
     /** What lies over the picture, over that of a figure too. */
     private cover: Cover | null = null;
     private bodyPlanes: readonly [number, number, number, number][] = [];
@@ -221,6 +222,7 @@ export class FlowScene {
     setObstacle(body: BodyMesh): void {
         this.removeObstacle();
         this.obstacle = createObstacleMesh(body);
+        pushBack(this.obstacle.material, this.surfaces.bodyPush);
         clipMaterial(this.obstacle.material, this.bodyPlanes);
         this.scene.add(this.obstacle);
         this.loop.request();

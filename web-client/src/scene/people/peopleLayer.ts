@@ -1,19 +1,10 @@
 // The others in the picture: where they look from, as the lines of their camera, and what they point at, each in their colour
 // and with their name.
-import {
-    BufferAttribute,
-    BufferGeometry,
-    Color,
-    Group,
-    LineBasicMaterial,
-    LineSegments,
-    Mesh,
-    MeshBasicMaterial,
-    SphereGeometry,
-} from 'three';
+import { Color, Group, Mesh, MeshBasicMaterial, SphereGeometry } from 'three';
 import type { Participant, Vec3 } from '../../protocol/messages.ts';
 import { Labels } from '../base/labels.ts';
 import type { Layer, View } from '../base/view.ts';
+import { tintOf, WideLines } from '../base/wideLines.ts';
 import { arrowTowards, edgeHint } from './edgeHint.ts';
 import { frustumSegments, looksFromHere } from './frustum.ts';
 
@@ -21,25 +12,21 @@ const pointerRadiusPx = 6;
 const nameGapPx = 14;
 /** The buttons of view and tools are above and to the right. */
 const hintInsets = { left: 8, right: 100, top: 48, bottom: 8 };
-const frustumFloats = 16 * 3;
+const frustumWidthPx = 1.5;
 
 /** What is drawn of one person. */
 class Figure {
     readonly object = new Group();
     participant: Participant;
     readonly pointer: Mesh<SphereGeometry, MeshBasicMaterial>;
-    readonly frustum: LineSegments<BufferGeometry, LineBasicMaterial>;
+    readonly frustum = new WideLines({ width: frustumWidthPx, hidden: true });
 
     constructor(participant: Participant, sphere: SphereGeometry) {
         this.participant = participant;
         const overEverything = { depthTest: false, depthWrite: false, transparent: true };
         this.pointer = new Mesh(sphere, new MeshBasicMaterial(overEverything));
         this.pointer.renderOrder = 30;
-        const lines = new BufferGeometry();
-        lines.setAttribute('position', new BufferAttribute(new Float32Array(frustumFloats), 3));
-        this.frustum = new LineSegments(lines, new LineBasicMaterial());
-        this.frustum.frustumCulled = false;
-        this.object.add(this.pointer, this.frustum);
+        this.object.add(this.pointer, this.frustum.object);
         this.become(participant);
     }
 
@@ -47,21 +34,15 @@ class Figure {
         this.participant = participant;
         const colour = new Color(participant.colour);
         this.pointer.material.color = colour;
-        this.frustum.material.color = colour;
         const { camera, pointer } = participant;
         const segments = camera === undefined || camera === null ? [] : frustumSegments(camera);
         this.pointer.visible = pointer !== undefined && pointer !== null;
-        this.frustum.geometry.setDrawRange(0, segments.length);
-        if (segments.length === 0) return;
-        const position = this.frustum.geometry.getAttribute('position') as BufferAttribute;
-        position.set(segments.flat());
-        position.needsUpdate = true;
+        this.frustum.set(segments.flat(), Array.from({ length: segments.length / 2 }, () => tintOf(colour)).flat());
     }
 
     dispose(): void {
         this.pointer.material.dispose();
-        this.frustum.material.dispose();
-        this.frustum.geometry.dispose();
+        this.frustum.dispose();
     }
 }
 
@@ -102,7 +83,8 @@ export class PeopleLayer implements Layer {
         for (const { participant, pointer, frustum } of this.figures.values()) {
             const { pointer: pointsAt = null, camera = null } = participant;
             const eye = camera !== null && !looksFromHere(view, camera) ? camera.position : null;
-            frustum.visible = eye !== null;
+            frustum.object.visible = eye !== null;
+            frustum.update(view);
             if (pointsAt !== null) {
                 pointer.position.set(...pointsAt);
                 pointer.scale.setScalar(view.worldPerPx(pointsAt) * pointerRadiusPx);

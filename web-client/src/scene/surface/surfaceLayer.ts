@@ -2,6 +2,7 @@
 import { Group, type Scene, type Vector4, WebGLRenderTarget } from 'three';
 import type { TimedMeshChange } from '../../mesh/meshChange.ts';
 import type { Bounds } from '../domain/domainAxes.ts';
+import { bodyPush } from './bodyDepth.ts';
 import { decodeMask } from './maskCode.ts';
 import { SurfaceMask, type BrushPrint } from './surfaceMask.ts';
 import { SurfaceMesh, type SurfaceVertex } from './surfaceMesh.ts';
@@ -42,6 +43,8 @@ export class SurfaceLayer {
     readonly shared = sharedUniforms(this.textures);
     /** Planes (n, w) that cut the body: nothing is left where n . point > w. */
     readonly bodyClip = { value: noPlanes() };
+    /** How much further from the eye the body is drawn, in depth alone. */
+    readonly bodyPush = { value: 0 };
     readonly transparency = new Transparency(this.shared.depthRange.value, this.shared);
     private readonly surfaces = new Map<string, DrawnSurface>();
     private readonly styles = new Map<string, SurfaceStyle>();
@@ -66,6 +69,8 @@ export class SurfaceLayer {
     }
 
     setBounds(bounds: readonly [number, number, number, number, number, number]): void {
+        const [x0, x1, y0, y1, z0, z1] = bounds;
+        this.bodyPush.value = bodyPush * Math.hypot(x1 - x0, y1 - y0, z1 - z0);
         this.transparency.setBounds(bounds);
     }
 

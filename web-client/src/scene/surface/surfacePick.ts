@@ -17,6 +17,7 @@ import {
 } from 'three';
 import type { Vec3 } from '../../protocol/messages.ts';
 import { isOrthographic, type ScreenPoint, type View } from '../base/view.ts';
+import { pushBackGlsl } from './bodyDepth.ts';
 import type { PickGrid, PickHit, PickOptions } from './pickHit.ts';
 import type { SurfaceLayer } from './surfaceLayer.ts';
 
@@ -37,7 +38,7 @@ export class SurfacePick {
             glslVersion: GLSL3,
             vertexShader: bodyVertexShader,
             fragmentShader: bodyFragmentShader,
-            uniforms: { clip: layer.bodyClip },
+            uniforms: { clip: layer.bodyClip, push: layer.bodyPush },
             side: DoubleSide,
             blending: NoBlending,
         });
@@ -142,12 +143,14 @@ function hitOf(place: Float32Array, numbers: Float32Array, surfaces: readonly Pi
 const bodyVertexShader = `
 out vec3 worldPosition;
 out float depth;
+${pushBackGlsl}
 void main() {
     vec4 inWorld = modelMatrix * vec4(position, 1.0);
     worldPosition = inWorld.xyz;
     vec4 inView = viewMatrix * inWorld;
     depth = -inView.z;
     gl_Position = projectionMatrix * inView;
+    pushBack(inView);
 }`;
 
 const bodyFragmentShader = `

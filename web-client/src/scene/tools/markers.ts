@@ -1,19 +1,10 @@
 // Points in space that someone has set: where was probed, what was measured, where words stand. They keep their size on the
 // screen and show through what is before them.
-import {
-    BufferAttribute,
-    BufferGeometry,
-    Color,
-    Group,
-    LineBasicMaterial,
-    LineSegments,
-    Mesh,
-    MeshBasicMaterial,
-    SphereGeometry,
-} from 'three';
+import { Color, Group, Mesh, MeshBasicMaterial, SphereGeometry } from 'three';
 import type { Vec3 } from '../../protocol/messages.ts';
 import { Labels } from '../base/labels.ts';
 import type { Layer, View } from '../base/view.ts';
+import { tintOf, WideLines } from '../base/wideLines.ts';
 
 export interface Marker {
     at: Vec3;
@@ -31,6 +22,7 @@ export interface MarkedLine {
 }
 
 const radiusPx = 5;
+const lineWidthPx = 1.5;
 const wordsGapPx = 16;
 
 export class MarkerLayer implements Layer {
@@ -38,18 +30,15 @@ export class MarkerLayer implements Layer {
     private readonly labels: Labels;
     private readonly sphere = new SphereGeometry(1, 16, 12);
     private readonly dots: Mesh<SphereGeometry, MeshBasicMaterial>[] = [];
-    private readonly lines: LineSegments<BufferGeometry, LineBasicMaterial>;
+    private readonly lines = new WideLines({ width: lineWidthPx, hidden: false });
     private markers: readonly Marker[] = [];
     private marked: readonly MarkedLine[] = [];
 
     /** @param layer takes the words */
     constructor(layer: HTMLElement) {
         this.labels = new Labels(layer);
-        const material = new LineBasicMaterial({ vertexColors: true, depthTest: false, transparent: true });
-        this.lines = new LineSegments(new BufferGeometry(), material);
-        this.lines.frustumCulled = false;
-        this.lines.renderOrder = 31;
-        this.object.add(this.lines);
+        this.lines.object.renderOrder = 31;
+        this.object.add(this.lines.object);
     }
 
     set(markers: readonly Marker[], lines: readonly MarkedLine[] = []): void {
@@ -68,10 +57,14 @@ export class MarkerLayer implements Layer {
             dot.position.set(...marker.at);
             dot.material.color.set(marker.colour);
         });
-        this.fillLines();
+        this.lines.set(
+            lines.flatMap(({ from, to }) => [...from, ...to]),
+            lines.flatMap(({ colour }) => tintOf(new Color(colour))),
+        );
     }
 
     update(view: View): void {
+        this.lines.update(view);
         this.labels.begin();
         this.markers.forEach(({ at, words, colour }, i) => {
             this.dots[i]?.scale.setScalar(view.worldPerPx(at) * radiusPx);
@@ -81,18 +74,6 @@ export class MarkerLayer implements Layer {
             this.say(view, from.map((value, i) => (value + to[i]!) / 2) as Vec3, words, colour);
         }
         this.labels.end();
-    }
-
-    private fillLines(): void {
-        const { geometry } = this.lines;
-        const positions = this.marked.flatMap(({ from, to }) => [...from, ...to]);
-        const colours = this.marked.flatMap(({ colour }) => {
-            const { r, g, b } = new Color(colour);
-            return [r, g, b, r, g, b];
-        });
-        geometry.setAttribute('position', new BufferAttribute(new Float32Array(positions), 3));
-        geometry.setAttribute('color', new BufferAttribute(new Float32Array(colours), 3));
-        this.lines.visible = positions.length > 0;
     }
 
     private say(view: View, at: Vec3, words: string, colour: string): void {
