@@ -34,6 +34,8 @@ std::string progress_line(const ImportProgress& progress) {
         line["note"] = progress.note;
     if (progress.remaining)
         line["remaining"] = *progress.remaining;
+    if (!progress.velocities.empty())
+        line["velocities"] = progress.velocities;
     return protocol::json_text(line);
 }
 
@@ -52,12 +54,18 @@ std::optional<ImportProgress> parse_progress_line(std::string_view line) {
         progress.note = members.text("note");
     if (members.has("remaining"))
         progress.remaining = members.number("remaining");
+    if (members.has("velocities"))
+        for (const auto& each : members.list("velocities"))
+            if (each.is_string())
+                progress.velocities.push_back(each.get<std::string>());
     if (!members.verdict() || progress.done > progress.total)
         return std::nullopt;
     return progress;
 }
 
 void show_progress(const ImportProgress& progress, std::FILE* stream, std::string_view work) {
+    if (!progress.velocities.empty())
+        return; // the error that follows names them
     const bool terminal = ::isatty(::fileno(stream)) != 0;
     const std::string line_start = std::string(terminal ? "\r\033[K" : "") + std::string(work);
     if (!progress.note.empty())

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace wakesurf::store {
 
@@ -17,6 +18,8 @@ struct ImportProgress {
     std::string note;                  ///< for people; may be empty
     double part = 0.0;                 ///< of the one being worked on, 0..1; on a terminal only
     std::optional<double> remaining{}; ///< seconds, as far as can be told
+    /// What the velocity could be, by name: the import ends, as that is not clear.
+    std::vector<std::string> velocities{};
 };
 
 /// `{"phase":"import","done":3,"total":16,"file":"...","remaining":2.5}`, without a line end, and back.

@@ -1,5 +1,6 @@
 #include "server/catalogue/dataset_catalogue.hpp"
 
+#include "server/base/private_file.hpp"
 #include "server/catalogue/import_memory.hpp"
 #include "server/catalogue/import_process.hpp"
 #include "store/store_manifest.hpp"
@@ -10,6 +11,12 @@
 namespace wakesurf::server {
 
 using core::Error;
+
+namespace {
+
+constexpr std::size_t longest_choice = 4096; // bytes
+
+} // namespace
 
 core::Result<std::unique_ptr<DatasetCatalogue>> DatasetCatalogue::open(
     const std::vector<std::string>& arguments, OpenOptions options, Listener listener) {
@@ -58,6 +65,10 @@ core::Result<void> DatasetCatalogue::add(const std::string& text) {
     auto entry = std::make_unique<Entry>(mutex_, options_.cache);
     entry->argument = std::move(*argument);
     entry->taken = options_.taken;
+    if (entry->argument.kind == DatasetArgument::Kind::Source && entry->taken.velocity.empty())
+        if (const auto chosen = read_private_file(choice_file(*entry), longest_choice);
+            chosen && chosen->find('\n') == std::string::npos)
+            entry->taken.velocity = *chosen;
     entry->status.name = entry->argument.name;
     if (entry->argument.kind == DatasetArgument::Kind::Flow) {
         auto flow = open_flow(entry->argument);
@@ -71,6 +82,11 @@ core::Result<void> DatasetCatalogue::add(const std::string& text) {
     }
     entries_.push_back(std::move(entry));
     return {};
+}
+
+/// What somebody has chosen as the velocity of a source in which it is not clear: beside the store that it has without that.
+std::filesystem::path DatasetCatalogue::choice_file(const Entry& entry) const {
+    return store_folder(options_.store_root, entry.argument, options_.taken).string() + ".velocity";
 }
 
 std::string DatasetCatalogue::unused_id(const std::string& name) const {
@@ -194,6 +210,8 @@ void DatasetCatalogue::import_one(Entry& entry, const std::stop_token& stop) {
         return entry.give_up(folder, imported.error());
     }
     auto opened = entry.reopened(folder);
+    if (const auto taken = entry.taken_now(); opened && taken.velocity != options_.taken.velocity)
+        (void)write_private_file(choice_file(entry), taken.velocity); // else it holds until the end
     entry.failed = !opened;
     entry.failures = opened ? 0 : entry.failures + 1;
     entry.finish(std::move(opened));
@@ -243,6 +261,10 @@ core::Result<void> DatasetCatalogue::import_within(Entry& entry,
     const auto memory = import_memory(options_, lanes, stop);
     if (!memory)
         return tl::unexpected(memory.error());
+    {
+        const std::scoped_lock lock(mutex_);
+        entry.status.velocities.clear();
+    }
     const auto listener = [&](const store::ImportProgress& progress) {
         if (entry.show(progress, folder))
             listener_(entry.status.dataset);

@@ -52,7 +52,8 @@ class DatasetCatalogue {
     /// Begins an import that was stopped again, where it ended. False when it was not stopped.
     bool start_import(std::string_view dataset);
 
-    /// Imports a dataset of which nothing is there, as its velocity was not clear, with this one; it holds until the server ends.
+    /// Imports a dataset of which nothing is there, as its velocity was not clear, with this one. Once that has worked, later servers take
+    /// it as well, as long as they have the same folder of stores and no --velocity.
     /// Nothing where it is shown with that velocity already. Error: NotFound; InvalidArgument for a store or a built-in flow, and
     /// where the dataset is shown with another velocity: nobody's flow changes under their surfaces.
     core::Result<void> choose_velocity(std::string_view dataset, const std::string& velocity);
@@ -64,6 +65,7 @@ class DatasetCatalogue {
         : options_(std::move(options)), listener_(std::move(listener)) {}
 
     core::Result<void> add(const std::string& argument);
+    std::filesystem::path choice_file(const Entry& entry) const;
     std::string unused_id(const std::string& name) const;
     Entry* find_entry(std::string_view dataset) const;
     std::filesystem::path store_folder_of(const Entry& entry) const;

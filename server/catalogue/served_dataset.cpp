@@ -78,6 +78,10 @@ void ServedDataset::notice_replacement() {
 // Who is told of ready time-steps asks for them at once: they are counted once find() has them, and not before.
 bool ServedDataset::show(const store::ImportProgress& progress,
                          const std::filesystem::path& folder) {
+    if (!progress.velocities.empty()) {
+        const std::scoped_lock lock(guard_);
+        status.velocities = progress.velocities;
+    }
     if (progress.done > 0)
         notice_replacement();
     if (settled(state()))
@@ -122,6 +126,7 @@ void ServedDataset::finish(core::Result<LoadedDataset> opened, Ending how) {
         status.error = opened.error();
         return;
     }
+    status.velocities.clear();
     if (how == Ending::Whole) {
         const std::size_t total = opened->info.times.size();
         status.state = ready < total ? DatasetState::Incomplete : DatasetState::Ready;

@@ -11,6 +11,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 namespace wakesurf::server {
 
@@ -28,6 +29,8 @@ struct DatasetStatus {
     std::optional<double> remaining; ///< seconds the import will still take, once that can be told
     std::string
         values; ///< what its values are told from others by (store::ValueMarks); empty: a built-in flow
+    std::vector<std::string>
+        velocities; ///< of one that failed as its velocity is not clear: what choose_velocity takes
     std::optional<core::Error>
         error; ///< why it failed or is incomplete; of one that is ready, why what was looked for since could not be read
 };

@@ -301,7 +301,9 @@ core::Result<void> convert(const ImportRequest& request,
                            const std::filesystem::path& store,
                            const ShowProgress& show) {
     keep_vtk_to_one_thread();
-    auto plan = make_plan(request);
+    auto plan = make_plan(request, [&](std::vector<std::string> velocities) {
+        show({"velocity", 0, 0, {}, {}, 0.0, {}, std::move(velocities)});
+    });
     if (!plan)
         return tl::unexpected(plan.error());
     auto writer = store::StoreWriter::open(store, [&] {

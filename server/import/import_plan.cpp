@@ -3,6 +3,7 @@
 #include "server/import/assembly/obstacle_mask.hpp"
 #include "server/import/progress_marks.hpp"
 #include "server/import/sources/series/series_times.hpp"
+#include "server/import/velocity_choice.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -99,7 +100,7 @@ std::string ImportPlan::step_name(std::size_t index) const {
     return step + " of " + source->description().name;
 }
 
-core::Result<ImportPlan> make_plan(const ImportRequest& request) {
+core::Result<ImportPlan> make_plan(const ImportRequest& request, const UnclearVelocity& unclear) {
     auto source = open_source(request.source, request.taken);
     if (!source)
         return tl::unexpected(source.error());
@@ -129,7 +130,10 @@ core::Result<ImportPlan> make_plan(const ImportRequest& request) {
     plan.source = std::move(*source);
     FieldWish wish{request.fields, request.taken.velocity};
     do {
-        auto choice = choose_fields(plan.source->description().fields, wish);
+        const auto& fields = plan.source->description().fields;
+        auto choice = choose_fields(fields, wish);
+        if (!choice && unclear && !choose_velocity(fields, wish.velocity))
+            unclear(velocity_candidates(fields));
         if (!choice)
             return core::fail(choice.error().code,
                               plan.step_name(0) + ": " + choice.error().message,

@@ -9,6 +9,7 @@
 #include "store/store_manifest.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -47,9 +48,13 @@ struct ImportPlan {
     }
 };
 
+/// Told what the velocity could be, where that is not clear: velocity_candidates.
+using UnclearVelocity = std::function<void(std::vector<std::string>)>;
+
 /// Opens the source. Error: as open_source, choose_fields and select_times; Corrupt for times that do not rise; InvalidArgument,
 /// beginning with the option, for --dt or --start where the source states its times.
-core::Result<ImportPlan> make_plan(const ImportRequest& request);
+core::Result<ImportPlan> make_plan(const ImportRequest& request,
+                                   const UnclearVelocity& unclear = {});
 
 /// An error about a time-step that was not told which. @param error  to be read after the name
 core::Error about_step(const ImportPlan& plan, std::size_t index, core::Error error);

@@ -284,6 +284,32 @@ std::set<std::string> possible_velocity(const Fields& fields, const std::string&
     return out;
 }
 
+std::vector<std::string> velocity_candidates(const Fields& fields) {
+    constexpr std::size_t most = 32;
+    std::vector<std::string> out;
+    const auto add = [&](const std::string& wish) {
+        if (out.size() < most && std::find(out.begin(), out.end(), wish) == out.end() &&
+            Wish(fields, wish).find())
+            out.push_back(wish);
+    };
+    const auto add_vectors = [&](bool something_else) {
+        for (const auto& field : fields)
+            if (field.components == 3 && !is_vector(field, VectorName::Momentum) &&
+                is_vector(field, VectorName::Other) == something_else)
+                add(field.name);
+    };
+    add_vectors(false);
+    for (const auto source : places)
+        for (const auto& parts : velocity_components(fields, source))
+            add(parts[0].name + "," + parts[1].name + "," + parts[2].name);
+    for (const auto& momentum : fields)
+        for (const auto& density : fields)
+            if (is_vector(momentum, VectorName::Momentum) && is_density(density))
+                add(momentum.name + "," + density.name);
+    add_vectors(true);
+    return out;
+}
+
 core::Result<VelocityChoice> choose_velocity(const Fields& fields, const std::string& wish) {
     if (!wish.empty())
         return Wish(fields, wish).find();

@@ -28,6 +28,9 @@ struct VelocityChoice {
 core::Result<VelocityChoice> choose_velocity(const std::vector<core::FieldInfo>& fields,
                                              const std::string& wish);
 
+/// Wishes that choose_velocity would follow, the likeliest first: for somebody who has to choose. At most 32.
+std::vector<std::string> velocity_candidates(const std::vector<core::FieldInfo>& fields);
+
 /// Names of the arrays that choose_velocity takes of `fields`; of all vectors, where it finds none or several.
 std::set<std::string> possible_velocity(const std::vector<core::FieldInfo>& fields,
                                         const std::string& wish);

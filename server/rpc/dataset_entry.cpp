@@ -22,6 +22,8 @@ nlohmann::json dataset_entry(const DatasetStatus& status) {
         if (status.remaining)
             out["remaining"] = *status.remaining;
     }
+    if (!status.velocities.empty())
+        out["velocities"] = status.velocities;
     if (status.error)
         out["error"] = error_json(*status.error);
     return out;

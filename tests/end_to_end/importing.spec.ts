@@ -13,6 +13,7 @@ const steps = 400;
 const side = 56;
 let browser: Browser;
 const folders = [temporaryFolder(), temporaryFolder()] as const;
+const two = [temporaryFolder(), temporaryFolder(), temporaryFolder()] as const;
 let server: ServerProcess;
 
 function writeSlowSeries(folder: string): string {
@@ -53,7 +54,7 @@ beforeAll(async () => {
 afterAll(async () => {
     await closePages();
     await server?.stop();
-    for (const folder of folders) folder.remove();
+    for (const folder of [...folders, ...two]) folder.remove();
 });
 
 describe('an import', () => {
@@ -87,5 +88,70 @@ describe('an import', () => {
         await two.locator('#importing').getByRole('button', { name: 'Stop' }).waitFor();
         await two.locator('#import-stopped').waitFor({ state: 'detached' });
         await finalSurface(two);
+    });
+});
+
+/** Air at 1 m/s along x, water at 2 along z. */
+function writeTwoPhases(folder: string): string {
+    const file = join(folder, 'two.vti');
+    const nodes = 5 ** 3;
+    const array = (name: string, value: string) =>
+        `<DataArray type="Float32" Name="${name}" NumberOfComponents="3" format="ascii">${value.repeat(nodes)}</DataArray>`;
+    writeFileSync(
+        file,
+        `<?xml version="1.0"?>
+<VTKFile type="ImageData" version="0.1" byte_order="LittleEndian">
+<ImageData WholeExtent="0 4 0 4 0 4" Origin="0 0 0" Spacing="1 1 1"><Piece Extent="0 4 0 4 0 4"><PointData>
+${array('U.air', '1 0 0 ')}${array('U.water', '0 0 2 ')}
+</PointData><CellData></CellData></Piece></ImageData></VTKFile>`,
+    );
+    return file;
+}
+
+describe('data in which it is not clear which field is the velocity', () => {
+    it('ask for it, show what was chosen, and do not ask again after a reload or a restart', async () => {
+        const [data, state, store] = two.map(({ path }) => path) as [string, string, string];
+        const options = {
+            data: writeTwoPhases(data),
+            state,
+            store,
+            tokenFile: join(state, 'token'),
+        };
+        let unclear = await ServerProcess.start(options);
+        const context = await newContext(browser, { width: 800, height: 500 });
+        const page = await openPage(context, unclear.link);
+        const question = page.locator('#velocity-unclear');
+        await question
+            .getByText('It is not clear which field of two is the velocity. Which field do particles follow?')
+            .waitFor();
+        expect(await question.getByRole('button').allTextContents()).toEqual(['U.air', 'U.water']);
+        await screenshot(page, 'velocity-unclear');
+        const place = (await question.getByRole('button', { name: 'U.water' }).boundingBox())!;
+        await page.mouse.click(place.x + place.width / 2, place.y + place.height / 2);
+        await finalSurface(page);
+        expect(await question.count()).toBe(0);
+        const followed = async (): Promise<unknown> => {
+            const { values } = await unclear.call('probe.sample', {
+                dataset: 'two',
+                time: 0,
+                points: [[2, 2, 2]],
+            });
+            return values;
+        };
+        expect(await followed()).toEqual({ 'U.water': [[0, 0, 2]] });
+
+        await page.reload();
+        await finalSurface(page);
+        expect(await question.count()).toBe(0);
+
+        const { port } = unclear;
+        await unclear.stop();
+        unclear = await ServerProcess.start({ ...options, port });
+        await page.reload();
+        await finalSurface(page);
+        expect(await question.count()).toBe(0);
+        expect(await followed()).toEqual({ 'U.water': [[0, 0, 2]] });
+        await page.close();
+        await unclear.stop();
     });
 });

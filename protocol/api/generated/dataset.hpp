@@ -45,8 +45,8 @@ struct DatasetOpen {
     /// how long to wait, at most; 0: do not wait (ms)
     std::uint64_t timeout_ms = 600000;
     /// velocity of files in which it is not clear, by name: a vector, three scalars `u,v,w`, or a
-    /// momentum and its density; empty: by the names of the fields. For editors; it holds until the
-    /// server ends. The error of a dataset that failed lists what could be meant
+    /// momentum and its density; empty: by the names of the fields. For editors; it is kept beside
+    /// the imported data. `velocities` of a dataset that failed lists what could be meant
     std::string velocity;
     /// on a WebSocket: $/progress reports the progress of the work with this token
     std::optional<std::string> work_done_token;

@@ -357,12 +357,12 @@ const std::string_view methods_1 = R"json({
   {
    "name": "velocity",
    "required": false,
-   "description": "velocity of files in which it is not clear, by name: a vector, three scalars `u,v,w`, or a momentum and its density; empty: by the names of the fields. For editors; it holds until the server ends. The error of a dataset that failed lists what could be meant",
+   "description": "velocity of files in which it is not clear, by name: a vector, three scalars `u,v,w`, or a momentum and its density; empty: by the names of the fields. For editors; it is kept beside the imported data. `velocities` of a dataset that failed lists what could be meant",
    "schema": {
     "type": "string",
     "maxLength": 256,
     "default": "",
-    "description": "velocity of files in which it is not clear, by name: a vector, three scalars `u,v,w`, or a momentum and its density; empty: by the names of the fields. For editors; it holds until the server ends. The error of a dataset that failed lists what could be meant"}},
+    "description": "velocity of files in which it is not clear, by name: a vector, three scalars `u,v,w`, or a momentum and its density; empty: by the names of the fields. For editors; it is kept beside the imported data. `velocities` of a dataset that failed lists what could be meant"}},
   {
    "name": "workDoneToken",
    "required": false,

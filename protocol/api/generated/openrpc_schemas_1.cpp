@@ -231,6 +231,10 @@ const std::string_view schemas_1 =
   "progress": {"type": "number", "minimum": 0, "maximum": 1, "description": "progress of the import"},
   "remaining": {"type": "number", "minimum": 0, "description": "time that the import still needs", "x-unit": "s"},
   "values": {"type": "string", "description": "what the values that are stored are told from others by; left out for a built-in flow"},
+  "velocities": {
+   "type": "array",
+   "description": "of a dataset that failed because it is not clear which field is the velocity: what `velocity` of dataset.open may be",
+   "items": {"type": "string"}},
   "error": {"$ref": "#/components/schemas/Problem"}},
  "required": ["dataset", "name", "state", "steps"],
  "additionalProperties": false},
@@ -388,21 +392,6 @@ const std::string_view schemas_1 =
   "length": {"type": "string", "description": "unit of lengths; empty: as in dataset.describe"},
   "time": {"type": "string", "description": "unit of times; empty: as in dataset.describe"}},
  "required": ["length", "time"],
- "additionalProperties": false},
-"Snapshot": {
- "type": "object",
- "description": "All records of a session.",
- "properties": {
-  "session": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the session"},
-  "name": {"type": "string", "description": "display name"},
-  "units": {"$ref": "#/components/schemas/Units"},
-  "rakes": {"type": "array", "description": "all rakes", "items": {"$ref": "#/components/schemas/Rake"}},
-  "surfaces": {"type": "array", "description": "all surfaces", "items": {"$ref": "#/components/schemas/Surface"}},
-  "bookmarks": {"type": "array", "description": "all bookmarks", "items": {"$ref": "#/components/schemas/Bookmark"}},
-  "annotations": {"type": "array", "description": "all annotations", "items": {"$ref": "#/components/schemas/Annotation"}},
-  "clock": {"$ref": "#/components/schemas/Clock"},
-  "keptAside": {"$ref": "#/components/schemas/KeptAside"}},
- "required": ["session", "name", "rakes", "surfaces", "bookmarks", "annotations", "clock"],
  "additionalProperties": false})json";
 
 } // namespace wakesurf::protocol::openrpc

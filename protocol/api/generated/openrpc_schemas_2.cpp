@@ -3,7 +3,22 @@
 
 namespace wakesurf::protocol::openrpc {
 
-const std::string_view schemas_2 = R"json("SessionName": {
+const std::string_view schemas_2 = R"json("Snapshot": {
+ "type": "object",
+ "description": "All records of a session.",
+ "properties": {
+  "session": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the session"},
+  "name": {"type": "string", "description": "display name"},
+  "units": {"$ref": "#/components/schemas/Units"},
+  "rakes": {"type": "array", "description": "all rakes", "items": {"$ref": "#/components/schemas/Rake"}},
+  "surfaces": {"type": "array", "description": "all surfaces", "items": {"$ref": "#/components/schemas/Surface"}},
+  "bookmarks": {"type": "array", "description": "all bookmarks", "items": {"$ref": "#/components/schemas/Bookmark"}},
+  "annotations": {"type": "array", "description": "all annotations", "items": {"$ref": "#/components/schemas/Annotation"}},
+  "clock": {"$ref": "#/components/schemas/Clock"},
+  "keptAside": {"$ref": "#/components/schemas/KeptAside"}},
+ "required": ["session", "name", "rakes", "surfaces", "bookmarks", "annotations", "clock"],
+ "additionalProperties": false},
+"SessionName": {
  "type": "object",
  "description": "The id and the name of a session, and its units.",
  "properties": {

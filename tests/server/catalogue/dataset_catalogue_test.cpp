@@ -1,17 +1,13 @@
 #include "core/base/disk.hpp"
-#include "server/catalogue/dataset_catalogue.hpp"
-#include "server/catalogue/import_process.hpp"
 #include "store/store_manifest.hpp"
+#include "tests/server/catalogue/catalogue_bench.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/slow_series.hpp"
-#include "tests/support/temporary_folder.hpp"
 #include "tests/support/vti_text.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
-#include <condition_variable>
-#include <mutex>
 #include <random>
 #include <set>
 #include <thread>
@@ -21,67 +17,7 @@ namespace {
 
 using namespace tests;
 
-// A catalogue and a way to wait for what its import thread tells.
-class Bench {
-  public:
-    explicit Bench(const std::vector<std::string>& arguments)
-        : Bench(arguments, std::filesystem::path()) {}
-
-    /// With the stores of an earlier one.
-    Bench(const std::vector<std::string>& arguments,
-          const std::filesystem::path& stores,
-          const std::filesystem::path& importer = importer_program(),
-          std::size_t lanes = 4) {
-        OpenOptions options{stores.empty() ? folder_ / "cache" : stores, {}, importer};
-        options.lanes = lanes;
-        options.watch_period = std::chrono::milliseconds(20);
-        auto opened = DatasetCatalogue::open(arguments, options, [this](const std::string&) {
-            const std::scoped_lock lock(mutex_);
-            ++changes_;
-            changed_.notify_all();
-        });
-        if (opened)
-            catalogue = std::move(*opened);
-        else
-            error = opened.error();
-    }
-
-    ~Bench() { catalogue.reset(); }
-
-    /// Waits for what the import thread tells until `wanted(status)`.
-    template <class Wanted>
-    DatasetStatus wait_until(const std::string& dataset, const Wanted& wanted) {
-        std::unique_lock lock(mutex_);
-        DatasetStatus status;
-        changed_.wait(lock, [&] {
-            status = catalogue->status(dataset).value();
-            return wanted(status);
-        });
-        return status;
-    }
-
-    DatasetStatus wait_until_settled(const std::string& dataset) {
-        return wait_until(dataset, [](const DatasetStatus& status) {
-            return status.state != DatasetState::Importing;
-        });
-    }
-
-    /// Until the importer that was stopped has ended and taken away what it was writing.
-    bool tidies_up() {
-        for (int i = 0; i < 3000 && unfinished_files(folder_.path()) > 0; ++i)
-            std::this_thread::sleep_for(std::chrono::milliseconds(20));
-        return unfinished_files(folder_.path()) == 0;
-    }
-
-    std::unique_ptr<DatasetCatalogue> catalogue;
-    std::optional<core::Error> error;
-
-  private:
-    TemporaryFolder folder_;
-    std::mutex mutex_;
-    std::condition_variable changed_;
-    int changes_ = 0;
-};
+using Bench = CatalogueBench;
 
 const std::string bundled = (source_folder() / "data/sqcyl").string();
 
@@ -107,38 +43,6 @@ std::filesystem::path telling(const TemporaryFolder& folder,
                             "'\nexec tail -f /dev/null\n");
     std::filesystem::permissions(program, std::filesystem::perms::owner_all);
     return program;
-}
-
-TEST(DatasetCatalogue, AVelocityThatIsNotClearIsChosenWhileNothingIsShown) {
-    const TemporaryFolder folder;
-    auto two = sample_vti();
-    two.points = vti_array("U.air", 3, two.point_count(), [](std::size_t) { return 1.0; }) +
-                 vti_array("U.water", 3, two.point_count(), [](std::size_t) { return 2.0; });
-    write_file(folder / "two.vti", two.text());
-    Bench bench({(folder / "two.vti").string(), "flow:abc"});
-    const auto unclear = bench.wait_until_settled("two");
-    ASSERT_EQ(unclear.state, DatasetState::Failed);
-    EXPECT_NE(unclear.error->message.find("U.air (3 components, point), U.water (3 components, "
-                                          "point) (choose one with --velocity NAME"),
-              std::string::npos)
-        << unclear.error->message;
-    ASSERT_TRUE(bench.catalogue->choose_velocity("two", "U.oil").has_value());
-    EXPECT_NE(bench.wait_until_settled("two").error->message.find("there is no field U.oil"),
-              std::string::npos);
-    ASSERT_TRUE(bench.catalogue->choose_velocity("two", "U.water").has_value());
-    EXPECT_EQ(bench.wait_until_settled("two").state, DatasetState::Ready);
-    EXPECT_EQ(bench.catalogue->find("two").value()->info.velocity, "U.water");
-    EXPECT_TRUE(bench.catalogue->choose_velocity("two", "U.water").has_value()) << "as it is";
-    const auto other = bench.catalogue->choose_velocity("two", "U.air");
-    ASSERT_FALSE(other.has_value());
-    EXPECT_EQ(other.error().message, "two is shown with the velocity U.water");
-    EXPECT_EQ(bench.catalogue->find("two").value()->info.velocity, "U.water");
-    EXPECT_EQ(bench.catalogue->choose_velocity("none", "U").error().code,
-              core::Error::Code::NotFound);
-    EXPECT_NE(bench.catalogue->choose_velocity("abc", "U")
-                  .error()
-                  .message.find("abc is a built-in flow, which has one velocity"),
-              std::string::npos);
 }
 
 TEST(DatasetCatalogue, WhatAnEarlierRunImportedCanBeUsedOnceItsTimeStepsAreCounted) {

@@ -1,4 +1,5 @@
 #include "server/import/field_choice.hpp"
+#include "server/import/velocity_choice.hpp"
 
 #include <gtest/gtest.h>
 
@@ -122,6 +123,18 @@ TEST(FieldChoice, ListsTheCandidatesWhereItIsNotClear) {
     EXPECT_NE(velocity({point("vorticity", 3)}).find("there is vorticity"), std::string::npos);
     EXPECT_EQ(velocity({point("vorticity", 3)}, "vorticity"), "vorticity"); // someone says so
     EXPECT_EQ(velocity({point("a", 1), point("b", 1), point("c", 1)}, "b, c,a"), "b, c, a");
+}
+
+TEST(FieldChoice, OffersWhatCanBeChosenTheLikeliestFirst) {
+    const Fields fields{point("Grid_Velocity", 3), cell("U.air", 3), cell("U.water", 3),
+                        cell("Momentum", 3),       point("vx1", 1),  point("vx2", 1),
+                        point("vx3", 1),           cell("p", 1),     cell("Density", 1)};
+    const std::vector<std::string> offered{"U.air", "U.water", "vx1,vx2,vx3", "Momentum,Density",
+                                           "Grid_Velocity"};
+    EXPECT_EQ(velocity_candidates(fields), offered);
+    for (const auto& wish : offered)
+        EXPECT_TRUE(choose_velocity(fields, wish).has_value()) << wish;
+    EXPECT_TRUE(velocity_candidates({point("p", 1), point("Momentum", 3)}).empty());
 }
 
 TEST(FieldChoice, NeverTakesTheVelocityOfSomethingElseForTheFluids) {

@@ -101,3 +101,17 @@ describe('waiting for an import', () => {
         expect(imports.left.value).toBe(false);
     });
 });
+
+describe('a dataset whose velocity is not clear', () => {
+    it('is imported with the one that is chosen, and says why that is refused', async () => {
+        const { state, calls, imports } = bench('failed');
+        void imports.choose('U.water');
+        calls[0]!.resolve(importing);
+        await settled();
+        expect(state.datasetEntry.value).toEqual(importing);
+        void imports.choose('U.air');
+        calls.at(-1)!.reject(lost);
+        await settled();
+        expect([...state.notices.all.value.keys()]).toEqual(['velocity']);
+    });
+});

@@ -65,6 +65,19 @@ export class ImportWait {
         if (dataset !== undefined) void this.begin(dataset);
     }
 
+    /** Imports with this velocity what failed as that is not clear. */
+    async choose(velocity: string): Promise<void> {
+        const { state, worker } = this.options;
+        const dataset = state.datasetEntry.value?.dataset;
+        if (dataset === undefined) return;
+        try {
+            state.datasetEntry.value = await worker.call('dataset.open', { dataset, velocity, timeoutMs: 0 });
+            state.notices.solved('velocity');
+        } catch (error) {
+            state.notices.tell('velocity', error);
+        }
+    }
+
     private follow({ dataset, state }: DatasetEntry): void {
         if (state === 'stopped') this.seenStopped = true;
         // Of a dataset that becomes ready, by whatever means, there is nothing left to wait for.

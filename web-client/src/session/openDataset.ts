@@ -35,7 +35,9 @@ export class OpenDataset {
             const entry = id === null ? datasets[0] : datasets.find(({ dataset }) => dataset === id);
             if (entry === undefined) throw new Error(noDataset(id));
             state.datasetEntry.value = entry;
-            if (entry.state === 'failed') throw new Error(importFailed(entry));
+            // Until somebody says which field the velocity is.
+            const unclear = velocitiesOf(entry).length > 0;
+            if (entry.state === 'failed' && !unclear) throw new Error(importFailed(entry));
             const usable = entry.state === 'ready' || entry.steps.ready > 0;
             // What someone has stopped stays so where there is something to see.
             const wanted = entry.state === 'importing' || (entry.state === 'stopped' && !usable);
@@ -100,6 +102,11 @@ function sameValues(before: string | undefined, now: string | undefined): boolea
 
 function sameGrid(before: string | undefined, now: string | undefined): boolean {
     return (before ?? '').split(' ')[0] === (now ?? '').split(' ')[0];
+}
+
+/** What the velocity of a dataset could be, which is not clear from its files. */
+export function velocitiesOf({ state, velocities }: DatasetEntry): readonly string[] {
+    return state === 'failed' ? (velocities ?? []) : [];
 }
 
 function noDataset(id: string | null): string {

@@ -58,6 +58,7 @@ class DatasetPatched(Notification):
     progress: Optional[float] = None  # progress of the import; may be missing
     remaining: Optional[float] = None  # time that the import still needs (s); may be missing
     values: Optional[str] = None  # what the values that are stored are told from others by; left out for a built-in ...
+    velocities: Optional[List[str]] = None  # of a dataset that failed because it is not clear which field is the ...
     error: Optional[Problem] = None  # why the import failed or ended early; may be missing
 
 

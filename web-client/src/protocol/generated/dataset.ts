@@ -35,6 +35,11 @@ export interface DatasetEntry {
     remaining?: number;
     /** what the values that are stored are told from others by; left out for a built-in flow */
     values?: string;
+    /**
+     * of a dataset that failed because it is not clear which field is the velocity: what `velocity` of dataset.open
+     * may be
+     */
+    velocities?: string[];
     /** why the import failed or ended early */
     error?: Problem;
 }
@@ -47,6 +52,7 @@ export const datasetEntryCheck = members<DatasetEntry>({
     progress: optional(number),
     remaining: optional(number),
     values: optional(text),
+    velocities: optional(list(text)),
     error: optional(problemCheck),
 });
 
@@ -231,8 +237,8 @@ export interface DatasetOpenParams {
     timeoutMs?: number;
     /**
      * velocity of files in which it is not clear, by name: a vector, three scalars `u,v,w`, or a momentum and its
-     * density; empty: by the names of the fields. For editors; it holds until the server ends. The error of a dataset
-     * that failed lists what could be meant
+     * density; empty: by the names of the fields. For editors; it is kept beside the imported data. `velocities` of a
+     * dataset that failed lists what could be meant
      */
     velocity?: string;
     /** on a WebSocket: $/progress reports the progress of the work with this token */

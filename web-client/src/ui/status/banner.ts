@@ -4,6 +4,7 @@ import { css, html, nothing, type TemplateResult } from 'lit';
 import { type DatasetEntry, errorWords } from '../../protocol/messages.ts';
 import type { Announcements } from '../../state/announcements.ts';
 import type { ImportWait } from '../../session/importWait.ts';
+import { velocitiesOf } from '../../session/openDataset.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
@@ -14,7 +15,7 @@ import './linkField.ts';
 export interface BannerModel {
     state: AppState;
     view: Pick<ViewState, 'sessionsShown'>;
-    imports: Pick<ImportWait, 'again' | 'left' | 'stop'>;
+    imports: Pick<ImportWait, 'again' | 'choose' | 'left' | 'stop'>;
     retryNow: () => void;
     /** Takes a link from somebody whom the server does not let in; false: it is none. */
     takeLink: (text: string) => boolean;
@@ -49,6 +50,12 @@ export class Banner extends SignalElement {
             }
             .words {
                 flex: 1;
+            }
+            #velocity-unclear {
+                flex-wrap: wrap;
+            }
+            #velocity-unclear .words {
+                flex-basis: 100%;
             }
             progress {
                 width: 140px;
@@ -110,6 +117,7 @@ export class Banner extends SignalElement {
             </div>`;
         }
         if (entry?.state === 'stopped') return this.importStopped(entry);
+        if (entry !== null && velocitiesOf(entry).length > 0) return this.velocityUnclear(entry);
         if (entry === null || entry.state !== 'importing') return nothing;
         const { imports } = this.model;
         const steps = entry.steps === undefined ? '' : ` (${entry.steps.ready} of ${entry.steps.total})`;
@@ -126,6 +134,22 @@ export class Banner extends SignalElement {
                 gone
                     ? html`<button type="button" @click=${() => imports.again()}>Wait again</button>`
                     : html`<button type="button" @click=${() => imports.stop()}>Stop</button>`
+            }
+        </div>`;
+    }
+
+    private velocityUnclear(entry: DatasetEntry): TemplateResult {
+        const { state, imports } = this.model;
+        const viewer = state.role.value === 'viewer';
+        const next = viewer ? 'Anyone who can edit can choose it.' : 'Which field do particles follow?';
+        return html`<div class="banner down" id="velocity-unclear">
+            <span class="words">It is not clear which field of ${entry.name} is the velocity. ${next}</span>
+            ${
+                viewer
+                    ? nothing
+                    : velocitiesOf(entry).map(
+                          (name) => html`<button type="button" @click=${() => void imports.choose(name)}>${name}</button>`,
+                      )
             }
         </div>`;
     }

@@ -52,8 +52,8 @@ class DatasetMethods(Noun):
         `dataset`: an id from dataset.list.
         `timeout_ms`: how long to wait, at most; 0: do not wait (ms); 0 to 600,000; default 600,000.
         `velocity`: velocity of files in which it is not clear, by name: a vector, three scalars `u,v,w`, or a momentum
-            and its density; empty: by the names of the fields. For editors; it holds until the server ends. The error
-            of a dataset that failed lists what could be meant.
+            and its density; empty: by the names of the fields. For editors; it is kept beside the imported data.
+            `velocities` of a dataset that failed lists what could be meant.
         `work_done_token`: on a WebSocket: $/progress reports the progress of the work with this token.
 
         Error: NotFound, OverLimit, DatasetError.

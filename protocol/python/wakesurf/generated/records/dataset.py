@@ -27,6 +27,7 @@ class DatasetEntry(TypedDict, total=False):
     progress: float  # progress of the import; may be missing
     remaining: float  # time that the import still needs (s); may be missing
     values: str  # what the values that are stored are told from others by; left out for a built-in flow; may be missing
+    velocities: List[str]  # of a dataset that failed because it is not clear which field is the velocity: what ...
     error: Problem  # why the import failed or ended early; may be missing
 
 
