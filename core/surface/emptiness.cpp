@@ -1,7 +1,5 @@
 #include "core/surface/emptiness.hpp"
 
-#include "core/surface/surface_request.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -25,10 +23,11 @@ bool has_area(const QuadComplex& mesh) {
 }
 
 /// Where the particles come from: along the rake, and all over the patch of a time surface.
-std::vector<Vec3> origins(const Rake& rake, const SurfaceParameters& p) {
+std::vector<Vec3> origins(const SurfacePlan& plan) {
     constexpr int along = 33;
     constexpr int across = 9;
-    const SeedingCurve curve(rake);
+    const SeedingCurve& curve = plan.seeding;
+    const SurfaceParameters& p = plan.parameters;
     const std::optional<SeedingCurve> second =
         p.rake2 ? std::optional<SeedingCurve>(*p.rake2) : std::nullopt;
     std::vector<Vec3> points;
@@ -48,12 +47,11 @@ Emptiness because(Emptiness::Reason reason, const char* message, const char* hin
 }
 
 /// What the places tell at which particles are released. Nothing: some are released, and move.
-Result<std::optional<Emptiness>> at_release(const Flow& flow,
-                                            const Rake& rake,
-                                            const SurfaceParameters& p,
-                                            const std::stop_token& stop) {
+Result<std::optional<Emptiness>> at_release(const SurfacePlan& plan, const std::stop_token& stop) {
     using Reason = Emptiness::Reason;
-    const std::vector<Vec3> points = origins(rake, p);
+    const Flow& flow = *plan.flow;
+    const SurfaceParameters& p = plan.parameters;
+    const std::vector<Vec3> points = origins(plan);
     std::vector<std::uint8_t> gap(points.size());
     if (auto marked = flow.mark_gaps(points, std::vector(points.size(), p.from), gap, stop);
         !marked)
@@ -91,7 +89,7 @@ Result<std::optional<Emptiness>> at_release(const Flow& flow,
     if (!std::all_of(velocities.begin(), velocities.end(), finite))
         return because(Reason::NotFinite, "the velocities at the rake are not finite numbers",
                        "choose another time; the simulation may have failed at this one");
-    const auto fastest = largest_speed(flow, rake, p.from, stop);
+    const auto fastest = plan.largest_speed(stop);
     if (!fastest)
         return tl::unexpected(fastest.error());
     const double rest = p.stagnation_speed * *fastest;
@@ -104,19 +102,18 @@ Result<std::optional<Emptiness>> at_release(const Flow& flow,
 
 } // namespace
 
-Result<std::optional<Emptiness>> why_empty(const Flow& flow,
-                                           const Rake& rake,
-                                           const SurfaceParameters& p,
+Result<std::optional<Emptiness>> why_empty(const SurfacePlan& plan,
                                            const QuadComplex& mesh,
                                            const SurfaceStatistics& statistics,
                                            std::stop_token stop) {
     using Reason = Emptiness::Reason;
     if (!mesh.cells.empty() && has_area(mesh))
         return std::nullopt;
-    auto reason = at_release(flow, rake, p, stop);
+    auto reason = at_release(plan, stop);
     if (!reason || *reason)
         return reason;
-    if (p.kind == SurfaceKind::Time && p.rake2 && p.rake2->points == rake.points)
+    const SurfaceParameters& p = plan.parameters;
+    if (p.kind == SurfaceKind::Time && p.rake2 && p.rake2->points == plan.rake.points)
         return because(Reason::SameRakes,
                        "the two rakes are the same, so the patch between them has no area",
                        "move one of them, or use a sweep");

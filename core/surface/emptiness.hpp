@@ -2,9 +2,8 @@
 #pragma once
 
 #include "core/base/result.hpp"
-#include "core/field/flow.hpp"
 #include "core/surface/quad_complex.hpp"
-#include "core/surface/surface_parameters.hpp"
+#include "core/surface/request/surface_plan.hpp"
 #include "core/surface/surface_statistics.hpp"
 
 #include <optional>
@@ -14,9 +13,7 @@ namespace wakesurf::core {
 
 /// Nothing: there is something to see, quads with an area. Cost: one quad; where there is nothing to see, all quads and a few hundred samples.
 /// Error: what sampling reports.
-Result<std::optional<Emptiness>> why_empty(const Flow& flow,
-                                           const Rake& rake,
-                                           const SurfaceParameters& parameters,
+Result<std::optional<Emptiness>> why_empty(const SurfacePlan& plan,
                                            const QuadComplex& mesh,
                                            const SurfaceStatistics& statistics,
                                            std::stop_token stop);

@@ -39,11 +39,16 @@ Result<ClippedRake> clip_rake(const Rake& rake, const Box& domain);
 /// The seeding curve c(s), s in 0..1 by arc length.
 class SeedingCurve {
   public:
+    /// None yet.
+    SeedingCurve() = default;
     explicit SeedingCurve(const Rake& rake);
     Vec3 at(double s) const;
 
     /// dc/ds; constant on each straight piece.
     Vec3 tangent(double s) const;
+
+    /// A whole circle returns to its start.
+    bool closed() const { return round_ && part_ == Arc{0.0, 1.0}; }
 
     double length() const { return round_ ? round_length_ : arc_.back(); }
 

@@ -5,7 +5,6 @@
 #include "core/surface/columns/sheet_mesh.hpp"
 #include "core/surface/emptiness.hpp"
 #include "core/surface/moving/moving_builder.hpp"
-#include "core/surface/surface_request.hpp"
 #include "core/surface/time_direction.hpp"
 #include "core/surface/vertex_attributes.hpp"
 
@@ -29,10 +28,10 @@ tl::unexpected<Error> no_memory() {
     return fail(Error::Code::Cancelled, "there is not enough memory for the surface");
 }
 
-std::set<double> first_seeds(const Rake& rake, double intervals) {
-    const auto even = seed_parameters(SeedingCurve(rake).corners(), intervals);
+std::set<double> first_seeds(const SeedingCurve& seeding, double intervals) {
+    const auto even = seed_parameters(seeding.corners(), intervals);
     std::set<double> seeds(even.begin(), even.end());
-    if (!rake.closed())
+    if (!seeding.closed())
         seeds.insert(1.0);
     return seeds;
 }
@@ -46,8 +45,7 @@ std::uint64_t quads_of(const std::vector<Sheet>& sheets) {
 
 /// One sheet per direction over the same seeds; a direction that cuts the rake makes the other follow. Nothing: they have more
 /// than `most` quads together.
-Result<std::optional<std::vector<Sheet>>> build_sheets(const Flow& flow,
-                                                       const Rake& rake,
+Result<std::optional<std::vector<Sheet>>> build_sheets(const SurfacePlan& plan,
                                                        const std::vector<SheetOptions>& directions,
                                                        std::set<double> seeds,
                                                        std::uint64_t most,
@@ -56,7 +54,7 @@ Result<std::optional<std::vector<Sheet>>> build_sheets(const Flow& flow,
                                                        const WorkPart& work) {
     std::vector<Sheet> sheets;
     for (const SheetOptions& options : directions)
-        sheets.emplace_back(flow, rake, options);
+        sheets.emplace_back(*plan.flow, plan.seeding, options);
     for (std::size_t before = 0; before != seeds.size();) {
         before = seeds.size();
         for (std::size_t i = 0; i < sheets.size(); ++i) {
@@ -82,29 +80,27 @@ struct Bare {
 
 /// Quads of a sheet swept by the rake as far as 17 of its curves reach, where nothing diverges: keeps a request for millions of
 /// columns from being traced at all.
-Result<double> undiverged_quads(const Flow& flow,
-                                const Rake& rake,
+Result<double> undiverged_quads(const SurfacePlan& plan,
                                 const std::vector<SheetOptions>& directions,
                                 const std::stop_token& stop) {
-    const SeedingCurve seeding(rake);
     double arc = 0.0;
     for (const SheetOptions& options : directions) {
         std::vector<Curve> curves(17);
         for (std::size_t i = 0; i < curves.size(); ++i) {
-            curves[i].seed = seeding.at(static_cast<double>(i) / 16.0);
+            curves[i].seed = plan.seeding.at(static_cast<double>(i) / 16.0);
             curves[i].release = options.release;
             curves[i].duration = options.duration;
         }
         TraceOptions rough = options.trace;
         rough.tolerance = 1e-3;
         rough.stretch = false;
-        if (const auto traced = flow.trace(curves, rough, stop); !traced)
+        if (const auto traced = plan.flow->trace(curves, rough, stop); !traced)
             return tl::unexpected(traced.error());
         for (const Curve& curve : curves)
             arc += curve.last.arc / static_cast<double>(curves.size());
     }
     const double separation = directions.front().separation;
-    return std::max(seeding.length() / separation, 1.0) * arc / separation;
+    return std::max(plan.seeding.length() / separation, 1.0) * arc / separation;
 }
 
 void count_columns(const Sheet& sheet, SurfaceStatistics& statistics) {
@@ -134,40 +130,35 @@ joined(const std::vector<Sheet>& sheets, const std::stop_token& stop, const Work
 }
 
 /// The quad budget is hard: a surface too large for it is built coarser, and its statistics say so.
-Result<Bare> build_within_budget(const Flow& flow,
-                                 const Rake& rake,
-                                 const SurfaceParameters& p,
+Result<Bare> build_within_budget(const SurfacePlan& plan,
                                  const Clock& clock,
                                  const std::stop_token& stop,
                                  const WorkPart& work) {
+    const SurfaceParameters& p = plan.parameters;
     const auto start = clock.now();
-    const auto speed = largest_speed(flow, rake, p.from, stop);
+    const auto speed = plan.largest_speed(stop);
     const double load = std::chrono::duration<double>(clock.now() - start).count();
     if (!speed)
         return tl::unexpected(speed.error());
-    auto directions = sheet_options(flow, rake, p, p.separation, *speed);
-    if (!directions)
-        return tl::unexpected(directions.error());
-    const auto estimate = undiverged_quads(flow, rake, *directions, stop);
+    const auto estimate = undiverged_quads(plan, plan.sheets(p.separation, *speed), stop);
     if (!estimate)
         return tl::unexpected(estimate.error());
-    BudgetSearch search(p.separation, coarsest_separation(flow.domain()), *estimate, p.max_quads);
+    BudgetSearch search(p.separation, coarsest_separation(plan.flow->domain()), *estimate,
+                        p.max_quads);
     while (const auto trial = search.next()) {
         const double intervals =
-            seed_intervals(rake, SeedingCurve(rake).length(), trial->separation, p.separation);
+            seed_intervals(plan.rake, plan.seeding.length(), trial->separation, p.separation);
         if (intervals > static_cast<double>(most_before_joining * trial->most)) {
             search.exceeded();
             continue;
         }
-        directions = sheet_options(flow, rake, p, trial->separation, *speed);
-        if (!directions)
-            return tl::unexpected(directions.error());
-        for (SheetOptions& each : *directions) {
+        auto directions = plan.sheets(trial->separation, *speed);
+        for (SheetOptions& each : directions) {
             each.trace.memory = work.memory();
             each.max_quads = most_before_joining * trial->most;
         }
         const std::size_t before = work.memory() != nullptr ? work.memory()->bytes() : 0;
-        auto sheets = build_sheets(flow, rake, *directions, first_seeds(rake, intervals),
+        auto sheets = build_sheets(plan, directions, first_seeds(plan.seeding, intervals),
                                    most_before_joining * trial->most, clock, stop,
                                    trial->most < p.max_quads ? work.rest().between(0.0, trial_share)
                                                              : work.rest());
@@ -196,44 +187,37 @@ Result<Bare> build_within_budget(const Flow& flow,
 }
 
 /// Its grid stays as it begins.
-Result<Bare> build_fixed(const Flow& flow,
-                         const Rake& rake,
-                         const SurfaceParameters& p,
+Result<Bare> build_fixed(const SurfacePlan& plan,
                          const Clock& clock,
                          const std::stop_token& stop,
                          const WorkPart& work) {
-    const auto speed = largest_speed(flow, rake, p.from, stop);
+    const auto speed = plan.largest_speed(stop);
     if (!speed)
         return tl::unexpected(speed.error());
-    auto directions = sheet_options(flow, rake, p, p.separation, *speed);
-    if (!directions)
-        return tl::unexpected(directions.error());
-    for (SheetOptions& each : *directions)
+    auto directions = plan.sheets(plan.parameters.separation, *speed);
+    for (SheetOptions& each : directions)
         each.trace.memory = work.memory();
-    return fixed_sheet(flow, rake, *directions, clock, stop, work).map([](FixedSheet&& made) {
+    return fixed_sheet(plan, directions, clock, stop, work).map([](FixedSheet&& made) {
         return Bare{std::move(made.mesh), std::move(made.statistics)};
     });
 }
 
-Result<Surface> build_whole(const Flow& flow,
-                            const Rake& rake,
-                            SurfaceParameters parameters,
+Result<Surface> build_whole(const SurfacePlan& plan,
                             const std::stop_token& stop,
                             const Clock& clock,
                             const WorkPart& work) {
+    const SurfaceParameters& parameters = plan.parameters;
     const auto start = clock.now();
-    if (!(parameters.separation > 0.0))
-        parameters.separation = flow.finest_spacing();
     if (parameters.kind == SurfaceKind::Streak || parameters.kind == SurfaceKind::Time)
-        return build_moving_surface(flow, rake, parameters, stop, clock, work);
+        return build_moving_surface(plan, stop, clock, work);
     // What its vertices carry takes about as long as the sheets.
     const auto build = parameters.refine == Refine::On ? build_within_budget : build_fixed;
-    auto built = build(flow, rake, parameters, clock, stop, work.part(0, 2));
+    auto built = build(plan, clock, stop, work.part(0, 2));
     if (!built)
         return tl::unexpected(built.error());
 
     auto& [mesh, statistics] = *built;
-    if (auto done = add_attributes(mesh, flow, rake, parameters, stop); !done)
+    if (auto done = add_attributes(mesh, plan, stop); !done)
         return tl::unexpected(done.error());
     label_components(mesh.complex);
     assert(mesh.complex.validate().empty());
@@ -242,7 +226,7 @@ Result<Surface> build_whole(const Flow& flow,
     statistics.vertices = mesh.complex.vertices();
     statistics.max_edge = longest_edge(mesh.complex);
     statistics.requested_separation = parameters.separation;
-    statistics.data_end = data_end(flow, parameters);
+    statistics.data_end = data_end(*plan.flow, parameters);
     statistics.error = stated_error(mesh.complex, statistics.separation);
     statistics.seconds.total = std::chrono::duration<double>(clock.now() - start).count();
     statistics.seconds.other = statistics.seconds.total - statistics.seconds.load -
@@ -272,29 +256,32 @@ Result<Surface> build_surface(const Flow& flow,
                               std::stop_token stop,
                               const Clock& clock,
                               WorkPart work) {
-    if (auto sound = check_request(parameters); !sound)
-        return tl::unexpected(sound.error());
-    if (auto in_time = check_times(flow, parameters); !in_time)
-        return tl::unexpected(in_time.error());
+    return plan_surface(flow, rake, parameters).and_then([&](const SurfacePlan& plan) {
+        return build_surface(plan, stop, clock, work);
+    });
+}
+
+Result<Surface>
+build_surface(const SurfacePlan& plan, std::stop_token stop, const Clock& clock, WorkPart work) {
     const std::size_t before = work.memory() != nullptr ? work.memory()->bytes() : 0;
-    auto surface = build_whole(flow, rake, parameters, stop, clock, work);
+    auto surface = build_whole(plan, stop, clock, work);
     std::string stopped;
     std::optional<double> ended;
-    for (auto p = parameters; !surface;) {
-        const auto part = readable_part(p, surface.error());
+    for (SurfacePlan shorter = plan; !surface;) {
+        const auto part = readable_part(shorter.parameters, surface.error());
         if (!part && work.memory() != nullptr && work.memory()->exhausted())
             return tl::unexpected(work.memory()->refusal(
-                "a surface of at most " + std::to_string(parameters.max_quads) + " quads"));
+                "a surface of at most " + std::to_string(plan.parameters.max_quads) + " quads"));
         if (!part)
             return surface;
         if (work.memory() != nullptr)
             work.memory()->shrink(work.memory()->bytes() - before);
-        p = *part;
-        ended = p.to;
+        shorter.parameters = *part;
+        ended = part->to;
         stopped = surface.error().message;
-        surface = build_whole(flow, rake, p, stop, clock, work);
+        surface = build_whole(shorter, stop, clock, work);
     }
-    auto empty = why_empty(flow, rake, parameters, surface->mesh, surface->statistics, stop);
+    auto empty = why_empty(plan, surface->mesh, surface->statistics, stop);
     if (!empty)
         return tl::unexpected(empty.error());
     surface->statistics.empty = std::move(*empty);

@@ -1,14 +1,11 @@
-// One call from a rake to its surface. The only entry the server and the command line use.
+// One call from a plan to its surface.
 #pragma once
 
 #include "core/base/clock.hpp"
 #include "core/base/result.hpp"
 #include "core/base/work_done.hpp"
-#include "core/field/flow.hpp"
-#include "core/surface/quad_complex.hpp"
-#include "core/surface/rake.hpp"
+#include "core/surface/request/surface_plan.hpp"
 #include "core/surface/surface.hpp"
-#include "core/surface/surface_parameters.hpp"
 
 #include <stop_token>
 
@@ -16,14 +13,19 @@ namespace wakesurf::core {
 
 /// Builds a surface of any kind. Runs in the calling thread's oneTBB arena.
 ///
-/// @param rake  inside the flow's domain (see clip_rake)
 /// @param work  told how far it is: of a streak or time surface the time, else mostly the part of the rake; and what memory it takes,
 ///              in the end that of the mesh
 /// @return      the surface; the same bytes for any number of threads. Where a time-step in its way cannot be read it ends at the
 ///              last one before that can, and its statistics say why; that costs building it twice.
-/// Error: InvalidArgument, OutOfTime, OverLimit (also where there is no memory), Cancelled within 50 ms of `stop`,
+/// Error: OverLimit (also where there is no memory), Cancelled within 50 ms of `stop`,
 /// and what loading a time-step reports.
 /// Thread safety: concurrent calls are fine.
+Result<Surface> build_surface(const SurfacePlan& plan,
+                              std::stop_token stop = {},
+                              const Clock& clock = SteadyClock{},
+                              WorkPart work = {});
+
+/// Plans it first. Error: as above, and as plan_surface.
 Result<Surface> build_surface(const Flow& flow,
                               const Rake& rake,
                               const SurfaceParameters& parameters,

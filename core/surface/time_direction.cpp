@@ -12,44 +12,34 @@ tl::unexpected<Error> refused(const std::string& what, const std::string& hint) 
 }
 
 std::string span_text(double from, double to) {
-    return "'from' " + time_text(from) + " and 'to' " + time_text(to);
+    return "`from` " + time_text(from) + " and `to` " + time_text(to);
 }
 
 /// Their vertices are all there at one time, and there is one such time only in each direction.
 Result<void> check_both(const SurfaceParameters& p) {
     const double back = 2.0 * p.from - p.to;
     if (p.kind == SurfaceKind::Streak || p.kind == SurfaceKind::Time)
-        return refused("'direction' both is for stream and path surfaces: all of a " +
+        return refused("`direction` both is for stream and path surfaces: all of a " +
                            std::string(p.kind == SurfaceKind::Streak ? "streak" : "time") +
                            " surface is there at one time",
                        "make two surfaces: one with " + span_text(p.from, p.to) + ", one with " +
                            span_text(p.from, back));
     if (p.to > p.from)
         return {};
-    return refused("'to' " + time_text(p.to) + " is before 'from' " + time_text(p.from) +
-                       ", but with 'direction' both it is the later end",
-                   "give 'to' " + time_text(back) +
-                       ": the surface goes as long before 'from' as after it");
+    return refused("`to` " + time_text(p.to) + " is before `from` " + time_text(p.from) +
+                       ", but with `direction` both it is the later end",
+                   "give `to` " + time_text(back) +
+                       ": the surface goes as long before `from` as after it");
 }
 
 Result<void> check_one_way(const SurfaceParameters& p, bool backward) {
     if (backward == (p.to < p.from))
         return {};
     const std::string way = backward ? "backward" : "forward";
-    return refused("'direction' is " + way + ", but 'to' " + time_text(p.to) +
-                       (backward ? " is after" : " is before") + " 'from' " + time_text(p.from),
+    return refused("`direction` is " + way + ", but `to` " + time_text(p.to) +
+                       (backward ? " is after" : " is before") + " `from` " + time_text(p.from),
                    "for as long " + way + " give " + span_text(p.from, 2.0 * p.from - p.to) +
-                       ", and to go to " + time_text(p.to) + " leave 'direction' out");
-}
-
-Result<void> check_release_end(const SurfaceParameters& p) {
-    if (!p.release_until)
-        return {};
-    const double released = time_sign(p) * (*p.release_until - p.from);
-    if (released > 0.0 && released <= time_span(p))
-        return {};
-    return fail(Error::Code::InvalidArgument, "'releaseUntil' must lie between 'from' and 'to'",
-                "leave it out to release until 'to'");
+                       ", and to go to " + time_text(p.to) + " leave `direction` out");
 }
 
 } // namespace
@@ -59,6 +49,11 @@ std::string time_text(double time) {
     text.precision(12);
     text << time;
     return text.str();
+}
+
+bool between(double time, double first, double last) {
+    const double way = time - first;
+    return way * (last - first) > 0.0 && std::abs(way) <= std::abs(last - first);
 }
 
 double time_sign(const SurfaceParameters& p) {
@@ -75,14 +70,11 @@ Direction direction_of(const SurfaceParameters& p) {
 
 Result<void> check_direction(const SurfaceParameters& p) {
     if (!std::isfinite(p.from) || !std::isfinite(p.to) || p.from == p.to)
-        return fail(Error::Code::InvalidArgument, "'from' and 'to' must be finite and differ",
+        return fail(Error::Code::InvalidArgument, "`from` and `to` must be finite and differ",
                     "give the integration time as to - from");
     const Direction direction = direction_of(p);
-    auto sound = direction == Direction::Both ? check_both(p)
-                                              : check_one_way(p, direction == Direction::Backward);
-    if (!sound)
-        return sound;
-    return check_release_end(p);
+    return direction == Direction::Both ? check_both(p)
+                                        : check_one_way(p, direction == Direction::Backward);
 }
 
 std::optional<double> data_end(const Flow& flow, const SurfaceParameters& p) {

@@ -16,6 +16,9 @@ namespace wakesurf::core {
 /// As people write it, to 12 digits: enough for seconds since 1970 with their milliseconds.
 std::string time_text(double time);
 
+/// Whether a time comes after `first` on the way to `last`, which may be the earlier one, and not beyond it.
+bool between(double time, double first, double last);
+
 /// 1, or -1 where time runs backward. A surface of both directions is shown at the times of its forward side.
 double time_sign(const SurfaceParameters& parameters);
 
@@ -25,7 +28,7 @@ double time_span(const SurfaceParameters& parameters);
 /// The direction asked for, or what `from` and `to` say.
 Direction direction_of(const SurfaceParameters& parameters);
 
-/// Whether `from`, `to`, `direction` and `releaseUntil` go together. Error: InvalidArgument, whose hint has the right spelling.
+/// Whether `from`, `to` and `direction` go together. Error: InvalidArgument, whose hint has the right spelling.
 Result<void> check_direction(const SurfaceParameters& parameters);
 
 /// How long particles are followed, negative backward, on each side that there is. The backward side of a path surface of both

@@ -23,11 +23,9 @@ std::vector<float> deformation_of(const SheetMesh& mesh,
 
 } // namespace
 
-Result<void> add_attributes(SheetMesh& mesh,
-                            const Flow& flow,
-                            const Rake& rake,
-                            const SurfaceParameters& p,
-                            std::stop_token stop) {
+Result<void> add_attributes(SheetMesh& mesh, const SurfacePlan& plan, std::stop_token stop) {
+    const Flow& flow = *plan.flow;
+    const SurfaceParameters& p = plan.parameters;
     QuadComplex& complex = mesh.complex;
     const bool smooth = p.interpolation == Interpolation::Smooth;
     std::vector<double> times(complex.vertices(), p.from);
@@ -41,15 +39,14 @@ Result<void> add_attributes(SheetMesh& mesh,
     if (!p.deformation)
         return {};
 
-    const SeedingCurve seeding(rake);
     std::vector<Vec3> seeds(complex.vertices());
     for (std::size_t i = 0; i < seeds.size(); ++i)
-        seeds[i] = seeding.at(complex.s[i]);
+        seeds[i] = plan.seeding.at(complex.s[i]);
     times.assign(complex.vertices(), p.from);
     std::vector<Vec3> at_birth(complex.vertices());
     if (auto sampled = flow.sample(seeds, times, at_birth, stop, smooth); !sampled)
         return sampled;
-    complex.deformation = deformation_of(mesh, velocity, seeding, at_birth);
+    complex.deformation = deformation_of(mesh, velocity, plan.seeding, at_birth);
     return {};
 }
 

@@ -1,10 +1,8 @@
 // What is known at every vertex besides its place: velocity, and how much the surface has been stretched.
 #pragma once
 
-#include "core/field/flow.hpp"
 #include "core/surface/columns/sheet_mesh.hpp"
-#include "core/surface/rake.hpp"
-#include "core/surface/surface_parameters.hpp"
+#include "core/surface/request/surface_plan.hpp"
 
 #include <stop_token>
 #include <string_view>
@@ -18,10 +16,6 @@ inline constexpr std::string_view error_name = "error";
 
 /// Fills velocity, and deformation when asked for: log2 of the area element |dx/ds x v| over what it was at release.
 /// Error: what sampling reports. Cost: one sample a vertex, two with deformation.
-Result<void> add_attributes(SheetMesh& mesh,
-                            const Flow& flow,
-                            const Rake& rake,
-                            const SurfaceParameters& parameters,
-                            std::stop_token stop);
+Result<void> add_attributes(SheetMesh& mesh, const SurfacePlan& plan, std::stop_token stop);
 
 } // namespace wakesurf::core

@@ -1,6 +1,7 @@
 #include "protocol/files/mesh_comments.hpp"
 
 #include "protocol/api/generated/names.hpp"
+#include "protocol/api/generated/surface.hpp"
 #include "protocol/files/number_text.hpp"
 
 #include <cctype>
@@ -27,23 +28,24 @@ std::string printable(std::string text) {
 } // namespace
 
 std::vector<std::string> mesh_comments(const MeshMetadata& metadata) {
-    std::vector<std::string> lines{
-        "wakesurf " + printable(metadata.version), "kind " + std::string(name(metadata.kind)),
-        "dataset " + printable(metadata.dataset), "rake " + points_text(metadata.rake)};
-    if (tells_kind(metadata.rake_kind))
-        lines.push_back("rakeKind " + std::string(name(metadata.rake_kind)));
-    if (!metadata.rake2.empty())
-        lines.push_back("rake2 " + points_text(metadata.rake2));
-    if (tells_kind(metadata.rake2_kind))
-        lines.push_back("rake2Kind " + std::string(name(metadata.rake2_kind)));
-    if (metadata.sweep)
-        lines.push_back("sweep " + points_text({*metadata.sweep}));
-    lines.push_back("from " + number_text(metadata.from));
-    lines.push_back("to " + number_text(metadata.to));
+    std::vector<std::string> lines{"wakesurf " + printable(metadata.version),
+                                   "kind " + std::string(name(metadata.parameters.kind)),
+                                   "dataset " + printable(metadata.dataset),
+                                   "rake " + points_text(metadata.rake.points)};
+    if (tells_kind(metadata.rake.kind))
+        lines.push_back("rakeKind " + std::string(name(metadata.rake.kind)));
+    if (metadata.parameters.rake2)
+        lines.push_back("rake2 " + points_text(metadata.parameters.rake2->points));
+    if (metadata.parameters.rake2 && tells_kind(metadata.parameters.rake2->kind))
+        lines.push_back("rake2Kind " + std::string(name(metadata.parameters.rake2->kind)));
+    if (metadata.parameters.sweep)
+        lines.push_back("sweep " + points_text({*metadata.parameters.sweep}));
+    lines.push_back("from " + number_text(metadata.parameters.from));
+    lines.push_back("to " + number_text(metadata.parameters.to));
     if (metadata.time)
         lines.push_back("time " + number_text(*metadata.time));
-    if (metadata.release_until)
-        lines.push_back("releaseUntil " + number_text(*metadata.release_until));
+    for (const auto& [name, value] : given_numbers(metadata.parameters))
+        lines.push_back(std::string(name) + " " + number_text(value));
     lines.push_back("separation " + number_text(metadata.separation));
     if (!metadata.stopped.empty())
         lines.push_back("stopped " + printable(metadata.stopped));

@@ -1,6 +1,7 @@
 #include "protocol/files/mesh_glb.hpp"
 
 #include "protocol/api/generated/names.hpp"
+#include "protocol/api/generated/surface.hpp"
 #include "protocol/files/draco_mesh.hpp"
 #include "protocol/files/mesh_names.hpp"
 #include "protocol/files/mesh_normals.hpp"
@@ -26,27 +27,27 @@ tinygltf::Value numbers(const std::vector<core::Vec3>& points) {
 
 tinygltf::Value extras(const MeshMetadata& metadata, const std::vector<MeshAttribute>& attributes) {
     using tinygltf::Value;
-    Value::Object out{{"kind", Value(std::string(name(metadata.kind)))},
+    Value::Object out{{"kind", Value(std::string(name(metadata.parameters.kind)))},
                       {"dataset", Value(metadata.dataset)},
                       {"wakesurf", Value(metadata.version)},
-                      {"rake", numbers(metadata.rake)},
-                      {"from", Value(metadata.from)},
-                      {"to", Value(metadata.to)},
+                      {"rake", numbers(metadata.rake.points)},
+                      {"from", Value(metadata.parameters.from)},
+                      {"to", Value(metadata.parameters.to)},
                       {"separation", Value(metadata.separation)}};
-    if (tells_kind(metadata.rake_kind))
-        out["rakeKind"] = Value(std::string(name(metadata.rake_kind)));
-    if (!metadata.rake2.empty())
-        out["rake2"] = numbers(metadata.rake2);
-    if (tells_kind(metadata.rake2_kind))
-        out["rake2Kind"] = Value(std::string(name(metadata.rake2_kind)));
+    if (tells_kind(metadata.rake.kind))
+        out["rakeKind"] = Value(std::string(name(metadata.rake.kind)));
+    if (metadata.parameters.rake2)
+        out["rake2"] = numbers(metadata.parameters.rake2->points);
+    if (metadata.parameters.rake2 && tells_kind(metadata.parameters.rake2->kind))
+        out["rake2Kind"] = Value(std::string(name(metadata.parameters.rake2->kind)));
     if (!metadata.stopped.empty())
         out["stopped"] = Value(metadata.stopped);
-    if (metadata.sweep)
-        out["sweep"] = numbers({*metadata.sweep}).Get(0);
+    if (metadata.parameters.sweep)
+        out["sweep"] = numbers({*metadata.parameters.sweep}).Get(0);
     if (metadata.time)
         out["time"] = Value(*metadata.time);
-    if (metadata.release_until)
-        out["releaseUntil"] = Value(*metadata.release_until);
+    for (const auto& [name, value] : given_numbers(metadata.parameters))
+        out[std::string(name)] = Value(value);
     Value::Object missing;
     for (const MeshAttribute& each : attributes)
         if (each.missing > 0)

@@ -12,19 +12,11 @@
 namespace wakesurf::protocol {
 
 struct MeshMetadata {
-    core::SurfaceKind kind = core::SurfaceKind::Stream;
-    std::vector<core::Vec3> rake{}; ///< the rake's points
-    core::Rake::Kind rake_kind =
-        core::Rake::Kind::Line; ///< told where the points alone do not say it
-    double from = 0.0;
-    double to = 0.0;
-    double separation = 0.0;
+    core::Rake rake{};
+    core::SurfaceParameters parameters{};
+    double separation = 0.0; ///< of the mesh: the quad budget may have raised the one asked for
     std::string dataset;
-    std::string version;                   ///< of wakesurf
-    std::optional<double> release_until{}; ///< these three only where the surface has them
-    std::vector<core::Vec3> rake2{};
-    core::Rake::Kind rake2_kind = core::Rake::Kind::Line;
-    std::optional<core::Vec3> sweep{};
+    std::string version;          ///< of wakesurf
     std::optional<double> time{}; ///< at which it is shown, where that is not its end
     std::string stopped{};        ///< why it is not what was asked for; usually empty
 };

@@ -1,6 +1,7 @@
 #include "protocol/files/vtp_parts.hpp"
 
 #include "protocol/api/generated/names.hpp"
+#include "protocol/api/generated/surface.hpp"
 #include "protocol/files/number_text.hpp"
 #include "protocol/files/vtk_inline.hpp"
 
@@ -67,22 +68,22 @@ void field_points(std::string& xml, std::string_view name, std::span<const core:
 
 void field_data(std::string& xml, const MeshMetadata& metadata) {
     xml += "<FieldData>\n";
-    field_text(xml, "kind", name(metadata.kind));
-    field_points(xml, "rake", metadata.rake);
-    if (tells_kind(metadata.rake_kind))
-        field_text(xml, "rakeKind", name(metadata.rake_kind));
-    if (!metadata.rake2.empty())
-        field_points(xml, "rake2", metadata.rake2);
-    if (tells_kind(metadata.rake2_kind))
-        field_text(xml, "rake2Kind", name(metadata.rake2_kind));
-    if (metadata.sweep)
-        field_points(xml, "sweep", std::span(&*metadata.sweep, 1));
-    field_numbers(xml, "from", std::span(&metadata.from, 1));
-    field_numbers(xml, "to", std::span(&metadata.to, 1));
+    field_text(xml, "kind", name(metadata.parameters.kind));
+    field_points(xml, "rake", metadata.rake.points);
+    if (tells_kind(metadata.rake.kind))
+        field_text(xml, "rakeKind", name(metadata.rake.kind));
+    if (metadata.parameters.rake2)
+        field_points(xml, "rake2", metadata.parameters.rake2->points);
+    if (metadata.parameters.rake2 && tells_kind(metadata.parameters.rake2->kind))
+        field_text(xml, "rake2Kind", name(metadata.parameters.rake2->kind));
+    if (metadata.parameters.sweep)
+        field_points(xml, "sweep", std::span(&*metadata.parameters.sweep, 1));
+    field_numbers(xml, "from", std::span(&metadata.parameters.from, 1));
+    field_numbers(xml, "to", std::span(&metadata.parameters.to, 1));
     if (metadata.time) // VTK's own name: ParaView puts a series of files in order by it
         field_numbers(xml, "TimeValue", std::span(&*metadata.time, 1));
-    if (metadata.release_until)
-        field_numbers(xml, "releaseUntil", std::span(&*metadata.release_until, 1));
+    for (const auto& [name, value] : given_numbers(metadata.parameters))
+        field_numbers(xml, name, std::span(&value, 1));
     field_numbers(xml, "separation", std::span(&metadata.separation, 1));
     field_text(xml, "dataset", metadata.dataset);
     field_text(xml, "version", metadata.version);

@@ -3,7 +3,6 @@
 #include "core/base/machine_memory.hpp"
 #include "core/surface/budget_search.hpp"
 #include "core/surface/surface_builder.hpp"
-#include "core/surface/surface_request.hpp"
 #include "core/surface/vertex_times.hpp"
 #include "protocol/api/generated/names.hpp"
 #include "protocol/api/generated/surface_options.hpp"
@@ -58,17 +57,16 @@ open(const SurfaceOptions& options, const core::MemoryAccount& account, std::sto
     return open_dataset(*argument, open, show, stop);
 }
 
-/// One pass: a surface of these parameters.
-core::Result<BuiltSurface> build(const LoadedDataset& dataset,
-                                 const core::Rake& rake,
-                                 const core::SurfaceParameters& parameters,
+/// One pass. @param dataset  its name
+core::Result<BuiltSurface> build(const std::string& dataset,
+                                 const core::SurfacePlan& plan,
                                  int threads,
                                  const core::MemoryAccount& account,
                                  const std::stop_token& stop) {
     core::WorkDone work;
-    const ElapsedLine progress("building a " + std::string(protocol::name(parameters.kind)) +
-                                   " surface of " + dataset.info.name,
-                               &work, parameters.to);
+    const ElapsedLine progress("building a " + std::string(protocol::name(plan.parameters.kind)) +
+                                   " surface of " + dataset,
+                               &work, plan.parameters.to);
     const int used = threads > 0 ? threads : static_cast<int>(std::thread::hardware_concurrency());
     // The global limit is what lets an arena be larger than the machine, as `--threads 8` on two cores.
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
@@ -77,8 +75,7 @@ core::Result<BuiltSurface> build(const LoadedDataset& dataset,
     auto memory = std::make_shared<core::WorkMemory>(account, stop);
     return arena
         .execute([&] {
-            return core::build_surface(*dataset.flow, rake, parameters, stop, core::SteadyClock{},
-                                       {&work, memory.get()});
+            return core::build_surface(plan, stop, core::SteadyClock{}, {&work, memory.get()});
         })
         .map([&](core::Surface&& surface) {
             return BuiltSurface{std::move(surface), memory};
@@ -86,47 +83,38 @@ core::Result<BuiltSurface> build(const LoadedDataset& dataset,
 }
 
 core::Result<std::string> file_of(protocol::MeshFormat format,
-                                  const SurfaceRequest& request,
+                                  const std::optional<protocol::LinesWanted>& wanted,
                                   const core::Surface& surface,
                                   const protocol::MeshMetadata& metadata,
                                   const protocol::MeshScalars& scalars,
                                   bool draco) {
-    if (!request.lines)
+    if (!wanted)
         return protocol::mesh_file(format, surface.mesh, metadata, scalars,
                                    draco ? protocol::GlbCoding::Draco : protocol::GlbCoding::Plain);
-    return protocol::surface_lines(surface.mesh, *request.lines, request.rake.closed())
+    return protocol::surface_lines(surface.mesh, *wanted, metadata.rake.closed())
         .and_then([&](const auto& lines) {
-            return protocol::lines_file(format, lines, *request.lines, metadata);
+            return protocol::lines_file(format, lines, *wanted, metadata);
         });
 }
 
 core::Result<void> write(const SurfaceOptions& options,
-                         const SurfaceRequest& request,
+                         const std::optional<protocol::LinesWanted>& lines,
+                         const core::SurfacePlan& plan,
                          const core::DatasetInfo& info,
                          const core::Surface& surface,
                          const protocol::MeshScalars& scalars,
                          double processor_seconds,
                          bool cut_short) {
-    const protocol::MeshMetadata metadata{
-        .kind = request.parameters.kind,
-        .rake = request.rake.points,
-        .rake_kind = request.rake.kind,
-        .from = request.parameters.from,
-        .to = request.parameters.to,
-        .separation = surface.statistics.separation,
-        .dataset = info.dataset,
-        .version = WAKESURF_VERSION,
-        .release_until = request.parameters.release_until,
-        .rake2 =
-            request.parameters.rake2 ? request.parameters.rake2->points : std::vector<core::Vec3>{},
-        .rake2_kind =
-            request.parameters.rake2 ? request.parameters.rake2->kind : core::Rake::Kind::Line,
-        .sweep = request.parameters.sweep,
-        .stopped = surface.statistics.stopped};
+    const protocol::MeshMetadata metadata{.rake = plan.rake,
+                                          .parameters = plan.parameters,
+                                          .separation = surface.statistics.separation,
+                                          .dataset = info.dataset,
+                                          .version = WAKESURF_VERSION,
+                                          .stopped = surface.statistics.stopped};
     // Checked before the work began; the name has one of the extensions.
     const auto format =
         protocol::mesh_format(std::filesystem::path(options.output).extension().string().substr(1));
-    auto written = file_of(*format, request, surface, metadata, scalars, options.draco)
+    auto written = file_of(*format, lines, surface, metadata, scalars, options.draco)
                        .and_then([&](const std::string& bytes) {
                            return write_whole_file(options.output, bytes);
                        });
@@ -137,30 +125,6 @@ core::Result<void> write(const SurfaceOptions& options,
     if (cut_short)
         statistics["reason"] = "timeLimit";
     return write_whole_file(options.stats, protocol::json_text(statistics, 2) + "\n");
-}
-
-core::Result<core::Rake> clipped(const core::Rake& rake, const core::Box& domain) {
-    return core::clip_rake(rake, domain).map([](core::ClippedRake&& kept) {
-        if (kept.clipped)
-            tell(stderr, "wakesurf: part of the rake is outside the domain and was cut away\n");
-        return std::move(kept.rake);
-    });
-}
-
-/// Both curves of the patch end up inside the domain.
-core::Result<void> clip_rakes(SurfaceRequest& request, const core::Box& domain) {
-    auto rake = clipped(request.rake, domain);
-    if (!rake)
-        return tl::unexpected(rake.error());
-    request.rake = std::move(*rake);
-    if (!request.parameters.rake2)
-        return {};
-    auto second = clipped(*request.parameters.rake2, domain);
-    if (!second)
-        return core::fail(second.error().code, "--rake2: " + second.error().message,
-                          second.error().hint);
-    request.parameters.rake2 = std::move(*second);
-    return {};
 }
 
 /// Without a rake: what the data suggest, for all that the options leave open. Standard error says what that was.
@@ -232,25 +196,22 @@ core::Result<void> tell_statistics(const core::SurfaceStatistics& statistics, bo
 }
 
 /// What the options leave open, from the data, and what only the data can refuse.
-core::Result<void> complete(SurfaceRequest& request,
-                            const SurfaceOptions& options,
-                            const LoadedDataset& dataset,
-                            const std::stop_token& stop) {
+core::Result<core::SurfacePlan> planned(SurfaceRequest request,
+                                        const SurfaceOptions& options,
+                                        const LoadedDataset& dataset,
+                                        const std::stop_token& stop) {
     if (options.rake.empty())
         if (auto begun = begin_with_suggestion(request, options, dataset, stop); !begun)
-            return begun;
-    if (auto chosen = choose_times(request, dataset.info.times); !chosen)
-        return chosen;
-    if (auto there = core::check_interpolation(*dataset.flow, request.parameters.interpolation);
-        !there)
-        return tl::unexpected(as_option(there.error()));
-    if (request.parameters.separation == 0.0)
-        request.parameters.separation = dataset.info.finest_spacing;
-    if (auto shows = core::check_separation(*dataset.flow, request.parameters.separation); !shows)
-        return shows;
-    if (auto inside = clip_rakes(request, dataset.flow->domain()); !inside)
-        return inside;
-    return check_fields(dataset, options.fields);
+            return tl::unexpected(begun.error());
+    choose_times(request, dataset.info.times);
+    auto plan = core::plan_surface(dataset.flow, request.rake, std::move(request.parameters));
+    if (!plan)
+        return tl::unexpected(as_option(plan.error()));
+    if (plan->clipped)
+        tell(stderr, "wakesurf: part of the rake is outside the domain and was cut away\n");
+    if (auto known = check_fields(dataset, options.fields); !known)
+        return tl::unexpected(known.error());
+    return plan;
 }
 
 core::Error nothing_yet(const core::Error& error, const TimeLimit& limit) {
@@ -262,18 +223,22 @@ core::Result<void> make(const SurfaceOptions& options,
                         SurfaceRequest request,
                         const TimeLimit& limit,
                         const std::stop_token& stop) {
+    const auto lines = request.lines;
     const ProcessAccount process(options.memory);
     const auto dataset = open(options, process.account(), limit.token());
     if (!dataset)
         return tl::unexpected(nothing_yet(dataset.error(), limit));
-    if (auto whole = complete(request, options, *dataset, limit.token()); !whole)
-        return tl::unexpected(nothing_yet(whole.error(), limit));
+    const auto plan = planned(std::move(request), options, *dataset, limit.token());
+    if (!plan)
+        return tl::unexpected(nothing_yet(plan.error(), limit));
     const std::clock_t began = std::clock();
     const auto built =
-        build_within(limit, request.parameters, core::coarsest_separation(dataset->flow->domain()),
+        build_within(limit, plan->parameters, core::coarsest_separation(dataset->flow->domain()),
                      [&](const auto& parameters) {
-                         return build(*dataset, request.rake, parameters, options.threads,
-                                      process.account(), limit.token());
+                         core::SurfacePlan pass = *plan;
+                         pass.parameters = parameters;
+                         return build(dataset->info.name, pass, options.threads, process.account(),
+                                      limit.token());
                      });
     if (!built)
         return tl::unexpected(as_option(built.error()));
@@ -288,18 +253,18 @@ core::Result<void> make(const SurfaceOptions& options,
     if (!memory.grow(surface.mesh.vertices() * file_bytes))
         return tl::unexpected(memory.refusal("the surface's file"));
     const auto scalars =
-        surface_scalars(*dataset, surface.mesh, core::vertex_times(surface, request.parameters),
+        surface_scalars(*dataset, surface.mesh, core::vertex_times(surface, plan->parameters),
                         options.fields, stop);
     if (!scalars)
         return tl::unexpected(scalars.error());
-    if (auto written = write(options, request, dataset->info, surface, *scalars, processor_seconds,
-                             built->cut_short);
+    if (auto written = write(options, lines, *plan, dataset->info, surface, *scalars,
+                             processor_seconds, built->cut_short);
         !written)
         return written;
     const auto& statistics = surface.statistics;
     tell("{}: {}{} quads, {} vertices, {:.2f} s{}\n", options.output,
-         request.lines ? options.lines + " of a surface of " : "", statistics.quads,
-         statistics.vertices, statistics.seconds.total, built->cut_short ? ", not finished" : "");
+         lines ? options.lines + " of a surface of " : "", statistics.quads, statistics.vertices,
+         statistics.seconds.total, built->cut_short ? ", not finished" : "");
     return {};
 }
 

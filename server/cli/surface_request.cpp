@@ -1,6 +1,5 @@
 #include "server/cli/surface_request.hpp"
 
-#include "core/surface/time_direction.hpp"
 #include "protocol/api/generated/surface.hpp"
 #include "protocol/api/generated/surface_options.hpp"
 #include "protocol/api/point_json.hpp"
@@ -168,16 +167,15 @@ core::Result<SurfaceRequest> check_surface_options(const SurfaceOptions& options
 
 core::Error as_option(core::Error error) {
     for (const protocol::SurfaceOption& each : protocol::surface_options)
-        for (const char quote : {'`', '\''}) { // the API's words, and the engine's
-            const std::string quoted = quote + std::string(each.parameter) + quote;
-            for (std::string* text : {&error.message, &error.hint})
-                for (auto at = text->find(quoted); at != std::string::npos; at = text->find(quoted))
-                    text->replace(at, quoted.size(), each.option);
+        for (std::string* text : {&error.message, &error.hint}) {
+            const std::string quoted = '`' + std::string(each.parameter) + '`';
+            for (auto at = text->find(quoted); at != std::string::npos; at = text->find(quoted))
+                text->replace(at, quoted.size(), each.option);
         }
     return error;
 }
 
-core::Result<void> choose_times(SurfaceRequest& request, const std::vector<double>& times) {
+void choose_times(SurfaceRequest& request, const std::vector<double>& times) {
     core::SurfaceParameters& parameters = request.parameters;
     const bool backward = parameters.direction == core::Direction::Backward;
     const double first = times.empty() ? 0.0 : backward ? times.back() : times.front();
@@ -186,15 +184,6 @@ core::Result<void> choose_times(SurfaceRequest& request, const std::vector<doubl
     const bool there = backward ? last < parameters.from : last > parameters.from;
     const double usual = there ? last : parameters.from + (backward ? -10 : 10);
     parameters.to = request.to.value_or(usual);
-    if (auto sound = core::check_direction(parameters); !sound)
-        return tl::unexpected(as_option(sound.error()));
-    protocol::SurfaceSetting whole;
-    whole.parameters = parameters;
-    if (parameters.rake2)
-        whole.rake2 = "--rake2";
-    if (auto sound = protocol::check_rules(whole); !sound)
-        return tl::unexpected(as_option(sound.error()));
-    return {};
 }
 
 } // namespace wakesurf::server

@@ -25,9 +25,8 @@ struct SurfaceRequest {
 core::Result<SurfaceRequest> check_surface_options(const SurfaceOptions& options);
 
 /// `from` and `to` where the options leave them open: the first and last time of the data, the other way round with `--direction backward`;
-/// 10 time units from `from` where there are no such times. Error: InvalidArgument when they and the direction contradict each
-/// other, or the release does not end between them.
-core::Result<void> choose_times(SurfaceRequest& request, const std::vector<double>& times);
+/// 10 time units from `from` where there are no such times.
+void choose_times(SurfaceRequest& request, const std::vector<double>& times);
 
 /// An error that names parameters of surface.set, as the command line spells them.
 core::Error as_option(core::Error error);

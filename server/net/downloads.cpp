@@ -13,7 +13,7 @@
 #include "server/net/download_request.hpp"
 #include "server/net/http_error.hpp"
 #include "server/net/url_query.hpp"
-#include "server/session/live/early_request.hpp"
+#include "server/session/live/early_plan.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -96,23 +96,12 @@ protocol::MeshMetadata metadata_of(const SurfaceJob& job,
                                    const core::SurfaceStatistics& statistics,
                                    const LoadedDataset& dataset,
                                    std::optional<double> time) {
-    const core::SurfaceParameters& p = job.parameters;
-    protocol::MeshMetadata out{.kind = p.kind,
-                               .rake = job.rake.points,
-                               .rake_kind = job.rake.kind,
-                               .from = p.from,
-                               .to = p.to,
-                               .separation = statistics.separation,
-                               .dataset = dataset.info.dataset,
-                               .version = WAKESURF_VERSION,
-                               .release_until = p.release_until,
-                               .sweep = p.sweep,
-                               .time = time};
-    if (p.rake2) {
-        out.rake2 = p.rake2->points;
-        out.rake2_kind = p.rake2->kind;
-    }
-    return out;
+    return {.rake = job.plan.rake,
+            .parameters = job.plan.parameters,
+            .separation = statistics.separation,
+            .dataset = dataset.info.dataset,
+            .version = WAKESURF_VERSION,
+            .time = time};
 }
 
 /// What is made on the way from a mesh to its file, a vertex: the most of all formats, Draco's, as the peak beside the mesh of
@@ -143,8 +132,8 @@ struct FileJob {
     core::Result<std::string> make(const std::stop_token& stop,
                                    core::MemoryAccount::Share& share) const {
         core::WorkMemory memory(*account, stop, limits::download_memory);
-        const auto shown = core::surface_at(*surface.flow, surface.rake, surface.parameters, time,
-                                            core::SteadyClock{}, stop, {nullptr, &memory});
+        const auto shown =
+            core::surface_at(surface.plan, time, core::SteadyClock{}, stop, {nullptr, &memory});
         if (!shown && memory.exhausted())
             return tl::unexpected(memory.refusal("a file of this surface"));
         if (!shown)
@@ -156,7 +145,7 @@ struct FileJob {
         if (coarse)
             metadata.stopped = "this is the coarse surface that was shown before the final one";
         if (lines)
-            return protocol::surface_lines(shown->mesh, *lines, surface.rake.closed())
+            return protocol::surface_lines(shown->mesh, *lines, surface.plan.rake.closed())
                 .and_then([&](const auto& found) {
                     return protocol::lines_file(request.format, found, *lines, metadata);
                 });
@@ -166,13 +155,6 @@ struct FileJob {
         return protocol::mesh_file(request.format, shown->mesh, metadata, *scalars, request.glb);
     }
 };
-
-/// To what an early pass of it shows.
-void make_coarse(SurfaceJob& job, const SurfacePass& pass) {
-    EarlyRequest early = early_request(job, pass);
-    job.rake = std::move(early.rake);
-    job.parameters = std::move(early.parameters);
-}
 
 /// Changes with whatever the file's bytes follow from.
 /// @param steps   time-steps of the dataset that can be read: more may come
@@ -186,7 +168,7 @@ std::string tag_of(const protocol::SurfaceRecord& record,
                    const std::string& values) {
     std::string all = protocol::json_text(protocol::surface_json(record));
     for (const core::Rake* rake :
-         {&job.rake, job.parameters.rake2 ? &*job.parameters.rake2 : nullptr})
+         {&job.plan.rake, job.plan.parameters.rake2 ? &*job.plan.parameters.rake2 : nullptr})
         if (rake != nullptr) {
             all += fmt::format("|{} {}", int(rake->kind), rake->seeds);
             for (const core::Vec3& p : rake->points)
@@ -195,8 +177,8 @@ std::string tag_of(const protocol::SurfaceRecord& record,
     all += fmt::format("|{} {} {}", steps, values, WAKESURF_VERSION);
     all += "|" + request.lines;
     if (early)
-        all += fmt::format("|coarse {} {} {}", job.parameters.max_quads, job.parameters.separation,
-                           job.parameters.to);
+        all += fmt::format("|coarse {} {} {}", job.plan.parameters.max_quads,
+                           job.plan.parameters.separation, job.plan.parameters.to);
     return fmt::format("\"{}-{}-{:08x}-{}-{}{}\"", record.surface, record.epoch,
                        core::crc32c(std::as_bytes(std::span(all))),
                        time ? fmt::format("{}", *time) : "end", protocol::extension(request.format),
@@ -307,20 +289,20 @@ core::Result<void> Downloads::offer(const HttpRequest& request,
         return tl::unexpected(dataset.error());
     SurfaceJob job = (*live)->wanted();
     if (early)
-        make_coarse(job, *early);
+        job.plan = early_plan(std::move(job.plan), *early);
     else // which a fast surface would be another one for
-        job.parameters.deformation = true;
+        job.plan.parameters.deformation = true;
     std::optional<protocol::LinesWanted> lines;
     if (!wanted->lines.empty()) {
-        const auto read = protocol::read_lines(wanted->lines, job.parameters.kind);
+        const auto read = protocol::read_lines(wanted->lines, job.plan.parameters.kind);
         if (!read)
             return tl::unexpected(read.error());
         lines = *read;
     }
-    auto time = shown_at(*wanted, job.parameters, (*session)->clock().time());
+    auto time = shown_at(*wanted, job.plan.parameters, (*session)->clock().time());
     if (!time)
         return tl::unexpected(time.error());
-    if (early && job.parameters.kind != core::SurfaceKind::Path)
+    if (early && job.plan.parameters.kind != core::SurfaceKind::Path)
         time->reset(); // it ends there
     const auto status = catalogue_.status(record->dataset);
     const std::string tag = tag_of(*record, job, *wanted, *time, early,

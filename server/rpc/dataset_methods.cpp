@@ -10,7 +10,7 @@
 #include "server/rpc/method_table.hpp"
 #include "server/rpc/permission.hpp"
 #include "server/rpc/work_progress.hpp"
-#include "server/session/records/surface_rules.hpp"
+#include "server/session/data/datasets.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

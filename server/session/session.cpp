@@ -4,7 +4,6 @@
 #include "core/surface/rake_check.hpp"
 #include "server/limits.hpp"
 #include "server/session/records/record_room.hpp"
-#include "server/session/records/surface_rules.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -288,21 +287,27 @@ core::Result<protocol::SurfaceRecord> Session::set_surface(const protocol::Surfa
             return no_record({RecordType::Rake, *rake});
     if (auto may = may_put(key, !asked.surface); !may)
         return tl::unexpected(may.error());
-    protocol::SurfaceSetting setting = asked;
-    const auto open = services_.datasets.open(setting.dataset);
+    if (auto sound = protocol::check_rules(asked); !sound)
+        return tl::unexpected(sound.error());
+    const auto open = services_.datasets.open(asked.dataset);
     if (!open)
         return tl::unexpected(open.error());
-    if (auto complete = complete_surface(setting, *open); !complete)
-        return tl::unexpected(complete.error());
+    auto fields = fields_once(*open, asked.fields);
+    if (!fields)
+        return tl::unexpected(fields.error());
     protocol::SurfaceRecord record{
-        {}, 0, 0, setting.rake, setting.rake2, setting.dataset, setting.parameters, setting.fields};
-    if (const auto job = builds_.job_for(record); !job)
+        {}, 0, 0, asked.rake, asked.rake2, asked.dataset, asked.parameters, std::move(*fields)};
+    auto job = builds_.job_for(record);
+    if (!job)
         return tl::unexpected(job.error());
+    // What was left to the data, and to the times.
+    record.parameters.separation = job->plan.parameters.separation;
+    record.parameters.direction = job->plan.parameters.direction;
 
-    record.surface = setting.surface ? *setting.surface : records_.new_id(RecordType::Surface);
+    record.surface = asked.surface ? *asked.surface : records_.new_id(RecordType::Surface);
     if (auto sound = may_keep(record); !sound)
         return tl::unexpected(sound.error());
-    edit({change_to(record)}, author);
+    edit({change_to(record)}, author, 0, std::move(*job));
     return *records_.find<protocol::SurfaceRecord>(record.surface);
 }
 

@@ -212,9 +212,16 @@ class Session {
     settle_lease(protocol::RakeRecord& record, std::optional<bool> dragging, const Author& author);
     void lease_ended(const std::string& rake);
 
-    Epochs edit(std::vector<RecordChange> changes, const Author& author, std::uint64_t drag = 0);
-    Epochs commit(const std::vector<RecordChange>& changes);
-    Epochs build(const std::vector<RecordChange>& changes, bool rest = false);
+    /// @param job  of the surface among the changes, where it has been planned already
+    Epochs edit(std::vector<RecordChange> changes,
+                const Author& author,
+                std::uint64_t drag = 0,
+                std::optional<SurfaceJob> job = std::nullopt);
+    Epochs commit(const std::vector<RecordChange>& changes,
+                  std::optional<SurfaceJob> job = std::nullopt);
+    Epochs build(const std::vector<RecordChange>& changes,
+                 bool rest = false,
+                 std::optional<SurfaceJob> job = std::nullopt);
     void begin(std::uint32_t epochs_before, bool rest);
     protocol::SessionHead head() const;
     std::vector<JournalEntry> own_entries() const;

@@ -65,11 +65,13 @@ std::optional<JournalEntry> entry_of_patch(const Patch& patch) {
 
 } // namespace
 
-Session::Epochs
-Session::edit(std::vector<RecordChange> changes, const Author& author, std::uint64_t drag) {
+Session::Epochs Session::edit(std::vector<RecordChange> changes,
+                              const Author& author,
+                              std::uint64_t drag,
+                              std::optional<SurfaceJob> job) {
     if (!author.default_scene)
         profile_.edited();
-    Epochs epochs = commit(changes);
+    Epochs epochs = commit(changes, std::move(job));
     if (author.participant.empty() || author.default_scene)
         return epochs;
     Edit done{{}, gesture_of(author, drag)};
@@ -82,7 +84,8 @@ Session::edit(std::vector<RecordChange> changes, const Author& author, std::uint
     return epochs;
 }
 
-Session::Epochs Session::commit(const std::vector<RecordChange>& changes) {
+Session::Epochs Session::commit(const std::vector<RecordChange>& changes,
+                                std::optional<SurfaceJob> job) {
     for (const RecordChange& each : changes) {
         if (each.after) {
             records_.put(*each.after);
@@ -94,7 +97,7 @@ Session::Epochs Session::commit(const std::vector<RecordChange>& changes) {
         if (each.key.type == RecordType::Rake)
             leases_.end(each.key.id);
     }
-    Epochs epochs = build(changes);
+    Epochs epochs = build(changes, false, std::move(job));
     std::set<std::string> surfaces;
     for (const auto& [id, epoch] : epochs)
         surfaces.insert(id);
@@ -103,7 +106,8 @@ Session::Epochs Session::commit(const std::vector<RecordChange>& changes) {
     return epochs;
 }
 
-Session::Epochs Session::build(const std::vector<RecordChange>& changes, bool rest) {
+Session::Epochs
+Session::build(const std::vector<RecordChange>& changes, bool rest, std::optional<SurfaceJob> job) {
     if (!rest)
         attendance_.seen();
     std::set<std::string> set;
@@ -118,7 +122,8 @@ Session::Epochs Session::build(const std::vector<RecordChange>& changes, bool re
     Epochs epochs;
     for (const auto& [id, record] : records_.all<protocol::SurfaceRecord>())
         if (set.contains(id))
-            epochs.emplace_back(id, builds_.build(record, rest));
+            epochs.emplace_back(id, job ? builds_.build(record, *std::exchange(job, std::nullopt))
+                                        : builds_.build(record, rest));
         else if (hanging.contains(id))
             if (const auto epoch = builds_.rebuild(record))
                 epochs.emplace_back(id, *epoch);

@@ -202,7 +202,8 @@ void measure_moving_surface(benchmark::State& state, const Case& which) {
             std::vector<double> seconds;
             core::SurfaceStatistics made;
             for (int i = 0; i < 3; ++i) {
-                auto surface = core::MovingSurface::start(*flow, rake, p, {}, clock);
+                auto surface = core::MovingSurface::start(
+                    core::plan_surface(*flow, rake, p).value(), {}, clock);
                 if (!surface)
                     throw std::runtime_error(surface.error().message);
                 seconds.push_back(seconds_of([&] {

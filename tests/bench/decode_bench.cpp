@@ -42,7 +42,8 @@ core::MovingSurface streak(double separation) {
     p.separation = separation;
     p.accuracy = core::Accuracy::Fast;
     const core::Rake rake{core::Rake::Kind::Line, {{0.7, 2.0, 3.0}, {5.5, 4.0, 3.5}}, 16};
-    auto surface = core::MovingSurface::start(*sampled.flow, rake, p, {}, clock);
+    auto surface =
+        core::MovingSurface::start(core::plan_surface(*sampled.flow, rake, p).value(), {}, clock);
     if (!surface)
         throw std::runtime_error(surface.error().message);
     while (surface->time() < 0.9 * end &&

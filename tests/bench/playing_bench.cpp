@@ -52,7 +52,7 @@ Played play(const core::Flow& flow) {
     const core::Rake rake{core::Rake::Kind::Line, {{0.4, 0.5, 0.1}, {0.6, 0.5, 0.8}}, 16};
     const core::SteadyClock clock;
     const auto start = std::chrono::steady_clock::now();
-    auto surface = core::MovingSurface::start(flow, rake, p, {}, clock);
+    auto surface = core::MovingSurface::start(core::plan_surface(flow, rake, p).value(), {}, clock);
     while (surface && surface->time() != surface->end_time())
         if (const auto stepped = surface->step(surface->end_time(), {}); !stepped)
             throw std::runtime_error(stepped.error().message);

@@ -64,7 +64,8 @@ core::MovingSurface grown_surface(const Grown& asked) {
     p.separation = separation_in_cells * sampled.spacing();
     p.accuracy = asked.accuracy;
     const core::Rake rake{core::Rake::Kind::Line, {{0.7, 2.0, 3.0}, {5.5, 4.0, 3.5}}, 16};
-    auto surface = core::MovingSurface::start(*sampled.flow, rake, p, {}, steady_clock());
+    auto surface = core::MovingSurface::start(core::plan_surface(*sampled.flow, rake, p).value(),
+                                              {}, steady_clock());
     if (!surface)
         throw std::runtime_error(surface.error().message);
     while (surface->state().mesh.vertices.used() < wanted_vertices)

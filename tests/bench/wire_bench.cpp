@@ -97,8 +97,10 @@ void step(core::MovingSurface& surface) {
 core::MovingSurface streak(const Scene& scene, double separation, double vertices) {
     static const core::SteadyClock clock;
     auto surface = core::MovingSurface::start(
-        *scene.flow, scene.rake, parameters(scene, core::SurfaceKind::Streak, separation), {},
-        clock);
+        core::plan_surface(*scene.flow, scene.rake,
+                           parameters(scene, core::SurfaceKind::Streak, separation))
+            .value(),
+        {}, clock);
     if (!surface)
         throw std::runtime_error(surface.error().message);
     while (surface->time() < scene.from + 0.9 * (scene.to - scene.from) &&

@@ -223,7 +223,7 @@ class ClientTest(unittest.TestCase):
         self.assertEqual((surface.record()["direction"], surface.record()["to"]), ("forward", 2))
         with self.assertRaises(wakesurf.InvalidParameters) as refused:
             surface.set(direction="backward")
-        self.assertIn("'from' 1.5 and 'to' 1", refused.exception.hint)
+        self.assertIn("`from` 1.5 and `to` 1", refused.exception.hint)
         for kind, more in (("streak", {}), ("time", {"sweep": (0, 0, 0.5)})):
             with self.assertRaises(wakesurf.InvalidParameters) as refused:
                 surface.set(kind=kind, direction="both", **more)

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/surface/moving/origin.hpp"
+#include "core/surface/request/surface_plan.hpp"
 #include "core/surface/surface.hpp"
-#include "core/surface/surface_request.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -176,9 +176,9 @@ class ExactSheet {
     void carry(const std::vector<Search*>& all) const {
         const core::Origin origin =
             p_.kind == core::SurfaceKind::Streak
-                ? core::Origin(rake_, p_.interpolation == core::Interpolation::Smooth)
-            : p_.rake2 ? core::Origin(rake_, *p_.rake2, p_.from)
-                       : core::Origin(rake_, *p_.sweep, p_.from);
+                ? core::Origin(seeding_, p_.interpolation == core::Interpolation::Smooth)
+            : p_.rake2 ? core::Origin(seeding_, core::SeedingCurve(*p_.rake2), p_.from)
+                       : core::Origin(seeding_, *p_.sweep, p_.from);
         std::vector<double> s, t, time;
         for (const Search* each : all) {
             s.push_back(each->tried_s);

@@ -63,8 +63,8 @@ inline bool expect_sound(const core::MovingSurface& surface, const core::KeyedMe
 template <class Visit>
 void follow(const MovingRun& request, int looks, const Visit& visit) {
     static const core::SteadyClock clock;
-    auto surface =
-        core::MovingSurface::start(*request.flow, request.rake, request.parameters, {}, clock);
+    auto surface = core::MovingSurface::start(
+        core::plan_surface(*request.flow, request.rake, request.parameters).value(), {}, clock);
     ASSERT_TRUE(surface) << request.name << ": " << surface.error().message;
     const double from = surface->time(), end = surface->end_time();
     int look = 0;
@@ -86,7 +86,8 @@ void follow(const MovingRun& request, int looks, const Visit& visit) {
 
 /// Cells at the rake grow from nothing: they are not judged.
 inline MeshShape shape_of(const core::MovingSurface& surface, const core::KeyedMesh& shown) {
-    const bool streak = surface.state().plan->request.parameters.kind == core::SurfaceKind::Streak;
+    const bool streak =
+        surface.state().plan->request.plan.parameters.kind == core::SurfaceKind::Streak;
     return shape_of(shown.mesh, [&](const core::Cell& cell) {
         return !streak || std::ranges::none_of(cell.corner, [&](core::VertexId v) {
             return shown.mesh.t[v] == shown.time;

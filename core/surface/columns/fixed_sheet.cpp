@@ -129,14 +129,14 @@ void count(const FixedColumns& grid, SurfaceStatistics& statistics) {
 
 } // namespace
 
-Result<FixedSheet> fixed_sheet(const Flow& flow,
-                               const Rake& rake,
+Result<FixedSheet> fixed_sheet(const SurfacePlan& plan,
                                std::span<const SheetOptions> directions,
                                const Clock& clock,
                                const std::stop_token& stop,
                                const WorkPart& work) {
     const SheetOptions& first = directions.front();
-    const SeedingCurve seeding(rake);
+    const Rake& rake = plan.rake;
+    const SeedingCurve& seeding = plan.seeding;
     const double most = static_cast<double>(first.max_quads);
     const double intervals =
         std::min(grid_intervals(rake, seeding.length(), first.separation, first.separation),
@@ -149,7 +149,7 @@ Result<FixedSheet> fixed_sheet(const Flow& flow,
     std::vector<FixedColumns> grids;
     double quads = 0.0;
     for (const SheetOptions& options : directions) {
-        auto grid = traced(flow, seeding, seeds, options, clock, stop, out.statistics);
+        auto grid = traced(*plan.flow, seeding, seeds, options, clock, stop, out.statistics);
         if (!grid)
             return tl::unexpected(grid.error());
         quads += grid->quads();

@@ -4,6 +4,7 @@
 
 #include "core/base/work_done.hpp"
 #include "core/surface/columns/sheet_mesh.hpp"
+#include "core/surface/request/surface_plan.hpp"
 #include "core/surface/surface_statistics.hpp"
 
 #include <span>
@@ -17,11 +18,10 @@ struct FixedSheet {
     SurfaceStatistics statistics;
 };
 
-/// @param directions  one or two, of one separation and quad budget, as sheet_options returns them
+/// @param directions  one or two, of one separation and quad budget, as the plan returns them
 /// In a row the fastest particle goes 3/4 of the separation. A column ends at the last row that its particle reaches. Where the budget
 /// does not suffice rows are longer, then there are fewer columns. Error: Cancelled (also where there is no memory), and what tracing reports.
-Result<FixedSheet> fixed_sheet(const Flow& flow,
-                               const Rake& rake,
+Result<FixedSheet> fixed_sheet(const SurfacePlan& plan,
                                std::span<const SheetOptions> directions,
                                const Clock& clock,
                                const std::stop_token& stop,

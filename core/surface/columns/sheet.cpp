@@ -41,8 +41,8 @@ double elapsed(const Clock& clock, std::chrono::steady_clock::time_point since) 
 
 } // namespace
 
-Sheet::Sheet(const Flow& flow, const Rake& rake, SheetOptions options)
-    : flow_(flow), seeding_(rake), closed_(rake.closed()),
+Sheet::Sheet(const Flow& flow, SeedingCurve seeding, SheetOptions options)
+    : flow_(flow), seeding_(std::move(seeding)),
       options_(options), limits_{
                              {&flow, options.separation, flow.obstacle()},
                              {spacing_of_separation * options.separation, most_turn(options.angle)},
@@ -86,7 +86,7 @@ Result<void> Sheet::hold(std::size_t quads, std::size_t& counted, const WorkPart
 }
 
 Strip Sheet::strip_between(double left, double right_s) const {
-    return Strip(*curve_at_.at(left), *curve_at_.at(right_s == 1.0 && closed_ ? 0.0 : right_s),
+    return Strip(*curve_at_.at(left), *curve_at_.at(right_s == 1.0 && closed() ? 0.0 : right_s),
                  right_s);
 }
 
@@ -174,7 +174,7 @@ Result<bool> Sheet::build(const std::set<double>& seeds,
     for (auto left = seeds_.begin(); left != seeds_.end(); ++left)
         if (const auto right = std::next(left); right != seeds_.end())
             strips_.push_back(strip_between(*left, *right));
-        else if (closed_)
+        else if (closed())
             strips_.push_back(strip_between(*left, 1.0));
     std::vector<std::size_t> dirty(strips_.size());
     std::iota(dirty.begin(), dirty.end(), std::size_t{0});
@@ -221,7 +221,7 @@ std::vector<Sheet::StripDemand> Sheet::bend_demands(const Clock& clock) {
         return demands;
     const auto start = clock.now();
     const double cosine = std::cos(options_.angle * std::numbers::pi / 180.0);
-    const auto rows = find_bends(strips_, closed_, cosine, 2.0 * bend_width * options_.separation);
+    const auto rows = find_bends(strips_, closed(), cosine, 2.0 * bend_width * options_.separation);
     for (std::size_t i = 0; i < strips_.size(); ++i)
         if (!rows[i].empty())
             if (auto demand = strips_[i].split_bends(limits_, rows[i]); demand.changed)

@@ -5,6 +5,7 @@
 #include "core/base/clock.hpp"
 #include "core/base/result.hpp"
 #include "core/base/work_done.hpp"
+#include "core/surface/columns/sheet_options.hpp"
 #include "core/surface/columns/strip.hpp"
 #include "core/surface/rake.hpp"
 
@@ -16,19 +17,9 @@
 
 namespace wakesurf::core {
 
-struct SheetOptions {
-    TraceOptions trace;
-    double release;  ///< simulation time the particles leave the rake
-    double duration; ///< signed
-    double separation;
-    std::uint64_t max_quads;
-    double merge = 0.0;   ///< SurfaceParameters::merge
-    double angle = 180.0; ///< SurfaceParameters::angle
-};
-
 class Sheet {
   public:
-    Sheet(const Flow& flow, const Rake& rake, SheetOptions options);
+    Sheet(const Flow& flow, SeedingCurve seeding, SheetOptions options);
     Sheet(const Sheet&) = delete;
     Sheet(Sheet&&) = default;
 
@@ -50,7 +41,7 @@ class Sheet {
     /// The strips along the rake; a closed rake's last one ends at the first one's left column.
     const std::vector<Strip>& strips() const { return strips_; }
 
-    bool closed() const { return closed_; }
+    bool closed() const { return seeding_.closed(); }
 
     const SheetOptions& options() const { return options_; }
 
@@ -89,7 +80,6 @@ class Sheet {
 
     const Flow& flow_;
     SeedingCurve seeding_;
-    bool closed_;
     SheetOptions options_;
     StripLimits limits_;
     std::set<double> seeds_;

@@ -9,14 +9,12 @@
 
 namespace wakesurf::core {
 
-Result<Surface> build_moving_surface(const Flow& flow,
-                                     const Rake& rake,
-                                     const SurfaceParameters& parameters,
+Result<Surface> build_moving_surface(const SurfacePlan& plan,
                                      std::stop_token stop,
                                      const Clock& clock,
                                      const WorkPart& work) {
     const auto began = clock.now();
-    auto moving = MovingSurface::start(flow, rake, parameters, stop, clock, work);
+    auto moving = MovingSurface::start(plan, stop, clock, work);
     if (!moving)
         return tl::unexpected(moving.error());
     if (auto moved = moving->advance_to(moving->end_time(), stop, work); !moved)
@@ -25,9 +23,9 @@ Result<Surface> build_moving_surface(const Flow& flow,
                     shown_bytes * moving->state().mesh.vertices.slots()))
         return fail(Error::Code::Cancelled, "there is not enough memory for the surface");
     Surface surface{moving->mesh().mesh, moving->statistics()};
-    if (time_sign(parameters) < 0.0)
+    if (time_sign(plan.parameters) < 0.0)
         mirror_cells(surface.mesh);
-    if (!parameters.deformation)
+    if (!plan.parameters.deformation)
         surface.mesh.deformation.clear();
     label_components(surface.mesh);
     SurfaceStatistics& s = surface.statistics;

@@ -1,6 +1,5 @@
 #include "core/surface/moving/moving_plan.hpp"
 
-#include "core/surface/surface_request.hpp"
 #include "core/surface/time_direction.hpp"
 
 #include <algorithm>
@@ -15,22 +14,27 @@ namespace {
 constexpr double joined_at_most = 11.0 / 7.0; ///< of `merge`: the longest edge that is joined
 constexpr double most_rows = 20'000;          ///< that a surface takes to its end
 
-Origin origin_of(const Rake& rake, const SurfaceParameters& p) {
+Origin origin_of(const SurfacePlan& plan) {
+    const SurfaceParameters& p = plan.parameters;
     if (p.kind == SurfaceKind::Streak)
-        return Origin(rake, p.interpolation == Interpolation::Smooth);
-    return p.rake2 ? Origin(rake, *p.rake2, p.from) : Origin(rake, *p.sweep, p.from);
+        return Origin(plan.seeding, p.interpolation == Interpolation::Smooth);
+    return p.rake2 ? Origin(plan.seeding, SeedingCurve(*p.rake2), p.from)
+                   : Origin(plan.seeding, *p.sweep, p.from);
 }
 
 } // namespace
 
+MovingRequest::MovingRequest(SurfacePlan asked, double fastest)
+    : plan(std::move(asked)), largest_speed(fastest), origin(origin_of(plan)) {}
+
 double MovingRequest::travel() const {
-    return largest_speed * time_span(parameters);
+    return largest_speed * time_span(plan.parameters);
 }
 
-MovingPlan make_plan(const Flow& flow, const MovingRequest& request, double separation) {
-    const SurfaceParameters& p = request.parameters;
-    const Rake& rake = request.rake;
-    Origin origin = origin_of(rake, p);
+MovingPlan make_plan(const MovingRequest& request, double separation) {
+    const Flow& flow = *request.plan.flow;
+    const SurfaceParameters& p = request.plan.parameters;
+    const Origin& origin = request.origin;
     const double span = time_span(p);
     Columns columns = make_columns(origin, seeds_at(request, separation));
     RefinementRules rules;
@@ -77,7 +81,6 @@ MovingPlan make_plan(const Flow& flow, const MovingRequest& request, double sepa
         origin, flow, columns,
         p.refine == Refine::On ? rules.tear_size * separation : std::numeric_limits<double>::max());
     return {request,
-            std::move(origin),
             std::move(columns),
             std::move(places),
             rules,
@@ -91,28 +94,27 @@ MovingPlan make_plan(const Flow& flow, const MovingRequest& request, double sepa
 }
 
 double least_separation(const MovingRequest& request) {
-    return std::max(request.parameters.separation, request.travel() / (row_spacing * most_rows));
+    return std::max(request.plan.parameters.separation,
+                    request.travel() / (row_spacing * most_rows));
 }
 
 double seeds_at(const MovingRequest& request, double separation) {
-    const Origin origin = origin_of(request.rake, request.parameters);
-    const auto intervals =
-        request.parameters.refine == Refine::On ? seed_intervals : grid_intervals;
-    return intervals(request.rake, origin.length(), separation, request.parameters.separation);
+    const SurfaceParameters& p = request.plan.parameters;
+    const auto intervals = p.refine == Refine::On ? seed_intervals : grid_intervals;
+    return intervals(request.plan.rake, request.origin.length(), separation, p.separation);
 }
 
-BudgetSearch budget_search(const Flow& flow, const MovingRequest& request) {
-    const Origin origin = origin_of(request.rake, request.parameters);
-    const double across = origin.patch()
-                              ? origin.longest_across()
-                              : std::min(request.travel(), glm::length(flow.domain().extent()));
+BudgetSearch budget_search(const MovingRequest& request) {
+    const SurfaceParameters& p = request.plan.parameters;
+    const Box domain = request.plan.flow->domain();
+    const Origin& origin = request.origin;
+    const double across = origin.patch() ? origin.longest_across()
+                                         : std::min(request.travel(), glm::length(domain.extent()));
     const double separation = least_separation(request);
-    const double wide = request.parameters.refine == Refine::On
-                            ? std::max(1.0, origin.length() / separation)
-                            : seeds_at(request, separation);
+    const double wide = p.refine == Refine::On ? std::max(1.0, origin.length() / separation)
+                                               : seeds_at(request, separation);
     const double unstretched = wide * std::max(1.0, across / separation);
-    return {separation, coarsest_separation(flow.domain()), unstretched,
-            request.parameters.max_quads};
+    return {separation, coarsest_separation(domain), unstretched, p.max_quads};
 }
 
 } // namespace wakesurf::core

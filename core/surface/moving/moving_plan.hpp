@@ -4,7 +4,7 @@
 #include "core/surface/budget_search.hpp"
 #include "core/surface/moving/first_row.hpp"
 #include "core/surface/moving/refinement_rules.hpp"
-#include "core/surface/surface_parameters.hpp"
+#include "core/surface/request/surface_plan.hpp"
 
 #include <optional>
 #include <vector>
@@ -13,9 +13,11 @@ namespace wakesurf::core {
 
 /// A streak or time surface as asked for, from which it can be begun at any separation.
 struct MovingRequest {
-    Rake rake;
-    SurfaceParameters parameters; ///< checked, separation > 0, one direction
-    double largest_speed;         ///< in the domain, at the start
+    MovingRequest(SurfacePlan asked, double fastest);
+
+    SurfacePlan plan;
+    double largest_speed; ///< in the domain, at the start
+    Origin origin;
 
     /// How far the fastest particle goes.
     double travel() const;
@@ -23,7 +25,6 @@ struct MovingRequest {
 
 struct MovingPlan {
     MovingRequest request;
-    Origin origin;
     Columns columns;
     std::vector<double> places; ///< of a row on the rake
     RefinementRules rules;
@@ -39,7 +40,7 @@ struct MovingPlan {
 constexpr double row_spacing = 0.75; ///< of the separation, as the columns of stream surfaces
 
 /// The request at `separation`, which may be larger than the one asked for.
-MovingPlan make_plan(const Flow& flow, const MovingRequest& request, double separation);
+MovingPlan make_plan(const MovingRequest& request, double separation);
 
 /// The request's own separation, or a larger one where the surface would take too many steps.
 double least_separation(const MovingRequest& request);
@@ -48,6 +49,6 @@ double least_separation(const MovingRequest& request);
 double seeds_at(const MovingRequest& request, double separation);
 
 /// Which separations to try for the request.
-BudgetSearch budget_search(const Flow& flow, const MovingRequest& request);
+BudgetSearch budget_search(const MovingRequest& request);
 
 } // namespace wakesurf::core

@@ -5,7 +5,6 @@
 #include "core/surface/moving/fixed_topology.hpp"
 #include "core/surface/moving/release.hpp"
 #include "core/surface/moving/snapshot.hpp"
-#include "core/surface/surface_request.hpp"
 #include "core/surface/time_direction.hpp"
 
 #include <tbb/blocked_range.h>
@@ -61,38 +60,30 @@ double elapsed(const Clock& clock, std::chrono::steady_clock::time_point since) 
 
 } // namespace
 
-MovingSurface::MovingSurface(const Flow& flow, MovingPlan plan, const Clock& clock)
-    : flow_(&flow), clock_(&clock) {
+MovingSurface::MovingSurface(MovingPlan plan, const Clock& clock)
+    : flow_(plan.request.plan.flow.get()), clock_(&clock) {
     state_.plan = std::make_shared<const MovingPlan>(std::move(plan));
     state_.separation = state_.plan->rules.separation;
-    state_.mesh.time = state_.plan->request.parameters.from;
+    state_.mesh.time = state_.plan->request.plan.parameters.from;
     state_.errors_until = state_.mesh.time;
     if (state_.plan->estimates)
-        state_.step_errors = StepErrors(flow.domain());
+        state_.step_errors = StepErrors(flow_->domain());
 }
 
-Result<MovingSurface> MovingSurface::start(const Flow& flow,
-                                           const Rake& rake,
-                                           const SurfaceParameters& p,
+Result<MovingSurface> MovingSurface::start(const SurfacePlan& asked,
                                            std::stop_token stop,
                                            const Clock& clock,
                                            const WorkPart& work) {
     const auto began = clock.now();
-    if (auto there = check_interpolation(flow, p.interpolation); !there)
-        return tl::unexpected(there.error());
-    if (auto in_time = check_times(flow, p); !in_time)
-        return tl::unexpected(in_time.error());
-    const auto speed = largest_speed(flow, rake, p.from, stop);
+    const auto speed = asked.largest_speed(stop);
     if (!speed)
         return tl::unexpected(speed.error());
     const double load = elapsed(clock, began);
-    MovingRequest request{rake, p, *speed};
-    if (!(p.separation > 0.0))
-        request.parameters.separation = flow.finest_spacing();
-    auto plan = plan_within_budget(flow, request, budget_search(flow, request), stop, clock, work);
+    const MovingRequest request(asked, *speed);
+    auto plan = plan_within_budget(request, budget_search(request), stop, clock, work);
     if (!plan)
         return tl::unexpected(plan.error());
-    MovingSurface surface(flow, std::move(*plan), clock);
+    MovingSurface surface(std::move(*plan), clock);
     if (auto begun = surface.begin_within_budget(stop, work); !begun)
         return tl::unexpected(begun.error());
     surface.seconds_.load = load;
@@ -101,12 +92,11 @@ Result<MovingSurface> MovingSurface::start(const Flow& flow,
 }
 
 /// The most quads that a surface has until its end. Nothing: more than its rules allow.
-Result<std::optional<std::uint64_t>> MovingSurface::most_quads(const Flow& flow,
-                                                               MovingPlan plan,
+Result<std::optional<std::uint64_t>> MovingSurface::most_quads(MovingPlan plan,
                                                                const Clock& clock,
                                                                const std::stop_token& stop,
                                                                const WorkPart& work) {
-    MovingSurface surface(flow, std::move(plan), clock);
+    MovingSurface surface(std::move(plan), clock);
     const double from = surface.time();
     auto within = surface.begin(stop, work.quietly());
     std::uint64_t most = 0;
@@ -128,8 +118,7 @@ Result<std::optional<std::uint64_t>> MovingSurface::most_quads(const Flow& flow,
 }
 
 /// The next plan whose surface should keep its quad budget to its end, as far as coarser surfaces can tell.
-Result<MovingPlan> MovingSurface::plan_within_budget(const Flow& flow,
-                                                     const MovingRequest& request,
+Result<MovingPlan> MovingSurface::plan_within_budget(const MovingRequest& request,
                                                      BudgetSearch search,
                                                      const std::stop_token& stop,
                                                      const Clock& clock,
@@ -139,26 +128,25 @@ Result<MovingPlan> MovingSurface::plan_within_budget(const Flow& flow,
             search.exceeded();
             continue;
         }
-        MovingPlan plan = make_plan(flow, request, trial->separation);
+        MovingPlan plan = make_plan(request, trial->separation);
         const bool asked_for = trial->separation == least_separation(request);
         if (!asked_for && !search.near()) {
             plan.rules.max_quads = trial->most;
             plan.rules.coarsens = false;
-            const auto quads =
-                most_quads(flow, plan, clock, stop, work.rest().between(0.0, trial_share));
+            const auto quads = most_quads(plan, clock, stop, work.rest().between(0.0, trial_share));
             if (!quads)
                 return tl::unexpected(quads.error());
             if (!*quads)
                 search.exceeded();
             if (!*quads || !search.built(**quads))
                 continue;
-            plan.rules.max_quads = request.parameters.max_quads;
+            plan.rules.max_quads = request.plan.parameters.max_quads;
         }
         plan.rules.coarsens = search.given_up() >= most_given_up;
         plan.search = search;
         return plan;
     }
-    return cannot_be_coarser(request.parameters.max_quads, search.coarsest());
+    return cannot_be_coarser(request.plan.parameters.max_quads, search.coarsest());
 }
 
 /// The surface at its start. False: it has more quads than its rules allow.
@@ -166,25 +154,27 @@ Result<bool> MovingSurface::begin(const std::stop_token& stop, const WorkPart& w
     const MovingPlan& plan = *state_.plan;
     MovingMesh& mesh = state_.mesh;
     mesh.lattice = {plan.columns.count, plan.columns.closed, 0.0,
-                    plan.origin.patch() ? 1.0 : -time_sign(plan.request.parameters)};
+                    plan.request.origin.patch() ? 1.0 : -time_sign(plan.request.plan.parameters)};
     if (!refines())
         mesh.triangles.allow_contacts();
-    if (plan.origin.patch()) {
-        const double rows = std::max(
-            1.0,
-            std::ceil(plan.origin.longest_across() / (patch_spacing * state_.separation) - 1e-9));
+    if (plan.request.origin.patch()) {
+        const double rows = std::max(1.0, std::ceil(plan.request.origin.longest_across() /
+                                                        (patch_spacing * state_.separation) -
+                                                    1e-9));
         mesh.lattice.last_row = rows;
         const double quads = plan.columns.count * rows;
         if (quads > static_cast<double>(plan.rules.max_quads))
             return false;
         if (!work.holds(static_cast<std::size_t>(patch_bytes * quads)))
             return fail(Error::Code::Cancelled, "there is not enough memory for the surface");
-        if (auto laid = lay_patch(mesh, plan.origin, *flow_, plan.columns, rows, stop); !laid)
+        if (auto laid = lay_patch(mesh, plan.request.origin, *flow_, plan.columns, rows, stop);
+            !laid)
             return tl::unexpected(laid.error());
         if (const auto within = refine(mesh.time, plan.carry, stop, work); !within || !*within)
             return within;
     } else {
-        if (auto row = attach_row(mesh, plan.origin, *flow_, plan.columns, plan.places, 0.0, stop);
+        if (auto row =
+                attach_row(mesh, plan.request.origin, *flow_, plan.columns, plan.places, 0.0, stop);
             !row)
             return tl::unexpected(row.error());
         for (VertexId v = 0; v < mesh.vertices.slots(); ++v)
@@ -215,10 +205,10 @@ MovingSurface::start_coarser(double until, const std::stop_token& stop, const Wo
     const std::uint32_t vertex_id = state_.mesh.vertices.next_id();
     const std::uint32_t cell_id = state_.mesh.triangles.next_id();
     state_.mesh = {};
-    auto plan = plan_within_budget(*flow_, request, search, stop, *clock_, work);
+    auto plan = plan_within_budget(request, search, stop, *clock_, work);
     if (!plan)
         return tl::unexpected(plan.error());
-    MovingSurface coarser(*flow_, std::move(*plan), *clock_);
+    MovingSurface coarser(std::move(*plan), *clock_);
     state_ = std::move(coarser.state_);
     state_.mesh.vertices.number_from(vertex_id);
     state_.mesh.triangles.number_from(cell_id);
@@ -240,7 +230,7 @@ Result<bool> MovingSurface::refine(double before,
     }
     RefinementRules rules = state_.plan->rules;
     rules.separation = state_.separation;
-    Refinement refinement(*flow_, state_.plan->origin, rules, before, state_.steps, carry,
+    Refinement refinement(*flow_, state_.plan->request.origin, rules, before, state_.steps, carry,
                           refinement_memory_);
     const auto within = refinement.run(state_.mesh, stop, work);
     state_.separation = refinement.rules().separation;
@@ -251,7 +241,7 @@ Result<bool> MovingSurface::refine(double before,
 }
 
 bool MovingSurface::refines() const {
-    return state_.plan->request.parameters.refine == Refine::On;
+    return state_.plan->request.plan.parameters.refine == Refine::On;
 }
 
 /// Velocity at every vertex now; the rake's particles leave along it.
@@ -342,7 +332,7 @@ Result<void> MovingSurface::step(double to,
             return again;
     here.reached(1.0);
     work.has(state_.mesh.triangles.quads());
-    work.came_to(time(), state_.plan->request.parameters.from);
+    work.came_to(time(), state_.plan->request.plan.parameters.from);
     return {};
 }
 
@@ -397,7 +387,7 @@ Result<bool> MovingSurface::move(double now, const std::stop_token& stop, const 
     if (!released.empty() && !last_release) {
         state_.row += 1.0;
         const auto row =
-            attach_row(mesh, state_.plan->origin, *flow_, state_.plan->columns,
+            attach_row(mesh, state_.plan->request.origin, *flow_, state_.plan->columns,
                        places_behind(mesh, released, state_.plan->places), state_.row, stop);
         if (!row)
             return tl::unexpected(row.error());
@@ -457,7 +447,7 @@ Result<void> MovingSurface::trace_doubtful(const AdvanceOptions& options,
     if (options.method == AdvanceOptions::Method::Dopri5)
         std::erase_if(doubtful,
                       [&](VertexId v) { return state_.mesh.vertices.approximated[v] == 0; });
-    return retrace(state_.mesh, state_.plan->origin, *flow_, doubtful, options, stop);
+    return retrace(state_.mesh, state_.plan->request.origin, *flow_, doubtful, options, stop);
 }
 
 Result<void> MovingSurface::advance_to(double to, std::stop_token stop, const WorkPart& work) {
@@ -484,14 +474,14 @@ void MovingSurface::restore(const MovingState& state) {
 
 SurfaceStatistics MovingSurface::statistics() const {
     SurfaceStatistics s;
-    s.kind = state_.plan->origin.patch() ? SurfaceKind::Time : SurfaceKind::Streak;
+    s.kind = state_.plan->request.origin.patch() ? SurfaceKind::Time : SurfaceKind::Streak;
     s.steps = state_.steps;
     s.vertex_steps = state_.vertex_steps;
     s.terminated = state_.terminated;
     s.terminated.time = running(state_.mesh);
     s.torn = state_.torn;
     s.separation = state_.separation;
-    s.requested_separation = state_.plan->request.parameters.separation;
+    s.requested_separation = state_.plan->request.plan.parameters.separation;
     s.seconds = seconds_;
     return s;
 }

@@ -44,14 +44,9 @@ struct MovingState {
 class MovingSurface {
   public:
     /// The surface at `parameters.from`: nothing of a streak surface yet, the whole patch of a time surface.
-    /// @param parameters  checked (see check_request)
-    /// @param flow        must outlive the surface Where coarse trials show that it would exceed the quad
-    ///                    budget, its separation is larger from the start.
-    /// Error: OutOfTime, OverLimit where not even a tenth of the domain would do, Cancelled, what sampling
-    /// reports.
-    static Result<MovingSurface> start(const Flow& flow,
-                                       const Rake& rake,
-                                       const SurfaceParameters& parameters,
+    /// Where coarse trials show that it would exceed the quad budget, its separation is larger from the start.
+    /// Error: OverLimit where not even a tenth of the domain would do, Cancelled, what sampling reports.
+    static Result<MovingSurface> start(const SurfacePlan& plan,
                                        std::stop_token stop,
                                        const Clock& clock,
                                        const WorkPart& work = {});
@@ -92,14 +87,12 @@ class MovingSurface {
     std::string validate() const;
 
   private:
-    MovingSurface(const Flow& flow, MovingPlan plan, const Clock& clock);
-    static Result<std::optional<std::uint64_t>> most_quads(const Flow& flow,
-                                                           MovingPlan plan,
+    MovingSurface(MovingPlan plan, const Clock& clock);
+    static Result<std::optional<std::uint64_t>> most_quads(MovingPlan plan,
                                                            const Clock& clock,
                                                            const std::stop_token& stop,
                                                            const WorkPart& work);
-    static Result<MovingPlan> plan_within_budget(const Flow& flow,
-                                                 const MovingRequest& request,
+    static Result<MovingPlan> plan_within_budget(const MovingRequest& request,
                                                  BudgetSearch search,
                                                  const std::stop_token& stop,
                                                  const Clock& clock,

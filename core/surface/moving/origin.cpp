@@ -4,15 +4,17 @@
 
 namespace wakesurf::core {
 
-Origin::Origin(const Rake& rake, bool smooth)
-    : curve_(rake), closed_(rake.closed()), smooth_(smooth) {}
+Origin::Origin(SeedingCurve rake, bool smooth) : curve_(std::move(rake)), smooth_(smooth) {}
 
-Origin::Origin(const Rake& rake, const Rake& opposite, double release)
-    : curve_(rake), closed_(rake.closed() && opposite.closed()), opposite_(opposite),
-      release_(release) {}
+Origin::Origin(SeedingCurve rake, SeedingCurve opposite, double release)
+    : curve_(std::move(rake)), opposite_(std::move(opposite)), release_(release) {}
 
-Origin::Origin(const Rake& rake, const Vec3& sweep, double release)
-    : curve_(rake), closed_(rake.closed()), sweep_(sweep), release_(release) {}
+Origin::Origin(SeedingCurve rake, const Vec3& sweep, double release)
+    : curve_(std::move(rake)), sweep_(sweep), release_(release) {}
+
+bool Origin::closed() const {
+    return curve_.closed() && (!opposite_ || opposite_->closed());
+}
 
 Vec3 Origin::position(double s, double t) const {
     const Vec3 near = curve_.at(s);

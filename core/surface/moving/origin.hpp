@@ -18,16 +18,16 @@ class Origin {
   public:
     /// Streak: t is the release time. @param smooth  the field that velocity on the rake is sampled in, as
     /// for Flow::sample
-    explicit Origin(const Rake& rake, bool smooth = false);
+    explicit Origin(SeedingCurve rake, bool smooth = false);
 
     /// Time: t in 0..1 runs from the rake to `opposite`, a second rake or the rake moved by a vector; all is
     /// released at `release`.
-    Origin(const Rake& rake, const Rake& opposite, double release);
-    Origin(const Rake& rake, const Vec3& sweep, double release);
+    Origin(SeedingCurve rake, SeedingCurve opposite, double release);
+    Origin(SeedingCurve rake, const Vec3& sweep, double release);
 
     bool patch() const { return opposite_.has_value() || sweep_.has_value(); }
 
-    bool closed() const { return closed_; }
+    bool closed() const;
 
     Vec3 position(double s, double t) const;
 
@@ -52,7 +52,6 @@ class Origin {
 
   private:
     SeedingCurve curve_;
-    bool closed_;
     std::optional<SeedingCurve> opposite_;
     std::optional<Vec3> sweep_;
     double release_ = 0.0;

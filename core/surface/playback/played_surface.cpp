@@ -9,26 +9,21 @@
 
 namespace wakesurf::core {
 
-PlayedSurface::PlayedSurface(const Flow& flow,
-                             const Rake& rake,
-                             const SurfaceParameters& parameters,
-                             SurfaceHistory history)
-    : flow_(&flow), rake_(rake), parameters_(parameters), history_(std::move(history)),
-      from_(parameters.from), sign_(time_sign(parameters)) {}
+PlayedSurface::PlayedSurface(SurfaceHistory history)
+    : history_(std::move(history)), from_(plan().parameters.from),
+      sign_(time_sign(plan().parameters)) {}
 
-Result<PlayedSurface> PlayedSurface::start(const Flow& flow,
-                                           const Rake& rake,
-                                           const SurfaceParameters& parameters,
+Result<PlayedSurface> PlayedSurface::start(const SurfacePlan& plan,
                                            std::size_t budget_bytes,
                                            const Clock& clock,
                                            const std::stop_token& stop,
                                            const WorkPart& work) {
-    auto moving = MovingSurface::start(flow, rake, parameters, stop, clock, work);
+    auto moving = MovingSurface::start(plan, stop, clock, work);
     if (!moving)
         return tl::unexpected(moving.error());
     if (!work.holds(2 * moving->state().bytes())) // its start is kept
         return fail(Error::Code::Cancelled, "there is not enough memory for the surface");
-    return PlayedSurface(flow, rake, parameters, SurfaceHistory(std::move(*moving), budget_bytes));
+    return PlayedSurface(SurfaceHistory(std::move(*moving), budget_bytes));
 }
 
 void PlayedSurface::limit(std::size_t budget_bytes) {
@@ -70,7 +65,7 @@ PlayedSurface::at(double age, const std::stop_token& stop, const WorkPart& work)
     s.seconds.total = s.seconds.load + s.seconds.advect + s.seconds.refine;
     if (age > most_)
         s.stopped = stopped_;
-    auto empty = why_empty(*flow_, rake_, parameters_, shown.mesh.mesh, s, stop);
+    auto empty = why_empty(plan(), shown.mesh.mesh, s, stop);
     if (!empty)
         return tl::unexpected(empty.error());
     s.empty = std::move(*empty);

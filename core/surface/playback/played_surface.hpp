@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/surface/moving/surface_history.hpp"
-#include "core/surface/rake.hpp"
 
 #include <limits>
 #include <stop_token>
@@ -13,12 +12,10 @@ namespace wakesurf::core {
 /// Thread safety: one thread at a time.
 class PlayedSurface {
   public:
-    /// @param flow, clock   outlive it
+    /// @param clock         outlives it
     /// @param budget_bytes  of what is kept to step back to
     /// Error: what MovingSurface::start reports.
-    static Result<PlayedSurface> start(const Flow& flow,
-                                       const Rake& rake,
-                                       const SurfaceParameters& parameters,
+    static Result<PlayedSurface> start(const SurfacePlan& plan,
                                        std::size_t budget_bytes,
                                        const Clock& clock,
                                        const std::stop_token& stop,
@@ -43,16 +40,12 @@ class PlayedSurface {
     std::size_t bytes() const;
 
   private:
-    PlayedSurface(const Flow& flow,
-                  const Rake& rake,
-                  const SurfaceParameters& parameters,
-                  SurfaceHistory history);
+    explicit PlayedSurface(SurfaceHistory history);
+
+    const SurfacePlan& plan() const { return history_.surface().state().plan->request.plan; }
 
     Result<KeyedMesh> mesh_at(double age, const std::stop_token& stop, const WorkPart& work);
 
-    const Flow* flow_;
-    Rake rake_;
-    SurfaceParameters parameters_;
     SurfaceHistory history_;
     double from_;
     double sign_;                                           ///< which way time runs

@@ -13,15 +13,12 @@ namespace wakesurf::core {
 
 namespace {
 
-Result<SurfaceAt> played(const Flow& flow,
-                         const Rake& rake,
-                         const SurfaceParameters& p,
+Result<SurfaceAt> played(const SurfacePlan& plan,
                          double age,
                          const Clock& clock,
                          const std::stop_token& stop,
                          const WorkPart& work) {
-    auto surface =
-        PlayedSurface::start(flow, rake, p, 0, clock, stop, work); // nothing to step back to
+    auto surface = PlayedSurface::start(plan, 0, clock, stop, work); // nothing to step back to
     if (!surface)
         return tl::unexpected(surface.error());
     auto shown = surface->at(age, stop, work);
@@ -33,18 +30,17 @@ Result<SurfaceAt> played(const Flow& flow,
 
 } // namespace
 
-Result<SurfaceAt> surface_at(const Flow& flow,
-                             const Rake& rake,
-                             const SurfaceParameters& p,
+Result<SurfaceAt> surface_at(const SurfacePlan& plan,
                              std::optional<double> time,
                              const Clock& clock,
                              const std::stop_token& stop,
                              const WorkPart& work) {
+    const SurfaceParameters& p = plan.parameters;
     const bool timed = time && moves(p);
     const double age = age_at(p, time);
     if (timed && p.kind != SurfaceKind::Path)
-        return played(flow, rake, p, age, clock, stop, work);
-    auto surface = build_surface(flow, rake, p, stop, clock, work);
+        return played(plan, age, clock, stop, work);
+    auto surface = build_surface(plan, stop, clock, work);
     if (!surface)
         return tl::unexpected(surface.error());
     if (timed) {

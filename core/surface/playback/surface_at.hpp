@@ -4,10 +4,8 @@
 
 #include "core/base/clock.hpp"
 #include "core/base/work_done.hpp"
-#include "core/field/flow.hpp"
 #include "core/surface/quad_complex.hpp"
-#include "core/surface/rake.hpp"
-#include "core/surface/surface_parameters.hpp"
+#include "core/surface/request/surface_plan.hpp"
 #include "core/surface/surface_statistics.hpp"
 
 #include <optional>
@@ -25,9 +23,7 @@ struct SurfaceAt {
 /// @param time  nothing: at its end. Surfaces that do not move ignore it
 /// @param work  told what memory it takes, in the end that of the mesh
 /// Error: what build_surface and PlayedSurface report.
-Result<SurfaceAt> surface_at(const Flow& flow,
-                             const Rake& rake,
-                             const SurfaceParameters& parameters,
+Result<SurfaceAt> surface_at(const SurfacePlan& plan,
                              std::optional<double> time,
                              const Clock& clock,
                              const std::stop_token& stop,

@@ -1,12 +1,11 @@
 // Made by protocol/api/generate from surface.schema.json: do not edit.
 #include "protocol/api/generated/surface.hpp"
 
+#include "core/surface/request/surface_values.hpp"
 #include "protocol/api/generated/limits.hpp"
 #include "protocol/api/generated/names.hpp"
 #include "protocol/api/point_json.hpp"
-#include "protocol/api/rules.hpp"
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace wakesurf::protocol {
@@ -149,34 +148,37 @@ void read(CheckedJson& in, SurfaceSetting& out) {
     out.if_rev = in.count_if("ifRev", 0, 9007199254740992);
 }
 
+namespace {
+
+core::SurfaceParameters with_rakes(const SurfaceSetting& setting) {
+    core::SurfaceParameters out = setting.parameters;
+    if (setting.rake2)
+        out.rake2.emplace();
+    return out;
+}
+
+} // namespace
+
 core::Result<void> check_kind(const SurfaceSetting& setting) {
-    if (setting.rake2 && setting.parameters.kind != core::SurfaceKind::Time)
-        return wrong("`rake2` belongs to time surfaces", "leave it out");
-    if (setting.parameters.release_until && setting.parameters.kind != core::SurfaceKind::Streak)
-        return wrong("`releaseUntil` belongs to streak surfaces", "leave it out");
-    if (setting.parameters.sweep && setting.parameters.kind != core::SurfaceKind::Time)
-        return wrong("`sweep` belongs to time surfaces", "leave it out");
-    if (setting.parameters.kind == core::SurfaceKind::Time &&
-        setting.rake2.has_value() == setting.parameters.sweep.has_value())
-        return wrong("a time surface takes one of `rake2` and `sweep`",
-                     "the patch lies between two rakes, or is one swept along a vector");
+    if (auto fits = core::check_kind(with_rakes(setting)); !fits)
+        return fits;
     if (setting.rake2 == setting.rake)
-        return wrong("`rake2` is the rake itself", "name another one");
-    if (setting.parameters.sweep == core::Vec3(0.0))
-        return wrong("`sweep` has no length", "give a vector that is not zero");
+        return core::fail(core::Error::Code::InvalidArgument, "`rake2` is the rake itself",
+                          "name another one");
     return {};
 }
 
 core::Result<void> check_rules(const SurfaceSetting& setting) {
     if (auto sound = check_kind(setting); !sound)
         return sound;
-    if (setting.parameters.release_until &&
-        !between(*setting.parameters.release_until, setting.parameters.from, setting.parameters.to))
-        return wrong(fmt::format("`releaseUntil` {} does not lie between `from` {} and `to` {}",
-                                 *setting.parameters.release_until, setting.parameters.from,
-                                 setting.parameters.to),
-                     "leave it out, or choose a time between them");
-    return {};
+    return core::check_values(with_rakes(setting));
+}
+
+std::vector<std::pair<std::string_view, double>> given_numbers(const core::SurfaceParameters& p) {
+    std::vector<std::pair<std::string_view, double>> out;
+    if (p.release_until)
+        out.emplace_back("releaseUntil", *p.release_until);
+    return out;
 }
 
 void read(CheckedJson& in, SurfaceDelete& out) {

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace wakesurf::protocol {
@@ -92,6 +93,10 @@ core::Result<void> check_kind(const SurfaceSetting& setting);
 
 /// The same, and whether times follow each other; `from` is where the record has it. Error: as check_kind.
 core::Result<void> check_rules(const SurfaceSetting& setting);
+
+/// The optional numbers that were given, by their names.
+std::vector<std::pair<std::string_view, double>>
+given_numbers(const core::SurfaceParameters& parameters);
 
 /// Parameters of surface.delete: Deletes a surface.
 struct SurfaceDelete {

@@ -280,45 +280,40 @@ class Cpp:
         return found[0] if found else None
 
     def rules(self, method):
-        """A function that says which member does not go with the others."""
-        fields = {each.name: each for each in method.params.fields}
-        record = {each.name: each for shape in self.api.shapes_of(method.noun) if shape.get("x-record") for each in shape.fields}
-        kind = "setting." + self.member(fields["kind"])
-        kinds = fields["kind"].node["x-cpp-type"]
-
-        def place(name):
-            return "setting." + self.member(record[name])
-
+        """What of the method the engine does not know: ids; the rest is its own."""
         name = method.params["x-cpp"]
-        lines = [f"core::Result<void> check_kind(const {name}& setting) {{"]
-        for each in fields.values():
-            for words in [each.node["x-only-for"]] if "x-only-for" in each.node else []:
-                others = " && ".join(f"{kind} != {kinds}::{camel(word)}" for word in words)
-                lines += [f"    if ({place(each.name)} && {others})",
-                          f"        return wrong(\"`{each.name}` belongs to {either(words)} surfaces\", \"leave it out\");"]
-        for word, rule in method.data.get("x-exactly-one", {}).items():
-            there = " == ".join(f"{place(one)}.has_value()" for one in rule["of"])
-            names = " and ".join(f"`{one}`" for one in rule["of"])
-            lines += [f"    if ({kind} == {kinds}::{camel(word)} && {there})",
-                      f"        return wrong(\"a {word} surface takes one of {names}\", {quoted(rule['hint'])});"]
-        for each in fields.values():
-            node, to = each.node, "setting." + self.member(each)
-            if "x-differs" in node:
-                lines += [f"    if ({to} == {place(node['x-differs'])})",
-                          f"        return wrong(\"`{each.name}` is the {node['x-differs']} itself\", \"name another one\");"]
-            if node.get("x-nonzero"):
-                lines += [f"    if ({to} == core::Vec3(0.0))",
-                          f"        return wrong(\"`{each.name}` has no length\", \"give a vector that is not zero\");"]
-        lines += ["    return {};", "}", "", f"core::Result<void> check_rules(const {name}& setting) {{",
-                  "    if (auto sound = check_kind(setting); !sound)", "        return sound;"]
-        for each in fields.values():
-            node, to = each.node, "setting." + self.member(each)
-            if "x-between" in node:
-                lo, hi = node["x-between"]
-                lines += [f"    if ({to} && !between(*{to}, {place(lo)}, {place(hi)}))",
-                          f"        return wrong(fmt::format(\"`{each.name}` {{}} does not lie between `{lo}` {{}} and `{hi}` {{}}\",",
-                          f"            *{to}, {place(lo)}, {place(hi)}), \"leave it out, or choose a time between them\");"]
-        return lines + ["    return {};", "}"]
+        others = [each for each in method.params.fields if "x-only-for" in each.node and not self.of_engine(each)]
+        lines = ["namespace {", "", f"core::SurfaceParameters with_rakes(const {name}& setting) {{",
+                 "    core::SurfaceParameters out = setting.parameters;"]
+        for each in others:
+            lines += [f"    if (setting.{self.member(each)})", f"        out.{self.member(each)}.emplace();"]
+        lines += ["    return out;", "}", "", "} // namespace", "", f"core::Result<void> check_kind(const {name}& setting) {{",
+                 "    if (auto fits = core::check_kind(with_rakes(setting)); !fits)", "        return fits;"]
+        for each in method.params.fields:
+            if "x-differs" in each.node:
+                other = each.node["x-differs"]
+                lines += [f"    if (setting.{self.member(each)} == setting.{snake(other)})",
+                          f"        return core::fail(core::Error::Code::InvalidArgument, \"`{each.name}` is the {other} itself\", "
+                          "\"name another one\");"]
+        return lines + ["    return {};", "}", "",
+                        f"core::Result<void> check_rules(const {name}& setting) {{", "    if (auto sound = check_kind(setting); !sound)",
+                        "        return sound;", "    return core::check_values(with_rakes(setting));", "}", "", *self.given(method)]
+
+    def given(self, method):
+        """What files say of a surface beside what every surface has."""
+        lines = ["std::vector<std::pair<std::string_view, double>> given_numbers(const core::SurfaceParameters& p) {",
+                 "    std::vector<std::pair<std::string_view, double>> out;"]
+        for each in method.params.fields:
+            if self.of_engine(each) and each.node.kind == "number" and self.is_optional(each, False):
+                to = self.place_in_engine(each)
+                lines += [f"    if ({to})", f"        out.emplace_back({quoted(each.name)}, *{to});"]
+        return lines + ["    return out;", "}"]
+
+    def of_engine(self, each):
+        return each.node.get("x-cpp", "").startswith("parameters.")
+
+    def place_in_engine(self, each):
+        return "p." + self.member(each).removeprefix("parameters.")
 
     # Writers.
 
@@ -382,7 +377,7 @@ class Cpp:
                 '#include "core/surface/rake.hpp"', '#include "core/surface/surface_parameters.hpp"',
                 '#include "protocol/api/checked_json.hpp"', '#include "protocol/api/nullable.hpp"', "",
                 "#include <nlohmann/json_fwd.hpp>", "", "#include <cstdint>", "#include <optional>", "#include <string>",
-                "#include <string_view>", "#include <vector>", "", "namespace wakesurf::protocol {", ""]
+                "#include <string_view>", "#include <utility>", "#include <vector>", "", "namespace wakesurf::protocol {", ""]
         body = []
         for shape, name, words, method in structs:
             body += self.struct(shape, name, words, method) + [""]
@@ -396,11 +391,13 @@ class Cpp:
                 body += ["/// What only some kinds take, and what they must have. Error: InvalidArgument, naming the parameter.",
                          f"core::Result<void> check_kind(const {name}& setting);", "",
                          "/// The same, and whether times follow each other; `from` is where the record has it. Error: as check_kind.",
-                         f"core::Result<void> check_rules(const {name}& setting);", ""]
+                         f"core::Result<void> check_rules(const {name}& setting);", "",
+                         "/// The optional numbers that were given, by their names.",
+                         "std::vector<std::pair<std::string_view, double>> given_numbers(const core::SurfaceParameters& parameters);", ""]
         used = "\n".join(body)
         text = [line for line in text if not (
             ("rake.hpp" in line and "core::Rake" not in used) or ("surface_parameters" in line and "SurfaceParameters" not in used)
-            or ("nullable" in line and "Nullable<" not in used) or ("<vector>" in line and "std::vector" not in used)
+            or ("nullable" in line and "Nullable<" not in used) or ("<vector>" in line and "std::vector" not in used) or ("<utility>" in line and "std::pair" not in used)
             or ("json_fwd" in line and "nlohmann" not in used) or ("<cstdint>" in line and "std::uint" not in used)
             or ("<optional>" in line and "std::optional" not in used) or ("<string>" in line and "std::string " not in used
                                                                          and "std::string>" not in used))]
@@ -421,7 +418,7 @@ class Cpp:
         includes = ['#include "protocol/api/generated/limits.hpp"'] if "limits::" in used else []
         includes += ['#include "protocol/api/generated/names.hpp"'] if "name(" in used or "= *found" in used else []
         includes += ['#include "protocol/api/colour_text.hpp"'] if "is_colour" in used else []
-        includes += ['#include "protocol/api/rules.hpp"'] if "check_rules" in used else []
+        includes += ['#include "core/surface/request/surface_values.hpp"'] if "check_rules" in used else []
         includes += ['#include "protocol/api/point_json.hpp"'] if "point_json" in used or "points_json" in used else []
         text = [MADE.format(f"{noun}.schema.json"), f'#include "protocol/api/generated/{noun}.hpp"', "", *includes, ""]
         if "fmt::" in used:

@@ -6,6 +6,7 @@ import tempfile
 
 from . import cpp_table, markdown
 from .cpp import Cpp
+from .engine import Engine
 from .python import Python
 from .schema import FOLDER
 from .typescript_table import Tables
@@ -13,6 +14,7 @@ from .typescript_table import Tables
 ROOT = os.path.dirname(os.path.dirname(FOLDER))
 CPP = "protocol/api/generated"
 PYTHON = "protocol/python/wakesurf/generated"
+ENGINE = "core/surface/request"
 TYPESCRIPT = "web-client/src/protocol/generated"
 
 
@@ -64,6 +66,7 @@ def formatted_typescript(files):
 def make(api):
     """path -> text. Error: ToolError."""
     out = {f"{CPP}/{name}": text for name, text in formatted_cpp(cpp_table.files(api, Cpp(api))).items()}
+    out.update({f"{ENGINE}/{name}": text for name, text in formatted_cpp(Engine(api).files()).items()})
     out.update({f"{TYPESCRIPT}/{name}": text for name, text in formatted_typescript(Tables(api).files()).items()})
     out["docs/api.md"] = markdown.text(api)
     out.update({f"{PYTHON}/{name}": text for name, text in Python(api).files().items()})

@@ -90,6 +90,18 @@ core::Result<SurfaceField> find_field(const OpenDataset& dataset, const std::str
                       fmt::format("there is {}", fmt::join(field_names(dataset), ", ")));
 }
 
+core::Result<std::vector<std::string>> fields_once(const OpenDataset& dataset,
+                                                   const std::vector<std::string>& names) {
+    std::vector<std::string> out;
+    for (const std::string& name : names) {
+        if (auto known = find_field(dataset, name); !known)
+            return tl::unexpected(known.error());
+        if (std::ranges::find(out, name) == out.end())
+            out.push_back(name);
+    }
+    return out;
+}
+
 std::vector<SurfaceField> fields_there(const OpenDataset& dataset,
                                        const std::vector<std::string>& names) {
     std::vector<SurfaceField> out;

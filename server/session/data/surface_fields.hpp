@@ -36,6 +36,10 @@ std::vector<std::string> field_names(const OpenDataset& dataset);
 /// derived. Error: InvalidArgument, saying what there is.
 core::Result<SurfaceField> find_field(const OpenDataset& dataset, const std::string& name);
 
+/// Leaves out names that were there before. Error: as find_field.
+core::Result<std::vector<std::string>> fields_once(const OpenDataset& dataset,
+                                                   const std::vector<std::string>& names);
+
 /// Those of the names that the dataset has, at most limits::fields: of a record kept from before, some may not be there.
 std::vector<SurfaceField> fields_there(const OpenDataset& dataset,
                                        const std::vector<std::string>& names);

@@ -94,9 +94,9 @@ void LiveSurface::begin_build() {
 
 std::uint32_t LiveSurface::rebuild(SurfaceJob wanted, bool rest) {
     begin_epoch();
-    if (wanted.parameters.kind != wanted_.parameters.kind || !wanted_.flow)
-        budgets_ = PassBudgets(!core::moves(wanted.parameters));
-    else if (wanted.parameters != wanted_.parameters)
+    if (wanted.plan.parameters.kind != wanted_.plan.parameters.kind || !wanted_.plan.flow)
+        budgets_ = PassBudgets(!core::moves(wanted.plan.parameters));
+    else if (wanted.plan.parameters != wanted_.plan.parameters)
         budgets_.forget();
     if (!plays_on(wanted_, wanted))
         ranges_.begin();
@@ -166,8 +166,8 @@ std::uint32_t LiveSurface::refuse(core::SurfaceKind kind, core::Error error, boo
     begin_epoch();
     building_ = false;
     held_ = rest;
-    wanted_.parameters.kind = kind;
-    wanted_.flow.reset(); // of data that may be no more
+    wanted_.plan.parameters.kind = kind;
+    wanted_.plan.flow.reset(); // of data that may be no more
     wanted_.store.reset();
     error_ = std::move(error);
     services_.loop.post([weak = weak_from_this(), epoch = epoch_] {
@@ -191,11 +191,11 @@ bool LiveSurface::stop(core::Error reason) {
 void LiveSurface::show(std::optional<double> time, bool playing, bool jumped) {
     time_ = time;
     playing_ = playing;
-    if (!building_ || !core::moves(wanted_.parameters))
+    if (!building_ || !core::moves(wanted_.plan.parameters))
         return;
-    if (fallen_ &&
-        (time_.has_value() != fallen_at_.has_value() ||
-         core::age_at(wanted_.parameters, time_) != core::age_at(wanted_.parameters, fallen_at_)))
+    if (fallen_ && (time_.has_value() != fallen_at_.has_value() ||
+                    core::age_at(wanted_.plan.parameters, time_) !=
+                        core::age_at(wanted_.plan.parameters, fallen_at_)))
         fallen_.reset();
     if (!running())
         pass_wanted_ = services_.clock.now();
@@ -208,7 +208,7 @@ void LiveSurface::show(std::optional<double> time, bool playing, bool jumped) {
 
 /// Of the current epoch, for another time. What has been stepped so far is not lost; path surfaces are built once for all times.
 void LiveSurface::give_up_stale() {
-    if (wanted_.parameters.kind == core::SurfaceKind::Path)
+    if (wanted_.plan.parameters.kind == core::SurfaceKind::Path)
         return;
     const auto now = services_.clock.now();
     for (auto& lane : lanes_) {
@@ -243,12 +243,14 @@ bool LiveSurface::running() const {
 std::optional<SurfacePass> LiveSurface::next_pass() const {
     if (!building_ || error_)
         return std::nullopt;
-    const bool moving = core::moves(wanted_.parameters);
+    const bool moving = core::moves(wanted_.plan.parameters);
     const std::optional<double> time = moving ? time_ : std::nullopt;
     const auto early = [&](Phase phase) {
         return SurfacePass{phase, budgets_.quads(phase), time, budgets_.separation(phase)};
     };
-    const auto age = [&](std::optional<double> at) { return core::age_at(wanted_.parameters, at); };
+    const auto age = [&](std::optional<double> at) {
+        return core::age_at(wanted_.plan.parameters, at);
+    };
     const bool begun = age(time) > 0.0; // at the release there is little to build
     if (begun && !full_ && !coarse_done_ && budgets_.coarse_first())
         return early(Phase::Coarse);
@@ -292,9 +294,9 @@ void LiveSurface::start(Pace pace, const SurfacePass& pass) {
         session_, pace,
         [build = build_, pass, pace, stop = running.stop.get_token(), weak = weak_from_this(),
          services = services_, first = !full_, queued = running.since, wanted = running.wanted,
-         work = running.work, flow = wanted_.flow, store = wanted_.store] {
+         work = running.work, flow = wanted_.plan.flow, store = wanted_.store] {
             const auto start = services.clock.now();
-            if (build->job().flow != flow)
+            if (build->job().plan.flow != flow)
                 build->renew_data(flow, store);
             auto result =
                 std::make_shared<core::Result<Update>>(build->run(pass, stop, work.get()));
@@ -331,8 +333,7 @@ double LiveSurface::seconds_since(std::chrono::steady_clock::time_point time) co
 }
 
 double LiveSurface::finest() const {
-    const double asked = wanted_.parameters.separation;
-    return asked > 0.0 ? asked : wanted_.flow->finest_spacing();
+    return wanted_.plan.parameters.separation;
 }
 
 void LiveSurface::publish(const SurfacePass& pass, Update update) {
@@ -340,7 +341,7 @@ void LiveSurface::publish(const SurfacePass& pass, Update update) {
         budgets_.moved_on(update.seconds);
     else
         budgets_.took(pass.phase, update.seconds, update.statistics, finest(),
-                      wanted_.parameters.max_quads);
+                      wanted_.plan.parameters.max_quads);
     coarse_done_ = true;
     refined_done_ = refined_done_ || pass.phase != Phase::Coarse;
     if (pass.phase == Phase::Final || pass.phase == Phase::Live)
@@ -364,7 +365,7 @@ void LiveSurface::publish(const SurfacePass& pass, Update update) {
         return;
     }
     const bool more = next_pass().has_value();
-    if (!more && !core::moves(wanted_.parameters))
+    if (!more && !core::moves(wanted_.plan.parameters))
         let_go_of_build(); // nothing will follow from it
     if (pass.phase != Phase::Final || !more)
         events_.progress({id_, epoch_, pass.phase, ring_->newest()->took});
@@ -405,7 +406,7 @@ SurfaceOutcome LiveSurface::outcome() const {
     out.surface = id_;
     out.epoch = epoch_;
     out.error = error_;
-    out.statistics.kind = wanted_.parameters.kind;
+    out.statistics.kind = wanted_.plan.parameters.kind;
     if (const SharedUpdate state = ring_->newest()) {
         const bool playing = full_ && full_->phase == Phase::Live && playing_;
         out.complete = full_ && !error_ && (playing || !next_pass());

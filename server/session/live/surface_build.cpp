@@ -6,7 +6,7 @@
 #include "core/surface/vertex_times.hpp"
 #include "server/base/log_text.hpp"
 #include "server/limits.hpp"
-#include "server/session/live/early_request.hpp"
+#include "server/session/live/early_plan.hpp"
 #include "server/session/live/told_ranges.hpp"
 
 #include <fmt/format.h>
@@ -62,7 +62,7 @@ void SurfaceBuild::renew_data(std::shared_ptr<const core::Flow> flow,
     played_.reset();
     grown_.reset();
     last_ = Source::Nothing;
-    job_.flow = std::move(flow);
+    job_.plan.flow = std::move(flow);
     job_.store = std::move(store);
 }
 
@@ -107,7 +107,7 @@ core::Result<Update> SurfaceBuild::run(const SurfacePass& pass,
             update->memory = counted(account_, update->wire.bytes);
         if (!update && memory.exhausted())
             return tl::unexpected(memory.refusal(
-                fmt::format("this surface, of at most {} quads,", job_.parameters.max_quads)));
+                fmt::format("this surface, of at most {} quads,", job_.plan.parameters.max_quads)));
         return update;
     } catch (const std::bad_alloc&) {
         return core::fail(core::Error::Code::OverLimit,
@@ -122,21 +122,22 @@ core::Result<Update> SurfaceBuild::run(const SurfacePass& pass,
 
 core::Result<SurfaceBuild::Shown>
 SurfaceBuild::build(const SurfacePass& pass, const std::stop_token& stop, const Work& work) {
-    const bool timed = pass.time && core::moves(job_.parameters);
-    const double age = core::age_at(job_.parameters, pass.time);
+    const bool timed = pass.time && core::moves(job_.plan.parameters);
+    const double age = core::age_at(job_.plan.parameters, pass.time);
     if (pass.phase == Phase::Coarse || pass.phase == Phase::Refined)
         return build_early(pass, stop, work);
     if (!timed)
         return build_whole(stop, work);
-    return job_.parameters.kind == core::SurfaceKind::Path ? grow(age, stop, work)
-                                                           : play(age, stop, work);
+    return job_.plan.parameters.kind == core::SurfaceKind::Path ? grow(age, stop, work)
+                                                                : play(age, stop, work);
 }
 
 core::Result<SurfaceBuild::Shown> SurfaceBuild::build_early(const SurfacePass& pass,
                                                             const std::stop_token& stop,
                                                             const Work& work) const {
-    const auto [rake, p] = early_request(job_, pass);
-    auto surface = core::build_surface(*job_.flow, rake, p, stop, clock_, work);
+    const core::SurfacePlan plan = early_plan(job_.plan, pass);
+    const core::SurfaceParameters& p = plan.parameters;
+    auto surface = core::build_surface(plan, stop, clock_, work);
     if (!surface)
         return tl::unexpected(surface.error());
     auto fields = fields_of(*surface, p, stop, work);
@@ -155,10 +156,10 @@ core::Result<SurfaceBuild::Shown> SurfaceBuild::build_early(const SurfacePass& p
 
 core::Result<SurfaceBuild::Shown> SurfaceBuild::build_whole(const std::stop_token& stop,
                                                             const Work& work) const {
-    auto surface = core::build_surface(*job_.flow, job_.rake, job_.parameters, stop, clock_, work);
+    auto surface = core::build_surface(job_.plan, stop, clock_, work);
     if (!surface)
         return tl::unexpected(surface.error());
-    auto fields = fields_of(*surface, job_.parameters, stop, work);
+    auto fields = fields_of(*surface, job_.plan.parameters, stop, work);
     if (!fields)
         return tl::unexpected(fields.error());
     return Shown{protocol::with_ids(std::move(surface->mesh)), surface->statistics, Source::Whole,
@@ -182,7 +183,7 @@ core::Result<protocol::MeshFields> SurfaceBuild::fields_of(const core::Surface& 
     if (!work.takes(sampling_memory(surface.mesh.vertices())))
         return cancelled();
     return sample_fields(
-        job_.fields, *job_.flow, job_.store.get(), surface.mesh,
+        job_.fields, *job_.plan.flow, job_.store.get(), surface.mesh,
         [&] { return core::vertex_times(surface, p); }, stop);
 }
 
@@ -190,16 +191,15 @@ core::Result<SurfaceBuild::Shown>
 SurfaceBuild::grow(double age, const std::stop_token& stop, const Work& work) {
     double load = 0.0;
     if (!grown_) {
-        const auto surface =
-            core::build_surface(*job_.flow, job_.rake, job_.parameters, stop, clock_, work);
+        const auto surface = core::build_surface(job_.plan, stop, clock_, work);
         if (!surface)
             return tl::unexpected(surface.error());
-        const auto fields = fields_of(*surface, job_.parameters, stop, work);
+        const auto fields = fields_of(*surface, job_.plan.parameters, stop, work);
         if (!fields)
             return tl::unexpected(fields.error());
         if (!work.takes(core::memory_of(surface->mesh)))
             return cancelled();
-        grown_.emplace(surface->mesh, core::time_span(job_.parameters), *fields);
+        grown_.emplace(surface->mesh, core::time_span(job_.plan.parameters), *fields);
         grown_statistics_ = surface->statistics;
         load = surface->statistics.seconds.load;
     }
@@ -240,8 +240,7 @@ core::Result<SurfaceBuild::Shown> SurfaceBuild::play_within(std::size_t bytes,
     if (played_) {
         played_->limit(bytes);
     } else {
-        auto started = core::PlayedSurface::start(*job_.flow, job_.rake, job_.parameters, bytes,
-                                                  clock_, stop, work);
+        auto started = core::PlayedSurface::start(job_.plan, bytes, clock_, stop, work);
         if (!started)
             return tl::unexpected(started.error());
         played_ = std::move(*started);
@@ -254,7 +253,7 @@ core::Result<SurfaceBuild::Shown> SurfaceBuild::play_within(std::size_t bytes,
     if (!work.takes(sampling_memory(shown->mesh.mesh.vertices())))
         return cancelled();
     auto fields = sample_fields(
-        job_.fields, *job_.flow, job_.store.get(), shown->mesh.mesh,
+        job_.fields, *job_.plan.flow, job_.store.get(), shown->mesh.mesh,
         [&] { return std::vector<double>(shown->mesh.mesh.vertices(), shown->time); }, stop);
     if (!fields)
         return tl::unexpected(fields.error());
@@ -265,7 +264,7 @@ core::Result<SurfaceBuild::Shown> SurfaceBuild::play_within(std::size_t bytes,
 }
 
 core::Result<Update> SurfaceBuild::encode(Shown shown, const SurfacePass& pass) {
-    const core::SurfaceParameters& p = job_.parameters;
+    const core::SurfaceParameters& p = job_.plan.parameters;
     const double time =
         core::moves(p) ? p.from + core::time_sign(p) * core::age_at(p, pass.time) : p.from;
     shown.mesh.time = time;

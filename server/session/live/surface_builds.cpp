@@ -1,7 +1,6 @@
 #include "server/session/live/surface_builds.hpp"
 
 #include "core/surface/playback/surface_age.hpp"
-#include "core/surface/surface_request.hpp"
 #include "server/base/loop.hpp"
 #include "server/session/data/datasets.hpp"
 
@@ -29,30 +28,21 @@ core::Result<SurfaceJob> SurfaceBuilds::job_for(const protocol::SurfaceRecord& r
     if (!open)
         return tl::unexpected(open.error());
     const auto& rakes = records_.all<protocol::RakeRecord>();
-    auto rake = core::clip_rake(rakes.at(record.rake).shape, open->flow->domain());
-    if (!rake)
-        return tl::unexpected(rake.error());
     core::SurfaceParameters p = record.parameters;
-    if (record.rake2) {
-        auto second = core::clip_rake(rakes.at(*record.rake2).shape, open->flow->domain());
-        if (!second)
-            return tl::unexpected(second.error());
-        p.rake2 = std::move(second->rake);
-    }
-    if (auto sound = core::check_request(p); !sound)
-        return tl::unexpected(sound.error());
-    // The engine's own checks of times and budget, now rather than when the job runs.
-    if (auto options = core::sheet_options(*open->flow, rake->rake, p, p.separation, 1.0); !options)
-        return tl::unexpected(options.error());
-    SurfaceJob job;
-    job.rake = std::move(rake->rake);
-    job.parameters = std::move(p);
-    job.flow = open->flow;
-    job.store = open->store;
-    job.fields = fields_there(*open, record.fields);
-    job.parameters.deformation = asks_for(job.fields, SurfaceField::Source::Deformation);
-    job.lattice = open->lattice;
-    return job;
+    if (record.rake2)
+        p.rake2 = rakes.at(*record.rake2).shape;
+    auto fields = fields_there(*open, record.fields);
+    p.deformation = asks_for(fields, SurfaceField::Source::Deformation);
+    auto plan = core::plan_surface(open->flow, rakes.at(record.rake).shape, std::move(p));
+    if (!plan)
+        return tl::unexpected(plan.error());
+    return SurfaceJob{0, 0, std::move(*plan), open->store, std::move(fields), open->lattice};
+}
+
+std::uint32_t SurfaceBuilds::build(const protocol::SurfaceRecord& record, SurfaceJob job) {
+    LiveSurface& live = live_for(record);
+    entries_[record.surface].withheld = false;
+    return live.rebuild(std::move(job));
 }
 
 std::uint32_t SurfaceBuilds::build(const protocol::SurfaceRecord& record, bool rest) {
@@ -71,10 +61,7 @@ std::uint32_t SurfaceBuilds::build(const protocol::SurfaceRecord& record, bool r
 
 std::optional<std::uint32_t> SurfaceBuilds::rebuild(const protocol::SurfaceRecord& record) {
     auto job = job_for(record);
-    if (!job)
-        return std::nullopt;
-    entries_[record.surface].withheld = false;
-    return live_for(record).rebuild(std::move(*job));
+    return job ? std::optional(build(record, std::move(*job))) : std::nullopt;
 }
 
 LiveSurface& SurfaceBuilds::live_for(const protocol::SurfaceRecord& record) {

@@ -39,11 +39,15 @@ class SurfaceBuilds {
     SurfaceBuilds(const SurfaceBuilds&) = delete;
     SurfaceBuilds& operator=(const SurfaceBuilds&) = delete;
 
-    /// What building a surface of these parameters is; its rakes are among the records. Error: of the dataset, OutOfDomain,
-    /// OutOfTime, InvalidArgument.
+    /// What building a surface of these parameters is; its rakes are among the records. Error: of the dataset, and as
+    /// core::plan_surface.
     core::Result<SurfaceJob> job_for(const protocol::SurfaceRecord& record) const;
 
-    /// Begins a build and returns its epoch, which is above the record's. Where there is nothing to build now, the outcome
+    /// Begins a build and returns its epoch, which is above the record's.
+    /// @param job  of the record
+    std::uint32_t build(const protocol::SurfaceRecord& record, SurfaceJob job);
+
+    /// The same of a record that nothing is known of yet. Where there is nothing to build now, the outcome
     /// says why, and it is tried again when data come.
     /// @param rest  it is restored: see LiveSurface::rebuild
     std::uint32_t build(const protocol::SurfaceRecord& record, bool rest = false);

@@ -45,7 +45,7 @@ ValueRanges ranges_of(const SurfaceJob& job,
     for (std::size_t i = 0; i < values.size(); ++i)
         values[i] = mesh.speed(static_cast<core::VertexId>(i));
     append(out, protocol::surface_attributes[0], values, areas);
-    const bool released = job.parameters.kind == core::SurfaceKind::Streak;
+    const bool released = job.plan.parameters.kind == core::SurfaceKind::Streak;
     std::ranges::transform(mesh.t, values.begin(),
                            [&](double t) { return released ? time - t : t; });
     append(out, protocol::surface_attributes[2], values, areas);
@@ -62,15 +62,17 @@ ValueRanges ranges_of(const SurfaceJob& job,
 }
 
 bool plays_on(const SurfaceJob& before, const SurfaceJob& now) {
-    core::SurfaceParameters p = before.parameters;
-    const double length = p.to - p.from, length_now = now.parameters.to - now.parameters.from;
+    core::SurfaceParameters p = before.plan.parameters;
+    const double length = p.to - p.from,
+                 length_now = now.plan.parameters.to - now.plan.parameters.from;
     const bool as_long = std::abs(length_now - length) <= same_length * std::abs(length);
     if (p.kind == core::SurfaceKind::Stream && as_long) {
-        p.from = now.parameters.from;
-        p.to = now.parameters.to;
+        p.from = now.plan.parameters.from;
+        p.to = now.plan.parameters.to;
     }
-    p.deformation = now.parameters.deformation;
-    return before.flow == now.flow && before.rake == now.rake && p == now.parameters;
+    p.deformation = now.plan.parameters.deformation;
+    return before.plan.flow == now.plan.flow && before.plan.rake == now.plan.rake &&
+           p == now.plan.parameters;
 }
 
 void ToldRanges::begin() {

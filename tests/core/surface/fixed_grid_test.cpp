@@ -172,7 +172,8 @@ TEST(FixedGrid, AtAnEarlierTimeOfTheClockItIsTheSameGridWithFewerRows) {
     const auto flow = make_analytic_flow("lamb-oseen");
     for (const SurfaceKind kind : {SurfaceKind::Path, SurfaceKind::Streak, SurfaceKind::Time}) {
         const Case c(kind);
-        const auto earlier = surface_at(**flow, c.rake, c.parameters, 1.5, SteadyClock{}, {});
+        const auto earlier =
+            surface_at(plan_surface(**flow, c.rake, c.parameters).value(), 1.5, SteadyClock{}, {});
         ASSERT_TRUE(earlier) << earlier.error().message;
         const QuadComplex& mesh = earlier->mesh;
         EXPECT_EQ(mesh.validate(), "");

@@ -1,4 +1,5 @@
 #include "core/field/stored_flow.hpp"
+#include "core/surface/request/surface_values.hpp"
 #include "core/surface/surface_builder.hpp"
 #include "core/surface/time_direction.hpp"
 #include "core/surface/vertex_times.hpp"
@@ -64,19 +65,19 @@ TEST(TimeDirection, FollowsFromWhereASurfaceStartsAndEnds) {
 TEST(TimeDirection, ThatContradictsTheTimesIsRefusedWithTheRightSpelling) {
     const auto backward = check_direction(in(Direction::Backward, asked(SurfaceKind::Path, 5, 8)));
     ASSERT_FALSE(backward);
-    EXPECT_EQ(backward.error().message, "'direction' is backward, but 'to' 8 is after 'from' 5");
-    EXPECT_EQ(backward.error().hint, "for as long backward give 'from' 5 and 'to' 2, and to go to "
-                                     "8 leave 'direction' out");
+    EXPECT_EQ(backward.error().message, "`direction` is backward, but `to` 8 is after `from` 5");
+    EXPECT_EQ(backward.error().hint, "for as long backward give `from` 5 and `to` 2, and to go to "
+                                     "8 leave `direction` out");
     const auto epoch = check_direction(
         in(Direction::Backward, asked(SurfaceKind::Path, 1700000000.1, 1700000300.2)));
     ASSERT_FALSE(epoch);
-    EXPECT_NE(epoch.error().hint.find("'to' 1699999700,"), std::string::npos) << epoch.error().hint;
+    EXPECT_NE(epoch.error().hint.find("`to` 1699999700,"), std::string::npos) << epoch.error().hint;
     const auto forward = check_direction(in(Direction::Forward, asked(SurfaceKind::Path, 5, 2)));
     ASSERT_FALSE(forward);
-    EXPECT_EQ(forward.error().message, "'direction' is forward, but 'to' 2 is before 'from' 5");
+    EXPECT_EQ(forward.error().message, "`direction` is forward, but `to` 2 is before `from` 5");
     const auto both = check_direction(in(Direction::Both, asked(SurfaceKind::Path, 5, 2)));
     ASSERT_FALSE(both);
-    EXPECT_NE(both.error().hint.find("'to' 8"), std::string::npos) << both.error().hint;
+    EXPECT_NE(both.error().hint.find("`to` 8"), std::string::npos) << both.error().hint;
 }
 
 TEST(TimeDirection, BothIsRefusedForSurfacesThatAreThereAtOneTime) {
@@ -86,7 +87,7 @@ TEST(TimeDirection, BothIsRefusedForSurfacesThatAreThereAtOneTime) {
         ASSERT_FALSE(refused);
         EXPECT_EQ(refused.error().code, Error::Code::InvalidArgument);
         EXPECT_NE(refused.error().message.find("stream and path surfaces"), std::string::npos);
-        EXPECT_NE(refused.error().hint.find("'from' 5 and 'to' 4"), std::string::npos)
+        EXPECT_NE(refused.error().hint.find("`from` 5 and `to` 4"), std::string::npos)
             << refused.error().hint;
     }
 }
@@ -112,7 +113,7 @@ TEST(TimeDirection, TimesLieInTheDataButForTheEndOfAStreamSurface) {
             const auto refused = build_surface(*flow, rake, asked(kind, from, to));
             ASSERT_FALSE(refused) << from << " " << to;
             EXPECT_EQ(refused.error().code, Error::Code::OutOfTime);
-            EXPECT_NE(refused.error().message.find(from == 5.0 ? "'to'" : "'from'"),
+            EXPECT_NE(refused.error().message.find(from == 5.0 ? "`to`" : "`from`"),
                       std::string::npos)
                 << refused.error().message;
             EXPECT_NE(refused.error().message.find("2 to 8"), std::string::npos);
@@ -158,11 +159,11 @@ TEST(TimeDirection, TheReleaseEndsOnTheWayFromFromToTo) {
     auto p = asked(SurfaceKind::Streak, 15, 10);
     for (const double until : {14.0, 10.0}) {
         p.release_until = until;
-        EXPECT_TRUE(check_direction(p)) << until;
+        EXPECT_TRUE(check_values(p)) << until;
     }
     for (const double until : {15.0, 16.0, 20.0, 9.0}) {
         p.release_until = until;
-        EXPECT_FALSE(check_direction(p)) << until;
+        EXPECT_FALSE(check_values(p)) << until;
     }
 }
 

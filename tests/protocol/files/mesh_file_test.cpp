@@ -22,10 +22,8 @@ using tests::ReadMesh;
 
 namespace {
 
-const MeshMetadata metadata{.kind = core::SurfaceKind::Path,
-                            .rake = {{0, 0, 0}, {0.1, 1e-300, -2}},
-                            .from = 0.1,
-                            .to = 7,
+const MeshMetadata metadata{.rake = {core::Rake::Kind::Line, {{0, 0, 0}, {0.1, 1e-300, -2}}},
+                            .parameters = {.kind = core::SurfaceKind::Path, .from = 0.1, .to = 7},
                             .separation = 0.05,
                             .dataset = "a \"b\"\nc",
                             .version = "1.2.3"};

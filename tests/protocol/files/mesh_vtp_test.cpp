@@ -11,10 +11,8 @@ namespace {
 using tests::array_of;
 using tests::small_mesh;
 
-const MeshMetadata metadata{.kind = core::SurfaceKind::Path,
-                            .rake = {{0, 0, 0}, {0.1, 1e-300, -2}},
-                            .from = 0.1,
-                            .to = 7,
+const MeshMetadata metadata{.rake = {core::Rake::Kind::Line, {{0, 0, 0}, {0.1, 1e-300, -2}}},
+                            .parameters = {.kind = core::SurfaceKind::Path, .from = 0.1, .to = 7},
                             .separation = 0.05,
                             .dataset = "a<b",
                             .version = "1.2.3"};
@@ -64,9 +62,9 @@ TEST(MeshVtp, WritesMetadataThatReadsBackTheSame) {
 TEST(MeshVtp, SaysWhatTheSurfaceWasReleasedFromWhereThatIsMoreThanARake) {
     EXPECT_EQ(mesh_vtp(small_mesh(), metadata).find("Name=\"sweep\""), std::string::npos);
     auto more = metadata;
-    more.sweep = core::Vec3(0, 1, 0);
-    more.rake2 = {{0, 0, 1}, {0, 0, 2}};
-    more.release_until = 2.5;
+    more.parameters.sweep = core::Vec3(0, 1, 0);
+    more.parameters.rake2 = core::Rake{core::Rake::Kind::Line, {{0, 0, 1}, {0, 0, 2}}};
+    more.parameters.release_until = 2.5;
     const auto file = mesh_vtp(small_mesh(), more);
     for (const std::string part : {"Name=\"sweep\" NumberOfComponents=\"3\" NumberOfTuples=\"1\" "
                                    "format=\"ascii\">0 1 0 <",

@@ -36,11 +36,12 @@ class TellingClock final : public core::Clock {
 
 SurfaceJob large_surface() {
     SurfaceJob job;
-    job.rake = {core::Rake::Kind::Line, {{-8, 0, 0}, {8, 2, 0}}, 2000};
-    job.parameters.to = 40.0;
-    job.parameters.separation = 0.005;
-    job.parameters.max_quads = 4'000'000;
-    job.flow = *core::make_analytic_flow("abc");
+    core::SurfaceParameters p;
+    const core::Rake rake{core::Rake::Kind::Line, {{-8, 0, 0}, {8, 2, 0}}, 2000};
+    p.to = 40.0;
+    p.separation = 0.005;
+    p.max_quads = 4'000'000;
+    job.plan = core::plan_surface(*core::make_analytic_flow("abc"), rake, p).value();
     job.lattice = protocol::lattice_over(core::describe_analytic_flow("abc")->bounds);
     return job;
 }

@@ -38,11 +38,12 @@ struct Made {
 
 SurfaceJob streak(double separation) {
     SurfaceJob job;
-    job.rake = {core::Rake::Kind::Line, {{0, 0, 0}, {0, 2, 0}}, 9};
-    job.parameters.kind = core::SurfaceKind::Streak;
-    job.parameters.to = 2.0;
-    job.parameters.separation = separation;
-    job.flow = *core::make_analytic_flow("abc");
+    core::SurfaceParameters p;
+    const core::Rake rake{core::Rake::Kind::Line, {{0, 0, 0}, {0, 2, 0}}, 9};
+    p.kind = core::SurfaceKind::Streak;
+    p.to = 2.0;
+    p.separation = separation;
+    job.plan = core::plan_surface(*core::make_analytic_flow("abc"), rake, p).value();
     job.lattice = protocol::lattice_over(core::describe_analytic_flow("abc")->bounds);
     return job;
 }

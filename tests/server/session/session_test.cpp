@@ -228,14 +228,14 @@ TEST_F(SessionTest, HangsATimeSurfaceOnBothItsRakes) {
     EXPECT_EQ(record->rake2, two);
     EXPECT_FALSE(record->parameters.rake2) << "the record names the rake, the job has its shape";
     const auto live = *session->live(record->surface);
-    EXPECT_EQ(live->wanted().parameters.rake2->points.front(), core::Vec3(1, 0, 0));
+    EXPECT_EQ(live->wanted().plan.parameters.rake2->points.front(), core::Vec3(1, 0, 0));
     EXPECT_TRUE(session->set_rake(rake_at(3.0, other))->surfaces.empty());
     EXPECT_EQ(session->set_rake(rake_at(0.5, one))->surfaces.size(), 1U);
     const auto moved = session->set_rake(rake_at(1.5, two));
     ASSERT_EQ(moved->surfaces.size(), 1U);
     EXPECT_EQ(moved->surfaces[0].second, 3U);
-    EXPECT_EQ(live->wanted().rake.points.front(), core::Vec3(0.5, 0, 0));
-    EXPECT_EQ(live->wanted().parameters.rake2->points.front(), core::Vec3(1.5, 0, 0));
+    EXPECT_EQ(live->wanted().plan.rake.points.front(), core::Vec3(0.5, 0, 0));
+    EXPECT_EQ(live->wanted().plan.parameters.rake2->points.front(), core::Vec3(1.5, 0, 0));
     loop.turn_until([&] { return !me.outcomes.empty(); });
     EXPECT_FALSE(me.outcomes[0].error);
     EXPECT_TRUE(me.outcomes[0].complete);
@@ -256,7 +256,7 @@ TEST_F(SessionTest, CutsTheSecondRakeToTheDomainToo) {
     const auto record = session->set_surface(between);
     ASSERT_TRUE(record) << record.error().message;
     const auto live = *session->live(record->surface);
-    EXPECT_EQ(live->wanted().parameters.rake2->points.back(), core::Vec3(1, 20, 0));
+    EXPECT_EQ(live->wanted().plan.parameters.rake2->points.back(), core::Vec3(1, 20, 0));
 }
 
 TEST_F(SessionTest, WaitsForTheSurfaceOrForTheTimeToRunOut) {

@@ -211,7 +211,7 @@ TEST(CellFlow, AMovingSurfaceThatIsRestoredGoesOnAsOneThatWasNeverLeft) {
     p.separation = 0.05;
     const Rake rake{Rake::Kind::Line, {{0.6, 0.5, 0.4}, {0.9, 0.5, 0.4}}, 16};
     const SteadyClock clock;
-    auto surface = MovingSurface::start(*flow, rake, p, {}, clock);
+    auto surface = MovingSurface::start(plan_surface(*flow, rake, p).value(), {}, clock);
     ASSERT_TRUE(surface) << surface.error().message;
     ASSERT_TRUE(surface->advance_to(1.2, {}));
     const MovingState left = surface->state();
@@ -234,7 +234,7 @@ TEST(CellFlow, TheVerticesOfABalancedSurfaceLieWhereItsParticlesGoThroughCellsOf
     p.to = 1.5;
     p.separation = 0.05;
     const SteadyClock clock;
-    auto surface = MovingSurface::start(*flow, rake, p, {}, clock);
+    auto surface = MovingSurface::start(plan_surface(*flow, rake, p).value(), {}, clock);
     ASSERT_TRUE(surface);
     ASSERT_TRUE(surface->advance_to(p.to, {}));
     const MaterialVertices& v = surface->state().mesh.vertices;

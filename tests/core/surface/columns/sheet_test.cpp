@@ -27,7 +27,7 @@ const Rake across_strain{Rake::Kind::Line, {{-1, 4, 0}, {1, 4, 0}}, 2};
 
 TEST(Sheet, DivergenceInsertsColumnsAtDyadicSeedsTracedFromTheRake) {
     const auto strain = *make_analytic_flow("strain");
-    Sheet sheet(*strain, across_strain, options(3.0, 0.5));
+    Sheet sheet(*strain, SeedingCurve(across_strain), options(3.0, 0.5));
     ASSERT_TRUE(sheet.build({0.0, 0.25, 0.5, 0.75, 1.0}, SteadyClock{}, {}));
     std::size_t inserted = 0;
     for (const SeededCurve* column : sheet.columns()) {
@@ -42,7 +42,7 @@ TEST(Sheet, DivergenceInsertsColumnsAtDyadicSeedsTracedFromTheRake) {
 
 TEST(Sheet, IsGivenUpAsSoonAsItHasMoreQuadsThanItMay) {
     const auto strain = *make_analytic_flow("strain");
-    Sheet sheet(*strain, across_strain, options(3.0, 0.05, 100));
+    Sheet sheet(*strain, SeedingCurve(across_strain), options(3.0, 0.05, 100));
     const auto built = sheet.build({0.0, 0.5, 1.0}, SteadyClock{}, {});
     ASSERT_TRUE(built);
     EXPECT_FALSE(*built);
@@ -51,7 +51,7 @@ TEST(Sheet, IsGivenUpAsSoonAsItHasMoreQuadsThanItMay) {
 TEST(Sheet, AStripThatDivergesAtTheRakeGainsASeedThere) {
     const auto uniform = *make_analytic_flow("uniform");
     const Rake rake{Rake::Kind::Line, {{0, 0, 0}, {0, 1, 0}}, 2};
-    Sheet sheet(*uniform, rake, options(1.0, 0.3));
+    Sheet sheet(*uniform, SeedingCurve(rake), options(1.0, 0.3));
     ASSERT_TRUE(sheet.build({0.0, 1.0}, SteadyClock{}, {}));
     EXPECT_EQ(sheet.seeds(), (std::set<double>{0.0, 0.25, 0.5, 0.75, 1.0}));
 }
@@ -59,7 +59,7 @@ TEST(Sheet, AStripThatDivergesAtTheRakeGainsASeedThere) {
 TEST(SheetMesh, AClosedRakesLastStripEndsAtItsFirstColumn) {
     const auto uniform = *make_analytic_flow("uniform?u=0,w=1");
     const Rake rake{Rake::Kind::Circle, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, 24};
-    Sheet sheet(*uniform, rake, options(2.0, 0.3));
+    Sheet sheet(*uniform, SeedingCurve(rake), options(2.0, 0.3));
     std::set<double> seeds;
     for (int i = 0; i < 24; ++i)
         seeds.insert(i / 24.0);
@@ -74,7 +74,7 @@ TEST(SheetMesh, AClosedRakesLastStripEndsAtItsFirstColumn) {
 TEST(SheetMesh, HoldsOnlyVerticesThatCellsUse) {
     const auto sphere = *make_analytic_flow("sphere");
     const Rake rake{Rake::Kind::Line, {{-3, -1, 0}, {-3, 1, 0}}, 2};
-    Sheet sheet(*sphere, rake, options(8.0, 0.1));
+    Sheet sheet(*sphere, SeedingCurve(rake), options(8.0, 0.1));
     std::set<double> seeds;
     for (int i = 0; i <= 20; ++i)
         seeds.insert(i / 20.0);

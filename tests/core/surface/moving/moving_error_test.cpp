@@ -26,7 +26,8 @@ TEST(MovingError, IsTheSameForAnyNumberOfThreadsAndAfterGoingBack) {
             p.accuracy = accuracy;
             p.to = 4.0;
             p.separation = 0.1;
-            SurfaceHistory history(*MovingSurface::start(*flow, rake, p, {}, steady_clock), 1e6);
+            SurfaceHistory history(
+                *MovingSurface::start(plan_surface(*flow, rake, p).value(), {}, steady_clock), 1e6);
             for (const double time : looked_at)
                 EXPECT_TRUE(history.at(time, {}));
             const auto shown = history.at(3.1, {});

@@ -57,7 +57,8 @@ void expect_well_shaped_anywhere(SurfaceKind kind, std::uint32_t seed) {
         asked.parameters.to = std::min(asked.parameters.to, 3.0);
         asked.parameters.max_quads = 6'000;
         const SteadyClock clock;
-        if (!MovingSurface::start(*asked.flow, asked.rake, asked.parameters, {}, clock))
+        if (!MovingSurface::start(plan_surface(*asked.flow, asked.rake, asked.parameters).value(),
+                                  {}, clock))
             continue; // not even a coarse one fits the budget
         expect_well_shaped(
             {std::move(asked.flow), asked.rake, asked.parameters, std::string(entry.name)},

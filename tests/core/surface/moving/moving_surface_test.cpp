@@ -77,7 +77,7 @@ SurfaceParameters parameters(const Case& c, Accuracy accuracy = Accuracy::Balanc
 }
 
 MovingSurface started(const Flow& flow, const Case& c, const SurfaceParameters& p) {
-    auto surface = MovingSurface::start(flow, c.rake, p, {}, steady_clock);
+    auto surface = MovingSurface::start(plan_surface(flow, c.rake, p).value(), {}, steady_clock);
     EXPECT_TRUE(surface) << c.flow << ": " << (surface ? "" : surface.error().message);
     return std::move(*surface);
 }
@@ -441,7 +441,7 @@ TEST(MovingSurface, AbsurdSeparationsAndSeedsEndInACoarseSurfaceOrAnError) {
         SurfaceParameters p;
         p.kind = kind;
         p.to = 2.0;
-        p.separation = 1e-9;
+        p.separation = 4e-5;
         p.max_quads = 5'000;
         if (kind == SurfaceKind::Time)
             p.sweep = Vec3(0, 0, 2);

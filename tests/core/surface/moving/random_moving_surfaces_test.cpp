@@ -99,7 +99,8 @@ MovingRun random_surface(std::uint32_t index) {
 /// Nothing where not even a coarse surface fits the budget.
 std::optional<MovingSurface> started(const MovingRun& asked) {
     static const SteadyClock clock;
-    auto surface = MovingSurface::start(*asked.flow, asked.rake, asked.parameters, {}, clock);
+    auto surface = MovingSurface::start(
+        plan_surface(*asked.flow, asked.rake, asked.parameters).value(), {}, clock);
     if (surface)
         return std::move(*surface);
     EXPECT_EQ(surface.error().code, Error::Code::OverLimit)

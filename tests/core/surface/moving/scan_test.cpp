@@ -1,4 +1,5 @@
 // One look in single precision at all triangles finds what the exact rules would, asked of each.
+#include "core/field/analytic_flow.hpp"
 #include "core/surface/moving/cuts.hpp"
 #include "core/surface/moving/flips.hpp"
 #include "core/surface/moving/joins.hpp"

@@ -95,7 +95,7 @@ class StoppingFlow final : public Flow {
 MovingSurface surface(const SurfaceParameters& parameters, const Flow& flow = gyre()) {
     static const SteadyClock clock;
     const Rake rake{Rake::Kind::Line, {{0.3, 0.2, 0.0}, {0.9, 0.7, 0.0}}, 8};
-    auto started = MovingSurface::start(flow, rake, parameters, {}, clock);
+    auto started = MovingSurface::start(plan_surface(flow, rake, parameters).value(), {}, clock);
     EXPECT_TRUE(started);
     return std::move(*started);
 }

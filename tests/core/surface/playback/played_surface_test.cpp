@@ -37,8 +37,8 @@ TEST(PlayedSurface, ShowsAtItsEndWhatTheBuilderGives) {
         const Streak job = streak(to);
         const auto built = build_surface(*job.flow, job.rake, job.parameters);
         ASSERT_TRUE(built) << built.error().message;
-        auto played =
-            PlayedSurface::start(*job.flow, job.rake, job.parameters, 1U << 26, clock, {});
+        auto played = PlayedSurface::start(
+            plan_surface(*job.flow, job.rake, job.parameters).value(), 1U << 26, clock, {});
         ASSERT_TRUE(played) << played.error().message;
         ASSERT_TRUE(played->at(0.7, {}));
         const auto shown = played->at(2.0, {});
@@ -55,8 +55,10 @@ TEST(PlayedSurface, ShowsAtItsEndWhatTheBuilderGives) {
 TEST(PlayedSurface, ShowsTheSameAtATimeWhateverWasShownBefore) {
     const SteadyClock clock;
     const Streak job = streak(-2.0);
-    auto one = *PlayedSurface::start(*job.flow, job.rake, job.parameters, 1U << 26, clock, {});
-    auto other = *PlayedSurface::start(*job.flow, job.rake, job.parameters, 1U << 26, clock, {});
+    auto one = *PlayedSurface::start(plan_surface(*job.flow, job.rake, job.parameters).value(),
+                                     1U << 26, clock, {});
+    auto other = *PlayedSurface::start(plan_surface(*job.flow, job.rake, job.parameters).value(),
+                                       1U << 26, clock, {});
     const auto straight = one.at(0.9, {});
     for (const double age : {1.9, 0.2, 0.0, 1.1})
         ASSERT_TRUE(other.at(age, {}));

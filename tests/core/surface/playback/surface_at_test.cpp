@@ -31,7 +31,8 @@ Job job_of(SurfaceKind kind) {
 }
 
 SurfaceAt made(const Job& job, std::optional<double> time) {
-    auto out = surface_at(*job.flow, job.rake, job.parameters, time, SteadyClock{}, {});
+    auto out = surface_at(plan_surface(*job.flow, job.rake, job.parameters).value(), time,
+                          SteadyClock{}, {});
     EXPECT_TRUE(out) << (out ? "" : out.error().message);
     return out.value_or(SurfaceAt{});
 }
@@ -58,7 +59,8 @@ TEST(SurfaceAt, OfAPathSurfaceIsWhatHasGrownUntilThen) {
 TEST(SurfaceAt, OfAStreakSurfaceIsWhatIsPlayedThen) {
     const Job job = job_of(SurfaceKind::Streak);
     const SteadyClock clock;
-    auto played = PlayedSurface::start(*job.flow, job.rake, job.parameters, 1U << 26, clock, {});
+    auto played = PlayedSurface::start(plan_surface(*job.flow, job.rake, job.parameters).value(),
+                                       1U << 26, clock, {});
     ASSERT_TRUE(played);
     for (const double time : {1.0, 1.4, 2.9}) {
         const auto expected = played->at(time - 1.0, {});

@@ -5,7 +5,6 @@
 #include "core/surface/surface_builder.hpp"
 #include "server/session/data/datasets.hpp"
 #include "server/session/live/surface_build.hpp"
-#include "server/session/records/surface_rules.hpp"
 #include "tests/support/dequantise.hpp"
 #include "tests/support/small_store.hpp"
 
@@ -75,15 +74,16 @@ class ShearStore {
 
     SurfaceJob job(SurfaceKind kind, const std::vector<std::string>& fields) const {
         SurfaceJob job;
+        core::SurfaceParameters p;
         job.epoch = 1;
-        job.rake = {core::Rake::Kind::Line, {{2, 0.5, 1}, {2, 1.5, 1}}, 9};
-        job.parameters.kind = kind;
-        job.parameters.from = 2.0;
-        job.parameters.to = 3.5;
-        job.parameters.separation = 0.1;
+        const core::Rake rake{core::Rake::Kind::Line, {{2, 0.5, 1}, {2, 1.5, 1}}, 9};
+        p.kind = kind;
+        p.from = 2.0;
+        p.to = 3.5;
+        p.separation = 0.1;
         if (kind == SurfaceKind::Time)
-            job.parameters.sweep = Vec3(0, 0, 0.5);
-        job.flow = dataset_.flow;
+            p.sweep = Vec3(0, 0, 0.5);
+        job.plan = core::plan_surface(dataset_.flow, rake, p).value();
         job.store = dataset_.store;
         job.lattice = dataset_.lattice;
         job.fields = fields_there(dataset_, fields);
@@ -100,15 +100,16 @@ SurfaceJob strained(SurfaceKind kind) {
         "strain?a=0.5,b=0,c=-0.5"; // in the plane of the sheet: area grows as exp(t / 2)
     OpenDataset dataset{*core::describe_analytic_flow(flow), {}, *core::make_analytic_flow(flow)};
     SurfaceJob job;
+    core::SurfaceParameters p;
     job.epoch = 1;
-    job.rake = {core::Rake::Kind::Line, {{1, -1, 0}, {1, 1, 0}}, 9};
-    job.parameters.kind = kind;
-    job.parameters.to = 2.0;
-    job.parameters.separation = 0.1;
-    job.parameters.deformation = true;
+    const core::Rake rake{core::Rake::Kind::Line, {{1, -1, 0}, {1, 1, 0}}, 9};
+    p.kind = kind;
+    p.to = 2.0;
+    p.separation = 0.1;
+    p.deformation = true;
     if (kind == SurfaceKind::Time)
-        job.parameters.sweep = Vec3(1, 0, 0);
-    job.flow = dataset.flow;
+        p.sweep = Vec3(1, 0, 0);
+    job.plan = core::plan_surface(dataset.flow, rake, p).value();
     job.lattice = protocol::lattice_over(dataset.info.bounds);
     job.fields = fields_there(dataset, {"deformation", "approximated"});
     return job;
@@ -172,7 +173,7 @@ TEST(SurfaceFields, BothSidesOfAPathSurfaceAreSampledAtTheTimeAtWhichEachVertexI
     const core::SteadyClock clock;
     const ShearStore store;
     SurfaceJob job = store.job(SurfaceKind::Path, {"p"});
-    job.parameters.direction = Direction::Both;
+    job.plan.parameters.direction = Direction::Both;
     SurfaceBuild build(job, clock);
     for (const SurfacePass& pass :
          {SurfacePass{Phase::Final, 0, {}, 0.0}, SurfacePass{Phase::Final, 0, 2.8, 0.0}}) {
@@ -197,8 +198,10 @@ TEST(SurfaceFields, ValuesThatAreMissingAreSentAsTheLeastThereIs) {
     const ShearStore store;
     for (const SurfaceKind kind : kinds) {
         SurfaceJob job = store.job(kind, {"holes"});
-        job.rake.points = {{2, 1.0, 1}, {2, 2.0, 1}};
-        job.parameters.to = 3.0; // what flows fastest stays in the domain
+        core::SurfaceParameters p = job.plan.parameters;
+        p.to = 3.0; // what flows fastest stays in the domain
+        const core::Rake rake{core::Rake::Kind::Line, {{2, 1.0, 1}, {2, 2.0, 1}}, 9};
+        job.plan = core::plan_surface(job.plan.flow, rake, p).value();
         SurfaceBuild build(job, clock);
         for (const SurfacePass& pass : all_passes()) {
             const Update update = update_of(build, pass);
@@ -265,7 +268,7 @@ TEST(SurfaceFields, ApproximatedMarksAsManyVerticesAsTheStatisticsCount) {
     const core::SteadyClock clock;
     for (const SurfaceKind kind : kinds) {
         SurfaceJob job = strained(kind);
-        job.flow = *core::make_analytic_flow("abc");
+        job.plan.flow = *core::make_analytic_flow("abc");
         job.lattice = protocol::lattice_over(core::describe_analytic_flow("abc")->bounds);
         SurfaceBuild build(job, clock);
         const Update update = update_of(build, {Phase::Final, 0, {}, 0.0});
@@ -284,7 +287,7 @@ TEST(SurfaceFields, TheErrorOfTheVerticesIsWhatTheStatisticsSayOfThem) {
     const core::SteadyClock clock;
     for (const SurfaceKind kind : kinds) {
         SurfaceJob job = strained(kind);
-        job.flow = *core::make_analytic_flow("abc");
+        job.plan.flow = *core::make_analytic_flow("abc");
         job.lattice = protocol::lattice_over(core::describe_analytic_flow("abc")->bounds);
         OpenDataset dataset;
         job.fields = fields_there(dataset, {"error"});
@@ -369,15 +372,10 @@ TEST(SurfaceFields, NamesAreFoundInTheDatasetFirst) {
 
 TEST(SurfaceFields, AreAskedForOnceEach) {
     const ShearStore store;
-    protocol::SurfaceSetting setting;
-    setting.rake = "r1";
-    setting.parameters.to = 1.0;
-    setting.fields = {"p", "deformation", "p"};
-    ASSERT_TRUE(complete_surface(setting, store.dataset()));
-    EXPECT_EQ(setting.fields, (std::vector<std::string>{"p", "deformation"}));
-    setting.fields = {"q"};
-    EXPECT_EQ(complete_surface(setting, store.dataset()).error().code,
-              core::Error::Code::InvalidArgument);
+    const auto once = fields_once(store.dataset(), {"p", "deformation", "p"});
+    ASSERT_TRUE(once);
+    EXPECT_EQ(*once, (std::vector<std::string>{"p", "deformation"}));
+    EXPECT_EQ(fields_once(store.dataset(), {"q"}).error().code, core::Error::Code::InvalidArgument);
 }
 
 } // namespace wakesurf::server::surface_fields_test

@@ -27,13 +27,14 @@ class LookedAtClock final : public core::Clock {
 
 SurfaceJob job_of(core::SurfaceKind kind, double separation = 0.2) {
     SurfaceJob job;
-    job.rake = {core::Rake::Kind::Line, {{0, 0, 0}, {0, 2, 0}}, 9};
-    job.parameters.kind = kind;
-    job.parameters.to = 2.0;
-    job.parameters.separation = separation;
+    core::SurfaceParameters p;
+    const core::Rake rake{core::Rake::Kind::Line, {{0, 0, 0}, {0, 2, 0}}, 9};
+    p.kind = kind;
+    p.to = 2.0;
+    p.separation = separation;
     if (kind == core::SurfaceKind::Time)
-        job.parameters.sweep = core::Vec3(1, 0, 0);
-    job.flow = *core::make_analytic_flow("abc");
+        p.sweep = core::Vec3(1, 0, 0);
+    job.plan = core::plan_surface(*core::make_analytic_flow("abc"), rake, p).value();
     job.lattice = protocol::lattice_over(core::describe_analytic_flow("abc")->bounds);
     return job;
 }

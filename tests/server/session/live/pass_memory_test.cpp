@@ -19,17 +19,16 @@ constexpr std::size_t slack = std::size_t{1} << 20;
 
 SurfaceJob large(SurfaceKind kind, std::size_t fields) {
     SurfaceJob job;
-    job.rake = {core::Rake::Kind::Line, {{-2, -1, 0.2}, {-2, 1, 3}}, 200};
-    job.parameters.kind = kind;
-    job.parameters.to = 4.0;
-    job.parameters.accuracy = core::Accuracy::Fast;
+    core::SurfaceParameters p;
+    const core::Rake rake{core::Rake::Kind::Line, {{-2, -1, 0.2}, {-2, 1, 3}}, 200};
+    p.kind = kind;
+    p.to = 4.0;
+    p.accuracy = core::Accuracy::Fast;
     // So that none needs less than 5 MB or more than 30.
-    job.parameters.separation = kind == SurfaceKind::Time     ? 0.09
-                                : kind == SurfaceKind::Streak ? 0.075
-                                                              : 0.06;
+    p.separation = kind == SurfaceKind::Time ? 0.09 : kind == SurfaceKind::Streak ? 0.075 : 0.06;
     if (kind == SurfaceKind::Time)
-        job.parameters.sweep = core::Vec3{3, 0, 0};
-    job.flow = *core::make_analytic_flow("abc");
+        p.sweep = core::Vec3{3, 0, 0};
+    job.plan = core::plan_surface(*core::make_analytic_flow("abc"), rake, p).value();
     using Source = SurfaceField::Source;
     const SurfaceField all[]{{"vorticity", Source::Gradient},
                              {"q_criterion", Source::Gradient},
@@ -117,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(OfEachKind,
 TEST(SurfaceHistoryMemory, IsNotTakenByAStepThatFindsNone) {
     const SurfaceJob job = large(SurfaceKind::Time, 0);
     const core::SteadyClock clock;
-    auto moving = core::MovingSurface::start(*job.flow, job.rake, job.parameters, {}, clock);
+    auto moving = core::MovingSurface::start(job.plan, {}, clock);
     ASSERT_TRUE(moving);
     const std::size_t size = moving->state().bytes();
     core::SurfaceHistory history(std::move(*moving), 0);

@@ -14,11 +14,12 @@ namespace {
 
 SurfaceJob job_of(core::SurfaceKind kind) {
     SurfaceJob job;
-    job.rake = {core::Rake::Kind::Line, {{0, 0, 0}, {0, 2, 0}}, 9};
-    job.parameters.kind = kind;
-    job.parameters.to = 2.0;
-    job.parameters.separation = 0.2;
-    job.flow = *core::make_analytic_flow("abc");
+    core::SurfaceParameters p;
+    const core::Rake rake{core::Rake::Kind::Line, {{0, 0, 0}, {0, 2, 0}}, 9};
+    p.kind = kind;
+    p.to = 2.0;
+    p.separation = 0.2;
+    job.plan = core::plan_surface(*core::make_analytic_flow("abc"), rake, p).value();
     job.lattice = protocol::lattice_over(core::describe_analytic_flow("abc")->bounds);
     job.fields = {{"vorticity", SurfaceField::Source::Gradient},
                   {"vorticity_x", SurfaceField::Source::Gradient}};
@@ -96,13 +97,14 @@ TEST_F(ToldRangesTest, GoOnWhereAFieldIsAddedAndBeginAnewWithAnotherRakeOrOtherD
     settle();
     SurfaceJob fewer = job_of(core::SurfaceKind::Streak);
     fewer.fields.pop_back();
-    fewer.flow = surface->wanted().flow;
+    fewer.plan.flow = surface->wanted().plan.flow;
     surface->show(0.5, false, true);
     surface->rebuild(fewer);
     settle();
     EXPECT_NEAR(of(surface->ranges(), "t").high, 2.0, 1e-9) << "the same surface";
 
-    fewer.rake.points.back() = {0, 1, 0};
+    const core::Rake shorter{core::Rake::Kind::Line, {{0, 0, 0}, {0, 1, 0}}, 9};
+    fewer.plan = core::plan_surface(fewer.plan.flow, shorter, fewer.plan.parameters).value();
     surface->rebuild(fewer);
     settle();
     EXPECT_NEAR(of(surface->ranges(), "t").high, 0.5, 1e-9) << "another rake";
@@ -110,7 +112,7 @@ TEST_F(ToldRangesTest, GoOnWhereAFieldIsAddedAndBeginAnewWithAnotherRakeOrOtherD
 
     surface->show(2.0, false, true);
     settle();
-    fewer.flow = *core::make_analytic_flow("abc?A=0.1,B=0.1,C=0.1");
+    fewer.plan.flow = *core::make_analytic_flow("abc?A=0.1,B=0.1,C=0.1");
     surface->rebuild(fewer);
     settle();
     EXPECT_LT(of(surface->ranges(), "speed").greatest, 0.4) << "other data";
@@ -119,22 +121,24 @@ TEST_F(ToldRangesTest, GoOnWhereAFieldIsAddedAndBeginAnewWithAnotherRakeOrOtherD
 TEST_F(ToldRangesTest, OfAStreamSurfaceGoOnWhenItsFieldIsFrozenAtAnotherTime) {
     SurfaceJob job = job_of(core::SurfaceKind::Stream);
     job.fields.clear();
-    job.flow = *core::make_analytic_flow("double-gyre");
-    job.rake.points = {{0.3, 0.2, 0.0}, {0.3, 0.8, 0.0}};
+    const core::Rake rake{core::Rake::Kind::Line, {{0.3, 0.2, 0.0}, {0.3, 0.8, 0.0}}, 9};
+    job.plan =
+        core::plan_surface(*core::make_analytic_flow("double-gyre"), rake, job.plan.parameters)
+            .value();
     surface->rebuild(job);
     settle();
     const core::ValueRange first = of(surface->ranges(), "speed");
     ASSERT_GT(first.greatest, 0.0);
     for (const double from : {2.5, 5.0, 7.5, 0.1}) {
-        job.parameters.from = from;
-        job.parameters.to = from + 2.0;
+        job.plan.parameters.from = from;
+        job.plan.parameters.to = from + 2.0;
         const core::ValueRange before = of(surface->ranges(), "speed");
         surface->rebuild(job);
         settle();
         EXPECT_TRUE(holds(of(surface->ranges(), "speed"), before)) << from;
     }
     EXPECT_FALSE(holds(first, of(surface->ranges(), "speed"))) << "there was something to see";
-    job.parameters.to += 1.0;
+    job.plan.parameters.to += 1.0;
     EXPECT_FALSE(plays_on(surface->wanted(), job)) << "a longer surface is another one";
 }
 
