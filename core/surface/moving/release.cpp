@@ -63,9 +63,7 @@ void count_the_dead(const MovingMesh& mesh,
     const MaterialVertices& v = mesh.vertices;
     for (VertexId i = 0; i < v.slots(); ++i)
         if (v.role[i] == VertexRole::Free && v.end[i] != CurveEnd::Running && v.id[i] < fresh) {
-            terminated.domain += v.end[i] == CurveEnd::Domain;
-            terminated.obstacle += v.end[i] == CurveEnd::Obstacle;
-            terminated.stagnation += v.end[i] == CurveEnd::Stagnation;
+            terminated.add(v.end[i]);
         }
 }
 
