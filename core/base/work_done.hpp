@@ -2,6 +2,7 @@
 // threads that work, read by those who wait. And what memory it takes, told by the same.
 #pragma once
 
+#include "core/base/result.hpp"
 #include "core/base/work_memory.hpp"
 
 #include <algorithm>
@@ -106,14 +107,16 @@ class WorkPart {
     /// Null: no one counts.
     WorkMemory* memory() const { return memory_; }
 
-    /// It will hold so many bytes by itself, besides what above() names. False: they are not there, and the
-    /// work should end.
-    bool holds(std::size_t bytes) const {
-        return memory_ == nullptr || memory_->grow_to(others_ + bytes);
+    /// It will hold so many bytes by itself, besides what above() names. Error: WorkMemory::refusal(), with which the work
+    /// should end.
+    Result<void> holds(std::size_t bytes) const {
+        return had(memory_ == nullptr || memory_->grow_to(others_ + bytes));
     }
 
-    /// So many bytes more. False as above.
-    bool takes(std::size_t bytes) const { return memory_ == nullptr || memory_->grow(bytes); }
+    /// So many bytes more. Error as above.
+    Result<void> takes(std::size_t bytes) const {
+        return had(memory_ == nullptr || memory_->grow(bytes));
+    }
 
     /// So many bytes of what it holds or has taken are free again.
     void gives_back(std::size_t bytes) const {
@@ -136,6 +139,10 @@ class WorkPart {
     }
 
   private:
+    Result<void> had(bool there) const {
+        return there ? Result<void>{} : tl::unexpected(memory_->refusal());
+    }
+
     WorkDone* done_ = nullptr;
     WorkMemory* memory_ = nullptr;
     std::size_t others_ = 0; ///< bytes

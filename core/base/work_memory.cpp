@@ -55,10 +55,10 @@ void WorkMemory::give_way_from_now_on() {
     });
 }
 
-Error WorkMemory::refusal(std::string_view what) const {
-    if (gives_way_)
-        return account_.gave_way(what, reserved_);
-    return account_.refusal(what, wanted_);
+Error WorkMemory::refusal() const {
+    if (!exhausted_)
+        return {Error::Code::Cancelled, "the work was cancelled", ""};
+    return gives_way_ ? account_.gave_way(what_, reserved_) : account_.refusal(what_, wanted_);
 }
 
 } // namespace wakesurf::core

@@ -21,17 +21,19 @@ class WorkMemory {
   public:
     /// @param stop      of the work: no one waits for memory then
     /// @param patience  how long it waits for others to give memory back
+    /// @param what      the work makes, for refusals
     explicit WorkMemory(const MemoryAccount& account,
                         std::stop_token stop = {},
-                        std::chrono::milliseconds patience = std::chrono::seconds(1))
-        : account_(account), stop_(std::move(stop)), patience_(patience),
+                        std::chrono::milliseconds patience = std::chrono::seconds(1),
+                        std::string what = "this surface")
+        : account_(account), stop_(std::move(stop)), patience_(patience), what_(std::move(what)),
           forward_(stop_, [this] { end_.request_stop(); }),
           share_(account.open(MemoryUse::Builds)) {}
 
     WorkMemory(const WorkMemory&) = delete;
     WorkMemory& operator=(const WorkMemory&) = delete;
 
-    /// So many bytes more. False where there is no memory: the work should end, see exhausted(). Where the account has been asked
+    /// So many bytes more. False where there is no memory: the work should end, see refusal(). Where the account has been asked
     /// already, which it is for large parts at a time, it costs some 5 ns.
     bool grow(std::size_t bytes);
 
@@ -45,8 +47,8 @@ class WorkMemory {
     /// It was refused once.
     bool exhausted() const { return exhausted_; }
 
-    /// Why the work ended. REQUIRES: exhausted().
-    Error refusal(std::string_view what) const;
+    /// Why the work ended, after grow() returned false: OverLimit where there was no memory, Cancelled where it was stopped meanwhile.
+    Error refusal() const;
 
   private:
     bool reserve(std::size_t bytes);
@@ -56,6 +58,7 @@ class WorkMemory {
     std::stop_token stop_;
     std::stop_source end_; ///< fires with stop_, and when it has to give way
     std::chrono::milliseconds patience_;
+    std::string what_;
     std::stop_callback<std::function<void()>> forward_;
     std::atomic<std::size_t> taken_{0};
     std::atomic<std::size_t> reserved_{0};

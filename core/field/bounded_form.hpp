@@ -71,7 +71,7 @@ class AnalyticFlow final : public Flow {
                                  ? std::numeric_limits<double>::infinity()
                                  : -std::numeric_limits<double>::infinity();
         if (!trace_curves(field_, curves, options, never, stop))
-            return fail(Error::Code::Cancelled, "the integration was cancelled");
+            return tl::unexpected(cut_short(options));
         return TraceCost{};
     }
 

@@ -43,7 +43,7 @@ class Flow {
 
     /// Integrates every curve from its seed to its end. Runs in parallel over curves in the caller's arena;
     /// the result does not depend on the number of threads.
-    /// Error: Cancelled (also when `options.memory` is exhausted), or what loading a time-step reports.
+    /// Error: Cancelled, OverLimit where `options.memory` is exhausted, or what loading a time-step reports.
     virtual Result<TraceCost>
     trace(std::span<Curve> curves, const TraceOptions& options, std::stop_token stop) const = 0;
 

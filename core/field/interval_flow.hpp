@@ -358,7 +358,7 @@ class IntervalFlow final : public Flow {
                          double limit,
                          const std::stop_token& stop) const {
         if (!sampling_->trace(interval, curves, options, limit, stop))
-            return fail(Error::Code::Cancelled, "the integration was cancelled");
+            return tl::unexpected(cut_short(options));
         return {};
     }
 

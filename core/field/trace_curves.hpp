@@ -18,7 +18,7 @@
 namespace wakesurf::core {
 
 /// Advances until the simulation time `limit` (infinite: to every curve's own end). Returns false if `stop` fired, or there is no memory
-/// for the steps (`options.memory` says so).
+/// for the steps: see cut_short.
 /// Isolated: a thread that waits here takes no work of another surface.
 template <VelocityField Field>
 bool trace_curves(const Field& field,

@@ -85,6 +85,13 @@ inline bool keep_step(Curve& curve, const CurveStep& step, const TraceOptions& o
     return true;
 }
 
+/// Why tracing ended early: it was stopped, or there was no memory.
+inline Error cut_short(const TraceOptions& options) {
+    if (options.memory != nullptr && options.memory->exhausted())
+        return options.memory->refusal();
+    return {Error::Code::Cancelled, "the integration was cancelled", ""};
+}
+
 /// Takes points off a curve in order of arc length: no search, and the first guess of each is where the last one was.
 class CurveReader {
   public:

@@ -24,10 +24,6 @@ constexpr std::uint64_t most_before_joining = 2;
 constexpr std::size_t mesh_bytes =
     300; ///< a quad, while its vertices and what they carry are put together
 
-tl::unexpected<Error> no_memory() {
-    return fail(Error::Code::Cancelled, "there is not enough memory for the surface");
-}
-
 std::set<double> first_seeds(const SeedingCurve& seeding, double intervals) {
     const auto even = seed_parameters(seeding.corners(), intervals);
     std::set<double> seeds(even.begin(), even.end());
@@ -115,13 +111,13 @@ void count_columns(const Sheet& sheet, SurfaceStatistics& statistics) {
     }
 }
 
-/// Joins the sheets to one mesh. Error: Cancelled where there is no memory.
+/// Joins the sheets to one mesh. Error: OverLimit where there is no memory, Cancelled.
 Result<Bare>
 joined(const std::vector<Sheet>& sheets, const std::stop_token& stop, const WorkPart& work) {
     Bare out;
     for (const Sheet& sheet : sheets) {
-        if (!work.takes(sheet.quads() * mesh_bytes))
-            return no_memory();
+        if (auto room = work.takes(sheet.quads() * mesh_bytes); !room)
+            return tl::unexpected(room.error());
         if (!append_sheet(out.mesh, sheet, stop))
             return fail(Error::Code::Cancelled, "the surface was cancelled");
         count_columns(sheet, out.statistics);
@@ -269,9 +265,6 @@ build_surface(const SurfacePlan& plan, std::stop_token stop, const Clock& clock,
     std::optional<double> ended;
     for (SurfacePlan shorter = plan; !surface;) {
         const auto part = readable_part(shorter.parameters, surface.error());
-        if (!part && work.memory() != nullptr && work.memory()->exhausted())
-            return tl::unexpected(work.memory()->refusal(
-                "a surface of at most " + std::to_string(plan.parameters.max_quads) + " quads"));
         if (!part)
             return surface;
         if (work.memory() != nullptr)

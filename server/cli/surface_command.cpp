@@ -72,7 +72,9 @@ core::Result<BuiltSurface> build(const std::string& dataset,
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(used));
     tbb::task_arena arena(used);
-    auto memory = std::make_shared<core::WorkMemory>(account, stop);
+    auto memory = std::make_shared<core::WorkMemory>(
+        account, stop, std::chrono::seconds(1),
+        fmt::format("a surface of at most {} quads", plan.parameters.max_quads));
     return arena
         .execute([&] {
             return core::build_surface(plan, stop, core::SteadyClock{}, {&work, memory.get()});
@@ -249,9 +251,9 @@ core::Result<void> make(const SurfaceOptions& options,
         static_cast<double>(std::clock() - began) / static_cast<double>(CLOCKS_PER_SEC);
     if (auto shown = tell_statistics(surface.statistics, built->cut_short); !shown)
         return shown;
-    core::WorkMemory memory(process.account(), stop);
+    core::WorkMemory memory(process.account(), stop, std::chrono::seconds(1), "the surface's file");
     if (!memory.grow(surface.mesh.vertices() * file_bytes))
-        return tl::unexpected(memory.refusal("the surface's file"));
+        return tl::unexpected(memory.refusal());
     const auto scalars =
         surface_scalars(*dataset, surface.mesh, core::vertex_times(surface, plan->parameters),
                         options.fields, stop);

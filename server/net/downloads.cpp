@@ -131,11 +131,9 @@ struct FileJob {
 
     core::Result<std::string> make(const std::stop_token& stop,
                                    core::MemoryAccount::Share& share) const {
-        core::WorkMemory memory(*account, stop, limits::download_memory);
+        core::WorkMemory memory(*account, stop, limits::download_memory, "a file of this surface");
         const auto shown =
             core::surface_at(surface.plan, time, core::SteadyClock{}, stop, {nullptr, &memory});
-        if (!shown && memory.exhausted())
-            return tl::unexpected(memory.refusal("a file of this surface"));
         if (!shown)
             return tl::unexpected(shown.error());
         const std::size_t needed = shown->mesh.vertices() * (vertex_file_bytes + 8 * fields.size());

@@ -164,8 +164,8 @@ Result<FixedSheet> fixed_sheet(const SurfacePlan& plan,
                 std::max(out.statistics.separation, first.separation * grid.rows / fewer);
             grid.rows = fewer;
         }
-        if (!work.takes(static_cast<std::size_t>(grid.quads()) * grid_bytes))
-            return fail(Error::Code::Cancelled, "there is not enough memory for the surface");
+        if (auto room = work.takes(static_cast<std::size_t>(grid.quads()) * grid_bytes); !room)
+            return tl::unexpected(room.error());
         append(out.mesh, grid, rake.closed(), stop);
         if (stop.stop_requested())
             return fail(Error::Code::Cancelled, "the surface was cancelled");

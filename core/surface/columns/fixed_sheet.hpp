@@ -20,7 +20,7 @@ struct FixedSheet {
 
 /// @param directions  one or two, of one separation and quad budget, as the plan returns them
 /// In a row the fastest particle goes 3/4 of the separation. A column ends at the last row that its particle reaches. Where the budget
-/// does not suffice rows are longer, then there are fewer columns. Error: Cancelled (also where there is no memory), and what tracing reports.
+/// does not suffice rows are longer, then there are fewer columns. Error: Cancelled, OverLimit where there is no memory, and what tracing reports.
 Result<FixedSheet> fixed_sheet(const SurfacePlan& plan,
                                std::span<const SheetOptions> directions,
                                const Clock& clock,

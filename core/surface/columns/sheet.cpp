@@ -80,9 +80,7 @@ Sheet::trace(const std::set<double>& parameters, const Clock& clock, const std::
 Result<void> Sheet::hold(std::size_t quads, std::size_t& counted, const WorkPart& work) const {
     const std::size_t more = quads - std::min(quads, counted);
     counted += more;
-    if (work.memory() != nullptr && !work.memory()->grow(more * strip_bytes))
-        return fail(Error::Code::Cancelled, "there is not enough memory for the surface");
-    return {};
+    return work.takes(more * strip_bytes);
 }
 
 Strip Sheet::strip_between(double left, double right_s) const {

@@ -25,7 +25,7 @@ class Sheet {
 
     /// Builds the strips between `seeds` (parameters, increasing; a closed rake's last one is below 1).
     /// Returns false, with strips that are of no use, as soon as the quads exceed max_quads.
-    /// Error: Cancelled (also where there is no memory), and what tracing reports.
+    /// Error: Cancelled, OverLimit where there is no memory, and what tracing reports.
     /// Cost: tracing, plus O(quads of the strips that changed) a round.
     /// @param work  told which part of the rake is done, and what memory the strips take
     Result<bool> build(const std::set<double>& seeds,

@@ -19,9 +19,10 @@ Result<Surface> build_moving_surface(const SurfacePlan& plan,
         return tl::unexpected(moving.error());
     if (auto moved = moving->advance_to(moving->end_time(), stop, work); !moved)
         return tl::unexpected(moved.error());
-    if (!work.holds(memory_while_moving(moving->state().mesh) +
-                    shown_bytes * moving->state().mesh.vertices.slots()))
-        return fail(Error::Code::Cancelled, "there is not enough memory for the surface");
+    if (auto room = work.holds(memory_while_moving(moving->state().mesh) +
+                               shown_bytes * moving->state().mesh.vertices.slots());
+        !room)
+        return tl::unexpected(room.error());
     Surface surface{moving->mesh().mesh, moving->statistics()};
     if (time_sign(plan.parameters) < 0.0)
         mirror_cells(surface.mesh);

@@ -165,8 +165,8 @@ Result<bool> MovingSurface::begin(const std::stop_token& stop, const WorkPart& w
         const double quads = plan.columns.count * rows;
         if (quads > static_cast<double>(plan.rules.max_quads))
             return false;
-        if (!work.holds(static_cast<std::size_t>(patch_bytes * quads)))
-            return fail(Error::Code::Cancelled, "there is not enough memory for the surface");
+        if (auto room = work.holds(static_cast<std::size_t>(patch_bytes * quads)); !room)
+            return tl::unexpected(room.error());
         if (auto laid = lay_patch(mesh, plan.request.origin, *flow_, plan.columns, rows, stop);
             !laid)
             return tl::unexpected(laid.error());
@@ -224,8 +224,8 @@ Result<bool> MovingSurface::refine(double before,
                                    const WorkPart& work) {
     if (!refines()) {
         leave_out_dead(state_.mesh);
-        if (!work.holds(memory_while_moving(state_.mesh)))
-            return fail(Error::Code::Cancelled, "there is not enough memory for the surface");
+        if (auto room = work.holds(memory_while_moving(state_.mesh)); !room)
+            return tl::unexpected(room.error());
         return state_.mesh.triangles.quads() <= state_.plan->rules.max_quads;
     }
     RefinementRules rules = state_.plan->rules;

@@ -53,7 +53,7 @@ class MovingSurface {
 
     /// Carries the surface over one step, as long as it is safe; not beyond `to`. A surface that would exceed
     /// its quad budget is begun again, coarser, and carried to where the step leads. Error: OverLimit as for
-    /// start(), Cancelled (within 50 ms, or because `work` has no memory) and what loading time-steps
+    /// start(), and where `work` has no memory, Cancelled within 50 ms, and what loading time-steps
     /// reports; the surface is then of no use but to restore().
     /// @param work  the way from here to `aim`, or to `to` where that is left out
     Result<void> step(double to,

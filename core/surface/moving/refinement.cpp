@@ -230,8 +230,8 @@ Result<bool> Refinement::cut_until_done(MovingMesh& mesh,
     for (int pass = 0; pass < most_cut_passes; ++pass) {
         if (stop_.stop_requested())
             return fail(Error::Code::Cancelled, "the surface was cancelled");
-        if (!work.holds(memory_while_moving(mesh, candidates.size() / 3)))
-            return fail(Error::Code::Cancelled, "there is not enough memory for the surface");
+        if (auto room = work.holds(memory_while_moving(mesh, candidates.size() / 3)); !room)
+            return tl::unexpected(room.error());
         const bool shape = pass < with_shape;
         if (auto clipped = clip_at_the_dead(mesh, candidates); !clipped)
             return tl::unexpected(clipped.error());
@@ -297,8 +297,8 @@ bool Refinement::keep_budget(MovingMesh& mesh) {
 
 Result<bool> Refinement::run(MovingMesh& mesh, std::stop_token stop, const WorkPart& work) {
     stop_ = std::move(stop);
-    if (!work.holds(memory_while_moving(mesh)))
-        return fail(Error::Code::Cancelled, "there is not enough memory for the surface");
+    if (auto room = work.holds(memory_while_moving(mesh)); !room)
+        return tl::unexpected(room.error());
     if (!keep_budget(mesh))
         return false;
     to_retrace_.clear();

@@ -49,7 +49,7 @@ class Refinement {
           scan_(memory.scan), to_retrace_(memory.to_retrace) {}
 
     /// False: the mesh has more quads than the rules allow, and no separation that they allow changes that.
-    /// Error: Cancelled (also where there is no memory), and what tracing a vertex again reports.
+    /// Error: Cancelled, OverLimit where there is no memory, and what tracing a vertex again reports.
     /// @param work  told what memory the mesh takes
     Result<bool> run(MovingMesh& mesh, std::stop_token stop, const WorkPart& work = {});
 

@@ -76,8 +76,9 @@ Result<KeyedMesh> SurfaceHistory::at(double time, std::stop_token stop, const Wo
     work.came_to(time, start_);
     const MovingMesh& mesh = surface_.state().mesh;
     const std::size_t on_the_way = memory_while_moving(mesh);
-    if (!here.holds(memory_of(mesh) + on_the_way + shown_bytes * mesh.vertices.slots()))
-        return fail(Error::Code::Cancelled, "there is not enough memory for the surface");
+    if (auto room = here.holds(memory_of(mesh) + on_the_way + shown_bytes * mesh.vertices.slots());
+        !room)
+        return tl::unexpected(room.error());
     const auto shown = [&]() -> Result<KeyedMesh> {
         if (surface_.time() == time)
             return surface_.mesh();

@@ -18,7 +18,7 @@ class SurfaceHistory {
     SurfaceHistory(MovingSurface surface, std::size_t budget_bytes);
 
     /// The mesh at a time between the surface's first and its end. Steps from the newest checkpoint before it, or from where
-    /// it stands, telling `work` how far of the way it is and what memory it takes, checkpoints apart. Error: OutOfTime, Cancelled (also where there is no memory; the next call goes on from a checkpoint), what stepping reports.
+    /// it stands, telling `work` how far of the way it is and what memory it takes, checkpoints apart. Error: OutOfTime; Cancelled, and OverLimit where there is no memory, after which the next call goes on from a checkpoint; what stepping reports.
     Result<KeyedMesh> at(double time, std::stop_token stop, const WorkPart& work = {});
 
     /// Of the checkpoints.

@@ -21,8 +21,8 @@ Result<PlayedSurface> PlayedSurface::start(const SurfacePlan& plan,
     auto moving = MovingSurface::start(plan, stop, clock, work);
     if (!moving)
         return tl::unexpected(moving.error());
-    if (!work.holds(2 * moving->state().bytes())) // its start is kept
-        return fail(Error::Code::Cancelled, "there is not enough memory for the surface");
+    if (auto room = work.holds(2 * moving->state().bytes()); !room) // its start is kept
+        return tl::unexpected(room.error());
     return PlayedSurface(SurfaceHistory(std::move(*moving), budget_bytes));
 }
 

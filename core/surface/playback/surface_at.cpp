@@ -44,8 +44,8 @@ Result<SurfaceAt> surface_at(const SurfacePlan& plan,
     if (!surface)
         return tl::unexpected(surface.error());
     if (timed) {
-        if (!work.takes(2 * memory_of(surface->mesh)))
-            return fail(Error::Code::Cancelled, "there is not enough memory for the surface");
+        if (auto room = work.takes(2 * memory_of(surface->mesh)); !room)
+            return tl::unexpected(room.error());
         const GrowingMesh growing(surface->mesh, time_span(p));
         surface->mesh = growing.at(age).mesh;
         surface->statistics.quads = surface->mesh.cells.size();

@@ -77,9 +77,10 @@ SurfaceBuild::run_counted(const SurfacePass& pass, const std::stop_token& stop, 
     if (stop.stop_requested())
         return cancelled();
     const std::size_t vertices = shown->mesh.mesh.vertices();
-    if (!work.takes(vertices *
-                    (protocol::encoding_bytes + job_.fields.size() * encoding_field_bytes)))
-        return cancelled();
+    if (auto room = work.takes(
+            vertices * (protocol::encoding_bytes + job_.fields.size() * encoding_field_bytes));
+        !room)
+        return tl::unexpected(room.error());
     const auto built = clock_.now();
     const double load = shown->load;
     auto update = encode(std::move(*shown), pass);
@@ -100,14 +101,13 @@ core::Result<Update> SurfaceBuild::run(const SurfacePass& pass,
         if (account_ == nullptr)
             return run_counted(pass, stop, work);
         const bool whole = pass.phase == Phase::Final;
-        core::WorkMemory memory(*account_, stop, whole ? patience : little_patience);
+        core::WorkMemory memory(
+            *account_, stop, whole ? patience : little_patience,
+            fmt::format("this surface, of at most {} quads,", job_.plan.parameters.max_quads));
         auto update = run_counted(pass, stop, {work, &memory});
         kept_.set(stream_.bytes() + (grown_ ? grown_->bytes() : 0));
         if (update)
             update->memory = counted(account_, update->wire.bytes);
-        if (!update && memory.exhausted())
-            return tl::unexpected(memory.refusal(
-                fmt::format("this surface, of at most {} quads,", job_.plan.parameters.max_quads)));
         return update;
     } catch (const std::bad_alloc&) {
         return core::fail(core::Error::Code::OverLimit,
@@ -180,8 +180,8 @@ core::Result<protocol::MeshFields> SurfaceBuild::fields_of(const core::Surface& 
                                                            const core::SurfaceParameters& p,
                                                            const std::stop_token& stop,
                                                            const Work& work) const {
-    if (!work.takes(sampling_memory(surface.mesh.vertices())))
-        return cancelled();
+    if (auto room = work.takes(sampling_memory(surface.mesh.vertices())); !room)
+        return tl::unexpected(room.error());
     return sample_fields(
         job_.fields, *job_.plan.flow, job_.store.get(), surface.mesh,
         [&] { return core::vertex_times(surface, p); }, stop);
@@ -197,14 +197,14 @@ SurfaceBuild::grow(double age, const std::stop_token& stop, const Work& work) {
         const auto fields = fields_of(*surface, job_.plan.parameters, stop, work);
         if (!fields)
             return tl::unexpected(fields.error());
-        if (!work.takes(core::memory_of(surface->mesh)))
-            return cancelled();
+        if (auto room = work.takes(core::memory_of(surface->mesh)); !room)
+            return tl::unexpected(room.error());
         grown_.emplace(surface->mesh, core::time_span(job_.plan.parameters), *fields);
         grown_statistics_ = surface->statistics;
         load = surface->statistics.seconds.load;
     }
-    if (!work.takes(grown_->bytes()))
-        return cancelled();
+    if (auto room = work.takes(grown_->bytes()); !room)
+        return tl::unexpected(room.error());
     Shown shown{grown_->at(age), grown_statistics_, Source::Grown, grown_->fields_at(age), load};
     shown.statistics.quads = shown.mesh.mesh.cells.size();
     shown.statistics.vertices = shown.mesh.mesh.vertices();
@@ -250,8 +250,8 @@ core::Result<SurfaceBuild::Shown> SurfaceBuild::play_within(std::size_t bytes,
     auto shown = played_->at(age, stop, work);
     if (!shown)
         return tl::unexpected(shown.error());
-    if (!work.takes(sampling_memory(shown->mesh.mesh.vertices())))
-        return cancelled();
+    if (auto room = work.takes(sampling_memory(shown->mesh.mesh.vertices())); !room)
+        return tl::unexpected(room.error());
     auto fields = sample_fields(
         job_.fields, *job_.plan.flow, job_.store.get(), shown->mesh.mesh,
         [&] { return std::vector<double>(shown->mesh.mesh.vertices(), shown->time); }, stop);

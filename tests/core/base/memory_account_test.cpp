@@ -221,7 +221,7 @@ TEST(MemoryAccount, LargeWorkGivesWayToSmallWorkAndSaysSo) {
         while (!stop.stop_requested() && first->grow(0)) {
         }
         if (!first->grow(1))
-            why = first->refusal("a surface").message;
+            why = first->refusal().message;
         first.reset();
     });
     EXPECT_TRUE(little.grow(mebi));
@@ -238,7 +238,7 @@ TEST(MemoryAccount, WorkThatIsRefusedOnceSaysSoAndEndsForAllThreads) {
     EXPECT_FALSE(work.grow(2 * mebi));
     EXPECT_TRUE(work.exhausted());
     EXPECT_FALSE(work.grow(1));
-    EXPECT_EQ(work.refusal("a surface").limit, mebi);
+    EXPECT_EQ(work.refusal().limit, mebi);
     EXPECT_EQ(account.used(), mebi);
 }
 

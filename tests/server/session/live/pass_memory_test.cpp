@@ -123,7 +123,9 @@ TEST(SurfaceHistoryMemory, IsNotTakenByAStepThatFindsNone) {
     const core::MemoryAccount account(1);
     core::WorkMemory memory(account, {}, std::chrono::milliseconds(0));
     const tests::CountedHeap heap(account);
-    ASSERT_FALSE(history.at(3.0, {}, {nullptr, &memory}));
+    const auto refused = history.at(3.0, {}, {nullptr, &memory});
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, core::Error::Code::OverLimit);
     EXPECT_TRUE(memory.exhausted());
     EXPECT_LT(heap.most(), size / 4);
     EXPECT_TRUE(history.at(3.0, {})) << "it goes on from its beginning";
