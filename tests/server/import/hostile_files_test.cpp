@@ -4,6 +4,14 @@
 #include "tests/support/foam_files.hpp"
 
 #include <sys/resource.h>
+#include <vtk_cgns.h>
+#include <vtk_exodusII.h>
+#include <vtk_hdf5.h>
+// clang-format off
+#include VTK_CGNS(cgnslib.h)
+// clang-format on
+
+#include <array>
 
 namespace wakesurf::server::hostile_files_test {
 namespace {
@@ -160,6 +168,108 @@ TEST_F(HostileFiles, ThatAreLongAndClaimMoreThanTheBoundAreNotRead) {
                      "<AppendedData encoding=\"raw\">_</AppendedData></VTKFile>");
     put("long.vti", appended);
     expect_refused_soon(folder_ / "long.vti", {"an import may take 512 MiB"});
+}
+
+TEST_F(HostileFiles, OfOpenfoamThatClaimLongListsAreNotRead) {
+    for (const bool binary : {false, true})
+        for (const std::string file :
+             {"constant/polyMesh/points", "constant/polyMesh/faces", "constant/polyMesh/owner",
+              "constant/polyMesh/neighbour", "0/U"}) {
+            SCOPED_TRACE(file + (binary ? " binary" : " text"));
+            const auto mesh = foam_block_mesh({});
+            FoamField velocity;
+            for (const int cell : mesh.cells)
+                velocity.values.push_back({0.5 * cell, 1.0, 2.0});
+            const fs::path place = folder_ / "case";
+            fs::remove_all(place);
+            write_foam_mesh(place / "constant", mesh, binary);
+            write_foam_field(place / "0", mesh, velocity, binary);
+            write_file(place / "case.foam", "");
+            std::string text = read_file(place / file);
+            const auto list = text.find("internalField");
+            const auto begin = list == std::string::npos ? text.find("}") : text.find('>', list);
+            const auto number = text.find_first_of("0123456789", begin);
+            text.replace(number, text.find_first_not_of("0123456789", number) - number,
+                         "1500000000");
+            write_file(place / file, text);
+            expect_refused_soon(place / "case.foam", {"an import may take 512 MiB"});
+        }
+}
+
+TEST_F(HostileFiles, OfEnsightThatAreLongAreNotRead) {
+    const std::string head = "a\nb\nnode id off\nelement id off\npart\n         1\nbox\n"
+                             "coordinates\n2000000000\n";
+    write_file(folder_ / "flow.case", "FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: mesh\n"
+                                      "VARIABLE\nvector per node: velocity u\n");
+    put("u", "u\n");
+    make_long(put("mesh", head));
+    expect_refused_soon(folder_ / "flow.case", {"an import may take 512 MiB"});
+}
+
+TEST_F(HostileFiles, OfExodusThatClaimManyNodesOrElementsAreNotRead) {
+    ex_opts(0);
+    for (const bool nodes : {true, false}) {
+        const fs::path file = folder_ / (nodes ? "nodes.exo" : "elements.exo");
+        int word = 8;
+        const int out =
+            ex_create(file.c_str(), EX_CLOBBER | EX_NETCDF4 | EX_ALL_INT64_DB, &word, &word);
+        ASSERT_GE(out, 0);
+        ex_init_params sizes{};
+        sizes.num_dim = 3;
+        sizes.num_nodes = nodes ? 3'000'000'000 : 8;
+        sizes.num_elem = nodes ? 1 : 3'000'000'000;
+        sizes.num_elem_blk = 1;
+        ASSERT_EQ(ex_put_init_ext(out, &sizes), 0);
+        ASSERT_EQ(ex_close(out), 0);
+        expect_refused_soon(file, {"an import may take 512 MiB"});
+    }
+}
+
+TEST_F(HostileFiles, OfCgnsThatClaimManyNodesOrElementsAreNotRead) {
+    for (const bool structured : {true, false}) {
+        const fs::path path = folder_ / (structured ? "structured.cgns" : "mesh.cgns");
+        int file = 0;
+        int base = 0;
+        int zone = 0;
+        ASSERT_EQ(cg_open(path.c_str(), CG_MODE_WRITE, &file), CG_OK);
+        ASSERT_EQ(cg_base_write(file, "Base", 3, 3, &base), CG_OK);
+        const std::array<cgsize_t, 9> size =
+            structured ? std::array<cgsize_t, 9>{1200, 1200, 1200, 1199, 1199, 1199}
+                       : std::array<cgsize_t, 9>{1'500'000'000, 1'500'000'000};
+        ASSERT_EQ(cg_zone_write(file, base, "Zone", size.data(),
+                                structured ? CGNS_ENUMV(Structured) : CGNS_ENUMV(Unstructured),
+                                &zone),
+                  CG_OK);
+        ASSERT_EQ(cg_close(file), CG_OK);
+        expect_refused_soon(path, {"an import may take 512 MiB"});
+    }
+}
+
+TEST_F(HostileFiles, OfHdfThatClaimManyNodesAreNotRead) {
+    for (const bool image : {true, false}) {
+        const fs::path path = folder_ / (image ? "image.vtkhdf" : "mesh.vtkhdf");
+        const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+        const hid_t root = H5Gcreate2(file, "VTKHDF", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+        const std::array<int, 6> ends{0, 2999, 0, 2999, 0, 2999};
+        const long long many = 27'000'000'000;
+        const hsize_t count = image ? 6 : 1;
+        const hid_t space = H5Screate_simple(1, &count, nullptr);
+        if (image) {
+            const hid_t extent =
+                H5Acreate2(root, "WholeExtent", H5T_NATIVE_INT, space, H5P_DEFAULT, H5P_DEFAULT);
+            EXPECT_GE(H5Awrite(extent, H5T_NATIVE_INT, ends.data()), 0);
+            H5Aclose(extent);
+        } else {
+            const hid_t data = H5Dcreate2(root, "NumberOfPoints", H5T_NATIVE_LLONG, space,
+                                          H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+            EXPECT_GE(H5Dwrite(data, H5T_NATIVE_LLONG, H5S_ALL, H5S_ALL, H5P_DEFAULT, &many), 0);
+            H5Dclose(data);
+        }
+        H5Sclose(space);
+        H5Gclose(root);
+        H5Fclose(file);
+        expect_refused_soon(path, {"an import may take 512 MiB"});
+    }
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "server/import/sources/ensight/ensight_stream.hpp"
 
 #include "core/base/disk.hpp"
+#include "server/import/process_memory.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -45,6 +46,8 @@ core::Result<EnsightStream> EnsightStream::open(const NamedFile& file) {
         return core::fail(Error::Code::NotFound, file.name + " is not there");
     if (!size)
         return tl::unexpected(size.error());
+    if (auto fits = check_claim(file.name, *size, 1); !fits)
+        return tl::unexpected(fits.error());
     try {
         out.text_.resize(*size);
     } catch (const std::bad_alloc&) {

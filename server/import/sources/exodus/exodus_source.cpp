@@ -1,6 +1,7 @@
 #include "server/import/sources/exodus/exodus_source.hpp"
 
 #include "server/import/notes.hpp"
+#include "server/import/process_memory.hpp"
 #include "server/import/sources/blocks/block_roles.hpp"
 #include "server/import/sources/blocks/vtk_fields.hpp"
 #include "server/import/sources/blocks/wall_faces.hpp"
@@ -21,6 +22,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <fstream>
 #include <new>
 #include <string_view>
@@ -120,6 +122,8 @@ class ExodusSource final : public Source {
         if (reader_->CanReadFile(file_.path.c_str()) == 0)
             return core::fail(Error::Code::Corrupt,
                               file_.name + " is not an Exodus II file, or is damaged");
+        if (auto fits = check_sizes(); !fits)
+            return fits;
         reader_->SetFileName(file_.path.c_str());
         reader_->SetApplyDisplacements(0);
         reader_->SetGenerateObjectIdCellArray(0);
@@ -134,6 +138,30 @@ class ExodusSource final : public Source {
             if (is_called_wall(reader_->GetSideSetArrayName(i)))
                 reader_->SetSideSetArrayStatus(reader_->GetSideSetArrayName(i), 1);
         return {};
+    }
+
+    // Nodes and elements, as its header counts them: VTK takes memory for all of them at once.
+    core::Result<void> check_sizes() const {
+        int word = 8;
+        int stored = 0;
+        float version = 0.0F;
+        const int file = ex_open(file_.path.c_str(), EX_READ, &word, &stored, &version);
+        if (file < 0)
+            return {}; // told by VTK
+        ex_set_int64_status(file, EX_ALL_INT64_API);
+        ex_init_params sizes{};
+        const bool known = ex_get_init_ext(file, &sizes) >= 0;
+        ex_close(file);
+        if (!known)
+            return {};
+        constexpr std::uint64_t bytes_an_element =
+            5 * sizeof(vtkIdType); // of a tetrahedron, the least
+        const auto count = [](std::int64_t number) {
+            return static_cast<std::uint64_t>(std::max<std::int64_t>(number, 0));
+        };
+        return check_claim(file_.name, count(sizes.num_nodes), 3 * sizeof(double)).and_then([&] {
+            return check_claim(file_.name, count(sizes.num_elem), bytes_an_element);
+        });
     }
 
     void choose_fields(const std::vector<FieldInfo>* fields) {

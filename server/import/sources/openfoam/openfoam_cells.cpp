@@ -1,15 +1,18 @@
 #include "server/import/sources/openfoam/openfoam_cells.hpp"
 
+#include "server/import/process_memory.hpp"
 #include "server/import/sources/openfoam/openfoam_file.hpp"
 
 #include <zlib.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace wakesurf::server {
@@ -101,6 +104,18 @@ void each_of_binary(gzFile in, std::int64_t count, const Label& label) {
 } // namespace
 
 core::Result<void> check_foam_cells(const fs::path& mesh, const std::string& name) {
+    constexpr std::array<std::pair<const char*, std::uint64_t>, 4> lists{
+        {{"points", 3 * sizeof(float)}, {"faces", 4}, {"owner", 4}, {"neighbour", 4}}};
+    for (const auto& [list, bytes] : lists) {
+        const auto file = foam_file(mesh / list);
+        const File in(file ? ::gzopen(file->c_str(), "rb") : nullptr, ::gzclose);
+        const auto head = in ? head_of(in.get()) : std::nullopt;
+        if (!head)
+            continue; // told by VTK
+        const auto count = static_cast<std::uint64_t>(std::max<std::int64_t>(head->count, 0));
+        if (auto fits = check_claim(name + "/" + list, count, bytes); !fits)
+            return fits;
+    }
     std::int64_t faces = 0;
     for (const char* list : {"owner", "neighbour"}) {
         const auto file = foam_file(mesh / list);

@@ -137,6 +137,13 @@ std::optional<FoamHeader> read_foam_header(const fs::path& file) {
             has_letter(rest.substr(open, close - open)))
             out.names_units = true;
     }
+    if (const auto list = rest.find("List<", std::min(rest.find("internalField"), rest.size()));
+        list != std::string_view::npos) {
+        const auto number =
+            rest.find_first_of("0123456789", std::min(rest.find('>', list), rest.size()));
+        if (number != std::string_view::npos)
+            std::from_chars(rest.data() + number, rest.data() + rest.size(), out.values);
+    }
     return out;
 }
 

@@ -5,6 +5,7 @@
 #include "core/base/result.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -20,6 +21,7 @@ struct FoamHeader {
     std::string type;         ///< its `class` entry: volVectorField, polyBoundaryMesh ...
     std::string object;       ///< the file's name for itself
     bool names_units = false; ///< its `dimensions` entry is "[m s^-1]", not "[0 1 -1 0 0 0 0]"
+    std::uint64_t values = 0; ///< of its internalField, which says their number; 0: one for all
     std::string unit; ///< of its `dimensions` entry: "m/s"; empty without one, or where it has none
 };
 

@@ -1,5 +1,6 @@
 #include "server/import/sources/openfoam/openfoam_reader.hpp"
 
+#include "server/import/process_memory.hpp"
 #include "server/import/sources/openfoam/openfoam_cells.hpp"
 #include "server/import/sources/openfoam/openfoam_file.hpp"
 #include "server/import/sources/openfoam/openfoam_times.hpp"
@@ -84,6 +85,9 @@ core::Result<void> OpenfoamReader::check_files(const FoamTime& time,
             if (!header)
                 return core::fail(Error::Code::Corrupt,
                                   file.name + " of " + found_.file + " is not an OpenFOAM file");
+            const auto bytes = sizeof(float) * static_cast<std::uint64_t>(field.components);
+            if (auto fits = check_claim(file.name, header->values, bytes); !fits)
+                return fits;
             if (header->object != field.name)
                 return core::fail(Error::Code::Unsupported,
                                   file.name + " of " + found_.file + " says it is the field '" +

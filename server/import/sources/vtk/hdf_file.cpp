@@ -1,5 +1,6 @@
 #include "server/import/sources/vtk/hdf_file.hpp"
 
+#include "server/import/process_memory.hpp"
 #include "server/import/sources/files/file_names.hpp"
 #include "server/import/vtk_messages.hpp"
 
@@ -9,8 +10,12 @@
 #include <vtkImageData.h>
 #include <vtk_hdf5.h>
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
+#include <limits>
 #include <new>
+#include <utility>
 
 namespace wakesurf::server {
 
@@ -39,6 +44,60 @@ class Handle {
     herr_t (*close_)(hid_t);
 };
 
+/// What a 1-D attribute or data set holds, as far as `most` numbers; empty where it is not there or is none.
+template <class Read>
+std::vector<long long> numbers_of(hid_t space, std::size_t most, const Read& read) {
+    const auto count = H5Sget_simple_extent_npoints(space);
+    if (count <= 0 || static_cast<std::size_t>(count) > most)
+        return {};
+    std::vector<long long> out(static_cast<std::size_t>(count));
+    return read(out.data()) < 0 ? std::vector<long long>() : out;
+}
+
+std::uint64_t product_of(const std::vector<std::uint64_t>& factors) {
+    std::uint64_t out = 1;
+    for (const auto factor : factors)
+        if (__builtin_mul_overflow(out, factor, &out))
+            return std::numeric_limits<std::uint64_t>::max();
+    return out;
+}
+
+// VTK takes memory for as many nodes and cells as the file says it has, whatever its data sets hold.
+core::Result<void> check_sizes(hid_t group, const std::string& name) {
+    constexpr std::size_t most_parts = 1 << 20;
+    if (H5Aexists(group, "WholeExtent") > 0) {
+        const Handle extent(H5Aopen(group, "WholeExtent", H5P_DEFAULT), H5Aclose);
+        const Handle space(H5Aget_space(extent), H5Sclose);
+        const auto ends = numbers_of(
+            space, 6, [&](long long* to) { return H5Aread(extent, H5T_NATIVE_LLONG, to); });
+        std::vector<std::uint64_t> nodes;
+        for (std::size_t axis = 0; axis + 1 < ends.size(); axis += 2)
+            nodes.push_back(
+                static_cast<std::uint64_t>(std::max(ends[axis + 1] - ends[axis] + 1, 1LL)));
+        if (auto fits = check_claim(name, product_of(nodes), sizeof(float)); !fits)
+            return fits;
+    }
+    constexpr std::array<std::pair<const char*, std::uint64_t>, 3> counts{
+        {{"NumberOfPoints", 3 * sizeof(float)},
+         {"NumberOfCells", sizeof(std::int64_t)},
+         {"NumberOfConnectivityIds", sizeof(std::int64_t)}}};
+    for (const auto& [count, bytes] : counts) {
+        if (H5Lexists(group, count, H5P_DEFAULT) <= 0)
+            continue;
+        const Handle data(H5Dopen2(group, count, H5P_DEFAULT), H5Dclose);
+        const Handle space(H5Dget_space(data), H5Sclose);
+        const auto parts = numbers_of(space, most_parts, [&](long long* to) {
+            return H5Dread(data, H5T_NATIVE_LLONG, H5S_ALL, H5S_ALL, H5P_DEFAULT, to);
+        });
+        for (const auto part : parts)
+            if (auto fits =
+                    check_claim(name, static_cast<std::uint64_t>(std::max(part, 0LL)), bytes);
+                !fits)
+                return fits;
+    }
+    return {};
+}
+
 core::Result<void> check_layout(const ListedFile& file) {
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); // it would print
     const Handle root(H5Fopen(file.path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
@@ -56,7 +115,7 @@ core::Result<void> check_layout(const ListedFile& file) {
         return core::fail(
             Error::Code::Unsupported, file.name + " holds several time-steps in one file",
             "write one .vtkhdf per time-step, numbered, or a .pvd of .vtu or .vti files");
-    return {};
+    return check_sizes(group, file.name);
 }
 
 // VTK 9.1 asks for as many cell values of an image as it has nodes, and fails.
