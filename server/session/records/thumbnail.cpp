@@ -5,6 +5,7 @@
 #include <openssl/evp.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 
 namespace wakesurf::server {
@@ -44,6 +45,62 @@ std::string_view type_of(std::string_view bytes) {
     return {};
 }
 
+/// Whoever shows it unpacks all of them.
+constexpr std::uint64_t most_pixels = 1'000'000;
+
+/// A number of so many bytes; 0 where the picture ends before it.
+std::uint32_t big_endian(std::string_view bytes, std::size_t at, std::size_t count) {
+    std::uint32_t out = 0;
+    for (std::size_t i = 0; i < count && at + count <= bytes.size(); ++i)
+        out = out << 8 | static_cast<unsigned char>(bytes[at + i]);
+    return out;
+}
+
+std::uint32_t little_endian(std::string_view bytes, std::size_t at, std::size_t count) {
+    std::uint32_t out = 0;
+    for (std::size_t i = count; i > 0 && at + count <= bytes.size(); --i)
+        out = out << 8 | static_cast<unsigned char>(bytes[at + i - 1]);
+    return out;
+}
+
+struct PixelSize {
+    std::uint64_t width = 0;
+    std::uint64_t height = 0;
+};
+
+// The first start of a frame: behind segments of a marker and a length each. (ITU-T T.81, annex B)
+PixelSize size_of_jpeg(std::string_view bytes) {
+    for (std::size_t at = 2; big_endian(bytes, at, 1) == 0xff;) {
+        const auto marker = big_endian(bytes, at + 1, 1);
+        const bool table = marker == 0xc4 || marker == 0xc8 || marker == 0xcc;
+        if (marker >= 0xc0 && marker <= 0xcf && !table)
+            return {big_endian(bytes, at + 7, 2), big_endian(bytes, at + 5, 2)};
+        const auto length = big_endian(bytes, at + 2, 2);
+        at += marker == 0xff ? 1 : 2 + std::max(length, 2u); // 0xff: a fill byte
+    }
+    return {};
+}
+
+// Lossy, lossless, or extended with a canvas. (RFC 9649)
+PixelSize size_of_webp(std::string_view bytes) {
+    const auto kind = bytes.substr(std::min<std::size_t>(bytes.size(), 12), 4);
+    if (kind == "VP8X" && bytes.size() >= 30)
+        return {little_endian(bytes, 24, 3) + 1, little_endian(bytes, 27, 3) + 1};
+    if (kind == "VP8L" && bytes.size() >= 25) {
+        const auto both = little_endian(bytes, 21, 4);
+        return {(both & 0x3fff) + 1, (both >> 14 & 0x3fff) + 1};
+    }
+    if (kind == "VP8 ")
+        return {little_endian(bytes, 26, 2) & 0x3fff, little_endian(bytes, 28, 2) & 0x3fff};
+    return {};
+}
+
+PixelSize size_of(std::string_view type, std::string_view bytes) {
+    if (type == "image/png") // its first chunk says it (ISO/IEC 15948)
+        return {big_endian(bytes, 16, 4), big_endian(bytes, 20, 4)};
+    return type == "image/jpeg" ? size_of_jpeg(bytes) : size_of_webp(bytes);
+}
+
 } // namespace
 
 core::Result<Thumbnail> read_thumbnail(std::string_view base64) {
@@ -54,7 +111,14 @@ core::Result<Thumbnail> read_thumbnail(std::string_view base64) {
                                 "make it smaller: it is shown some 200 pixels wide");
     auto bytes = decoded(base64);
     const std::string_view type = bytes ? type_of(*bytes) : std::string_view{};
-    if (type.empty())
+    const PixelSize size = type.empty() ? PixelSize{} : size_of(type, *bytes);
+    if (size.width > most_pixels || size.height > most_pixels ||
+        size.width * size.height > most_pixels)
+        return core::over_limit(most_pixels,
+                                "the picture has " + std::to_string(size.width) + " x " +
+                                    std::to_string(size.height) + " pixels",
+                                "make it smaller: it is shown some 200 pixels wide");
+    if (size.width == 0 || size.height == 0)
         return fail(Error::Code::InvalidArgument,
                     "`image` is not the base64 text of a PNG, JPEG or WebP picture",
                     "send the part of a data URL after the comma");
