@@ -2,9 +2,9 @@
 // files are many names of one that takes long to read.
 import { linkSync, readdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import type { Browser } from 'playwright-core';
+import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { finalSurface, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { ask, finalSurface, newContext, openPage, screenshot } from './support/browser_page.ts';
 import { ServerProcess, temporaryFolder } from './support/server_process.ts';
 import { closePages, testBrowser } from './support/test_browser.ts';
 
@@ -91,8 +91,8 @@ describe('an import', () => {
     });
 });
 
-/** Air at 1 m/s along x, water at 2 along z. */
-function writeTwoPhases(folder: string): string {
+/** Air at 1 m/s along x, water at 2 or another speed along z. */
+function writeTwoPhases(folder: string, water = 2): string {
     const file = join(folder, 'two.vti');
     const nodes = 5 ** 3;
     const array = (name: string, value: string) =>
@@ -102,14 +102,14 @@ function writeTwoPhases(folder: string): string {
         `<?xml version="1.0"?>
 <VTKFile type="ImageData" version="0.1" byte_order="LittleEndian">
 <ImageData WholeExtent="0 4 0 4 0 4" Origin="0 0 0" Spacing="1 1 1"><Piece Extent="0 4 0 4 0 4"><PointData>
-${array('U.air', '1 0 0 ')}${array('U.water', '0 0 2 ')}
+${array('U.air', '1 0 0 ')}${array('U.water', `0 0 ${water} `)}
 </PointData><CellData></CellData></Piece></ImageData></VTKFile>`,
     );
     return file;
 }
 
 describe('data in which it is not clear which field is the velocity', () => {
-    it('ask for it, show what was chosen, and do not ask again after a reload or a restart', async () => {
+    it('ask for it, do not ask again after a reload or a restart, and are shown anew when they are computed again', async () => {
         const [data, state, store] = two.map(({ path }) => path) as [string, string, string];
         const options = {
             data: writeTwoPhases(data),
@@ -151,7 +151,24 @@ describe('data in which it is not clear which field is the velocity', () => {
         await finalSurface(page);
         expect(await question.count()).toBe(0);
         expect(await followed()).toEqual({ 'U.water': [[0, 0, 2]] });
+
+        // Computed again into the same file: the page that shows it and one that is loaded anew meanwhile come to the same.
+        const other = await openPage(context, unclear.link);
+        await finalSurface(other);
+        const speeds = (of: Page): Promise<number[]> =>
+            ask(of, (hook) => hook.vertices(1).map(({ scalar }) => Math.round(scalar)));
+        expect(new Set(await speeds(page))).toEqual(new Set([2]));
+        writeTwoPhases(data, 3);
+        await other.reload();
+        for (const each of [page, other]) {
+            await expect.poll(async () => [...new Set(await speeds(each))], { timeout: 30_000 }).toEqual([3]);
+        }
+        await page.reload();
+        await finalSurface(page);
+        expect(new Set(await speeds(page))).toEqual(new Set([3]));
+        expect(await followed()).toEqual({ 'U.water': [[0, 0, 3]] });
         await page.close();
+        await other.close();
         await unclear.stop();
     });
 });

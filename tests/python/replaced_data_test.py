@@ -7,6 +7,7 @@ import subprocess
 import tempfile
 import time
 import unittest
+import urllib.request
 import zlib
 
 import numpy as np
@@ -154,6 +155,49 @@ class ReplacedDataTest(unittest.TestCase):
         self.assertFalse(listed[session.id]["thumbnail"])
         for surface in session.surfaces():
             self.assertEqual(self.surface_speeds(surface), [2.0], surface.id)
+
+    def test_of_a_series_larger_than_memory_nothing_is_of_the_old_data(self):
+        steps, large = 60, {"nodes": 64, "length": 200}
+        self.serve(write_series(self.data, 1.0, steps=steps, **large), "--memory", "160MiB")
+        budget = self.client.api.cache.status(dataset=self.dataset)["budget"]
+        self.assertGreater(steps * large["nodes"] ** 3 * 12, budget)
+        session = self.client.create_session("larger than memory")
+        rake = session.rake(line=[(20, 60, 100), (20, 140, 100)], seeds=5)
+        path = session.surface(rake, "path", dataset=self.dataset, to=steps - 1, separation=20)
+        self.assertEqual(self.surface_speeds(path), [1.0])
+        for time_step in range(steps):
+            self.assertAlmostEqual(self.speed(time_step), 1.0)
+        news = session.watch("listener", timeout=20)
+        write_series(self.data, 2.0, steps=steps, **large)
+        self.assertIn("have been replaced", self.until_told(news))
+        self.client.api.dataset.open(dataset=self.dataset)
+        for time_step in (*range(steps), 0):
+            self.assertAlmostEqual(self.speed(time_step), 2.0, msg=time_step)
+        again = session.surface(rake, "path", dataset=self.dataset, to=steps - 1, separation=20)
+        for surface in (path, again):
+            self.assertEqual(self.surface_speeds(surface), [2.0])
+
+    def test_a_download_that_is_under_way_ends_as_it_began_and_the_next_is_of_the_new_data(self):
+        self.serve(write_series(self.data, 1.0))
+        session = self.client.create_session("downloads")
+        rake = session.rake(line=[(0.1, 0.1, 0.5), (0.1, 1.0, 0.5)], seeds=5)
+        surface = session.surface(rake, "stream", dataset=self.dataset, to=2, separation=0.003)
+        surface.wait(timeout=60)
+        old = surface.download("ply")
+        self.assertGreater(len(old), 4_000_000, "more than sockets hold")
+        request = urllib.request.Request(
+            f"{self.client.url}/api/v1/sessions/{session.id}/surfaces/{surface.id}/mesh.ply",
+            headers={"Authorization": f"Bearer {self.client._token}"})
+        with urllib.request.urlopen(request, timeout=60) as reply:
+            begun = reply.read(1000)
+            news = session.watch("listener", timeout=20)
+            write_series(self.data, 2.0)
+            self.assertIn("have been replaced", self.until_told(news))
+            self.assertEqual(begun + reply.read(), old)
+        surface.wait(timeout=60)
+        new = surface.download("ply")
+        self.assertNotEqual(new, old)
+        self.assertEqual(self.surface_speeds(surface), [2.0])
 
     def test_the_same_values_written_again_are_no_news(self):
         self.serve(write_series(self.data, 1.0))

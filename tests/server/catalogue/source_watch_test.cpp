@@ -1,3 +1,4 @@
+#include "server/catalogue/open_dataset.hpp"
 #include "server/catalogue/source_watch.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -51,6 +52,26 @@ TEST(SourceWatch, NoticesAStepThatIsWrittenAgainAndOneThatComes) {
     EXPECT_TRUE(series.watch.changed());
     series.watch.begin();
     EXPECT_FALSE(series.watch.changed());
+}
+
+// Everybody is told within 5 s: the time between two looks, and that of an import's first time-step.
+TEST(SourceWatch, NoticesAnyOfHundredsOfStepsByTheNextLook) {
+    constexpr std::size_t steps = 900;
+    std::size_t most = 0;
+    for (const std::size_t step : {0, 1, 449, 450, 898, 899}) {
+        Series series(steps);
+        EXPECT_FALSE(series.watch.changed());
+        write_file(series.folder / step_name(step), "other");
+        std::size_t looks = 1;
+        while (!series.watch.changed() && looks < 100)
+            ++looks;
+        most = std::max(most, looks);
+    }
+    const auto period = OpenOptions().watch_period;
+    std::printf("[ measured ] noticed by look %zu, one every %lld ms\n", most,
+                static_cast<long long>(period.count()));
+    EXPECT_EQ(most, 1u);
+    EXPECT_LT(most * period, std::chrono::milliseconds(2500));
 }
 
 TEST(SourceWatch, NoticesAnIndexThatIsWrittenInPlace) {

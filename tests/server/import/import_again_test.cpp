@@ -32,6 +32,27 @@ TEST_F(Import, RepeatsTheImportOfAChangedSource) {
     EXPECT_EQ(velocity(0)[0], 2.0f);
 }
 
+// As while a solver writes it again.
+TEST_F(Import, LeavesAStoreAsItIsWhereNothingCanBeReadOfTheChangedSource) {
+    put("a.vti", sample_vti(1).text());
+    ASSERT_EQ(run("a.vti").status, 0);
+    const auto whole = sample_vti(2).text();
+    for (const std::size_t cut : {std::size_t{0}, whole.size() / 2, whole.size() - 30}) {
+        put("a.vti", whole.substr(0, cut));
+        EXPECT_EQ(run("a.vti").status, 1) << cut;
+        EXPECT_TRUE(manifest().complete) << cut;
+        EXPECT_EQ(velocity(0)[0], 1.0f) << cut;
+    }
+    auto bad = sample_vti(2);
+    bad.points = vti_array("U", 2, bad.point_count(), [](std::size_t) { return 1.0; });
+    put("a.vti", bad.text());
+    EXPECT_EQ(run("a.vti").status, 1);
+    EXPECT_EQ(velocity(0)[0], 1.0f);
+    put("a.vti", whole);
+    ASSERT_EQ(run("a.vti").status, 0);
+    EXPECT_EQ(velocity(0)[0], 2.0f);
+}
+
 TEST_F(Import, RepeatsTheImportForAnotherSelection) {
     put("s.pvd", pvd_text({{"0", "a.vti"}, {"1", "b.vti"}, {"2", "c.vti"}}));
     for (const char* name : {"a", "b", "c"})
