@@ -65,6 +65,9 @@ async function records(): Promise<{ clock: ClockRecord; rakes: RakeRecord[]; sur
 
 describe('a picture', () => {
     it('of twice the size has no ground but the surface, at the same places in the same colours', async () => {
+        // Pixels of the page are asked for without it.
+        await page.getByRole('tab', { name: 'View' }).click();
+        await page.getByRole('checkbox', { name: 'Shade where things touch' }).uncheck();
         await toExport();
         const box = (await page.locator('canvas').first().boundingBox())!;
         await chooseSize('picture', 2 * box.width, 2 * box.height);
@@ -106,6 +109,8 @@ describe('a picture', () => {
                 .first()
                 .evaluate((each: HTMLCanvasElement) => [each.width, each.height]),
         ).toEqual([box.width, box.height]);
+        await page.getByRole('tab', { name: 'View' }).click();
+        await page.getByRole('checkbox', { name: 'Shade where things touch' }).check();
     });
 
     it('holds bar and numbers or leaves them out, and is not drawn larger than the graphics can', async () => {

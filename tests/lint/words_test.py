@@ -13,7 +13,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from documents_test import files, text_of  # noqa: E402
 
 # `color` where others' interfaces have it: names of three.js and of the DOM, and contexts in which they are used.
-THEIR_NAMES = {"Color", "setClearColor", "getClearColor", "SRGBColorSpace", "colorSpace", "vertexColors", "colorScheme",
+THEIR_NAMES = {"Color", "SrcColorFactor", "setClearColor", "getClearColor", "SRGBColorSpace", "colorSpace", "vertexColors", "colorScheme",
                "backgroundColor", "borderColor", "borderTopColor", "borderLeftColor", "currentColor", "gl_FragColor",
                "colorspace_fragment", "colorspace"}
 THEIR_CONTEXT = re.compile(

@@ -13,7 +13,7 @@ import { FilmMaker } from './session/out/film.ts';
 import { MeshDownload } from './session/out/meshDownload.ts';
 import { Thumbnails } from './session/out/thumbnails.ts';
 import { lookAtFirst } from './session/picture/firstLook.ts';
-import { showExactOrder } from './session/picture/exactOrder.ts';
+import { showStillPictures } from './session/picture/stillPictures.ts';
 import { tellLostGraphics } from './session/picture/lostGraphics.ts';
 import { showMarks } from './session/picture/marksInPicture.ts';
 import { Measuring } from './session/tools/measuring.ts';
@@ -89,7 +89,7 @@ function start(app: App): void {
     showPeople(state, view, scene);
     showTheme(view, scene);
     tellLostGraphics(state, canvas);
-    showExactOrder(view, scene, graphics);
+    showStillPictures(view, scene, graphics);
     showMarks(state, view, scene);
     showUnits(state, view, scene);
     const sight = {

@@ -10,6 +10,8 @@ export class Lights implements Layer {
         const sky = new HemisphereLight(0xdfe8ff, 0x5a6474, 1.1);
         sky.position.set(0, 0, 1);
         this.object.add(this.key, this.key.target, sky);
+        // Pictures of some layers have all light as well: programs depend on how much there is.
+        for (const light of [this.key, sky]) light.layers.enableAll();
     }
 
     update({ camera }: View): void {

@@ -22,6 +22,7 @@ import { SampledPicture, samplePlaces } from './sampledPicture.ts';
 import { Stillness } from './stillness.ts';
 import { pushBack } from './surface/bodyDepth.ts';
 import { clipMaterial } from './surface/bodyClip.ts';
+import { pairs, shadedLayer } from './surface/contactShade.ts';
 import { SurfaceLayer } from './surface/surfaceLayer.ts';
 import type { PickGrid, PickHit, PickOptions } from './surface/pickHit.ts';
 import { SurfacePick } from './surface/surfacePick.ts';
@@ -80,6 +81,7 @@ export class FlowScene {
     private readonly smoothness = new Stillness(() => this.loop.requestBetter(), restMs);
     private held = false;
     private exactWhenStill = false;
+    private contactShade = true;
     private exactNext = false;
     private sharpNext = false;
     private readonly layers: Layer[] = [];
@@ -199,6 +201,13 @@ export class FlowScene {
         this.loop.request();
     }
 
+    /** Whether there is shade where things are near each other, in pictures that stand still and in figures. */
+    setContactShade(on: boolean): void {
+        if (on === this.contactShade) return;
+        this.contactShade = on;
+        this.loop.request();
+    }
+
     /** Called after every frame. */
     onDraw(listener: (view: View) => void): void {
         this.drawn.push(listener);
@@ -222,6 +231,7 @@ export class FlowScene {
     setObstacle(body: BodyMesh): void {
         this.removeObstacle();
         this.obstacle = createObstacleMesh(body);
+        this.obstacle.layers.enable(shadedLayer);
         pushBack(this.obstacle.material, this.surfaces.bodyPush);
         clipMaterial(this.obstacle.material, this.bodyPlanes);
         this.scene.add(this.obstacle);
@@ -340,8 +350,8 @@ export class FlowScene {
                     renderer.setDrawingBufferSize(part.width / pixelRatio, part.height / pixelRatio, ratio);
                 }
                 this.sampled.begin(encoded);
-                for (const place of this.places) {
-                    this.draw(true, { ...part, pixelRatio }, place);
+                for (let sample = 0; sample < this.places.length; ++sample) {
+                    this.draw(true, { ...part, pixelRatio }, sample);
                     this.sampled.add(this.controls.camera);
                 }
                 this.sampled.show(this.controls.camera);
@@ -358,23 +368,23 @@ export class FlowScene {
         }
     }
 
-    /** @param part the only one of the picture that is drawn  @param moved by so many pixels */
-    private draw(
-        exact = false,
-        part: (Part & { pixelRatio: number }) | null = null,
-        moved: readonly [number, number] = [0, 0],
-    ): void {
+    /** @param part the only one of the picture that is drawn  @param sample which one of a mean, and shaded where things are near each other */
+    private draw(exact = false, part: (Part & { pixelRatio: number }) | null = null, sample: number | null = null): void {
         const { camera, size } = this.view();
         if (size.width === 0 || size.height === 0) return;
         const drawn = part === null ? size : { width: part.width / part.pixelRatio, height: part.height / part.pixelRatio };
         const ratio = part?.pixelRatio ?? this.pixelRatio;
         const view = new View(camera, size, drawn, ratio);
         for (const layer of this.layers) layer.update(view);
-        const { transparency } = this.surfaces;
+        const { transparency, shade } = this.surfaces;
         transparency.exact = exact;
         this.surfaces.shared.pixelRatio.value = ratio;
         const [width, height] = [size.width * ratio, size.height * ratio];
         const { x, y, ...shown } = part ?? { x: 0, y: 0, width, height };
+        const moved = this.places[sample ?? -1] ?? [0, 0];
+        const shaded = sample !== null && this.contactShade;
+        const looks = { samples: this.places.length, pairs: part === null ? pairs.page : pairs.figure, pixelRatio: ratio };
+        shade.part = shaded ? { sample, ...looks, x, y, width, height } : null;
         camera.setViewOffset(width, height, x + moved[0], y + moved[1], shown.width, shown.height);
         try {
             this.renderer.render(this.scene, camera);
@@ -402,7 +412,7 @@ export class FlowScene {
         this.rest.drawn(false);
         this.smoothness.drawn(false);
         this.sampled.begin();
-        this.draw(this.exactNext, null, moving ? undefined : this.places[0]);
+        this.draw(this.exactNext, null, moving ? null : 0);
         ++this.framesDrawn;
         this.stillness.drawn(this.awaitsExact);
         if (!moving) this.sampled.add(this.controls.camera);
@@ -418,7 +428,7 @@ export class FlowScene {
 
     /** The mean of what is on the screen and of the same once more, seen from elsewhere in each pixel. */
     private drawSmoother(finished: () => void): void {
-        this.draw(this.transparency === 'exact', null, this.places[this.samples]);
+        this.draw(this.transparency === 'exact', null, this.samples);
         this.sampled.add(this.controls.camera);
         this.sampled.show(this.controls.camera);
         whenDrawn(this.renderer.getContext() as WebGL2RenderingContext, () => {

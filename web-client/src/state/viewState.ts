@@ -46,6 +46,8 @@ export class ViewState {
     readonly orthographic = signal(false);
     /** What can be seen through is drawn in its exact order once the picture stands still. */
     readonly exactWhenStill = signal(false);
+    /** There is shade where things are near each other, once the picture stands still, and in figures. */
+    readonly contactShade = signal(true);
     readonly probe = signal<ProbeReading | null>(null);
     /** Where the probe is by now: the newest place, ahead of the reading while that is awaited. */
     readonly probePlace = signal<Vec3 | null>(null);

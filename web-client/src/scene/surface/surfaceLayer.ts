@@ -3,6 +3,7 @@ import { Group, type Scene, type Vector4, WebGLRenderTarget } from 'three';
 import type { TimedMeshChange } from '../../mesh/meshChange.ts';
 import type { Bounds } from '../domain/domainAxes.ts';
 import { bodyPush } from './bodyDepth.ts';
+import { ContactShade, shadedLayer } from './contactShade.ts';
 import { decodeMask } from './maskCode.ts';
 import { SurfaceMask, type BrushPrint } from './surfaceMask.ts';
 import { SurfaceMesh, type SurfaceVertex } from './surfaceMesh.ts';
@@ -46,6 +47,7 @@ export class SurfaceLayer {
     /** How much further from the eye the body is drawn, in depth alone. */
     readonly bodyPush = { value: 0 };
     readonly transparency = new Transparency(this.shared.depthRange.value, this.shared);
+    readonly shade = new ContactShade();
     private readonly surfaces = new Map<string, DrawnSurface>();
     private readonly styles = new Map<string, SurfaceStyle>();
     /** Masks, or their codes, for surfaces that are not painted, or not there, at the moment. */
@@ -55,7 +57,7 @@ export class SurfaceLayer {
     private clipped = false;
 
     constructor() {
-        this.object.add(this.transparency.object);
+        this.object.add(this.transparency.object, this.shade.object);
     }
 
     /** Whatever renders the scene gets transparency with it. */
@@ -64,6 +66,7 @@ export class SurfaceLayer {
         // Of a scene, the fourth is the target, other than the types say (WebGLRenderer.render).
         scene.onBeforeRender = (renderer, _scene, camera, target: unknown) => {
             const into = target instanceof WebGLRenderTarget ? target : null;
+            this.shade.prepare(renderer, scene, camera, into, () => this.transparency.drawDense(renderer, camera));
             this.transparency.prepare(renderer, scene, camera, into);
         };
     }
@@ -100,6 +103,7 @@ export class SurfaceLayer {
             const materials = new SurfaceMaterials(this.textures, this.shared);
             surface = { id, mesh: new SurfaceMesh(materials.opaque), materials, style: plainStyle, mask: null };
             this.surfaces.set(id, surface);
+            surface.mesh.mesh.layers.enable(shadedLayer);
             this.object.add(surface.mesh.mesh);
             this.wish(surface);
         }

@@ -86,6 +86,8 @@ export interface MeshFacts {
 }
 
 export class SurfaceMaterials {
+    /** It lets little light through. */
+    isDense = true;
     readonly plain: ShaderMaterial;
     readonly opaque: ShaderMaterial;
     readonly blended: ShaderMaterial;
@@ -156,6 +158,7 @@ export class SurfaceMaterials {
         this.range = drawnRange(wanted, style.logarithmic, style.centre);
         const [low, high] = style.logarithmic ? this.range.map(Math.log) : this.range;
         own.range.value.set(low!, high!);
+        this.isDense = style.opacity >= 0.5 && style.smoke === 0;
         own.backSide.value = backSides.indexOf(style.backSide);
         own.silhouettes.value = style.silhouettes;
         own.angleOpacity.value = style.angleOpacity;

@@ -16,12 +16,17 @@ import {
     WebGLRenderTarget,
     type WebGLRenderer,
 } from 'three';
+import { drawDepth } from './depthOnly.ts';
 import type { FullScreen } from './fullScreen.ts';
 import { Peeling, type PeelUniforms } from './peeling.ts';
 import { WeightedBlending } from './weightedBlending.ts';
 
 /** The programs of something that can be seen through. */
 export interface TransparentMaterials {
+    /** As if nothing could be seen through it. */
+    opaque: ShaderMaterial;
+    /** Little can. */
+    isDense: boolean;
     blended: ShaderMaterial;
     peeled: ShaderMaterial;
 }
@@ -94,11 +99,21 @@ export class Transparency {
         this.compose(this.exact ? this.peeling.composite : this.blended);
     }
 
+    /** Into the depth of the target that is set, which stays otherwise: what lets little light through. */
+    drawDense(renderer: WebGLRenderer, camera: Camera): void {
+        const thin = this.scene.children.filter((mesh) => mesh.visible && this.materials.get(mesh as Mesh)?.isDense !== true);
+        for (const mesh of thin) mesh.visible = false;
+        this.use('opaque');
+        drawDepth(renderer, this.scene, camera);
+        this.use('blended');
+        for (const mesh of thin) mesh.visible = true;
+    }
+
     private compose(by: FullScreen | null): void {
         for (const composite of [this.blended, this.peeling.composite]) composite.visible = composite === by;
     }
 
-    private use(which: keyof TransparentMaterials): void {
+    private use(which: 'blended' | 'peeled' | 'opaque'): void {
         for (const [mesh, materials] of this.materials) mesh.material = materials[which];
     }
 
@@ -124,17 +139,4 @@ export class Transparency {
         this.depth?.dispose();
         this.depth = null;
     }
-}
-
-/** What is opaque hides what is behind it; its colours are of no interest here. */
-function drawDepth(renderer: WebGLRenderer, opaque: Scene, camera: Camera): void {
-    const prepare = opaque.onBeforeRender;
-    opaque.onBeforeRender = () => undefined;
-    const { color } = renderer.state.buffers;
-    color.setMask(false);
-    color.setLocked(true);
-    renderer.render(opaque, camera);
-    color.setLocked(false);
-    color.setMask(true);
-    opaque.onBeforeRender = prepare;
 }

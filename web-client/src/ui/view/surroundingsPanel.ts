@@ -1,4 +1,4 @@
-// What surrounds the surfaces: dark or light, and in which units its numbers are meant.
+// What surrounds the surfaces: dark or light, shade where things touch, and in which units its numbers are meant.
 import { css, html, type TemplateResult } from 'lit';
 import { limits } from '../../protocol/generated/limits.ts';
 import type { AppState } from '../../state/appState.ts';
@@ -15,7 +15,7 @@ const themes: readonly { theme: Theme; words: string }[] = [
 
 export interface SurroundingsModel {
     state: Pick<AppState, 'dataset' | 'locked' | 'typedUnits'>;
-    view: Pick<ViewState, 'theme'>;
+    view: Pick<ViewState, 'contactShade' | 'theme'>;
     typeUnits: (change: Partial<Units>) => void;
 }
 
@@ -28,6 +28,9 @@ export class SurroundingsPanel extends SignalElement {
         css`
             input {
                 width: 90px;
+            }
+            input[type='checkbox'] {
+                width: auto;
             }
             label + label {
                 margin-top: 6px;
@@ -51,6 +54,17 @@ export class SurroundingsPanel extends SignalElement {
                     ({ theme, words }) => html`<option value=${theme} .selected=${theme === view.theme.value}>${words}</option>`,
                 )}
             </select>
+        </label>
+        <label title="In pictures that stand still, and in figures"
+            >Shade where things touch
+            <input
+                id="contact-shade"
+                type="checkbox"
+                .checked=${view.contactShade.value}
+                @change=${(event: Event) => {
+                    view.contactShade.value = (event.target as HTMLInputElement).checked;
+                }}
+            />
         </label>`;
     }
 
