@@ -20,14 +20,19 @@ namespace {
 
 using core::Error;
 
-core::Result<std::vector<AttributeRange>> read_ranges(Numbers& numbers, std::size_t count) {
+bool has_gaps(const FrameHeader& header, std::size_t attribute) {
+    return (header.gaps >> attribute & 1U) != 0;
+}
+
+core::Result<std::vector<AttributeRange>> read_ranges(Numbers& numbers, const FrameHeader& header) {
+    const std::size_t count = header.attribute_count;
     const auto halves = numbers.take(4 * count);
     const auto end_at = [&](std::size_t i) {
         return std::bit_cast<double>(std::uint64_t{halves[i]} | std::uint64_t{halves[i + 1]} << 32);
     };
     std::vector<AttributeRange> ranges;
     for (std::size_t i = 0; i + 3 < halves.size(); i += 4)
-        ranges.push_back({end_at(i), end_at(i + 2)});
+        ranges.push_back({end_at(i), end_at(i + 2), has_gaps(header, ranges.size())});
     for (const AttributeRange& range : ranges)
         if (!std::isfinite(range.lo) || !std::isfinite(range.hi) || range.lo > range.hi)
             return corrupt("a mesh update has an attribute without a range");
@@ -70,7 +75,7 @@ decoded(const FrameHeader& header, std::span<const std::byte> bytes, WireMesh be
     if (!numbers)
         return tl::unexpected(numbers.error());
     if (header.is_key()) {
-        auto ranges = read_ranges(*numbers, header.attribute_count);
+        auto ranges = read_ranges(*numbers, header);
         if (!ranges)
             return tl::unexpected(ranges.error());
         before = {};
@@ -78,6 +83,9 @@ decoded(const FrameHeader& header, std::span<const std::byte> bytes, WireMesh be
         before.ranges = std::move(*ranges);
         before.codes.resize(header.attribute_count);
     }
+    for (std::size_t a = 0; a < before.ranges.size(); ++a)
+        if (before.ranges[a].gaps != has_gaps(header, a))
+            return corrupt("a mesh update has other gaps than the one before");
     const auto vertices = static_cast<std::uint32_t>(before.vertices());
     auto read = read_edit(*numbers, {vertices, before.cells()}, {header.vertices, header.cells});
     if (!read)

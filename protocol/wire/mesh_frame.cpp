@@ -26,6 +26,7 @@ FrameHeader parse(std::span<const std::byte> b) {
     h.phase = static_cast<Phase>(number_at<std::uint8_t>(b, 20));
     h.lattice_bits = number_at<std::uint8_t>(b, 21);
     h.attribute_count = number_at<std::uint8_t>(b, 22);
+    h.gaps = number_at<std::uint8_t>(b, 23);
     h.vertices = number_at<std::uint32_t>(b, 24);
     h.cells = number_at<std::uint32_t>(b, 28);
     h.time = number_at<double>(b, 32);
@@ -43,12 +44,13 @@ core::Result<void> check_limits(const FrameHeader& h) {
     return {};
 }
 
-core::Result<void> check_consistency(const FrameHeader& h, std::uint8_t reserved) {
+core::Result<void> check_consistency(const FrameHeader& h) {
     constexpr unsigned known = FrameHeader::key | FrameHeader::lossless;
-    if ((h.flags & ~known) != 0 || h.phase > Phase::Live || reserved != 0)
+    if ((h.flags & ~known) != 0 || h.phase > Phase::Live)
         return corrupt("a mesh frame has flags or a phase that this version does not know");
     if (h.frame_index >= h.frame_count || (!h.is_key() && h.seq == 0) || h.lattice_bits < 1 ||
-        h.lattice_bits > max_lattice_bits || !std::isfinite(h.time))
+        h.lattice_bits > max_lattice_bits || !std::isfinite(h.time) ||
+        h.gaps >> h.attribute_count != 0)
         return corrupt("a mesh frame's header contradicts itself");
     return {};
 }
@@ -65,7 +67,7 @@ void append_header(Bytes& bytes, const FrameHeader& h) {
     append(bytes, static_cast<std::uint8_t>(h.phase));
     append(bytes, h.lattice_bits);
     append(bytes, h.attribute_count);
-    append(bytes, std::uint8_t{0});
+    append(bytes, h.gaps);
     append(bytes, h.vertices);
     append(bytes, h.cells);
     append(bytes, h.time);
@@ -113,11 +115,9 @@ core::Result<MeshFrame> read_frame(std::span<const std::byte> bytes) {
         frame_crc(bytes) != number_at<std::uint32_t>(bytes, frame_crc_at))
         return corrupt("a mesh frame does not match its checksum");
     const FrameHeader header = parse(bytes);
-    return check_limits(header)
-        .and_then([&] { return check_consistency(header, number_at<std::uint8_t>(bytes, 23)); })
-        .map([&] {
-            return MeshFrame{header, bytes.subspan(frame_header_bytes)};
-        });
+    return check_limits(header).and_then([&] { return check_consistency(header); }).map([&] {
+        return MeshFrame{header, bytes.subspan(frame_header_bytes)};
+    });
 }
 
 } // namespace wakesurf::protocol

@@ -37,6 +37,7 @@ struct FrameHeader {
     Phase phase = Phase::Final;
     std::uint8_t lattice_bits = 16;
     std::uint8_t attribute_count = 0;
+    std::uint8_t gaps = 0;      ///< a bit an attribute: some vertices have no value of it
     std::uint32_t vertices = 0; ///< of the state after the update
     std::uint32_t cells = 0;
     double time = 0.0;

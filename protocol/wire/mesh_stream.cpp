@@ -147,6 +147,8 @@ core::Result<EncodedUpdate> encode(const WireMesh& before, Step step) {
         header.flags | (step.tolerance.exact() ? FrameHeader::lossless : std::uint8_t{0}));
     header.lattice_bits = static_cast<std::uint8_t>(draft.after.lattice_bits);
     header.attribute_count = static_cast<std::uint8_t>(attributes);
+    for (std::size_t a = 0; a < attributes; ++a)
+        header.gaps |= static_cast<std::uint8_t>(draft.after.ranges[a].gaps ? 1U << a : 0U);
     header.vertices = draft.vertices();
     header.cells = static_cast<std::uint32_t>(draft.after.cells().size());
     header.state_sum = state_sum(draft.after);

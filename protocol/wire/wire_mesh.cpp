@@ -2,6 +2,7 @@
 
 #include "protocol/wire/state_sum.hpp"
 
+#include <limits>
 #include <span>
 
 namespace wakesurf::protocol {
@@ -22,7 +23,9 @@ std::uint32_t sum_of(const std::vector<T>& values) {
 } // namespace
 
 double AttributeRange::value(std::uint16_t code) const {
-    return double{lo} + (double{hi} - double{lo}) * code / 65535.0;
+    if (gaps && code >= first_none)
+        return std::numeric_limits<double>::quiet_NaN();
+    return lo + (hi - lo) * code / last();
 }
 
 std::size_t WireMesh::bytes() const {

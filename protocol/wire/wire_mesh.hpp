@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <string_view>
@@ -20,23 +21,33 @@ inline constexpr std::array<std::string_view, 3> surface_attributes{"speed", "s"
 /// Further attributes of a mesh: one array each, one value a vertex.
 using MeshFields = std::vector<std::vector<float>>;
 
-/// What the codes 0 and 65535 of an attribute stand for. In 64 bits: release times may be seconds since 1970.
+/// What the codes 0 and last() of an attribute stand for. In 64 bits: release times may be seconds since 1970.
 struct AttributeRange {
+    static constexpr std::uint16_t none = 65535; ///< the code of no value, where there are gaps
+    static constexpr std::uint16_t first_none =
+        0xf800; ///< from here on: updates round codes, by less than the room below it
+
     double lo = 0;
     double hi = 0;
+    bool gaps = false; ///< some vertices have no value
 
+    double last() const { return gaps ? 0xefff : 0xffff; }
+
+    /// No number (NaN) where there is no value.
     double value(std::uint16_t code) const;
 
     /// Codes a unit; 0 for a range without width.
-    double scale() const { return hi > lo ? 65535.0 / (hi - lo) : 0.0; }
+    double scale() const { return hi > lo ? last() / (hi - lo) : 0.0; }
 
-    /// The nearest code; values outside go to the end. REQUIRES: a finite value.
+    /// The nearest code; values outside go to the end. REQUIRES: a finite value, or NaN where there are gaps.
     std::uint16_t code(double value) const { return code(value, scale()); }
 
     /// The same for many values. @param scale  scale()
     std::uint16_t code(double value, double scale) const {
+        if (gaps && std::isnan(value))
+            return none;
         return static_cast<std::uint16_t>(
-            std::min(std::max((value - lo) * scale + 0.5, 0.0), 65535.0));
+            std::min(std::max((value - lo) * scale + 0.5, 0.0), last()));
     }
 
     bool operator==(const AttributeRange&) const = default;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
+#include <iterator>
 #include <limits>
 
 namespace wakesurf::protocol {
@@ -31,22 +31,20 @@ Ends ends_of(std::span<const double> values) {
     return {std::ranges::min(lo), std::ranges::max(hi)};
 }
 
-std::vector<double> all_finite(std::span<const float> values) {
-    std::vector<double> out(values.begin(), values.end());
-    const auto finite = [](double value) { return std::isfinite(value); };
-    if (std::ranges::all_of(out, finite))
-        return out;
-    double least = std::numeric_limits<double>::infinity();
-    for (const double value : out)
-        if (finite(value))
-            least = std::min(least, value);
-    std::ranges::replace_if(out, std::not_fn(finite), finite(least) ? least : 0.0);
-    return out;
+bool is_none(double value) {
+    return !std::isfinite(value);
 }
 
 AttributeRange range_for(std::span<const double> values, const AttributeRange* held) {
     if (values.empty())
         return held != nullptr ? *held : AttributeRange{};
+    if (std::ranges::any_of(values, is_none)) {
+        std::vector<double> some;
+        std::ranges::remove_copy_if(values, std::back_inserter(some), is_none);
+        AttributeRange range = range_for(some, held);
+        range.gaps = true;
+        return range;
+    }
     const auto [lo, hi] = ends_of(values);
     if (held == nullptr)
         return {lo, hi};
@@ -56,7 +54,8 @@ AttributeRange range_for(std::span<const double> values, const AttributeRange* h
         range.lo = lo - 0.5 * width;
     if (hi > held->hi)
         range.hi = hi + 0.5 * width;
-    return std::isfinite(range.lo) && std::isfinite(range.hi) ? range : AttributeRange{lo, hi};
+    return std::isfinite(range.lo) && std::isfinite(range.hi) ? range
+                                                              : AttributeRange{lo, hi, held->gaps};
 }
 
 } // namespace
@@ -66,8 +65,10 @@ AttributeValues::AttributeValues(const core::QuadComplex& mesh, const MeshFields
     auto& speed = own_.emplace_back(mesh.vertices());
     for (std::size_t i = 0; i < speed.size(); ++i)
         speed[i] = glm::length(core::Vec3(mesh.velocity[i]));
-    for (const auto& field : fields)
-        own_.push_back(all_finite(field));
+    for (const auto& field : fields) {
+        auto& values = own_.emplace_back(field.begin(), field.end());
+        std::ranges::replace_if(values, is_none, std::numeric_limits<double>::quiet_NaN());
+    }
     all_ = {own_.front(), mesh.s, mesh.t};
     all_.insert(all_.end(), own_.begin() + 1, own_.end());
 }

@@ -12,14 +12,13 @@
 
 namespace wakesurf::protocol {
 
-/// The attributes of each vertex, all finite; those the mesh holds are not copied, so it must outlive this.
+/// The attributes of each vertex; those the mesh holds are not copied, so it must outlive this.
 class AttributeValues {
   public:
     /// None.
     AttributeValues() = default;
 
-    /// Speed, s and t, then the fields, whose values that are not finite become the least finite one of their field (0 where
-    /// there is none).
+    /// Speed, s and t, all finite, then the fields: NaN is no value.
     AttributeValues(const core::QuadComplex& mesh, const MeshFields& fields);
 
     std::span<const std::span<const double>> all() const { return all_; }

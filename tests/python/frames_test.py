@@ -47,6 +47,25 @@ class FramesTest(unittest.TestCase):
         folded = [decoder.fold(frame) for frame in golden_frames(name)]
         return [state for state in folded if state is not None]
 
+    def test_a_vertex_without_a_value_has_nan(self):
+        name = next(name for name in self.golden if golden_frames(name)[0][22] >= 3 and len(self.states(name)[0].nodes))
+        key, *deltas = golden_frames(name)
+        marked = sealed(key[:23] + bytes([0b001]) + key[24:])
+        state = self.decoder().fold(marked)
+        codes = state.codes[0]
+        lo, hi = state.ranges[0]
+        expected = np.where(codes >= 0xF800, np.nan, lo + (hi - lo) * codes / 0xEFFF)
+        np.testing.assert_array_equal(state.attribute(0), expected)
+        self.assertGreater(np.isnan(expected).sum(), 0)
+        np.testing.assert_array_equal(state.attribute(1), self.states(name)[0].attribute(1))
+        if deltas:
+            decoder = self.decoder()
+            decoder.fold(marked)
+            with self.assertRaises(FrameError):
+                decoder.fold(deltas[0])
+        with self.assertRaises(FrameError):
+            self.decoder().fold(sealed(key[:23] + bytes([1 << key[22]]) + key[24:]))
+
     def test_golden_frames_decode_to_what_the_other_decoders_make_of_them(self):
         for name, expected in self.golden.items():
             with self.subTest(name):

@@ -55,6 +55,7 @@ class Header:
     phase: str
     lattice_bits: int
     attributes: int
+    gaps: int
     vertices: int
     cells: int
     time: float
@@ -68,15 +69,15 @@ def read_header(frame: bytes) -> Header:
     if frame[2] != VERSION:
         raise FrameError(f"a mesh frame has version {frame[2]}, this client reads version {VERSION}: "
                          "use the files that came with the server")
-    _, _, flags, surface, epoch, seq, index, count, phase, bits, attributes, reserved, vertices, cells, when, total, crc = \
+    _, _, flags, surface, epoch, seq, index, count, phase, bits, attributes, gaps, vertices, cells, when, total, crc = \
         _HEADER.unpack_from(frame)
     if zlib.crc32(frame[_HEADER.size:], zlib.crc32(frame[:44])) != crc:
         raise FrameError("a mesh frame does not match its checksum")
-    if flags > 3 or phase > 3 or reserved or index >= count or not 1 <= bits <= 20 or attributes > 7 or \
+    if flags > 3 or phase > 3 or gaps >> attributes or index >= count or not 1 <= bits <= 20 or attributes > 7 or \
             not np.isfinite(when) or max(vertices, cells) > _MOST or (not flags & 1 and seq == 0):
         raise FrameError("a mesh frame's header contradicts itself")
     return Header(bool(flags & 1), bool(flags & 2), surface, epoch, seq, index, count, PHASES[phase], bits, attributes,
-                  vertices, cells, when, total)
+                  gaps, vertices, cells, when, total)
 
 
 class Draco:
@@ -209,10 +210,14 @@ class State:
         return points
 
     def attribute(self, index: int) -> Array:
-        """(n,) values."""
+        """(n,) values; NaN where there is none."""
         lo, hi = self.ranges[index]
-        values: Array = lo + (hi - lo) * self.codes[index] / 65535
-        return values
+        codes = self.codes[index]
+        if not self.header.gaps >> index & 1:
+            values: Array = lo + (hi - lo) * codes / 65535
+            return values
+        known: Array = np.where(codes < 0xF800, lo + (hi - lo) * codes / 0xEFFF, np.nan)
+        return known
 
     def polygons(self) -> Tuple[Array, Array]:
         """The cells' vertices one cell after the other, and where each cell begins and the last one ends."""
@@ -266,7 +271,7 @@ class MeshDecoder:
             fits = not newest or (h.epoch, h.seq) >= (newest.epoch, newest.seq)
         else:
             fits = self._intact and not self._header and newest and h.epoch == newest.epoch and \
-                h.seq == newest.seq + 1 and h.attributes == newest.attributes and h.lattice_bits == newest.lattice_bits
+                h.seq == newest.seq + 1 and h.attributes == newest.attributes and h.gaps == newest.gaps and h.lattice_bits == newest.lattice_bits
         if not fits:
             raise FrameError(f"frame {h.index} of update {h.seq} of epoch {h.epoch} does not continue what is there")
 

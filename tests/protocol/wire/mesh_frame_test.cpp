@@ -121,7 +121,8 @@ TEST(MeshFrame, IsRefusedWhenItsHeaderCannotBeTrue) {
     EXPECT_EQ(refusal(with(good, 21, 21, 1)), contradiction) << "lattice bits";
     EXPECT_EQ(read_frame(with(good, 22, 8, 1)).error().code, core::Error::Code::OverLimit)
         << "attributes";
-    EXPECT_EQ(refusal(with(good, 23, 1, 1)), unknown) << "reserved";
+    EXPECT_EQ(refusal(with(good, 23, 3, 1)), "") << "both have gaps";
+    EXPECT_EQ(refusal(with(good, 23, 4, 1)), contradiction) << "gaps of a third attribute";
     for (const std::size_t count : {24u, 28u})
         EXPECT_EQ(read_frame(with(good, count, 0xffffffffu)).error().code,
                   core::Error::Code::OverLimit);

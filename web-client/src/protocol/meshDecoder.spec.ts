@@ -8,7 +8,7 @@ import { seededRandom } from './testing/random.ts';
 import { Dice, ranges } from './testing/randomSurface.ts';
 import { lattice, randomUpdates, type Update } from './testing/randomUpdates.ts';
 import { type PlainState, sealed } from './testing/wireWriter.ts';
-import type { WireMesh } from './wireMesh.ts';
+import { valueOf, type WireMesh } from './wireMesh.ts';
 
 let points: DracoPoints;
 beforeAll(async () => {
@@ -193,4 +193,26 @@ describe('what is announced', () => {
             }
         }
     });
+});
+
+/** The same frame, where some vertices have no value of the attributes whose bits are set. */
+function withGaps(frame: Uint8Array, bits: number): Uint8Array {
+    const bytes = frame.slice();
+    bytes[23] = bits;
+    return sealed(bytes);
+}
+
+test('a code near the last one is no value where the attribute has gaps, and gaps change with a KEY only', () => {
+    const [first, second] = [...randomUpdates(43, 20)] as [Update, Update, ...Update[]];
+    const into = decoder();
+    const mesh = first.frames.map((frame) => into.fold(withGaps(frame, 0b001))).at(-1)!.mesh;
+    const [speed, s] = mesh.ranges;
+    expect([speed!.gaps, s!.gaps]).toEqual([true, false]);
+    expect(valueOf(speed!, 0xf800)).toBeNaN();
+    expect(valueOf(speed!, 65535)).toBeNaN();
+    expect(valueOf(speed!, 0xefff)).toBe(speed!.hi);
+    expect(valueOf(s!, 65535)).toBe(s!.hi);
+    expect(valueOf(speed!, 0)).toBe(speed!.lo);
+    expect(readFrame(second.frames[0]!).header.key).toBe(false);
+    expect(accepts(into, second.frames)).toBe(false);
 });

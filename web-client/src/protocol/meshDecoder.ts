@@ -112,7 +112,10 @@ export class MeshDecoder {
     private apply(update: Collected): AppliedUpdate {
         const { header: h } = update;
         const numbers = new Numbers(joined(update));
-        const mesh = h.key ? new WireMesh(h.latticeBits, readRanges(numbers, h.attributeCount)) : this.state!;
+        const mesh = h.key ? new WireMesh(h.latticeBits, readRanges(numbers, h)) : this.state!;
+        if (mesh.ranges.some(({ gaps }, i) => gaps !== hasGaps(h, i))) {
+            throw new FrameError('a mesh update has other gaps than the one before');
+        }
         this.state = undefined; // until all has gone well
         const edit = applyEdit(mesh, numbers, h);
         this.points.read(mesh, edit, numbers);
@@ -135,10 +138,15 @@ function joined({ pieces, bytes }: Collected): Uint8Array {
     return whole;
 }
 
-function readRanges(numbers: Numbers, attributes: number): AttributeRange[] {
+function hasGaps(h: FrameHeader, attribute: number): boolean {
+    return ((h.gaps >> attribute) & 1) !== 0;
+}
+
+function readRanges(numbers: Numbers, h: FrameHeader): AttributeRange[] {
+    const attributes = h.attributeCount;
     const bounds = new Float64Array(numbers.take(4 * attributes).slice().buffer);
     return Array.from({ length: attributes }, (_, i) => {
-        const range = { lo: bounds[2 * i]!, hi: bounds[2 * i + 1]! };
+        const range = { lo: bounds[2 * i]!, hi: bounds[2 * i + 1]!, gaps: hasGaps(h, i) };
         if (!Number.isFinite(range.lo) || !Number.isFinite(range.hi) || range.lo > range.hi) {
             throw new FrameError('a mesh update has an attribute without a usable range');
         }

@@ -67,7 +67,7 @@ test('refuses a header that cannot be true', () => {
         changed(21, 0, 1), // lattice bits
         changed(21, 21, 1),
         changed(22, 8, 1), // attributes
-        changed(23, 1, 1), // reserved
+        changed(23, 8, 1), // gaps of a fourth attribute
         changed(24, (1 << 24) + 1), // vertices
         changed(28, 0xffffffff), // cells
         changed(36, 0x7ff00000), // time

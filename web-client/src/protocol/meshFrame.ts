@@ -32,6 +32,7 @@ export interface FrameHeader {
     phase: Phase;
     latticeBits: number;
     attributeCount: number;
+    gaps: number; // a bit an attribute: some vertices have no value of it
     vertices: number; // of the state after the update
     cells: number;
     time: number; // simulation time of the state
@@ -59,7 +60,7 @@ export function surfaceOf(bytes: Uint8Array): number | undefined {
 function parse(view: DataView): FrameHeader {
     const flags = view.getUint8(3);
     const phase = phases[view.getUint8(20)];
-    if ((flags & ~(flag.key | flag.lossless)) !== 0 || phase === undefined || view.getUint8(23) !== 0) {
+    if ((flags & ~(flag.key | flag.lossless)) !== 0 || phase === undefined) {
         throw new FrameError('a mesh frame has flags or a phase that this version does not know');
     }
     return {
@@ -73,6 +74,7 @@ function parse(view: DataView): FrameHeader {
         phase,
         latticeBits: view.getUint8(21),
         attributeCount: view.getUint8(22),
+        gaps: view.getUint8(23),
         vertices: view.getUint32(24, true),
         cells: view.getUint32(28, true),
         time: view.getFloat64(32, true),
@@ -91,6 +93,7 @@ function check(h: FrameHeader): void {
         (!h.key && h.seq === 0) ||
         bits < 1 ||
         bits > maxLatticeBits ||
+        h.gaps >> h.attributeCount !== 0 ||
         !Number.isFinite(h.time)
     ) {
         throw new FrameError("a mesh frame's header contradicts itself");

@@ -6,13 +6,23 @@ import { roomFor } from './room.ts';
 import { removeRuns, type Runs } from './runs.ts';
 import { WordSum, wordSum } from './stateSum.ts';
 
-/** What the codes 0 and 65535 of an attribute stand for, until the next KEY. */
+/** What the codes 0 and the last one of an attribute stand for, until the next KEY. */
 export interface AttributeRange {
     lo: number;
     hi: number;
+    /** Some vertices have no value. */
+    gaps: boolean;
 }
 
 export const lastCode = 65535;
+const lastOfGaps = 0xefff;
+const firstNone = 0xf800;
+
+/** NaN: no value. */
+export function valueOf({ lo, hi, gaps }: AttributeRange, code: number): number {
+    if (gaps && code >= firstNone) return Number.NaN;
+    return lo + ((hi - lo) * code) / (gaps ? lastOfGaps : lastCode);
+}
 
 /** One number (or three, of a position) a vertex. Arrays may be longer than there are vertices. */
 export class Channel {

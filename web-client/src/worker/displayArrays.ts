@@ -5,7 +5,7 @@ import type { Cut, MeshChange, ScalarChange, SurfacePart } from '../mesh/meshCha
 import { dequantise, type Lattice } from '../protocol/lattice.ts';
 import type { AppliedUpdate } from '../protocol/meshDecoder.ts';
 import { triangleCount, triangulate } from '../protocol/triangulate.ts';
-import { type AttributeRange, lastCode, type WireMesh } from '../protocol/wireMesh.ts';
+import { type AttributeRange, valueOf, type WireMesh } from '../protocol/wireMesh.ts';
 import { addNormals } from './normals.ts';
 import { findParts } from './parts.ts';
 import { trimTornBorder } from './tornBorder.ts';
@@ -168,7 +168,7 @@ export class DisplayArrays {
         return mesh.ranges[this.attributes.indexOf(name)];
     }
 
-    /** The values of an attribute, less `origin`, from some vertex on; those of one that does not come stay 0. */
+    /** The values of an attribute, less `origin`, from some vertex on, NaN where there is none; those of one that does not come stay 0. */
     private fill(
         mesh: WireMesh,
         name: string,
@@ -181,10 +181,9 @@ export class DisplayArrays {
         const values = mesh.codes[this.attributes.indexOf(name)]?.values;
         const range = this.rangeOf(mesh, name);
         if (values === undefined || range === undefined) return;
-        const scale = (range.hi - range.lo) / lastCode;
-        const first = range.lo - origin;
+        const shifted = { ...range, lo: range.lo - origin, hi: range.hi - origin };
         for (let i = from, at = offset; i < mesh.vertices; ++i, at += stride) {
-            into[at] = first + scale * values[i]!;
+            into[at] = valueOf(shifted, values[i]!);
         }
     }
 }
