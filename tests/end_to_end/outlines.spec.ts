@@ -1,0 +1,76 @@
+// Outlines without specks: in an even part of a creased surface, where nothing is before anything else, no pixel is dark.
+import { describe, expect, it } from 'vitest';
+import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
+import type { SurfaceLook } from '../../web-client/src/state/surfaceLook.ts';
+import { newContext, openPage } from './support/browser_page.ts';
+import { pixelsOf } from './support/figure_download.ts';
+import { linkTo, readGallery, settled } from './support/gallery_scene.ts';
+import { useStand } from './support/stand.ts';
+
+const stand = useStand();
+const scene = readGallery().scenes.find(({ name }) => name === 'wake-streak')!;
+/** How far away an edge has nothing to do with a pixel. */
+const reach = 5;
+
+/** By rows: how bright each pixel of a figure as large as the picture on the page is, and how far what is seen there is away; 0: nothing. */
+async function seen(silhouettes: boolean, camera: { position: Vec3; target: Vec3 }) {
+    const context = await newContext(stand.browser, { width: 1000, height: 600, colorScheme: 'light' });
+    const look: Partial<SurfaceLook> = { colourBy: 'constant', colour: '#d8dde6', silhouettes };
+    const page = await openPage(context, await linkTo(stand.server, { ...scene, look, camera }));
+    await settled(page);
+    await page.getByRole('tab', { name: 'View' }).click();
+    await page.getByRole('checkbox', { name: 'Shade where things touch' }).uncheck();
+    const box = (await page.locator('canvas').first().boundingBox())!;
+    const size = { width: Math.round(box.width), height: Math.round(box.height) };
+    const setting = { ...size, background: 'white', axes: false, bar: false, rake: false, caption: null } as const;
+    const address = await page.evaluate((each) => window.wakesurf!.picture(each), setting);
+    const { pixels } = await pixelsOf(page, Buffer.from(address.slice(address.indexOf(',') + 1), 'base64'));
+    const side = 2 * Math.floor(Math.min(size.width, size.height) / 2 - 4) + 1;
+    const distances = await page.evaluate(
+        ({ x, y, radius }) =>
+            window.wakesurf!.pickGrid({ x, y }, radius).hits.map((hit) => (hit?.surface == null ? 0 : hit.distance)),
+        { x: box.x + Math.floor(size.width / 2) + 0.5, y: box.y + Math.floor(size.height / 2) + 0.5, radius: (side - 1) / 2 },
+    );
+    const [left, top] = [Math.floor(size.width / 2) - (side - 1) / 2, Math.floor(size.height / 2) - (side - 1) / 2];
+    const bright = Array.from(
+        { length: side * side },
+        (_, i) => pixels[4 * ((top + Math.floor(i / side)) * size.width + left + (i % side)) + 1]!,
+    );
+    await context.close();
+    return { bright, distances, side };
+}
+
+describe('outlines of a creased surface', () => {
+    it.each([
+        ['from afar', [-3.4, -10.2, 9.2], [2.3, 0, 2.6]],
+        ['near a crease', [-1.2, -4.2, 5.2], [2.4, 0, 2.4]],
+        ['along the wake', [-4, -6, 4.5], [4, 0, 3]],
+    ] as [string, Vec3, Vec3][])('are no specks where it is even: %s', async (_, position, target) => {
+        const [drawn, bare] = [await seen(true, { position, target }), await seen(false, { position, target })];
+        const { side, distances } = drawn;
+        const isDark = drawn.bright.map((light, i) => light < 0.7 * bare.bright[i]!);
+        let [even, specks, lines] = [0, 0, 0];
+        for (let row = reach; row < side - reach; ++row) {
+            for (let column = reach; column < side - reach; ++column) {
+                const at = row * side + column;
+                if (isDark[at]) ++lines;
+                let [least, most] = [Infinity, 0];
+                for (let dy = -reach; dy <= reach; ++dy) {
+                    for (let dx = -reach; dx <= reach; ++dx) {
+                        const beside = at + dy * side + dx;
+                        least = Math.min(least, distances[beside]!);
+                        most = Math.max(most, distances[beside]!);
+                    }
+                }
+                // What faces the eye changes by less than a hundredth; where a part is before another it has an outline.
+                const isEven = least > 0 && most - least < 0.025 * least;
+                if (!isEven) continue;
+                ++even;
+                if (isDark[at]) ++specks;
+            }
+        }
+        expect(even).toBeGreaterThan(20_000);
+        expect(lines).toBeGreaterThan(100);
+        expect(specks).toBe(0);
+    });
+});
