@@ -5,10 +5,8 @@
 #include "core/surface/moving/fixed_topology.hpp"
 #include "core/surface/moving/release.hpp"
 #include "core/surface/moving/snapshot.hpp"
+#include "core/surface/moving/step_length.hpp"
 #include "core/surface/time_direction.hpp"
-
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <cassert>
@@ -28,31 +26,10 @@ constexpr double patch_bytes = 350.0; ///< a quad, while it is laid
 /// Surfaces that were begun and exceeded their budget, after which the next one is made coarser as it moves.
 constexpr int most_given_up = 3;
 
-constexpr double growth_a_step =
-    0.5; // of an edge's length: Hermite interpolation wants edges cut before they double
-constexpr double least_of_row =
-    1.0 / 16.0; // of the time between rows: one violent cell must not stop the rest
 constexpr std::uint64_t check_every =
     4;                              ///< steps, from one look at the integrator's errors to the next
 constexpr double carry_share = 0.4; // of a step, in what is told of how far it is
 constexpr double sorting_share = 0.125; // of vertices inserted since memory was last in mesh order
-
-/// The larger of `most` and the fastest relative growth of a triangle's edges, of those longer than
-/// `shortest`. Roots are taken only of what may exceed `most`.
-double fastest_growth(const MovingMesh& mesh, const Triangle& t, double shortest, double most) {
-    for (unsigned k = 0; k < 3; ++k) {
-        const VertexId a = t.begin(k), b = t.end(k);
-        const Vec3 edge = mesh.edge(a, b);
-        const Vec3 apart(mesh.vertices.velocity[b] - mesh.vertices.velocity[a]);
-        const double length2 = glm::dot(edge, edge);
-        const double apart2 = glm::dot(apart, apart);
-        if (apart2 < most * most * length2 * (1.0 - 1e-9))
-            continue;
-        if (const double length = std::sqrt(length2); length > shortest)
-            most = std::max(most, std::sqrt(apart2) / length);
-    }
-    return most;
-}
 
 double elapsed(const Clock& clock, std::chrono::steady_clock::time_point since) {
     return std::chrono::duration<double>(clock.now() - since).count();
@@ -270,48 +247,14 @@ Result<void> MovingSurface::sample_velocity(const std::stop_token& stop) {
     return {};
 }
 
-/// How far in time the next step may go.
-double MovingSurface::step_length(double to) const {
-    const MaterialVertices& v = state_.mesh.vertices;
-    double rake_speed = 0.0;
-    double speed = 0.0;
-    for (VertexId i = 0; i < v.slots(); ++i) {
-        if (v.role[i] == VertexRole::Unused || v.dead(i))
-            continue;
-        const double here = glm::length(v.velocity[i]);
-        speed = std::max(speed, here);
-        if (v.role[i] == VertexRole::Attached)
-            rake_speed = std::max(rake_speed, here);
-    }
-    const double left = std::abs(to - state_.mesh.time);
-    const double driving = state_.releasing && rake_speed > 0.0 ? rake_speed : speed;
-    if (!(driving > 0.0))
-        return left;
-    const double row = row_spacing * state_.separation / driving;
-    if (!refines()) // nothing is interpolated between what has moved
-        return std::min(left, row);
-    const auto slots = state_.mesh.triangles.slots();
-    const double shortest = 0.1 * state_.separation;
-    const double growth = tbb::parallel_reduce(
-        tbb::blocked_range<std::size_t>(0, slots.size(), 4096), 0.0,
-        [&](const auto& range, double most) {
-            for (std::size_t i = range.begin(); i != range.end(); ++i)
-                if (slots[i].live)
-                    most = fastest_growth(state_.mesh, slots[i], shortest, most);
-            return most;
-        },
-        [](double a, double b) { return std::max(a, b); });
-    const double safe = growth > 0.0 ? growth_a_step / growth : row;
-    return std::min(left, std::clamp(safe, least_of_row * row, row));
-}
-
 double MovingSurface::next_time(double to) const {
     const double here = state_.mesh.time;
     const double sign = to < here ? -1.0 : 1.0;
     const double until = state_.plan->release_until;
     const double target =
         state_.releasing && sign * (until - here) > 0.0 && sign * (to - until) > 0.0 ? until : to;
-    const double dt = step_length(target);
+    const double dt =
+        step_length(state_.mesh, target, state_.separation, state_.releasing, refines());
     return dt == std::abs(target - here) ? target : here + sign * dt;
 }
 

@@ -108,7 +108,6 @@ class MovingSurface {
                         const WorkPart& work);
     Result<void> trace_doubtful(const AdvanceOptions& options, const std::stop_token& stop);
     Result<void> sample_velocity(const std::stop_token& stop);
-    double step_length(double to) const;
     bool refines() const;
 
     const Flow* flow_;
