@@ -79,11 +79,14 @@ Result<KeyedMesh> SurfaceHistory::at(double time, std::stop_token stop, const Wo
     if (auto room = here.holds(memory_of(mesh) + on_the_way + shown_bytes * mesh.vertices.slots());
         !room)
         return tl::unexpected(room.error());
+    statistics_ = surface_.statistics();
     const auto shown = [&]() -> Result<KeyedMesh> {
         if (surface_.time() == time)
             return surface_.mesh();
         MovingSurface further = surface_; // the last part of the way is no one's checkpoint
         return further.advance_to(time, stop, here.quietly().above(memory_of(mesh))).map([&] {
+            statistics_ = further.statistics();
+            statistics_.seconds = surface_.statistics().seconds;
             return further.mesh();
         });
     }();

@@ -27,6 +27,9 @@ class SurfaceHistory {
     /// Another budget for checkpoints; gives up at once what is over it.
     void limit(std::size_t budget_bytes);
 
+    /// Of what at() gave last; seconds are of the steps that are kept.
+    const SurfaceStatistics& statistics() const { return statistics_; }
+
     /// Where the steps have led, at or before what at() gave last.
     const MovingSurface& surface() const { return surface_; }
 
@@ -38,6 +41,7 @@ class SurfaceHistory {
     Result<void> go_to(double time, const std::stop_token& stop, const WorkPart& work);
 
     MovingSurface surface_;
+    SurfaceStatistics statistics_;
     bool torn_ = false; ///< it ended amid a step: a checkpoint takes its place first
     double start_;
     double direction_;

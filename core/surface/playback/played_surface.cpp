@@ -57,7 +57,7 @@ PlayedSurface::at(double age, const std::stop_token& stop, const WorkPart& work)
     if (!mesh)
         return tl::unexpected(mesh.error());
     const double time = mesh->time;
-    Shown shown{std::move(*mesh), history_.surface().statistics(), time};
+    Shown shown{std::move(*mesh), history_.statistics(), time};
     if (sign_ < 0.0)
         mirror_cells(shown.mesh.mesh);
     SurfaceStatistics& s = shown.statistics;

@@ -1,4 +1,5 @@
 #include "core/field/analytic_flow.hpp"
+#include "core/surface/playback/surface_at.hpp"
 #include "core/surface/surface_builder.hpp"
 
 #include <gtest/gtest.h>
@@ -49,6 +50,21 @@ TEST(Emptiness, ARakeInsideTheBodySaysSo) {
         EXPECT_EQ(why->reason, Reason::InBody);
         EXPECT_EQ(why->message, "the whole rake lies inside the body");
         EXPECT_EQ(why->hint, "move the rake into the fluid");
+    }
+}
+
+/// Between two steps that are kept as well.
+TEST(Emptiness, ASurfaceThatIsPlayedSaysWhyItIsEmptyAtThatTime) {
+    const auto flow = make_analytic_flow("uniform").value();
+    const double end = flow->domain().hi.x;
+    const auto plan = plan_surface(*flow, line({end - 0.05, 0, -1}, {end - 0.05, 0, 1}),
+                                   parameters(SurfaceKind::Time))
+                          .value();
+    for (const double time : {0.07, 0.1, 0.9}) {
+        const auto shown = surface_at(plan, time, SteadyClock{}, {});
+        ASSERT_TRUE(shown) << shown.error().message;
+        ASSERT_TRUE(shown->statistics.empty) << time;
+        EXPECT_EQ(shown->statistics.empty->message, "all particles have left the domain") << time;
     }
 }
 
