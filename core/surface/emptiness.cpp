@@ -137,6 +137,9 @@ Result<std::optional<Emptiness>> why_empty(const SurfacePlan& plan,
     if (ended.stagnation > 0)
         return because(Reason::AtRest, "all particles have come to rest",
                        "choose a shorter time, or move the rake to where the fluid moves");
+    if (p.life && ended.time > 0)
+        return because(Reason::AllLeft, "all particles have come to the end of their life",
+                       "choose a longer `life`, or an earlier time");
     return because(Reason::TooCoarse, "no quad is left at this separation",
                    "choose a smaller separation");
 }

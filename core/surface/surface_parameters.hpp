@@ -51,7 +51,9 @@ struct SurfaceParameters {
     std::uint64_t max_quads = 1'000'000;
     bool deformation = false; ///< compute the deformation array (four more samples a step)
     std::optional<double>
-        release_until{};         ///< streak: the release stops here (a streak sheet); default: `to`
+        release_until{}; ///< streak: the release stops here (a streak sheet); default: `to`
+    std::optional<double>
+        life{}; ///< path, streak, time: a particle ends at this age; default: it lives to the end
     std::optional<Rake> rake2{}; ///< time: the patch lies between the rake and this one
     std::optional<Vec3> sweep{}; ///< time: the patch is the rake swept along this vector
 

@@ -1,5 +1,6 @@
 #include "core/surface/time_direction.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -42,6 +43,11 @@ Result<void> check_one_way(const SurfaceParameters& p, bool backward) {
                        ", and to go to " + time_text(p.to) + " leave `direction` out");
 }
 
+/// A particle is followed so long, without sign.
+double longest_age(const SurfaceParameters& p) {
+    return std::min(time_span(p), p.life.value_or(time_span(p)));
+}
+
 } // namespace
 
 std::string time_text(double time) {
@@ -82,11 +88,11 @@ std::optional<double> data_end(const Flow& flow, const SurfaceParameters& p) {
     if (p.kind != SurfaceKind::Path || direction_of(p) != Direction::Both || !range)
         return std::nullopt;
     const double first = (*range)[0];
-    return p.from - time_span(p) < first ? std::optional(first) : std::nullopt;
+    return p.from - longest_age(p) < first ? std::optional(first) : std::nullopt;
 }
 
 std::vector<double> side_durations(const Flow& flow, const SurfaceParameters& p) {
-    const double whole = p.to - p.from;
+    const double whole = time_sign(p) * longest_age(p);
     if (direction_of(p) != Direction::Both)
         return {whole};
     const auto end = data_end(flow, p);

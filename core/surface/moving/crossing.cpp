@@ -99,6 +99,17 @@ void search_now(const RefinementContext& context, EdgeCrossing& crossing) {
     crossing.carried = crossing.edge.at(crossing.part);
 }
 
+/// What is just as old as a particle may become, on an edge to an older one.
+void search_age(const RefinementContext& context, EdgeCrossing& crossing) {
+    const MaterialVertices& v = context.mesh.vertices;
+    const double t = v.t[crossing.living], older = v.t[crossing.dead];
+    const double release = context.mesh.time - (v.time[crossing.dead] - older);
+    crossing.edge = edge_cubic(context.mesh, crossing.living, crossing.dead);
+    crossing.part = (release - t) / (older - t);
+    crossing.found = crossing.part > 0.0 && crossing.part < 1.0;
+    crossing.carried = crossing.edge.at(crossing.part);
+}
+
 } // namespace
 
 Result<void> find_crossings(const RefinementContext& context,
@@ -118,6 +129,10 @@ Result<void> find_crossings(const RefinementContext& context,
     std::vector<Search> searches;
     Batch living, dead;
     for (EdgeCrossing& each : crossings) {
+        if (v.end[each.dead] == CurveEnd::Time) {
+            search_age(context, each);
+            continue;
+        }
         if (v.end[each.dead] != CurveEnd::Domain && v.end[each.dead] != CurveEnd::Obstacle)
             continue;
         // What is traced again may turn out to have ended long ago, somewhere else.

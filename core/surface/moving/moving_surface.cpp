@@ -31,6 +31,22 @@ constexpr std::uint64_t check_every =
 constexpr double carry_share = 0.4; // of a step, in what is told of how far it is
 constexpr double sorting_share = 0.125; // of vertices inserted since memory was last in mesh order
 
+/// Ends the particles that are older than they may become, at the time at which they did. They have been carried on to the mesh's time, so
+/// that the surface can be cut where it is just that old (crossing.cpp).
+void end_the_old(MovingMesh& mesh, const SurfaceParameters& p) {
+    if (!p.life)
+        return;
+    MaterialVertices& v = mesh.vertices;
+    for (VertexId i = 0; i < v.slots(); ++i) {
+        const double release = p.kind == SurfaceKind::Time ? p.from : v.t[i];
+        if (v.role[i] != VertexRole::Free || v.dead(i) ||
+            !(std::abs(mesh.time - release) > *p.life * (1.0 + 1e-12)))
+            continue;
+        v.end[i] = CurveEnd::Time;
+        v.time[i] = release + time_sign(p) * *p.life;
+    }
+}
+
 double elapsed(const Clock& clock, std::chrono::steady_clock::time_point since) {
     return std::chrono::duration<double>(clock.now() - since).count();
 }
@@ -320,6 +336,7 @@ Result<bool> MovingSurface::move(double now, const std::stop_token& stop, const 
         return tl::unexpected(load.error());
     state_.vertex_steps +=
         running * static_cast<std::uint64_t>(std::max(1.0, std::ceil(dt / carry.step - 1e-9)));
+    end_the_old(mesh, state_.plan->request.plan.parameters);
     count_the_dead(mesh, state_.fresh, state_.terminated);
     move_attached(mesh);
     seconds_.load += *load;
@@ -421,7 +438,7 @@ SurfaceStatistics MovingSurface::statistics() const {
     s.steps = state_.steps;
     s.vertex_steps = state_.vertex_steps;
     s.terminated = state_.terminated;
-    s.terminated.time = running(state_.mesh);
+    s.terminated.time += running(state_.mesh);
     s.torn = state_.torn;
     s.separation = state_.separation;
     s.requested_separation = state_.plan->request.plan.parameters.separation;

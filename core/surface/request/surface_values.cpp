@@ -20,6 +20,9 @@ Result<void> check_kind(const SurfaceParameters& p) {
         return wrong("`rake2` belongs to time surfaces", "leave it out");
     if (p.release_until && p.kind != SurfaceKind::Streak)
         return wrong("`releaseUntil` belongs to streak surfaces", "leave it out");
+    if (p.life && p.kind != SurfaceKind::Path && p.kind != SurfaceKind::Streak &&
+        p.kind != SurfaceKind::Time)
+        return wrong("`life` belongs to path, streak or time surfaces", "leave it out");
     if (p.sweep && p.kind != SurfaceKind::Time)
         return wrong("`sweep` belongs to time surfaces", "leave it out");
     if (p.kind == SurfaceKind::Time && p.rake2.has_value() == p.sweep.has_value())
@@ -38,6 +41,8 @@ Result<void> check_values(const SurfaceParameters& p) {
                          " does not lie between `from` " + time_text(p.from) + " and `to` " +
                          time_text(p.to),
                      "leave it out, or choose a time between them");
+    if (p.life && !(*p.life > 0.0))
+        return wrong("`life` must be a number greater than 0", "leave it out, or correct it");
     if (!(p.merge >= 0.0 && p.merge <= 0.5))
         return wrong("`merge` must be a number between 0 and 0.5", "leave it out for the default");
     if (!(p.angle > 0.0 && p.angle <= 180.0))

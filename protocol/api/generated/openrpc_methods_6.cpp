@@ -224,6 +224,16 @@ const std::string_view methods_6 = R"json({
     "x-unit": "the dataset's unit of time",
     "x-only-for": ["streak"]}},
   {
+   "name": "life",
+   "required": false,
+   "description": "longest age of a particle: it ends so long after its release; if left out, it lives as long as the surface",
+   "schema": {
+    "type": "number",
+    "exclusiveMinimum": 0,
+    "description": "longest age of a particle: it ends so long after its release; if left out, it lives as long as the surface",
+    "x-unit": "the dataset's unit of time",
+    "x-only-for": ["path", "streak", "time"]}},
+  {
    "name": "sweep",
    "required": false,
    "description": "the patch is the rake swept along this vector",

@@ -361,6 +361,12 @@ const std::string_view schemas_2 = R"json("Snapshot": {
    "description": "time at which the release stops; if left out, `to`",
    "x-unit": "the dataset's unit of time",
    "x-only-for": ["streak"]},
+  "life": {
+   "type": "number",
+   "exclusiveMinimum": 0,
+   "description": "longest age of a particle: it ends so long after its release; if left out, it lives as long as the surface",
+   "x-unit": "the dataset's unit of time",
+   "x-only-for": ["path", "streak", "time"]},
   "sweep": {
    "type": "array",
    "minItems": 3,

@@ -39,6 +39,9 @@ void read(CheckedJson& in, SurfaceRecord& out) {
     out.parameters.to = in.number("to", -3.4028234663852886e+38, 3.4028234663852886e+38);
     out.parameters.release_until =
         in.number_if("releaseUntil", -3.4028234663852886e+38, 3.4028234663852886e+38);
+    out.parameters.life = in.number_if("life", 0.0, any_number);
+    if (out.parameters.life && !(*out.parameters.life > 0.0))
+        in.fault("life", "must be a number greater than 0");
     out.parameters.sweep = in.point_if("sweep");
     out.parameters.merge = in.number_or("merge", 0.0, 0.5, 0.35);
     out.parameters.angle = in.number_or("angle", 0.0, 180.0, 20.0);
@@ -78,6 +81,8 @@ nlohmann::json kept_json(const SurfaceRecord& record) {
     out["to"] = record.parameters.to;
     if (record.parameters.release_until)
         out["releaseUntil"] = *record.parameters.release_until;
+    if (record.parameters.life)
+        out["life"] = *record.parameters.life;
     if (record.parameters.sweep)
         out["sweep"] = point_json(*record.parameters.sweep);
     out["merge"] = record.parameters.merge;
@@ -127,6 +132,9 @@ void read(CheckedJson& in, SurfaceSetting& out) {
         in.fault("refine", "must be on or off");
     out.parameters.release_until =
         in.number_if("releaseUntil", -3.4028234663852886e+38, 3.4028234663852886e+38);
+    out.parameters.life = in.number_if("life", 0.0, any_number);
+    if (out.parameters.life && !(*out.parameters.life > 0.0))
+        in.fault("life", "must be a number greater than 0");
     out.parameters.sweep = in.point_if("sweep");
     out.parameters.merge = in.number_or("merge", 0.0, 0.5, 0.35);
     out.parameters.angle = in.number_or("angle", 0.0, 180.0, 20.0);
@@ -178,6 +186,8 @@ std::vector<std::pair<std::string_view, double>> given_numbers(const core::Surfa
     std::vector<std::pair<std::string_view, double>> out;
     if (p.release_until)
         out.emplace_back("releaseUntil", *p.release_until);
+    if (p.life)
+        out.emplace_back("life", *p.life);
     return out;
 }
 

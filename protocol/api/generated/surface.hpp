@@ -30,7 +30,7 @@ struct SurfaceRecord {
     std::optional<std::string> rake2;
     /// an id from dataset.list
     std::string dataset;
-    /// kind, accuracy, interpolation, refine, to, releaseUntil, sweep, merge, angle,
+    /// kind, accuracy, interpolation, refine, to, releaseUntil, life, sweep, merge, angle,
     /// stagnationSpeed, maxQuads, from, direction, separation
     core::SurfaceParameters parameters;
     /// additional attributes of the vertices, in frames and exports: scalar fields of the dataset,
@@ -64,8 +64,8 @@ struct SurfaceSetting {
     std::optional<std::string> rake2;
     /// an id from dataset.list
     std::string dataset;
-    /// kind, to, direction, accuracy, interpolation, refine, releaseUntil, sweep, merge, angle,
-    /// stagnationSpeed, maxQuads, separation
+    /// kind, to, direction, accuracy, interpolation, refine, releaseUntil, life, sweep, merge,
+    /// angle, stagnationSpeed, maxQuads, separation
     core::SurfaceParameters parameters;
     /// where the surface starts: the (first) release; for stream surfaces, the time at which the
     /// field is frozen; if left out, the first time of the data, or the last where `direction` is

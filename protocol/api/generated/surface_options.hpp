@@ -53,6 +53,10 @@ inline constexpr SurfaceOption surface_options[]{
     {"--release-until", "releaseUntil", "number",
      "Streak: time at which the release stops; if left out, --to (the dataset's unit of time)", "",
      false},
+    {"--life", "life", "number",
+     "Path, streak or time: longest age of a particle: it ends so long after its release; if left "
+     "out, it lives as long as the surface (the dataset's unit of time; above 0)",
+     "", false},
     {"--sweep", "sweep", "point",
      "Time: the patch is the rake swept along this vector (the dataset's unit of length)", "",
      false},

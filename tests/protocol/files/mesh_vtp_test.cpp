@@ -65,11 +65,14 @@ TEST(MeshVtp, SaysWhatTheSurfaceWasReleasedFromWhereThatIsMoreThanARake) {
     more.parameters.sweep = core::Vec3(0, 1, 0);
     more.parameters.rake2 = core::Rake{core::Rake::Kind::Line, {{0, 0, 1}, {0, 0, 2}}};
     more.parameters.release_until = 2.5;
+    more.parameters.life = 0.75;
     const auto file = mesh_vtp(small_mesh(), more);
     for (const std::string part : {"Name=\"sweep\" NumberOfComponents=\"3\" NumberOfTuples=\"1\" "
                                    "format=\"ascii\">0 1 0 <",
                                    "Name=\"rake2\" NumberOfComponents=\"3\" NumberOfTuples=\"2\" "
                                    "format=\"ascii\">0 0 1 0 0 2 <",
+                                   "Name=\"life\" NumberOfComponents=\"1\" "
+                                   "NumberOfTuples=\"1\" format=\"ascii\">0.75 <",
                                    "Name=\"releaseUntil\" NumberOfComponents=\"1\" "
                                    "NumberOfTuples=\"1\" format=\"ascii\">2.5 <"})
         EXPECT_NE(file.find(part), std::string::npos) << part;

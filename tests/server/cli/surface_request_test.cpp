@@ -87,6 +87,7 @@ TEST(SurfaceRequest, CarriesEverythingTheEngineIsToKnow) {
     options.seeds = 9;
     options.asked["merge"] = "0.5";
     options.asked["angle"] = "12";
+    options.asked["life"] = "0.75";
     options.output = "out.vtp";
     const auto between = check_surface_options(options);
     ASSERT_TRUE(between) << between.error().message;
@@ -95,6 +96,7 @@ TEST(SurfaceRequest, CarriesEverythingTheEngineIsToKnow) {
     EXPECT_EQ(between->parameters.rake2->seeds, 9U);
     EXPECT_EQ(between->parameters.merge, 0.5);
     EXPECT_EQ(between->parameters.angle, 12.0);
+    EXPECT_EQ(between->parameters.life, 0.75);
     EXPECT_FALSE(between->parameters.sweep);
     EXPECT_EQ(between->from, 0.0);
     EXPECT_EQ(between->to, 1.0);
@@ -125,6 +127,8 @@ TEST(SurfaceRequest, RefusesWhatSurfaceSetRefusesUnderTheNameOfTheOption) {
     EXPECT_EQ(complaint("kind", "sheet"), "--kind must be stream, path, streak or time");
     EXPECT_EQ(complaint("sweep", "0,1,0"), "--sweep belongs to time surfaces");
     EXPECT_EQ(complaint("releaseUntil", "1"), "--release-until belongs to streak surfaces");
+    EXPECT_EQ(complaint("life", "1"), "--life belongs to path, streak or time surfaces");
+    EXPECT_EQ(complaint("life", "0"), "--life must be a number greater than 0");
     EXPECT_EQ(complaint("kind", "time"), "a time surface takes one of --rake2 and --sweep");
 }
 

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 Made = TypeVar("Made")
 SETTABLE = ("rake", "kind", "dataset", "to", "from", "rake2", "direction", "accuracy", "interpolation", "refine",
-            "releaseUntil", "sweep", "merge", "angle", "stagnationSpeed", "maxQuads", "separation", "fields")
+            "releaseUntil", "life", "sweep", "merge", "angle", "stagnationSpeed", "maxQuads", "separation", "fields")
 
 
 class SurfaceMaker(Generic[Made]):
@@ -31,9 +31,10 @@ class SurfaceMaker(Generic[Made]):
                 accuracy: Optional[Literal["fast", "balanced", "exact"]] = None,
                 interpolation: Optional[Literal["linear", "smooth"]] = None,
                 refine: Optional[Literal["on", "off"]] = None, release_until: Optional[float] = None,
-                sweep: Optional[Point] = None, merge: Optional[float] = None, angle: Optional[float] = None,
-                stagnation_speed: Optional[float] = None, max_quads: Optional[int] = None,
-                separation: Optional[float] = None, fields: Optional[Sequence[str]] = None) -> Made:
+                life: Optional[float] = None, sweep: Optional[Point] = None, merge: Optional[float] = None,
+                angle: Optional[float] = None, stagnation_speed: Optional[float] = None,
+                max_quads: Optional[int] = None, separation: Optional[float] = None,
+                fields: Optional[Sequence[str]] = None) -> Made:
         """Makes a surface and starts computing it. What is left out has the default of `surface.set`. What `fields`
         names is also in `Surface.mesh`, by name.
 
@@ -59,6 +60,8 @@ class SurfaceMaker(Generic[Made]):
             on.
         `release_until`: time at which the release stops; if left out, `to` (the dataset's unit of time); only for
             streak surfaces.
+        `life`: longest age of a particle: it ends so long after its release; if left out, it lives as long as the
+            surface (the dataset's unit of time); only for path, streak or time surfaces; above 0.
         `sweep`: the patch is the rake swept along this vector (the dataset's unit of length); only for time surfaces.
         `merge`: quads smaller than this are joined; 0: never (part of the separation); 0 to 0.5; default 0.35.
         `angle`: neighbouring quads at a larger angle are refined, as far as the separation and `max_quads` allow; 180:
@@ -78,8 +81,8 @@ class SurfaceMaker(Generic[Made]):
         """
         return self._made({"rake": rake, "kind": kind, "dataset": dataset, "to": to, "from": from_, "rake2": rake2,
                            "direction": direction, "accuracy": accuracy, "interpolation": interpolation,
-                           "refine": refine, "releaseUntil": release_until, "sweep": sweep, "merge": merge,
-                           "angle": angle, "stagnationSpeed": stagnation_speed, "maxQuads": max_quads,
+                           "refine": refine, "releaseUntil": release_until, "life": life, "sweep": sweep,
+                           "merge": merge, "angle": angle, "stagnationSpeed": stagnation_speed, "maxQuads": max_quads,
                            "separation": separation, "fields": fields})
 
 
@@ -96,9 +99,9 @@ class SurfaceChanger:
             direction: Optional[Literal["forward", "backward", "both"]] = None,
             accuracy: Optional[Literal["fast", "balanced", "exact"]] = None,
             interpolation: Optional[Literal["linear", "smooth"]] = None, refine: Optional[Literal["on", "off"]] = None,
-            release_until: Optional[float] = None, sweep: Optional[Point] = None, merge: Optional[float] = None,
-            angle: Optional[float] = None, stagnation_speed: Optional[float] = None, max_quads: Optional[int] = None,
-            separation: Optional[float] = None, fields: Optional[Sequence[str]] = None,
+            release_until: Optional[float] = None, life: Optional[float] = None, sweep: Optional[Point] = None,
+            merge: Optional[float] = None, angle: Optional[float] = None, stagnation_speed: Optional[float] = None,
+            max_quads: Optional[int] = None, separation: Optional[float] = None, fields: Optional[Sequence[str]] = None,
             if_rev: Optional[int] = None) -> SurfaceSetResult:
         """Changes the parameters given, as `Session.surface` has them, and computes the surface again. Where `from_`
         or `to` change, forward or backward follows from them. `if_rev`: only if the record is at this revision.
@@ -112,6 +115,6 @@ class SurfaceChanger:
         """
         return self._changed({"rake": rake, "kind": kind, "dataset": dataset, "to": to, "from": from_, "rake2": rake2,
                               "direction": direction, "accuracy": accuracy, "interpolation": interpolation,
-                              "refine": refine, "releaseUntil": release_until, "sweep": sweep, "merge": merge,
-                              "angle": angle, "stagnationSpeed": stagnation_speed, "maxQuads": max_quads,
-                              "separation": separation, "fields": fields}, if_rev)
+                              "refine": refine, "releaseUntil": release_until, "life": life, "sweep": sweep,
+                              "merge": merge, "angle": angle, "stagnationSpeed": stagnation_speed,
+                              "maxQuads": max_quads, "separation": separation, "fields": fields}, if_rev)

@@ -76,6 +76,11 @@ export interface SurfaceRecord {
     to: number;
     /** time at which the release stops; if left out, `to` (the dataset's unit of time) */
     releaseUntil?: number;
+    /**
+     * longest age of a particle: it ends so long after its release; if left out, it lives as long as the surface (the
+     * dataset's unit of time)
+     */
+    life?: number;
     /** the patch is the rake swept along this vector (the dataset's unit of length) */
     sweep?: Vec3;
     /** quads smaller than this are joined; 0: never (part of the separation) */
@@ -122,6 +127,7 @@ export const surfaceRecordCheck = members<SurfaceRecord>({
     refine: refineCheck,
     to: number,
     releaseUntil: optional(number),
+    life: optional(number),
     sweep: optional(point),
     merge: number,
     angle: number,
@@ -194,6 +200,11 @@ export interface SurfaceSetParams {
     refine?: Refine;
     /** time at which the release stops; if left out, `to` (the dataset's unit of time) */
     releaseUntil?: number;
+    /**
+     * longest age of a particle: it ends so long after its release; if left out, it lives as long as the surface (the
+     * dataset's unit of time)
+     */
+    life?: number;
     /** the patch is the rake swept along this vector (the dataset's unit of length) */
     sweep?: Vec3;
     /** quads smaller than this are joined; 0: never (part of the separation) */
@@ -242,6 +253,7 @@ export const surfaceAskedNames = [
     'interpolation',
     'refine',
     'releaseUntil',
+    'life',
     'sweep',
     'merge',
     'angle',
@@ -278,6 +290,7 @@ export const surfaceSetRanges = {
 export const surfaceSetOnlyFor = {
     rake2: ['time'],
     releaseUntil: ['streak'],
+    life: ['path', 'streak', 'time'],
     sweep: ['time'],
 } as const;
 

@@ -21,10 +21,10 @@ class SurfaceMethods(Noun):
             direction: Optional[Literal["forward", "backward", "both"]] = None,
             accuracy: Optional[Literal["fast", "balanced", "exact"]] = None,
             interpolation: Optional[Literal["linear", "smooth"]] = None, refine: Optional[Literal["on", "off"]] = None,
-            release_until: Optional[float] = None, sweep: Optional[Point] = None, merge: Optional[float] = None,
-            angle: Optional[float] = None, stagnation_speed: Optional[float] = None, max_quads: Optional[int] = None,
-            separation: Optional[float] = None, fields: Optional[Sequence[str]] = None, default: Optional[bool] = None,
-            gesture: Optional[str] = None, if_rev: Optional[int] = None,
+            release_until: Optional[float] = None, life: Optional[float] = None, sweep: Optional[Point] = None,
+            merge: Optional[float] = None, angle: Optional[float] = None, stagnation_speed: Optional[float] = None,
+            max_quads: Optional[int] = None, separation: Optional[float] = None, fields: Optional[Sequence[str]] = None,
+            default: Optional[bool] = None, gesture: Optional[str] = None, if_rev: Optional[int] = None,
             session: Optional[str] = None) -> SurfaceSetResult:
         """Creates a surface, or replaces its record as a whole, and starts to build it.
 
@@ -51,6 +51,8 @@ class SurfaceMethods(Noun):
             on.
         `release_until`: time at which the release stops; if left out, `to` (the dataset's unit of time); only for
             streak surfaces.
+        `life`: longest age of a particle: it ends so long after its release; if left out, it lives as long as the
+            surface (the dataset's unit of time); only for path, streak or time surfaces; above 0.
         `sweep`: the patch is the rake swept along this vector (the dataset's unit of length); only for time surfaces.
         `merge`: quads smaller than this are joined; 0: never (part of the separation); 0 to 0.5; default 0.35.
         `angle`: neighbouring quads at a larger angle are refined, as far as the separation and `max_quads` allow; 180:
@@ -80,8 +82,8 @@ class SurfaceMethods(Noun):
                                                               "rake2": rake2, "from": from_, "direction": direction,
                                                               "accuracy": accuracy, "interpolation": interpolation,
                                                               "refine": refine, "releaseUntil": release_until,
-                                                              "sweep": sweep, "merge": merge, "angle": angle,
-                                                              "stagnationSpeed": stagnation_speed,
+                                                              "life": life, "sweep": sweep, "merge": merge,
+                                                              "angle": angle, "stagnationSpeed": stagnation_speed,
                                                               "maxQuads": max_quads, "separation": separation,
                                                               "fields": fields, "default": default, "gesture": gesture,
                                                               "ifRev": if_rev})
