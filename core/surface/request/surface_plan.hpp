@@ -4,7 +4,6 @@
 
 #include "core/base/result.hpp"
 #include "core/field/flow.hpp"
-#include "core/surface/columns/sheet_options.hpp"
 #include "core/surface/rake.hpp"
 #include "core/surface/surface_parameters.hpp"
 
@@ -13,6 +12,8 @@
 #include <vector>
 
 namespace wakesurf::core {
+
+struct SheetOptions;
 
 /// A value, made by plan_surface.
 struct SurfacePlan {
