@@ -4,6 +4,7 @@
 #include "core/surface/columns/sheet_mesh.hpp"
 #include "core/surface/request/surface_plan.hpp"
 
+#include <array>
 #include <stop_token>
 #include <string_view>
 
@@ -13,6 +14,9 @@ namespace wakesurf::core {
 inline constexpr std::string_view deformation_name = "deformation";
 inline constexpr std::string_view approximated_name = "approximated";
 inline constexpr std::string_view error_name = "error";
+/// Components of the velocity, along x, y and z.
+inline constexpr std::array<std::string_view, 3> velocity_component_names{
+    "velocity_x", "velocity_y", "velocity_z"};
 
 /// Fills velocity, and deformation when asked for: log2 of the area element |dx/ds x v| over what it was at release.
 /// Error: what sampling reports. Cost: one sample a vertex, two with deformation.

@@ -35,7 +35,8 @@ struct SurfaceRecord {
     core::SurfaceParameters parameters;
     /// additional attributes of the vertices, in frames and exports: scalar fields of the dataset,
     /// its velocity (the magnitude), `deformation`, `approximated`, `error`, `vorticity` (its
-    /// magnitude), `vorticity_x`, `vorticity_y`, `vorticity_z`, `q_criterion`
+    /// magnitude), `vorticity_x`, `vorticity_y`, `vorticity_z`, `q_criterion`, `velocity_x`,
+    /// `velocity_y`, `velocity_z`
     std::vector<std::string> fields;
 
     bool operator==(const SurfaceRecord&) const = default;
@@ -73,7 +74,8 @@ struct SurfaceSetting {
     std::optional<double> from;
     /// additional attributes of the vertices, in frames and exports: scalar fields of the dataset,
     /// its velocity (the magnitude), `deformation`, `approximated`, `error`, `vorticity` (its
-    /// magnitude), `vorticity_x`, `vorticity_y`, `vorticity_z`, `q_criterion`
+    /// magnitude), `vorticity_x`, `vorticity_y`, `vorticity_z`, `q_criterion`, `velocity_x`,
+    /// `velocity_y`, `velocity_z`
     std::vector<std::string> fields;
     /// true: make the record only if no one has edited the session and it has no such record yet;
     /// this does not count as an edit, and undo does not take it back

@@ -28,6 +28,10 @@ std::optional<SurfaceField> lookup(const OpenDataset& dataset, const std::string
             return SurfaceField{name, Source::Scalar, *scalar};
     if (name == dataset.info.velocity)
         return SurfaceField{name, Source::Speed};
+    const auto& components = core::velocity_component_names;
+    if (const auto found = std::ranges::find(components, name); found != components.end())
+        return SurfaceField{name, Source::VelocityComponent,
+                            static_cast<std::size_t>(found - components.begin())};
     if (name == core::deformation_name)
         return SurfaceField{name, Source::Deformation};
     if (name == core::approximated_name)
@@ -55,6 +59,13 @@ std::vector<float> speeds_of(const core::QuadComplex& mesh) {
     return out;
 }
 
+std::vector<float> component_of(const core::QuadComplex& mesh, std::size_t axis) {
+    std::vector<float> out(mesh.vertices());
+    for (std::size_t i = 0; i < out.size(); ++i)
+        out[i] = mesh.velocity[i][static_cast<int>(axis)];
+    return out;
+}
+
 } // namespace
 
 std::vector<std::string> field_names(const OpenDataset& dataset) {
@@ -65,8 +76,9 @@ std::vector<std::string> field_names(const OpenDataset& dataset) {
     names.push_back(dataset.info.velocity);
     std::vector<std::string_view> derived{core::deformation_name, core::approximated_name,
                                           core::error_name};
-    derived.insert(derived.end(), core::gradient_field_names.begin(),
-                   core::gradient_field_names.end());
+    for (const auto& more : {std::span<const std::string_view>(core::gradient_field_names),
+                             std::span<const std::string_view>(core::velocity_component_names)})
+        derived.insert(derived.end(), more.begin(), more.end());
     for (const std::string_view each : derived)
         if (std::ranges::find(names, each) == names.end())
             names.emplace_back(each);
@@ -140,6 +152,8 @@ core::Result<protocol::MeshFields> sample_fields(std::span<const SurfaceField> f
     for (const SurfaceField& field : fields) {
         if (field.source == Source::Speed) {
             out.push_back(speeds_of(mesh));
+        } else if (field.source == Source::VelocityComponent) {
+            out.push_back(component_of(mesh, field.index));
         } else if (field.source == Source::Deformation) {
             out.push_back(values_of(mesh.deformation, mesh));
         } else if (field.source == Source::Approximated) {
@@ -149,8 +163,7 @@ core::Result<protocol::MeshFields> sample_fields(std::span<const SurfaceField> f
         } else if (field.source == Source::Gradient) {
             out.push_back(std::move((*gradients)[next++]));
         } else {
-            auto values =
-                core::sample_scalar(flow, *store, field.scalar, mesh.position, when, stop);
+            auto values = core::sample_scalar(flow, *store, field.index, mesh.position, when, stop);
             if (!values)
                 return tl::unexpected(values.error());
             out.push_back(std::move(*values));

@@ -20,11 +20,19 @@ namespace wakesurf::server {
 struct OpenDataset;
 
 struct SurfaceField {
-    enum class Source : std::uint8_t { Scalar, Speed, Deformation, Approximated, Error, Gradient };
+    enum class Source : std::uint8_t {
+        Scalar,
+        Speed,
+        VelocityComponent,
+        Deformation,
+        Approximated,
+        Error,
+        Gradient
+    };
 
     std::string name;
     Source source = Source::Scalar;
-    std::size_t scalar = 0; ///< of the store
+    std::size_t index = 0; ///< of the scalar in the store, or of the component
 
     bool operator==(const SurfaceField&) const = default;
 };

@@ -73,7 +73,7 @@ class SurfaceMaker(Generic[Made]):
             above 0.
         `fields`: additional attributes of the vertices, in frames and exports: scalar fields of the dataset, its
             velocity (the magnitude), `deformation`, `approximated`, `error`, `vorticity` (its magnitude),
-            `vorticity_x`, `vorticity_y`, `vorticity_z`, `q_criterion`.
+            `vorticity_x`, `vorticity_y`, `vorticity_z`, `q_criterion`, `velocity_x`, `velocity_y`, `velocity_z`.
 
         >>> surface = session.surface(rake, "stream", dataset="tornado", to=2, separation=0.05)
         >>> surface.wait()["complete"]

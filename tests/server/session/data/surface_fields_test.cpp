@@ -317,6 +317,20 @@ TEST(SurfaceFields, TheErrorOfTheVerticesIsWhatTheStatisticsSayOfThem) {
     }
 }
 
+TEST(SurfaceFields, ComponentsOfTheVelocityHaveTheSpeedForTheirLength) {
+    const core::SteadyClock clock;
+    const ShearStore store;
+    for (const SurfaceKind kind : kinds) {
+        SurfaceBuild build(store.job(kind, {"velocity_x", "velocity_y", "velocity_z"}), clock);
+        const Update update = update_of(build, {Phase::Final, 0, {}, 0.0});
+        const WireMesh& state = *update.wire.state;
+        ASSERT_GT(state.vertices(), 0u);
+        for (std::size_t v = 0; v < state.vertices(); ++v)
+            ASSERT_NEAR(std::hypot(value(state, 3, v), value(state, 4, v), value(state, 5, v)),
+                        value(state, 0, v), 1e-4);
+    }
+}
+
 TEST(SurfaceFields, AMeshIsTheSameWithFieldsAndWithout) {
     const core::SteadyClock clock;
     const ShearStore store;
@@ -357,7 +371,8 @@ TEST(SurfaceFields, NamesAreFoundInTheDatasetFirst) {
     EXPECT_EQ(unknown.error().code, core::Error::Code::InvalidArgument);
     EXPECT_EQ(unknown.error().hint,
               "there is p, holes, U, deformation, approximated, error, vorticity, "
-              "vorticity_x, vorticity_y, vorticity_z, q_criterion");
+              "vorticity_x, vorticity_y, vorticity_z, q_criterion, velocity_x, velocity_y, "
+              "velocity_z");
     const auto vector = find_field(store.dataset(), "heat flux");
     EXPECT_NE(vector.error().message.find("a store holds one vector"), std::string::npos);
     const auto names = [&](const std::vector<std::string>& asked) {

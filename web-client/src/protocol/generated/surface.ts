@@ -109,7 +109,7 @@ export interface SurfaceRecord {
     /**
      * additional attributes of the vertices, in frames and exports: scalar fields of the dataset, its velocity (the
      * magnitude), `deformation`, `approximated`, `error`, `vorticity` (its magnitude), `vorticity_x`, `vorticity_y`,
-     * `vorticity_z`, `q_criterion`
+     * `vorticity_z`, `q_criterion`, `velocity_x`, `velocity_y`, `velocity_z`
      */
     fields: string[];
 }
@@ -226,7 +226,7 @@ export interface SurfaceSetParams {
     /**
      * additional attributes of the vertices, in frames and exports: scalar fields of the dataset, its velocity (the
      * magnitude), `deformation`, `approximated`, `error`, `vorticity` (its magnitude), `vorticity_x`, `vorticity_y`,
-     * `vorticity_z`, `q_criterion`
+     * `vorticity_z`, `q_criterion`, `velocity_x`, `velocity_y`, `velocity_z`
      */
     fields?: string[];
     /**

@@ -1,4 +1,4 @@
-// Stripes, lines and flow texture in the surface's own coordinates s and t. Their spacing follows the screen: of the powers of
+// Stripes and lines in the surface's own coordinates s and t. Their spacing follows the screen: of the powers of
 // two it takes the two next to the wanted spacing and fades from one to the other (adaptive stripes, Hummel et al., IRIS, 2010).
 
 /** Width of a pair of stripes in pixels, at usual density; up to twice as much. */
@@ -7,11 +7,8 @@ export const stripePeriodPx = 22;
 export const patternGlsl = `
 uniform int lines;
 uniform float lineDensity;
-uniform bool textured;
-uniform sampler2D noise;
 // Where t is 0 for the pattern, and +1 or -1: the way it flows.
 uniform vec2 patternT;
-uniform float flowShift;
 // Of the picture for one of CSS: spacing and widths are meant in these.
 uniform float pixelRatio;
 
@@ -49,23 +46,9 @@ float linesAt(float c, float rate) {
     return max(thinLine(c * f, rate * f), level.y * thinLine(c * 2.0 * f, rate * 2.0 * f));
 }
 
-float noiseAt(vec2 at, vec2 rate) {
-    // The texture has 64 grains across and 16 along.
-    vec2 across = levelOf(rate.x * 64.0, 5.0 / lineDensity);
-    vec2 along = levelOf(rate.y * 16.0, 30.0 / lineDensity);
-    vec2 f = vec2(across.x, along.x);
-    vec4 levels = vec4(
-        textureLod(noise, at * f, 0.0).r,
-        textureLod(noise, at * f * vec2(2.0, 1.0), 0.0).r,
-        textureLod(noise, at * f * vec2(1.0, 2.0), 0.0).r,
-        textureLod(noise, at * f * 2.0, 0.0).r
-    );
-    return mix(mix(levels.x, levels.y, across.y), mix(levels.z, levels.w, across.y), along.y);
-}
-
 /** What is left of the colour. */
 float pattern(vec2 place, mat2 slope) {
-    if (lines == 0 && !textured) return 1.0;
+    if (lines == 0) return 1.0;
     vec2 c = vec2(place.x, (place.y - patternT.x) * patternT.y);
     vec2 rate = vec2(
         length(vec2(slope[0].x, slope[1].x)),
@@ -79,6 +62,5 @@ float pattern(vec2 place, mat2 slope) {
         float odd = (2.0 * stripesAt(c.x, rate.x) - 1.0) * (2.0 * stripesAt(c.y, rate.y) - 1.0);
         left = mix(0.45, 1.0, 0.5 + 0.5 * odd);
     }
-    if (textured) left *= mix(0.35, 1.25, noiseAt(vec2(c.x, c.y - flowShift), rate));
     return left;
 }`;

@@ -84,9 +84,9 @@ export class SurfaceLayer {
         for (const surface of this.surfaces.values()) this.restyle(surface);
     }
 
-    /** Of the flow texture, by so much of t. */
+    /** The flow texture where fields stand still, by so much simulation time. */
     moveTexture(by: number): void {
-        this.shared.flowShift.value += by;
+        this.shared.flowed.value += by;
     }
 
     /** From now on, and of a surface that is still to come. */
@@ -233,7 +233,8 @@ export class SurfaceLayer {
             this.transparency.show(mesh.mesh, materials);
         } else {
             this.transparency.hide(mesh.mesh);
-            mesh.mesh.material = plain ? materials.plain : materials.opaque;
+            const quick = surface.style.texture ? materials.textured : materials.plain;
+            mesh.mesh.material = plain ? quick : materials.opaque;
             this.object.add(mesh.mesh);
         }
     }

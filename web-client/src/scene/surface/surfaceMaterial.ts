@@ -37,8 +37,8 @@ export function sharedUniforms(textures: SurfaceTextures) {
         clip: { value: noPlanes() },
         depthRange: { value: new Vector2(0, 1) },
         respectPaint: { value: true },
-        flowShift: { value: 0 },
         pixelRatio: { value: 1 },
+        flowed: { value: 0 },
         noise: { value: textures.noise },
         ...peelUniforms(),
     };
@@ -71,6 +71,10 @@ function ownUniforms(textures: SurfaceTextures) {
         lines: { value: 0 },
         lineDensity: { value: 1 },
         textured: { value: false },
+        flowing: { value: false },
+        byItself: { value: false },
+        flowTime: { value: 0 },
+        flowSpeed: { value: 1 },
         patternT: { value: new Vector2(0, 1) },
     };
 }
@@ -83,12 +87,14 @@ export interface MeshFacts {
     /** What t is counted from in the shaders. */
     tFrom: number;
     hasStretch: boolean;
+    hasFlow: boolean;
 }
 
 export class SurfaceMaterials {
     /** It lets little light through. */
     isDense = true;
     readonly plain: ShaderMaterial;
+    readonly textured: ShaderMaterial;
     readonly opaque: ShaderMaterial;
     readonly blended: ShaderMaterial;
     readonly peeled: ShaderMaterial;
@@ -105,6 +111,7 @@ export class SurfaceMaterials {
         const uniforms = { ...this.own, ...shared };
         const common = { glslVersion: GLSL3, vertexShader, uniforms, side: DoubleSide };
         this.plain = new ShaderMaterial({ ...common, fragmentShader, defines: { PLAIN: 1 } });
+        this.textured = new ShaderMaterial({ ...common, fragmentShader, defines: { PLAIN: 1, TEXTURED: 1 } });
         this.opaque = new ShaderMaterial({ ...common, fragmentShader });
         this.blended = new ShaderMaterial({
             ...common,
@@ -168,11 +175,15 @@ export class SurfaceMaterials {
         own.ageSpan.value = Math.max(1e-30, ages[1]);
         own.lines.value = patterns.indexOf(style.lines);
         own.lineDensity.value = style.density;
-        own.textured.value = style.texture;
+        own.textured.value = style.texture && facts.hasFlow;
+        own.flowing.value = style.textureMoves !== 'no';
+        own.byItself.value = style.textureMoves === 'byItself';
+        own.flowTime.value = style.textureMoves === 'withTime' ? facts.time - style.from : 0;
+        own.flowSpeed.value = style.flowSpeed;
         own.patternT.value.set(style.tOrigin - facts.tFrom, ageSign);
     }
 
     dispose(): void {
-        for (const material of [this.plain, this.opaque, this.blended, this.peeled, this.pick]) material.dispose();
+        for (const material of [this.plain, this.textured, this.opaque, this.blended, this.peeled, this.pick]) material.dispose();
     }
 }

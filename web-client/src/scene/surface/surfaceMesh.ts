@@ -8,15 +8,20 @@ import type { Bounds } from '../domain/domainAxes.ts';
 /** A vertex as it is drawn; `scalar` is what the surface is coloured by, if that comes from the server. */
 export interface SurfaceVertex {
     point: Vec3;
+    normal: Vec3;
     scalar: number;
     s: number;
     t: number;
+    /** The velocity, where it came with the surface. */
+    flow: Vec3 | null;
 }
 
 type Range = [number, number];
 
 const smallestCapacity = 1 << 14;
 export const stretchName = 'deformation';
+/** Of the velocity, which the flow texture follows. */
+export const flowNames = ['velocity_x', 'velocity_y', 'velocity_z'] as const;
 
 /** What a buffer holds; those that are not always there are made when first filled. */
 const kinds = {
@@ -26,8 +31,12 @@ const kinds = {
     scalar: { size: 1, array: Float32Array },
     stretch: { size: 1, array: Float32Array },
     cut: { size: 1, array: Uint8Array },
+    flowX: { size: 1, array: Float32Array },
+    flowY: { size: 1, array: Float32Array },
+    flowZ: { size: 1, array: Float32Array },
 } as const;
 type Kind = keyof typeof kinds;
+const flowKinds = ['flowX', 'flowY', 'flowZ'] as const;
 
 export class SurfaceMesh {
     readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
@@ -53,6 +62,10 @@ export class SurfaceMesh {
 
     get hasStretch(): boolean {
         return this.used.has('stretch');
+    }
+
+    get hasFlow(): boolean {
+        return flowKinds.every((kind) => this.used.has(kind));
     }
 
     get tRange(): Range {
@@ -91,12 +104,18 @@ export class SurfaceMesh {
     }
 
     vertex(i: number): SurfaceVertex {
-        const [position, seed] = [this.attribute('position'), this.attribute('seed')];
+        const seed = this.attribute('seed');
+        const at = (kind: 'position' | 'normal'): Vec3 => {
+            const values = this.attribute(kind);
+            return [values.getX(i), values.getY(i), values.getZ(i)];
+        };
         return {
-            point: [position.getX(i), position.getY(i), position.getZ(i)],
+            point: at('position'),
+            normal: at('normal'),
             scalar: this.attribute('scalar').getX(i),
             s: seed.getX(i),
             t: this.tFrom + seed.getY(i),
+            flow: this.hasFlow ? (flowKinds.map((kind) => this.attribute(kind).getX(i)) as Vec3) : null,
         };
     }
 
@@ -106,6 +125,8 @@ export class SurfaceMesh {
 
     private takeScalar(name: string, values: Float32Array, from: number): void {
         if (name === stretchName) this.refill('stretch', values, from);
+        const component = flowNames.findIndex((each) => each === name);
+        if (component >= 0) this.refill(flowKinds[component]!, values, from);
         const changesOver = name === this.wantedScalar && name !== this.shownScalar && from === 0;
         if (changesOver) this.shownScalar = name;
         // What was shown before goes on until what is wanted is here.

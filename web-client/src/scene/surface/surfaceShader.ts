@@ -1,7 +1,8 @@
-// The shader of the surfaces, one text for five programs: the first draws; PLAIN does so without planes, windows, painting, stripes and
-// outlines, which most surfaces have none of; BLENDED adds to the targets of transparency (weightedBlending.ts); PEELED draws one
+// The shader of the surfaces, one text for six programs: the first draws; PLAIN does so without planes, windows, painting, stripes and
+// outlines, which most surfaces have none of, at half the cost, and PLAIN and TEXTURED with the flow texture alone; BLENDED adds to the targets of transparency (weightedBlending.ts); PEELED draws one
 // of its layers (peeling.ts); the pick writes what is where (surfacePick.ts). Looks differ in uniforms alone.
 import { cutLevel } from '../../mesh/meshChange.ts';
+import { flowTextureGlsl } from './flowTextureShader.ts';
 import { patternGlsl } from './patternShader.ts';
 import { tableSize } from './colourMap.ts';
 
@@ -10,6 +11,9 @@ attribute vec2 seed;
 attribute float scalar;
 attribute float stretch;
 attribute float cut;
+attribute float flowX;
+attribute float flowY;
+attribute float flowZ;
 uniform int source;
 uniform vec2 ageOf;
 out vec3 viewNormal;
@@ -18,6 +22,7 @@ out vec3 worldPosition;
 out vec2 place;
 // What colours, age, stretching, whether it is cut.
 out vec4 values;
+out vec3 flow;
 // What is drawn in several programs has to be at the same depth in all.
 invariant gl_Position;
 
@@ -31,6 +36,7 @@ void main() {
     float age = ageOf.x + ageOf.y * seed.y;
     float value = source == 1 ? scalar : source == 2 ? seed.x : age;
     values = vec4(value, age, stretch, cut);
+    flow = vec3(flowX, flowY, flowZ);
     gl_Position = projectionMatrix * inView;
 }`;
 
@@ -40,6 +46,7 @@ in vec3 viewPosition;
 in vec3 worldPosition;
 in vec2 place;
 in vec4 values;
+in vec3 flow;
 uniform int source;
 uniform vec4 window;
 uniform vec4 clip[3];
@@ -81,6 +88,7 @@ uniform float smoke;
 uniform bool stretchKnown;
 uniform float areaPerSeed;
 uniform float ageSpan;
+uniform bool textured;
 
 vec3 baseColour() {
     if (source == 0) return constant;
@@ -131,10 +139,12 @@ void main() {
     vec3 n = normalize(viewNormal);
     n = dot(n, toViewer) < 0.0 ? -n : n;
     float facing = dot(n, toViewer);
+#if !defined(PLAIN) || defined(TEXTURED)
+    float areaPerPixel = length(cross(dFdx(worldPosition), dFdy(worldPosition)));
+#endif
 #ifndef PLAIN
     // Differences between pixels come before anything is thrown away.
     mat2 slope = mat2(dFdx(place), dFdy(place));
-    float areaPerPixel = length(cross(dFdx(worldPosition), dFdy(worldPosition)));
     float facingSlope = fwidth(facing);
     vec3 flatNormal = cross(dFdx(viewPosition), dFdy(viewPosition));
     float flatFacing = abs(dot(flatNormal, toViewer)) / max(length(flatNormal), 1e-30);
@@ -147,6 +157,9 @@ void main() {
 #endif
     vec3 base = baseColour();
     if (!gl_FrontFacing) base = backColour(base);
+#if !defined(PLAIN) || defined(TEXTURED)
+    if (textured) base *= flowTexture(worldPosition, (vec4(n, 0.0) * viewMatrix).xyz, flow, sqrt(areaPerPixel));
+#endif
 #ifdef PLAIN
     drawn = linearToOutputTexel(vec4(lit(base, n, toViewer), 1.0));
 #else
@@ -216,5 +229,5 @@ bool isPeeledOff() {
 #endif
 `;
 
-export const fragmentShader = declarations + shading + patternGlsl + outputs + main;
+export const fragmentShader = declarations + shading + patternGlsl + flowTextureGlsl + outputs + main;
 export const pickFragmentShader = `${declarations}\nuniform bool respectPaint;\n${pickMain}`;

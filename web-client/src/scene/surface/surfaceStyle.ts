@@ -39,6 +39,12 @@ export interface SurfaceStyle {
     /** Stripes and texture: 1 as usual, 2 twice as many. */
     density: number;
     texture: boolean;
+    /** Whether it moves: with the time that is shown, since `from`; or by itself, in a field that stands still. */
+    textureMoves: 'no' | 'withTime' | 'byItself';
+    /** When the surface begins. */
+    from: number;
+    /** That of most of the flow. */
+    flowSpeed: number;
     sWindow: readonly [number, number] | null;
     ageWindow: readonly [number, number] | null;
     painting: boolean;
@@ -68,6 +74,9 @@ export const plainStyle: SurfaceStyle = {
     lines: 'none',
     density: 1,
     texture: false,
+    textureMoves: 'no',
+    from: 0,
+    flowSpeed: 1,
     sWindow: null,
     ageWindow: null,
     painting: false,
@@ -79,7 +88,7 @@ export function isTransparent({ opacity, angleOpacity, smoke, painting, faded }:
     return opacity < 1 || angleOpacity || smoke > 0 || (painting && faded > 0);
 }
 
-/** Whether only colour and light make the picture, which is drawn more quickly then. */
-export function isPlain({ silhouettes, lines, texture, sWindow, ageWindow, painting }: SurfaceStyle): boolean {
-    return !silhouettes && lines === 'none' && !texture && sWindow === null && ageWindow === null && !painting;
+/** Whether only colour, light and the flow texture make the picture, which is drawn more quickly then. */
+export function isPlain({ silhouettes, lines, sWindow, ageWindow, painting }: SurfaceStyle): boolean {
+    return !silhouettes && lines === 'none' && sWindow === null && ageWindow === null && !painting;
 }

@@ -89,7 +89,13 @@ describe('fulfils', () => {
         const setting = settingOf(intentOf(patch), patch, times, false)!;
         const changes: Partial<SurfaceRecord>[] = [
             ...[{ merge: 0.1 }, { angle: 5 }, { stagnationSpeed: 0 }, { maxQuads: 7 }, { rake: 'r9' }, { dataset: 'another' }],
-            ...[{ separation: 0.5 }, { life: 2 }, { fields: ['p'] }, { accuracy: 'exact' as const }, { sweep: undefined, rake2: 'r2' }],
+            ...[
+                { separation: 0.5 },
+                { life: 2 },
+                { fields: ['p'] },
+                { accuracy: 'exact' as const },
+                { sweep: undefined, rake2: 'r2' },
+            ],
             ...[{ interpolation: 'smooth' as const }, { refine: 'off' as const }],
         ];
         for (const change of changes) expect(fulfils({ ...patch, ...change }, setting), JSON.stringify(change)).toBe(false);

@@ -59,19 +59,19 @@ export function showLooks({ state, view, scene, worker }: LooksOptions): void {
         const clip = view.clip.value;
         scene.setClip(planeNumbers(clip, bounds), clip.body);
     });
-    flowTexture({ state, view, scene });
+    flowTexture({ state, scene });
 }
 
 const secondsAcross = 14;
 
-/** The flow texture moves while it is switched on, and stands still for those who have asked their system for that. */
-function flowTexture({ state, view, scene }: Pick<LooksOptions, 'state' | 'view' | 'scene'>): void {
+/** In a field that stands still the flow texture moves by itself while that is switched on, but not for those who want no motion. */
+function flowTexture({ state, scene }: Pick<LooksOptions, 'state' | 'scene'>): void {
     const calm = matchMedia('(prefers-reduced-motion: reduce)');
     let before: number | null = null;
     scene.loop.beforeFrame(() => {
         const moving = [...state.surfaces.value.keys()].filter((id) => {
-            const look = view.lookOf(id);
-            return look.texture && look.animated;
+            const style = scene.surfaces.spanOf(id)?.style;
+            return style?.texture === true && style.textureMoves === 'byItself';
         });
         const now = performance.now();
         if (moving.length === 0 || calm.matches) {

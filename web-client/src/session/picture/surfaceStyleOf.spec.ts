@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { usualLook } from '../../state/surfaceLook.ts';
 import { datasetOf, fieldOf, rakeOf, surfaceOf } from '../../testing/records.ts';
-import { attributesOf, colourFields, styleOf, withField } from './surfaceStyleOf.ts';
+import { attributesOf, colourFields, fieldsWith, styleOf } from './surfaceStyleOf.ts';
 
 const dataset = datasetOf({
     fields: [fieldOf('U', { components: 3, range: [0, 9] }), fieldOf('p', { range: [-2, 5] }), fieldOf('mask')],
@@ -46,6 +46,26 @@ describe('styleOf', () => {
     });
 });
 
+describe('the flow texture', () => {
+    const fields = ['velocity_x', 'velocity_y', 'velocity_z'];
+    const look = { ...usualLook, texture: true, animated: true };
+
+    it('is shown only where the velocity comes with the surface', () => {
+        expect(styleOf({ ...facts, look }).texture).toBe(false);
+        expect(styleOf({ ...facts, look, record: { ...record, fields } }).texture).toBe(true);
+        expect(styleOf({ ...facts, look, record: { ...record, fields: fields.slice(1) } }).texture).toBe(false);
+    });
+
+    it('moves with the time that is shown, and by itself in a field that stands still', () => {
+        expect(styleOf({ ...facts, look, record: { ...record, kind: 'stream' } }).textureMoves).toBe('byItself');
+        expect(styleOf({ ...facts, look, record: { ...record, kind: 'streak' } })).toMatchObject({
+            textureMoves: 'withTime',
+            from: 3,
+        });
+        expect(styleOf({ ...facts, look: { ...look, animated: false } }).textureMoves).toBe('no');
+    });
+});
+
 describe('what is asked of the server', () => {
     it('is what colours and what smoke needs, once', () => {
         expect(attributesOf(usualLook)).toEqual(['speed']);
@@ -56,7 +76,11 @@ describe('what is asked of the server', () => {
 
     it('is only what it can send, and no more than there is room for', () => {
         expect(colourFields(dataset).map(({ name }) => name)).toEqual(['p']);
-        expect(withField(['a', 'b', 'c', 'd'], 'e')).toEqual(['b', 'c', 'd', 'e']);
-        expect(withField(['a'], 'a')).toEqual(['a']);
+        const look = { ...usualLook, colourBy: 'field:p' };
+        expect(fieldsWith(['a', 'b', 'c', 'd'], look)).toEqual(['b', 'c', 'd', 'p']);
+        expect(fieldsWith(['p'], look)).toEqual(['p']);
+        const velocity = ['velocity_x', 'velocity_y', 'velocity_z'];
+        expect(fieldsWith([...velocity, 'deformation'], { ...look, texture: true })).toEqual(['p', ...velocity]);
+        expect(fieldsWith([], { ...look, texture: true, smoke: 1 })).toEqual(['p', ...velocity]);
     });
 });

@@ -2,6 +2,7 @@
 import type { DatasetDescription, FieldDescription, RakeRecord, SurfaceRecord, Vec3 } from '../../protocol/messages.ts';
 import type { ColourSource, SurfaceStyle } from '../../scene/surface/surfaceStyle.ts';
 import { steadyRange } from '../../scene/surface/steadyRange.ts';
+import { flowNames } from '../../scene/surface/surfaceMesh.ts';
 import type { SurfaceLook } from '../../state/surfaceLook.ts';
 import { type AutomaticRange, type AutomaticRanges, meaningOf } from '../../state/automaticRange.ts';
 
@@ -40,9 +41,12 @@ export function colourFields(dataset: DatasetDescription | null): FieldDescripti
     return dataset?.fields.filter(({ name, components }) => components === 1 && canCome(dataset, name)) ?? [];
 }
 
-/** One more of a surface's fields; where there is no room, the one longest there goes. */
-export function withField(fields: readonly string[], field: string): string[] {
-    return fields.includes(field) ? [...fields] : [...fields, field].slice(-fieldsAtMost);
+/** A surface's fields with all that a look needs; where there is no room, those longest there go that it does not need. */
+export function fieldsWith(fields: readonly string[], look: SurfaceLook): string[] {
+    const needed = attributesOf(look).filter((name) => name !== 'speed');
+    const others = fields.filter((name) => !needed.includes(name));
+    // Smoke can do without what comes last.
+    return [...others, ...needed.slice(0, fieldsAtMost)].slice(-fieldsAtMost);
 }
 
 export function colourByField(name: string): string {
@@ -70,10 +74,15 @@ export function attributeOf(colourBy: string): string | null {
     return colourBy === 'speed' ? 'speed' : fieldOf(colourBy);
 }
 
-/** All attributes that a look needs. */
+/** All attributes that a look needs, those that it can do without last. */
 export function attributesOf(look: SurfaceLook): string[] {
-    const names = [attributeOf(look.colourBy), look.smoke > 0 ? deformation : null];
+    const names = [attributeOf(look.colourBy), ...(look.texture ? flowNames : []), look.smoke > 0 ? deformation : null];
     return [...new Set(names.filter((name) => name !== null))];
+}
+
+/** Whether the server sends the velocity with the surface, which the flow texture follows. */
+export function hasFlow({ fields }: Pick<SurfaceRecord, 'fields'>): boolean {
+    return flowNames.every((name) => fields.includes(name));
 }
 
 export function styleOf(facts: StyleFacts): SurfaceStyle {
@@ -90,19 +99,23 @@ export function styleOf(facts: StyleFacts): SurfaceStyle {
         ...rangeFor(facts),
         tIsRelease: isStreak,
         tOrigin: isStreak ? record.from : 0,
+        texture: look.texture && hasFlow(record),
+        textureMoves: !look.animated ? 'no' : record.kind === 'stream' ? 'byItself' : 'withTime',
+        from: record.from,
+        flowSpeed: meanSpeed(speedRange),
         areaPerSeed: lengthOf(rake?.points ?? []) * sweepOf(record, speedRange),
     };
 }
 
 type Same = 'map' | 'centre' | 'backSide' | 'opacity' | 'angleOpacity' | 'smoke' | 'silhouettes' | 'lines';
-type AlsoSame = 'density' | 'texture' | 'sWindow' | 'ageWindow' | 'painting' | 'faded';
+type AlsoSame = 'density' | 'sWindow' | 'ageWindow' | 'painting' | 'faded';
 
 function pick(look: Pick<SurfaceLook, Same | AlsoSame>): Pick<SurfaceStyle, Same | AlsoSame> {
     const { map, centre, backSide, opacity, angleOpacity, smoke, silhouettes, lines } = look;
-    const { density, texture, sWindow, ageWindow, painting, faded } = look;
+    const { density, sWindow, ageWindow, painting, faded } = look;
     return {
         ...{ map, centre, backSide, opacity, angleOpacity, smoke, silhouettes, lines },
-        ...{ density, texture, sWindow, ageWindow, painting, faded },
+        ...{ density, sWindow, ageWindow, painting, faded },
     };
 }
 
@@ -156,7 +169,10 @@ function lengthOf(points: readonly Vec3[]): number {
 }
 
 /** How far one unit of t carries, as the surface is released. */
-function sweepOf({ kind, sweep }: SurfaceRecord, [slow, fast]: readonly [number, number]): number {
-    if (kind === 'time' && sweep !== undefined) return Math.hypot(...sweep);
+function sweepOf({ kind, sweep }: SurfaceRecord, speedRange: readonly [number, number]): number {
+    return kind === 'time' && sweep !== undefined ? Math.hypot(...sweep) : meanSpeed(speedRange);
+}
+
+function meanSpeed([slow, fast]: readonly [number, number]): number {
     return (slow + fast) / 2 || 1;
 }

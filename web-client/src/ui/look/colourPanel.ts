@@ -1,7 +1,7 @@
 // What the selected surface is coloured by, with which colours, over which range.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { colourTable, tableSize } from '../../scene/surface/colourMap.ts';
-import { attributeOf, fieldOf, isLogarithmic, isSigned, knownRange, withField } from '../../session/picture/surfaceStyleOf.ts';
+import { attributeOf, fieldOf, isLogarithmic, isSigned, knownRange, fieldsWith } from '../../session/picture/surfaceStyleOf.ts';
 import { colourMaps, type SurfaceLook } from '../../state/surfaceLook.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { Edits } from '../../session/edits/edits.ts';
@@ -121,7 +121,8 @@ export class ColourPanel extends SignalElement {
         const before = view.lookOf(state.activeSurface.value);
         const field = fieldOf(colourBy);
         const fields = state.surface.value?.fields ?? [];
-        if (field !== null && !fields.includes(field)) edits.changeSurface({ fields: withField(fields, field) });
+        const wanted = { ...before, colourBy };
+        if (field !== null && !fields.includes(field)) edits.changeSurface({ fields: fieldsWith(fields, wanted) });
         const signed = isSigned(colourBy);
         const wasSigned = before.map === 'coolToWarm' && before.centre !== null;
         const map = signed ? 'coolToWarm' : wasSigned ? 'viridis' : before.map;

@@ -1,8 +1,12 @@
 // Stripes, lines and flow texture on the selected surface.
 import { html, nothing, type TemplateResult } from 'lit';
 import type { LineKind, SurfaceLook } from '../../state/surfaceLook.ts';
+import type { Edits } from '../../session/edits/edits.ts';
+import { fieldsWith, hasFlow } from '../../session/picture/surfaceStyleOf.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
+import '../share/ownCopy.ts';
+import type { OwnCopyButton } from '../share/ownCopy.ts';
 import { checkRow, type Choice, lookStyles, selectRow, sliderRow } from './lookStyles.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
@@ -16,8 +20,10 @@ const kinds: readonly Choice<LineKind>[] = [
 ];
 
 export interface LinesModel {
-    state: Pick<AppState, 'activeSurface'>;
+    state: Pick<AppState, 'activeSurface' | 'surface' | 'role' | 'editsPending'>;
     view: ViewState;
+    edits: Pick<Edits, 'changeSurface'>;
+    ownCopy: OwnCopyButton['model'];
 }
 
 export class LinesPanel extends SignalElement {
@@ -27,13 +33,15 @@ export class LinesPanel extends SignalElement {
 
     override render(): TemplateResult {
         const { state, view } = this.model;
-        const { lines, density, texture, animated } = view.lookOf(state.activeSurface.value);
+        const look = view.lookOf(state.activeSurface.value);
+        const { lines, density, texture, animated } = look;
         return html`
             ${selectRow('lines', 'Stripes', kinds, lines, (chosen) => this.change({ lines: chosen }))}
-            ${checkRow('texture', 'Flow texture', texture, (on) => this.change({ texture: on, animated: on && animated }))}
+            ${checkRow('texture', 'Flow texture', texture, (on) => this.textured(on), this.locked(look))}
+            ${this.waiting(look)}
             ${checkRow('animated', 'Moving with the flow', animated, (on) => this.change({ animated: on }), !texture)}
             ${
-                matchMedia('(prefers-reduced-motion: reduce)').matches && animated
+                matchMedia('(prefers-reduced-motion: reduce)').matches && animated && state.surface.value?.kind === 'stream'
                     ? html`<p class="quiet">Animation is off: your system asks for reduced motion.</p>`
                     : nothing
             }
@@ -43,6 +51,37 @@ export class LinesPanel extends SignalElement {
                 change: (power) => this.change({ density: 2 ** power }),
             })}
         `;
+    }
+
+    /** The velocity travels with the surface from then on, for everyone. */
+    private textured(on: boolean): void {
+        const { state, view, edits } = this.model;
+        const look = view.lookOf(state.activeSurface.value);
+        const record = state.surface.value;
+        if (on && record !== undefined && !hasFlow(record)) {
+            edits.changeSurface({ fields: fieldsWith(record.fields, { ...look, texture: true }) });
+        }
+        this.change({ texture: on, animated: on && look.animated });
+    }
+
+    private locked({ texture }: SurfaceLook): boolean {
+        const { state } = this.model;
+        const record = state.surface.value;
+        return state.role.value === 'viewer' && !texture && record !== undefined && !hasFlow(record);
+    }
+
+    private waiting(look: SurfaceLook): TemplateResult | typeof nothing {
+        const { state, ownCopy } = this.model;
+        const record = state.surface.value;
+        if (record === undefined || hasFlow(record)) return nothing;
+        if (this.locked(look)) {
+            return html`<p class="quiet">
+                The velocity does not come with this surface. It can be asked for in a copy of your own.
+                <wakesurf-own-copy .model=${ownCopy}></wakesurf-own-copy>
+            </p>`;
+        }
+        if (!look.texture || state.editsPending.value) return nothing;
+        return html`<p class="quiet" role="status">The server no longer sends the velocity with this surface. Choose Flow texture again.</p>`;
     }
 
     private change(change: Partial<SurfaceLook>): void {

@@ -64,7 +64,7 @@ class SurfaceMethods(Noun):
             above 0.
         `fields`: additional attributes of the vertices, in frames and exports: scalar fields of the dataset, its
             velocity (the magnitude), `deformation`, `approximated`, `error`, `vorticity` (its magnitude),
-            `vorticity_x`, `vorticity_y`, `vorticity_z`, `q_criterion`.
+            `vorticity_x`, `vorticity_y`, `vorticity_z`, `q_criterion`, `velocity_x`, `velocity_y`, `velocity_z`.
         `default`: true: make the record only if no one has edited the session and it has no such record yet; this does
             not count as an edit, and undo does not take it back; default False.
         `gesture`: a name for what the user is doing; consecutive edits with the same name are one step of undo.
