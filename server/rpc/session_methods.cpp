@@ -15,6 +15,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <array>
+
 namespace wakesurf::server {
 
 using nlohmann::json;
@@ -85,8 +87,10 @@ void session_fork(const Call& call, const protocol::SessionFork& of, Reply reply
     if (by_link) {
         const auto made =
             call.context.grants.make_for_copy((*session)->id(), maker_of(call, **from));
-        if (!made)
+        if (!made) { // a copy that nobody could enter
+            call.context.sessions.give_up_one(std::array{(*session)->id()});
             return reply.fault(made.error());
+        }
         out["key"] = made->key;
         out["link"] = link_to((*session)->id(), made->key);
     }

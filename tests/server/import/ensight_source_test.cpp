@@ -427,16 +427,16 @@ TEST_F(EnsightSource, TakesTheFilesThatARestartListsLast) {
                               rest);
         return parse_ensight_case(in, folder_.path(), "flow.case").value();
     };
-    const std::string times = "time values: 0 1 2 1 2 3\n";
+    const std::string stated = "time values: 0 1 2 1 2 3\n";
     const auto numbered = opened("number of steps: 6\nfilename start number: 10\n"
                                  "filename increment: 10\n" +
-                                 times);
+                                 stated);
     EXPECT_EQ(numbered.times, (std::vector<double>{0, 1, 2, 3}));
     EXPECT_EQ(numbered.time_sets.front().numbers, (std::vector<int>{10, 40, 50, 60}));
     EXPECT_EQ(numbered.time_note,
               "times go back at file 40, as after a restart: they are sorted; left out, as another "
               "was written later for the same time: file 20, file 30");
-    const auto counted = opened("number of steps: 6\n" + times);
+    const auto counted = opened("number of steps: 6\n" + stated);
     EXPECT_EQ(counted.file_at(counted.variables.front().file, 2)->name, "u.4");
 }
 

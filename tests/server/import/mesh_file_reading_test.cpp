@@ -43,7 +43,10 @@ vtkSmartPointer<vtkPolyData> read_by_vtk(const std::string& bytes) {
 std::string
 file(MeshFormat format, const MeshScalars& scalars = {}, GlbCoding glb = GlbCoding::Draco) {
     return mesh_file(format, tests::refined_surface(),
-                     {.rake = {{0, 0, 0}, {1, 0, 0}}, .dataset = "d", .version = "1"}, scalars, glb)
+                     {.rake = {core::Rake::Kind::Line, {{0, 0, 0}, {1, 0, 0}}},
+                      .dataset = "d",
+                      .version = "1"},
+                     scalars, glb)
         .value();
 }
 
@@ -57,14 +60,15 @@ MeshScalars pressure() {
 
 TEST(MeshVtp, IsReadByVtkWithPolygonsArraysAndMetadata) {
     const auto mesh = tests::small_mesh();
-    const auto data = read_by_vtk(mesh_file(MeshFormat::Vtp, mesh,
-                                            {.rake = {{0, 0, 0}, {0.1, 0, 1}},
-                                             .to = 2,
-                                             .separation = 0.1,
-                                             .dataset = "Zyl\xc3\xbc",
-                                             .version = "1"},
-                                            {})
-                                      .value());
+    const auto data =
+        read_by_vtk(mesh_file(MeshFormat::Vtp, mesh,
+                              {.rake = {core::Rake::Kind::Line, {{0, 0, 0}, {0.1, 0, 1}}},
+                               .parameters = {.to = 2},
+                               .separation = 0.1,
+                               .dataset = "Zyl\xc3\xbc",
+                               .version = "1"},
+                              {})
+                        .value());
     ASSERT_TRUE(data);
     ASSERT_EQ(data->GetNumberOfPoints(), 8);
     ASSERT_EQ(data->GetNumberOfPolys(), 3);

@@ -412,6 +412,22 @@ TEST_F(Sharing, CopiesThatNobodyChangedMakeRoomForOthers) {
     EXPECT_TRUE(host.call("session.fork").contains("result")) << "for the token there is room";
 }
 
+TEST_F(Sharing, LeavesNoCopyBehindThatNobodyCouldEnter) {
+    std::string key = share("viewer")["key"];
+    std::size_t copies = 0;
+    for (;; ++copies) {
+        ASSERT_LT(copies, 20u);
+        WebSocketClient guest(server, "", with_key(key));
+        const json made = guest.call("session.fork");
+        if (made.contains("error")) {
+            EXPECT_EQ(made["error"]["code"], -32014) << "a copy of a copy of a copy";
+            break;
+        }
+        key = made["result"]["key"];
+    }
+    EXPECT_EQ(host.result("session.list")["sessions"].size(), copies + 1);
+}
+
 TEST_F(Sharing, RefusesNamesAndColoursThatAreNone) {
     const auto code = [&](json parameters) {
         parameters["session"] = "main";
