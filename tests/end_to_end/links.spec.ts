@@ -62,9 +62,9 @@ describe('a link', () => {
             await host.getByRole('tab', { name: 'View' }).click();
             await host.getByRole('tab', { name: 'Share' }).click();
             const item = host.locator(`[data-grant="${grant}"]`);
-            await item.getByText('1 link was made by people who used it').waitFor();
+            await item.getByText('1 link or copy was made by people who used it').waitFor();
             await item.getByRole('button', { name: 'Revoke' }).click();
-            await item.getByText('Revoke the links made by those people as well?').waitFor();
+            await item.getByText('Revoke what those people made as well?').waitFor();
             await screenshot(host, 'link-with-children');
             await item.getByRole('button', { name: answer }).click();
             await item.waitFor({ state: 'detached' });

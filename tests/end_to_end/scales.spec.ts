@@ -44,7 +44,13 @@ async function visit(name: string, link?: string): Promise<Page> {
 }
 
 async function texts(page: Page, selector: string): Promise<string[]> {
-    const found = await page.locator(selector).allTextContents();
+    // Found and read in two steps, between which a frame may have given a label to something else.
+    const found = await page
+        .locator(selector)
+        .evaluateAll(
+            (labels, kind) => labels.flatMap((each) => (each.matches(kind) ? [each.textContent ?? ''] : [])),
+            selector.split(' ').at(-1),
+        );
     return found.map((text) => text.trim()).filter((text) => text !== '');
 }
 

@@ -20,7 +20,7 @@ const kinds: readonly Choice<LineKind>[] = [
 ];
 
 export interface LinesModel {
-    state: Pick<AppState, 'activeSurface' | 'surface' | 'role' | 'editsPending'>;
+    state: Pick<AppState, 'activeSurface' | 'surface' | 'role'>;
     view: ViewState;
     edits: Pick<Edits, 'changeSurface'>;
     ownCopy: OwnCopyButton['model'];
@@ -38,7 +38,6 @@ export class LinesPanel extends SignalElement {
         return html`
             ${selectRow('lines', 'Stripes', kinds, lines, (chosen) => this.change({ lines: chosen }))}
             ${checkRow('texture', 'Flow texture', texture, (on) => this.textured(on), this.locked(look))}
-            ${this.waiting(look)}
             ${checkRow('animated', 'Moving with the flow', animated, (on) => this.change({ animated: on }), !texture)}
             ${
                 matchMedia('(prefers-reduced-motion: reduce)').matches && animated && state.surface.value?.kind === 'stream'
@@ -50,6 +49,7 @@ export class LinesPanel extends SignalElement {
                 shown: `× ${Number(density.toPrecision(2))}`,
                 change: (power) => this.change({ density: 2 ** power }),
             })}
+            ${this.waiting(look)}
         `;
     }
 
@@ -70,6 +70,7 @@ export class LinesPanel extends SignalElement {
         return state.role.value === 'viewer' && !texture && record !== undefined && !hasFlow(record);
     }
 
+    /** Last in the group: nothing that one is about to press may move. */
     private waiting(look: SurfaceLook): TemplateResult | typeof nothing {
         const { state, ownCopy } = this.model;
         const record = state.surface.value;
@@ -80,8 +81,10 @@ export class LinesPanel extends SignalElement {
                 <wakesurf-own-copy .model=${ownCopy}></wakesurf-own-copy>
             </p>`;
         }
-        if (!look.texture || state.editsPending.value) return nothing;
-        return html`<p class="quiet" role="status">The server no longer sends the velocity with this surface. Choose Flow texture again.</p>`;
+        if (!look.texture) return nothing;
+        return html`<p class="quiet" role="status">
+            The texture appears when the velocity arrives from the server. If it does not, choose Flow texture again.
+        </p>`;
     }
 
     private change(change: Partial<SurfaceLook>): void {
