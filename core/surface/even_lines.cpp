@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace wakesurf::core {
 
@@ -60,6 +61,27 @@ std::vector<CellSpan> spans_of(const QuadComplex& mesh,
         spans.push_back({*low, *high, longest});
     }
     return spans;
+}
+
+struct CoarsestLevel {
+    double
+        power; ///< the largest power of two that has a multiple between low and high, apart from 0
+    double value; ///< 0 if that is between them, else that multiple
+};
+
+std::optional<CoarsestLevel> coarsest_level(double low, double high) {
+    const double largest = std::max(std::abs(low), std::abs(high));
+    if (!(high > low) || !std::isfinite(largest))
+        return std::nullopt;
+    // A double has 53 bits: no number is between two that agree in all of them.
+    double power = std::exp2(std::ceil(std::log2(largest)));
+    for (int k = 0; k < 54; ++k, power *= 0.5) {
+        const double above = power * (std::floor(low / power) + 1.0);
+        const double value = above == 0.0 ? power : above;
+        if (value < high)
+            return CoarsestLevel{power, low < 0.0 && high > 0.0 ? 0.0 : value};
+    }
+    return std::nullopt;
 }
 
 /// Pieces of a line where what its points carry is at least `least`.
@@ -140,32 +162,34 @@ Result<std::vector<EvenLevel>> even_levels(const QuadComplex& mesh,
     if (parameter.empty())
         return levels;
     const auto [low, high] = std::minmax_element(parameter.begin(), parameter.end());
-    const double from = wraps ? 0.0 : *low;
-    const double range = wraps ? 1.0 : *high - *low;
-    if (!(range > 0.0))
+    const auto coarsest = wraps ? CoarsestLevel{0.5, 0.5} : coarsest_level(*low, *high);
+    if (!coarsest)
         return levels;
     const double near =
         spacing / std::numbers::sqrt2; // no closer: the line between two is half-way
-    levels.push_back({from + 0.5 * range, 0.0});
+    levels.push_back({coarsest->value, 0.0});
     if (wraps)
         levels.push_back({1.0, 2.0 * near});
     const std::vector<CellSpan> spans = spans_of(mesh, parameter, unit, wraps);
     // Half as far apart each time, and only values that a cell has where units are long enough: beside a stagnation line the parameter
     // is a thousand times denser than elsewhere.
     constexpr int finest = 40;
-    double apart = 0.25 * range;
+    double apart = coarsest->value == 0.0 ? coarsest->power : 0.5 * coarsest->power;
     bool more = true;
     for (int k = 0; k < finest && more; ++k, apart *= 0.5) {
         more = false;
-        const double count = range / (2.0 * apart);
-        std::vector<double> found; // values are from + apart (2 i + 1)
+        const double count = 0.5 / apart; // of one that wraps
+        std::vector<double> found;        // values are apart (2 i + 1)
         for (const CellSpan& span : spans) {
             if (!(span.unit * apart >= near))
                 continue;
             more = true;
-            double i = std::ceil(((span.low - from) / apart - 1.0) / 2.0);
-            for (; from + apart * (2.0 * i + 1.0) <= span.high; ++i) {
-                found.push_back(wraps ? i - count * std::floor(i / count) : i);
+            double i = std::ceil((span.low / apart - 1.0) / 2.0);
+            for (; apart * (2.0 * i + 1.0) <= span.high; ++i) {
+                if (const double value = apart * (2.0 * i + 1.0); wraps)
+                    found.push_back(i - count * std::floor(i / count));
+                else if (value > *low && value < *high) // not along a border
+                    found.push_back(i);
                 if (found.size() > 64 * most) // refused below, once each is counted once
                     break;
             }
@@ -176,7 +200,7 @@ Result<std::vector<EvenLevel>> even_levels(const QuadComplex& mesh,
             return over_limit(most, "there would be more than " + std::to_string(most) + " lines",
                               "give a larger distance between them");
         for (const double i : found)
-            levels.push_back({from + apart * (2.0 * i + 1.0), near / apart});
+            levels.push_back({apart * (2.0 * i + 1.0), near / apart});
     }
     std::sort(levels.begin(), levels.end(),
               [](const EvenLevel& a, const EvenLevel& b) { return a.value < b.value; });

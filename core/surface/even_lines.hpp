@@ -22,7 +22,8 @@ struct EvenLevel {
     double least_length; ///< a unit
 };
 
-/// Values whose lines are about `spacing` apart: two neighbours between 0.7 and 1.4 of it, and one line at least.
+/// Values whose lines are about `spacing` apart: two neighbours between 0.7 and 1.4 of it, and one line at least. They are multiples of
+/// powers of two, so that lines stay where they are as a surface grows.
 /// @param unit  lengths_per_unit. Error: OverLimit where there are more than `most` values. Cost: O(cells) for each halving of the distance.
 Result<std::vector<EvenLevel>> even_levels(const QuadComplex& mesh,
                                            std::span<const double> parameter,

@@ -43,11 +43,17 @@ Piece cut(const Piece& piece, const HalfPlane& keep) {
     return out;
 }
 
-void add(Cutouts& out, Piece piece, std::span<const HalfPlane> shape, double value) {
+/// Returns the area of what it has added, in a and b.
+double add(Cutouts& out, Piece piece, std::span<const HalfPlane> shape, double value) {
     for (const HalfPlane& side : shape) {
         piece = cut(piece, side);
         if (piece.size() < 3)
-            return;
+            return 0.0;
+    }
+    double twice = 0.0;
+    for (std::size_t i = 0; i < piece.size(); ++i) {
+        const Corner& next = piece[(i + 1) % piece.size()];
+        twice += piece[i].a * next.b - next.a * piece[i].b;
     }
     for (const Corner& corner : piece) {
         out.connectivity.push_back(static_cast<std::uint32_t>(out.points.size()));
@@ -55,6 +61,15 @@ void add(Cutouts& out, Piece piece, std::span<const HalfPlane> shape, double val
     }
     out.ends.push_back(static_cast<std::uint32_t>(out.connectivity.size()));
     out.value.push_back(value);
+    return 0.5 * std::abs(twice);
+}
+
+/// Takes back what has been added since `before`.
+void take_back(Cutouts& out, const Cutouts::Size& before) {
+    out.points.resize(before.points);
+    out.connectivity.resize(before.points);
+    out.ends.resize(before.polygons);
+    out.value.resize(before.polygons);
 }
 
 /// Cells by where they are, for asking which are near a place.
@@ -117,10 +132,10 @@ double box_size(const QuadComplex& mesh) {
                : std::max(sum / static_cast<double>(mesh.cells.size()), largest / 16.0);
 }
 
-/// Where an arrow begins: on a line, with the flow's direction and time there.
+/// Where an arrow begins.
 struct Anchor {
     Vec3 position, direction;
-    double time, unit;
+    double s, unit; ///< how long a unit of s is there
 };
 
 constexpr double arrow_length = 3.0; ///< widths
@@ -129,6 +144,7 @@ constexpr double arrow_length = 3.0; ///< widths
 constexpr HalfPlane shaft[]{
     {1.0 / 6.0, 1.0, 0.0}, {1.0 / 6.0, -1.0, 0.0}, {0.0, 0.0, 1.0}, {2.0, 0.0, -1.0}};
 constexpr HalfPlane head[]{{-2.0, 0.0, 1.0}, {1.5, 1.0, -0.5}, {1.5, -1.0, -0.5}};
+constexpr double arrow_area = 2.0 / 3.0 + 0.5; ///< square widths
 
 /// Every `spacing` along a line, the first half of that from its end.
 std::vector<Anchor> anchors_on(const ContourLine& line, double spacing, double length) {
@@ -141,7 +157,7 @@ std::vector<Anchor> anchors_on(const ContourLine& line, double spacing, double l
         const double step = glm::length(way);
         for (; next <= gone + step && next + length <= total; next += spacing) {
             const double part = (next - gone) / step;
-            anchors.push_back({line.points[i - 1] + part * way, way / step, 0.0,
+            anchors.push_back({line.points[i - 1] + part * way, way / step, line.value,
                                std::lerp(line.carried[i - 1], line.carried[i], part)});
         }
         gone += step;
@@ -193,11 +209,48 @@ Result<Cutouts> ribbons(const QuadComplex& mesh,
     return out;
 }
 
+namespace {
+
+/// What the surface is like round an anchor: at the vertex that is nearest.
+struct Surroundings {
+    Vec3 flow{0.0}, normal{0.0};
+    double t = 0.0, unit_of_t = 0.0;
+};
+
+Surroundings surroundings(const QuadComplex& mesh,
+                          std::span<const std::size_t> cells,
+                          std::span<const double> unit_of_t,
+                          const Vec3& place) {
+    double nearest = std::numeric_limits<double>::infinity();
+    VertexId vertex = no_vertex;
+    for (const std::size_t c : cells)
+        for (const VertexId v : mesh.cells[c].corner)
+            if (const double away = glm::length(mesh.position[v] - place); away < nearest) {
+                nearest = away;
+                vertex = v;
+            }
+    Surroundings out;
+    if (vertex == no_vertex)
+        return out;
+    out.flow = Vec3(mesh.velocity[vertex]);
+    out.t = mesh.t[vertex];
+    out.unit_of_t = std::isfinite(unit_of_t[vertex]) ? unit_of_t[vertex] : 0.0;
+    for (const std::size_t c : cells) {
+        const auto& corner = mesh.cells[c].corner;
+        if (std::find(corner.begin(), corner.end(), vertex) != corner.end())
+            out.normal += glm::cross(mesh.position[corner[2]] - mesh.position[corner[0]],
+                                     mesh.position[corner[3]] - mesh.position[corner[1]]);
+    }
+    return out;
+}
+
+} // namespace
+
 Result<Cutouts> arrows(const QuadComplex& mesh,
                        std::span<const ContourLine> lines,
                        double spacing,
                        double width,
-                       bool wraps) {
+                       const ArrowOptions& options) {
     Cutouts out;
     const double length = arrow_length * width;
     double count = 0.0;
@@ -208,46 +261,55 @@ Result<Cutouts> arrows(const QuadComplex& mesh,
                           "there would be more than " + std::to_string(most_arrows) + " arrows",
                           "give a larger distance between them");
     const CellsByPlace cells(mesh, std::max(2.0 * length, box_size(mesh)));
+    const std::vector<double> unit_of_t = lengths_per_unit(mesh, mesh.t, false);
     for (const ContourLine& line : lines)
-        for (Anchor anchor : anchors_on(line, spacing, length)) {
-            // The line runs one way or the other; the flow says which way the arrow points.
+        for (Anchor anchor : anchors_on(line, spacing, options.along_lines ? length : 0.0)) {
             const auto around = cells.near(anchor.position, 1.5 * length);
-            double nearest = std::numeric_limits<double>::infinity();
-            Vec3 flow(0.0);
-            for (const std::size_t c : around)
-                for (const VertexId v : mesh.cells[c].corner)
-                    if (const double away = glm::length(mesh.position[v] - anchor.position);
-                        away < nearest) {
-                        nearest = away;
-                        flow = Vec3(mesh.velocity[v]);
-                        anchor.time = mesh.t[v];
-                    }
-            if (glm::dot(flow, anchor.direction) < 0.0) {
+            const Surroundings here = surroundings(mesh, around, unit_of_t, anchor.position);
+            Vec3 across(0.0);
+            if (!options.along_lines) {
+                const Vec3 tangential =
+                    here.flow - here.normal * glm::dot(here.normal, here.flow) /
+                                    std::max(glm::dot(here.normal, here.normal), 1e-300);
+                if (!(glm::length(tangential) > 0.0) || !(glm::length(here.normal) > 0.0))
+                    continue;
+                anchor.direction = glm::normalize(tangential);
+                across = glm::cross(glm::normalize(here.normal), anchor.direction) / width;
+                anchor.position -= 0.5 * length * anchor.direction;
+            } else if (glm::dot(here.flow, anchor.direction) < 0.0) {
+                // The line runs one way or the other; the flow says which way the arrow points.
                 anchor.position += length * anchor.direction;
                 anchor.direction = -anchor.direction;
             }
-            const double speed = glm::length(flow);
+            const Cutouts::Size before{out.points.size(), out.ends.size()};
+            double area = 0.0;
             for (const std::size_t c : around) {
                 const CellPolygon outline = polygon(mesh.cells[c]);
-                auto values = outline_values(outline, mesh.s, wraps);
+                const auto values = outline_values(outline, mesh.s, options.wraps);
                 Piece piece;
                 bool same_sheet = false; // another layer of the surface may lie as near
                 for (std::uint32_t i = 0; i < outline.count; ++i) {
                     const VertexId v = outline.vertex[i];
-                    double apart = values[i] - line.value;
-                    if (wraps)
+                    double apart = values[i] - anchor.s;
+                    if (options.wraps)
                         apart -= std::round(apart);
-                    same_sheet =
-                        same_sheet || std::abs(mesh.t[v] - anchor.time) * speed < 3.0 * length;
-                    piece.push_back(
-                        {mesh.position[v], apart * anchor.unit / width,
-                         glm::dot(mesh.position[v] - anchor.position, anchor.direction) / width});
+                    apart *= anchor.unit;
+                    same_sheet = same_sheet ||
+                                 (std::abs(mesh.t[v] - here.t) * here.unit_of_t < 3.0 * length &&
+                                  std::abs(apart) < 3.0 * length);
+                    const Vec3 away = mesh.position[v] - anchor.position;
+                    piece.push_back({mesh.position[v],
+                                     options.along_lines ? apart / width : glm::dot(away, across),
+                                     glm::dot(away, anchor.direction) / width});
                 }
                 if (!same_sheet)
                     continue;
-                add(out, piece, shaft, line.value);
-                add(out, std::move(piece), head, line.value);
+                area += add(out, piece, shaft, line.value);
+                area += add(out, std::move(piece), head, line.value);
             }
+            // One that reaches over a border is left out.
+            if (!options.along_lines && area < 0.97 * arrow_area)
+                take_back(out, before);
         }
     return out;
 }

@@ -15,6 +15,10 @@ struct Cutouts {
     std::vector<std::uint32_t> connectivity; ///< of one polygon after the other
     std::vector<std::uint32_t> ends;         ///< of each in `connectivity`
     std::vector<double> value;               ///< of the line each belongs to
+
+    struct Size {
+        std::size_t points, polygons;
+    };
 };
 
 /// Polygons of ribbons, each a part of one cell, and arrows: more are an error, OverLimit, before there is no memory for them.
@@ -30,13 +34,20 @@ Result<Cutouts> ribbons(const QuadComplex& mesh,
                         double width,
                         bool wraps);
 
-/// Arrows along the lines of mesh.s on a stream or path surface, which are the flow's: `spacing` from one to the next along a line and between
-/// lines; a head as long and as wide as `width`, behind it a shaft of a third of that and twice as long.
+struct ArrowOptions {
+    /// The lines are the flow's, as those of mesh.s on stream and path surfaces: arrows bend with them. Else each points the way of the velocity
+    /// in the surface, its middle on the line.
+    bool along_lines = true;
+    bool wraps = false;
+};
+
+/// Arrows, `spacing` from one to the next along a line and between lines; a head as long and as wide as `width`, behind it a shaft of a third of
+/// that and twice as long.
 /// @param lines  of mesh.s, as even_lines returns them
 Result<Cutouts> arrows(const QuadComplex& mesh,
                        std::span<const ContourLine> lines,
                        double spacing,
                        double width,
-                       bool wraps);
+                       const ArrowOptions& options);
 
 } // namespace wakesurf::core

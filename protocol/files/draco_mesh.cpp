@@ -212,10 +212,10 @@ std::vector<MeshAttribute> mesh_attributes(const core::QuadComplex& mesh,
     return out;
 }
 
-core::Result<std::vector<core::Vec3f>> narrowed_positions(const core::QuadComplex& mesh) {
+core::Result<std::vector<core::Vec3f>> narrowed_positions(std::span<const core::Vec3> points) {
     std::vector<core::Vec3f> out;
-    out.reserve(mesh.vertices());
-    for (const core::Vec3& p : mesh.position) {
+    out.reserve(points.size());
+    for (const core::Vec3& p : points) {
         out.emplace_back(p);
         if (!usable(out.back()))
             return core::fail(Error::Code::Corrupt,
@@ -234,7 +234,7 @@ core::Result<DracoMesh> encode_triangles(const core::QuadComplex& mesh,
         return core::fail(Error::Code::InvalidArgument,
                           "the surface has no cells, and Draco cannot store an empty mesh",
                           "move the rake into the flow, or write another format");
-    const auto positions = narrowed_positions(mesh);
+    const auto positions = narrowed_positions(mesh.position);
     if (!positions)
         return tl::unexpected(positions.error());
     draco::Mesh out;

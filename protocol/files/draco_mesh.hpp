@@ -8,6 +8,7 @@
 #include "protocol/files/mesh_triangles.hpp"
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -31,7 +32,7 @@ std::vector<MeshAttribute> mesh_attributes(const core::QuadComplex& mesh,
                                            const MeshScalars& scalars);
 
 /// As floats. Error: Corrupt for positions that are not finite or beyond 1e38.
-core::Result<std::vector<core::Vec3f>> narrowed_positions(const core::QuadComplex& mesh);
+core::Result<std::vector<core::Vec3f>> narrowed_positions(std::span<const core::Vec3> points);
 
 struct DracoMesh {
     std::string bytes;

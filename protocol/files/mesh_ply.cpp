@@ -1,32 +1,22 @@
 #include "protocol/files/mesh_ply.hpp"
 
-#include "protocol/files/mesh_comments.hpp"
 #include "protocol/files/mesh_names.hpp"
 #include "protocol/files/mesh_normals.hpp"
 #include "protocol/files/mesh_triangles.hpp"
 #include "protocol/files/number_text.hpp"
+#include "protocol/files/ply_parts.hpp"
 #include "protocol/files/viridis.hpp"
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cassert>
 #include <cmath>
 #include <cstdint>
-#include <type_traits>
 #include <vector>
 
 namespace wakesurf::protocol {
 
 namespace {
-
-static_assert(std::endian::native == std::endian::little, "the file says binary_little_endian");
-
-template <class T>
-void put(std::string& out, T value) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    out.append(reinterpret_cast<const char*>(&value), sizeof(value));
-}
 
 struct Faces {
     std::string bytes;
@@ -88,9 +78,7 @@ std::string header(const core::QuadComplex& mesh,
                    const MeshScalars& scalars,
                    const SpeedRange& range,
                    std::size_t faces) {
-    std::string text = "ply\nformat binary_little_endian 1.0\n";
-    for (const std::string& line : mesh_comments(metadata))
-        text += "comment " + line + "\n";
+    std::string text = ply_head(metadata);
     text += "comment colours viridis, speed " + number_text(range.lo) + " to " +
             number_text(range.hi) + "\ncomment texture s, t\n";
     text += "element vertex " + std::to_string(mesh.vertices()) + "\n";

@@ -1,18 +1,15 @@
 #include "protocol/files/surface_lines.hpp"
 
 #include "protocol/api/generated/names.hpp"
-#include "protocol/files/mesh_comments.hpp"
 #include "protocol/files/number_text.hpp"
-#include "protocol/files/vtp_parts.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <optional>
 #include <span>
 
 namespace wakesurf::protocol {
 
-using core::ContourLine;
 using core::Error;
 using core::SurfaceKind;
 
@@ -36,92 +33,16 @@ std::string_view seed_lines(SurfaceKind kind) {
     return {};
 }
 
-std::string_view parameter(const LinesWanted& wanted) {
-    return wanted.along == LinesWanted::Along::Release ? "t" : "s";
-}
-
-std::string_view bytes_name(bool polygons) {
-    return polygons ? "Polys" : "Lines";
-}
-
-/// What a .vtp says of lines or polygons: their vertices in order, each one's end, and its value.
-struct Pieces {
-    std::vector<core::Vec3> points;
-    std::vector<std::int64_t> connectivity, offsets;
-    std::vector<double> values;
-    bool polygons = false;
-};
-
-Pieces pieces_of(const SurfaceLines& lines, const LinesWanted& wanted) {
-    Pieces out;
-    out.polygons = wanted.form != LinesWanted::Form::Lines;
-    if (out.polygons) {
-        const core::Cutouts& cut = lines.cutouts;
-        out.points = cut.points;
-        out.connectivity.assign(cut.connectivity.begin(), cut.connectivity.end());
-        out.offsets.assign(cut.ends.begin(), cut.ends.end());
-        out.values = cut.value;
-        return out;
-    }
-    for (const ContourLine& line : lines.lines) {
-        const auto first = static_cast<std::int64_t>(out.points.size());
-        for (const core::Vec3& point : line.points) {
-            out.connectivity.push_back(static_cast<std::int64_t>(out.points.size()));
-            out.points.push_back(point);
-        }
-        if (line.closed)
-            out.connectivity.push_back(first);
-        out.offsets.push_back(static_cast<std::int64_t>(out.connectivity.size()));
-        out.values.push_back(line.value);
-    }
-    return out;
-}
-
-std::string
-lines_vtp(const Pieces& pieces, const LinesWanted& wanted, const MeshMetadata& metadata) {
-    const auto bytes = [](const auto& array) { return std::as_bytes(std::span(array)); };
-    const std::size_t count = pieces.offsets.size();
-    const std::string kind(bytes_name(pieces.polygons));
-    std::string xml = vtp_head(metadata);
-    xml += vtp_piece(
-               {pieces.points.size(), pieces.polygons ? 0 : count, pieces.polygons ? count : 0}) +
-           "<CellData>\n";
-    append_vtp_array(xml, "Float64", parameter(wanted), bytes(pieces.values));
-    xml += "</CellData>\n<Points>\n";
-    append_vtp_array(xml, "Float64", "Points", bytes(pieces.points), 3);
-    xml += "</Points>\n<" + kind + ">\n";
-    append_vtp_array(xml, "Int64", "connectivity", bytes(pieces.connectivity));
-    append_vtp_array(xml, "Int64", "offsets", bytes(pieces.offsets));
-    xml += "</" + kind + ">\n</Piece>\n";
-    xml += vtp_tail();
-    return xml;
-}
-
-std::string
-lines_obj(const Pieces& pieces, const LinesWanted& wanted, const MeshMetadata& metadata) {
-    std::string out;
-    for (const std::string& line : mesh_comments(metadata))
-        out += "# " + line + "\n";
-    std::size_t points = 0, at = 0;
-    std::optional<double> value;
-    for (std::size_t i = 0; i < pieces.offsets.size(); ++i) {
-        if (!pieces.polygons || value != pieces.values[i])
-            out +=
-                "o " + std::string(parameter(wanted)) + "=" + number_text(pieces.values[i]) + "\n";
-        value = pieces.values[i];
-        const auto end = static_cast<std::size_t>(pieces.offsets[i]);
-        for (std::size_t k = at; k < end; ++k)
-            if (static_cast<std::size_t>(pieces.connectivity[k]) >= points) { // each once, in order
-                const core::Vec3& p = pieces.points[points++];
-                out += "v " + number_text(p.x) + " " + number_text(p.y) + " " + number_text(p.z) +
-                       "\n";
-            }
-        out += pieces.polygons ? 'f' : 'l';
-        for (; at < end; ++at) // .obj counts from 1
-            out += " " + number_text(static_cast<std::size_t>(pieces.connectivity[at]) + 1);
-        out += '\n';
-    }
-    return out;
+/// How far it is across the surface, where it is the most.
+double widest(std::span<const double> parameter, std::span<const double> unit, bool wraps) {
+    if (parameter.empty())
+        return 0.0;
+    const auto [low, high] = std::minmax_element(parameter.begin(), parameter.end());
+    double longest = 0.0;
+    for (const double length : unit)
+        if (std::isfinite(length))
+            longest = std::max(longest, length);
+    return longest * (wraps ? 1.0 : *high - *low);
 }
 
 template <class Number>
@@ -152,33 +73,33 @@ bool read_measures(std::string_view text, LinesWanted& out) {
 
 } // namespace
 
+std::string_view parameter(const LinesWanted& wanted) {
+    return wanted.along == LinesWanted::Along::Release ? "t" : "s";
+}
+
 core::Result<LinesWanted> read_lines(std::string_view text, SurfaceKind kind) {
     const std::string_view own = seed_lines(kind);
     const std::string kind_name(name(kind));
     const auto refuse = [](std::string what, std::string hint) {
         return core::fail(Error::Code::InvalidArgument, std::move(what), std::move(hint));
     };
-    if (own.empty())
-        return refuse("a " + kind_name + " surface has no such lines",
-                      "all of it is one age; build a streak surface for its timelines");
-    const std::string base(own.substr(0, own.size() - 5)); // without `lines`
     const bool flows = kind == SurfaceKind::Stream || kind == SurfaceKind::Path;
-    const std::string usage = "as in timelines:8, " + std::string(own) + ":every=0.5, " + base +
-                              "ribbons:every=0.5,width=0.1" +
-                              (flows ? " or arrows:every=0.5,width=0.1" : "");
+    const std::string_view arrows_usage = "arrows:every=0.5,width=0.1";
+    const std::string base(own.substr(0, own.size() - std::min<std::size_t>(own.size(), 5)));
+    const std::string usage =
+        own.empty() ? "all of it is one age; as in " + std::string(arrows_usage)
+                    : "as in timelines:8, " + std::string(own) + ":every=0.5, " + base +
+                          "ribbons:every=0.5,width=0.1 or " + std::string(arrows_usage);
     const std::size_t colon = std::min(text.find(':'), text.size());
     const std::string_view which = text.substr(0, colon);
     LinesWanted out;
-    if (which == arrows_name && !flows)
-        return refuse(
-            "a " + kind_name + " surface has no arrows",
-            "the flow does not run along its lines; those of stream and path surfaces do");
-    const bool ribbons = which == "timeribbons" || which == base + "ribbons";
+    out.seeds_flow = flows;
+    const bool ribbons = !own.empty() && (which == "timeribbons" || which == base + "ribbons");
     if (which == arrows_name)
         out.form = LinesWanted::Form::Arrows;
     else if (ribbons)
         out.form = LinesWanted::Form::Ribbons;
-    else if (which != timelines && which != own)
+    else if (own.empty() || (which != timelines && which != own))
         return refuse("a " + kind_name + " surface has no lines called '" +
                           std::string(which.substr(0, 64)) + "'",
                       usage);
@@ -220,6 +141,11 @@ surface_lines(const core::QuadComplex& mesh, const LinesWanted& wanted, bool clo
     }
     SurfaceLines out;
     if (wanted.form == LinesWanted::Form::Ribbons) {
+        if (const double across = widest(along, unit, wraps); wanted.width > across)
+            return core::fail(Error::Code::InvalidArgument,
+                              "the ribbons would be wider than the surface, which is " +
+                                  number_text(across) + " across at most",
+                              "give a smaller width");
         auto cut = core::ribbons(mesh, along, unit, levels, wanted.width, wraps);
         if (!cut)
             return tl::unexpected(cut.error());
@@ -232,7 +158,8 @@ surface_lines(const core::QuadComplex& mesh, const LinesWanted& wanted, bool clo
     } else {
         out.lines = core::even_lines(mesh, along, unit, levels, wanted.spacing, wraps);
         if (wanted.form == LinesWanted::Form::Arrows) {
-            auto cut = core::arrows(mesh, out.lines, wanted.spacing, wanted.width, wraps);
+            auto cut = core::arrows(mesh, out.lines, wanted.spacing, wanted.width,
+                                    {wanted.seeds_flow, wraps});
             if (!cut)
                 return tl::unexpected(cut.error());
             out.cutouts = *std::move(cut);
@@ -247,19 +174,6 @@ surface_lines(const core::QuadComplex& mesh, const LinesWanted& wanted, bool clo
                               : "there is no room for them on this surface",
                           lines && wanted.values > 0 ? "" : "give smaller distances");
     return out;
-}
-
-core::Result<std::string> lines_file(MeshFormat format,
-                                     const SurfaceLines& lines,
-                                     const LinesWanted& wanted,
-                                     const MeshMetadata& metadata) {
-    if (format == MeshFormat::Vtp)
-        return lines_vtp(pieces_of(lines, wanted), wanted, metadata);
-    if (format == MeshFormat::Obj)
-        return lines_obj(pieces_of(lines, wanted), wanted, metadata);
-    return core::fail(Error::Code::Unsupported,
-                      "lines cannot be written as ." + std::string(extension(format)),
-                      "choose .vtp or .obj");
 }
 
 } // namespace wakesurf::protocol

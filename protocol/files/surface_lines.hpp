@@ -1,4 +1,4 @@
-// What is on a surface, instead of its cells, as a file: timelines, the streamlines, pathlines or streaklines that the surface consists of,
+// What is on a surface, instead of its cells: timelines, the streamlines, pathlines or streaklines that the surface consists of,
 // ribbons along them, arrows (core/surface/contour_lines.hpp, even_lines.hpp, surface_cutouts.hpp).
 #pragma once
 
@@ -6,12 +6,9 @@
 #include "core/surface/contour_lines.hpp"
 #include "core/surface/surface_cutouts.hpp"
 #include "core/surface/surface_parameters.hpp"
-#include "protocol/files/mesh_file.hpp"
 
 #include <cstdint>
-#include <string>
 #include <string_view>
-#include <vector>
 
 namespace wakesurf::protocol {
 
@@ -28,6 +25,8 @@ struct LinesWanted {
     Form form = Form::Lines;
     double spacing = 0.0; ///< length on the surface from one to the next
     double width = 0.0;   ///< length: of ribbons, and of arrows' heads
+    /// What particles of one seed form are lines of the flow, as on stream and path surfaces: arrows bend with them.
+    bool seeds_flow = true;
 
     bool operator==(const LinesWanted&) const = default;
 };
@@ -35,8 +34,8 @@ struct LinesWanted {
 inline constexpr std::uint32_t most_line_values = 1000;
 
 /// `timelines:N`, or the lines that a kind of surface consists of: `streamlines:N`, `pathlines:N` or `streaklines:N`; N from 1 to
-/// most_line_values, or `every=D`, the distance between them. The same with ribbons, which take `,width=W`; and `arrows:every=D,width=W` of stream
-/// and path surfaces. Error: InvalidArgument, naming what the kind has.
+/// most_line_values, or `every=D`, the distance between them. The same with ribbons, which take `,width=W`; and `arrows:every=D,width=W`, the only
+/// ones of time surfaces. Error: InvalidArgument, naming what the kind has.
 core::Result<LinesWanted> read_lines(std::string_view text, core::SurfaceKind kind);
 
 /// Lines, or what has been cut out of the surface.
@@ -46,15 +45,12 @@ struct SurfaceLines {
 };
 
 /// @param closed  the surface comes from a closed rake
-/// Error: NotFound where there is nothing of the kind, OverLimit where there would be too many lines.
+/// Error: NotFound where there is nothing of the kind, OverLimit where there would be too many lines, InvalidArgument for ribbons that are wider
+/// than the surface.
 core::Result<SurfaceLines>
 surface_lines(const core::QuadComplex& mesh, const LinesWanted& wanted, bool closed = false);
 
-/// A .vtp (lines or polygons; the value of s or t for each) or an .obj (`l`, `f`). Same input, same bytes. Error: Unsupported for another
-/// format.
-core::Result<std::string> lines_file(MeshFormat format,
-                                     const SurfaceLines& lines,
-                                     const LinesWanted& wanted,
-                                     const MeshMetadata& metadata);
+/// `t` or `s`: what is constant along such lines.
+std::string_view parameter(const LinesWanted& wanted);
 
 } // namespace wakesurf::protocol

@@ -8,6 +8,7 @@
 #include "protocol/api/generated/surface_options.hpp"
 #include "protocol/api/json_text.hpp"
 #include "protocol/api/statistics_json.hpp"
+#include "protocol/files/lines_file.hpp"
 #include "protocol/files/mesh_file.hpp"
 #include "server/base/memory_size.hpp"
 #include "server/catalogue/dataset_suggestion.hpp"
@@ -332,10 +333,10 @@ void add_surface_options(CLI::App& command, SurfaceOptions& options) {
         "Compress .glb files with Draco; --no-draco is for readers without it, such as ParaView");
     command.add_option(
         "--lines", options.lines,
-        "Write lines instead of the mesh (.vtp, .obj): timelines:N, or streamlines:N, "
-        "pathlines:N or streaklines:N, which the kind of surface consists of; for N also every=D, "
-        "the distance between them. timeribbons:N,width=W and so on: ribbons of that width in the "
-        "surface; arrows:every=D,width=W: arrows along the flow, of stream and path surfaces");
+        "Write lines instead of the mesh: timelines:N, or streamlines:N, pathlines:N or "
+        "streaklines:N, which the kind of surface consists of; for N also every=D, the distance "
+        "between them. timeribbons:N,width=W and so on: ribbons of that width in the surface; "
+        "arrows:every=D,width=W: arrows along the flow. Not as .drc");
     command.add_option("--stats", options.stats, "JSON file to write statistics to");
 }
 

@@ -109,10 +109,9 @@ core::Result<std::optional<protocol::LinesWanted>> read_lines(const SurfaceOptio
         return core::fail(Code::InvalidArgument, "--lines: " + lines.error().message,
                           lines.error().hint);
     const auto extension = std::filesystem::path(options.output).extension();
-    if (extension != ".vtp" && extension != ".obj")
-        return core::fail(Code::InvalidArgument,
-                          "-o: lines cannot be written as " + extension.string(),
-                          "choose .vtp or .obj");
+    if (extension == ".drc")
+        return core::fail(Code::InvalidArgument, "-o: lines cannot be written as .drc",
+                          "choose .vtp, .glb, .ply or .obj");
     return *lines;
 }
 

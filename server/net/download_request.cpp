@@ -57,10 +57,9 @@ core::Result<void> read_draco(const std::string& text, DownloadRequest& out) {
 
 /// What there is depends on the surface's kind, which is not known yet.
 core::Result<void> read_lines_text(const std::string& text, DownloadRequest& out) {
-    if (out.format != protocol::MeshFormat::Vtp && out.format != protocol::MeshFormat::Obj)
-        return fail(Error::Code::InvalidArgument,
-                    fmt::format("lines cannot be written as .{}", protocol::extension(out.format)),
-                    "ask for mesh.vtp or mesh.obj");
+    if (out.format == protocol::MeshFormat::Drc)
+        return fail(Error::Code::InvalidArgument, "lines cannot be written as .drc",
+                    "ask for mesh.vtp, mesh.glb, mesh.ply or mesh.obj");
     if (text.empty())
         return fail(Error::Code::InvalidArgument, "`lines` is empty", "as in ?lines=timelines:8");
     out.lines = text;

@@ -158,6 +158,10 @@ class ClientTest(unittest.TestCase):
             np.testing.assert_allclose(np.hypot(points[:, 0], points[:, 1]), 0.5 + value, atol=5e-3)
         ages = [age for age, _ in surface.lines("timelines", 3)]
         np.testing.assert_allclose(ages, [0.5, 1.0, 1.5])
+        for format, start in (("ply", b"ply"), ("glb", b"glTF"), ("obj", b"# "), ("vtp", b"<?xml")):
+            self.assertTrue(surface.download(format, lines="arrows:every=0.3,width=0.05").startswith(start), format)
+        with self.assertRaisesRegex(wakesurf.InvalidParameters, "lines cannot be written as .drc"):
+            surface.download("drc", lines="timelines:3")
         with self.assertRaisesRegex(wakesurf.InvalidParameters, "no lines called 'streaklines'"):
             surface.lines("streaklines")
 

@@ -76,11 +76,12 @@ class Surface(SurfaceChanger, Record):
         return self.session.api.surface.stop(surface=self.id)["stopped"]
 
     def download(self, format: str = "ply", timeout: float = 600.0, *, time: Union[float, str, None] = None,
-                 draco: bool = True) -> bytes:
+                 draco: bool = True, lines: Optional[str] = None) -> bytes:
         """The whole mesh as the bytes of a .vtp, .glb, .ply, .obj or .drc file, once it is computed: as the session shows
         it, at the time of its clock. `time`: at another time instead, or "end". `draco=False`: a .glb for readers that
-        cannot decompress, as ParaView's, some 12 times as large."""
-        return self._fetch(format, None, timeout, time, draco)[1]
+        cannot decompress, as ParaView's, some 12 times as large. `lines`, such as "timelines:8" or
+        "arrows:every=0.5,width=0.1": those instead of the mesh, see `lines`; not as .drc."""
+        return self._fetch(format, None, timeout, time, draco, lines)[1]
 
     def _fetch(self, format: str, tag: Optional[str], timeout: float, time: Union[float, str, None],
                draco: bool = True, lines: Optional[str] = None) -> Tuple[str, bytes]:
@@ -100,14 +101,14 @@ class Surface(SurfaceChanger, Record):
         return reply.get("ETag", ""), body if status == 200 else b""
 
     def export(self, path: Union[str, os.PathLike[str]], timeout: float = 600.0, *,
-               time: Union[float, str, None] = None, draco: bool = True) -> None:
-        """Writes the mesh to a file, in the format of its extension; nothing half-written is left behind. `time` and
-        `draco` as in `download`."""
+               time: Union[float, str, None] = None, draco: bool = True, lines: Optional[str] = None) -> None:
+        """Writes the mesh to a file, in the format of its extension; nothing half-written is left behind. `time`,
+        `draco` and `lines` as in `download`."""
         path = os.fspath(path)
         extension = os.path.splitext(path)[1]
         if extension.lower() not in _FORMATS:
             raise ValueError(f"{path!r} has no known extension: one of {', '.join(_FORMATS)}")
-        body = self.download(extension[1:].lower(), timeout, time=time, draco=draco)
+        body = self.download(extension[1:].lower(), timeout, time=time, draco=draco, lines=lines)
         part = path + ".part"
         try:
             with open(part, "wb") as file:

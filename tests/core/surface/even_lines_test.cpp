@@ -145,6 +145,42 @@ TEST(EvenLines, AreAsManyAsFitHoweverUnevenTheParameterIs) {
     EXPECT_LT(together * 0.4, area * 1.4142136);
 }
 
+TEST(EvenLines, StayWhereTheyAreAsTheSurfaceGrows) {
+    std::vector<double> before;
+    for (const double grown : {1.0, 1.3, 2.9, 5.0}) {
+        QuadComplex mesh = fan();
+        for (VertexId v = 0; v < mesh.vertices(); ++v) {
+            mesh.t[v] *= grown; // as a front that has come so much further
+            mesh.position[v] *= (1.0 + 4.0 * mesh.t[v]) / glm::length(mesh.position[v]);
+        }
+        const auto unit = lengths_per_unit(mesh, mesh.t, false);
+        const auto levels = even_levels(mesh, mesh.t, unit, 0.9, false, 1000);
+        ASSERT_TRUE(levels);
+        std::vector<double> values;
+        for (const EvenLevel& each : *levels)
+            values.push_back(each.value);
+        for (const double value : before)
+            EXPECT_TRUE(std::binary_search(values.begin(), values.end(), value)) << value;
+        EXPECT_GT(values.size(), before.size());
+        before = values;
+    }
+}
+
+TEST(EvenLines, HaveOneAtLeastWhereverTheParameterLies) {
+    for (const auto [low, high] :
+         {std::pair{3.0, 5.0}, {-5.0, 5.0}, {-7.1, -7.0}, {1e6, 1e6 + 1e-3}, {0.0, 1e-9}}) {
+        QuadComplex mesh = fan(8);
+        for (double& t : mesh.t)
+            t = low + (high - low) * t;
+        const auto levels =
+            even_levels(mesh, mesh.t, lengths_per_unit(mesh, mesh.t, false), 100.0, false, 10);
+        ASSERT_TRUE(levels);
+        ASSERT_EQ(levels->size(), 1u) << low;
+        EXPECT_GT(levels->front().value, low);
+        EXPECT_LT(levels->front().value, high);
+    }
+}
+
 TEST(EvenLines, OfATubeGoRoundItWithoutASeam) {
     const Surface surface = tube();
     const QuadComplex& mesh = surface.mesh;
@@ -233,7 +269,7 @@ TEST(Arrows, HaveTheShapeAskedForPointWithTheFlowAndLieInTheSurface) {
         const auto levels = even_levels(mesh, mesh.s, unit, spacing, false, 1000);
         ASSERT_TRUE(levels);
         const auto lines = even_lines(mesh, mesh.s, unit, *levels, spacing, false);
-        const Cutouts cut = arrows(mesh, lines, spacing, width, false).value();
+        const Cutouts cut = arrows(mesh, lines, spacing, width, {}).value();
         // On a line of length 4: at 0.3, 0.9 ... while 0.36 are left.
         const double each = width * width * (2.0 / 3.0 + 0.5);
         EXPECT_NEAR(area(cut) / each, 6.0 * static_cast<double>(lines.size()), 1e-6);
@@ -261,7 +297,7 @@ TEST(Arrows, FollowTheSurfaceRoundAVortex) {
     const auto levels = even_levels(mesh, mesh.s, unit, 0.4, false, 1000);
     ASSERT_TRUE(levels);
     const auto lines = even_lines(mesh, mesh.s, unit, *levels, 0.4, false);
-    const Cutouts cut = arrows(mesh, lines, 0.4, 0.06, false).value();
+    const Cutouts cut = arrows(mesh, lines, 0.4, 0.06, {}).value();
     EXPECT_GT(cut.ends.size(), 20u);
     const double each = 0.06 * 0.06 * (2.0 / 3.0 + 0.5);
     const double number = area(cut) / each;
@@ -271,14 +307,48 @@ TEST(Arrows, FollowTheSurfaceRoundAVortex) {
         EXPECT_LT(off_surface(mesh, cut.points[i]), 0.05);
 }
 
+TEST(Arrows, OfStreakAndTimeSurfacesPointTheWayOfTheVelocityInTheSurface) {
+    // The velocity runs across the lines of the mesh, and out of its plane.
+    QuadComplex mesh = fan();
+    const Vec3 flow(1.0, 0.5, 2.0);
+    for (Vec3f& v : mesh.velocity)
+        v = Vec3f(flow);
+    const auto unit = lengths_per_unit(mesh, mesh.s, false);
+    const auto levels = even_levels(mesh, mesh.s, unit, 0.4, false, 1000);
+    const auto lines = even_lines(mesh, mesh.s, unit, levels.value(), 0.4, false);
+    constexpr double width = 0.1;
+    const Cutouts cut = arrows(mesh, lines, 0.4, width, {false, false}).value();
+    const double number = area(cut) / (width * width * (2.0 / 3.0 + 0.5));
+    EXPECT_GT(number, 40.0);
+    EXPECT_NEAR(number, std::round(number), 0.02); // whole ones only
+    // Each lies along the projected velocity: half a width to either side of its middle, three along.
+    const Vec3 along = glm::normalize(Vec3(flow.x, flow.y, 0.0));
+    const Vec3 across(-along.y, along.x, 0.0);
+    double first = 0.0, low = 0.0, high = 0.0;
+    std::vector<double> heads;
+    for (std::size_t i = 0, k = 0; i < cut.ends.size(); ++i)
+        for (; k < cut.ends[i]; ++k) {
+            const Vec3& p = cut.points[cut.connectivity[k]];
+            EXPECT_EQ(p.z, 0.0);
+            if (k == 0)
+                first = glm::dot(p, across);
+            if (std::abs(glm::dot(p - cut.points[cut.connectivity[0]], along)) < 3.0 * width &&
+                std::abs(glm::dot(p, across) - first) < width) {
+                low = std::min(low, glm::dot(p, across) - first);
+                high = std::max(high, glm::dot(p, across) - first);
+            }
+        }
+    EXPECT_LE(high - low, width * 1.000001);
+}
+
 TEST(Arrows, AThousandMillionTimesThinnerThanACellAreMadeAsFast) {
     const QuadComplex mesh = fan();
     const auto unit = lengths_per_unit(mesh, mesh.s, false);
     const auto levels = even_levels(mesh, mesh.s, unit, 0.4, false, 1000);
     const auto lines = even_lines(mesh, mesh.s, unit, levels.value(), 0.4, false);
-    const Cutouts thin = arrows(mesh, lines, 0.4, 1e-9, false).value();
+    const Cutouts thin = arrows(mesh, lines, 0.4, 1e-9, {}).value();
     EXPECT_GE(thin.ends.size(), 2 * lines.size());
-    EXPECT_EQ(arrows(mesh, lines, 1e-6, 1e-9, false).error().code, Error::Code::OverLimit);
+    EXPECT_EQ(arrows(mesh, lines, 1e-6, 1e-9, {}).error().code, Error::Code::OverLimit);
 }
 
 TEST(Ribbons, ThatWouldFillTheMemoryAreRefused) {

@@ -1,12 +1,15 @@
 #include "core/field/analytic_flow.hpp"
 #include "core/surface/surface_builder.hpp"
-#include "protocol/files/surface_lines.hpp"
+#include "protocol/files/lines_file.hpp"
 #include "tests/support/vtp_arrays.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 
 namespace wakesurf::protocol::surface_lines_test {
 
@@ -69,7 +72,9 @@ TEST(SurfaceLines, AreNamedAsTheKindOfSurfaceHasThem) {
     EXPECT_EQ(wrong.error().hint,
               "as in timelines:8, pathlines:every=0.5, pathribbons:every=0.5,width=0.1 or "
               "arrows:every=0.5,width=0.1");
-    EXPECT_FALSE(read_lines("timelines:8", SurfaceKind::Time)); // all of it is one age
+    const auto one_age = read_lines("timelines:8", SurfaceKind::Time);
+    ASSERT_FALSE(one_age);
+    EXPECT_EQ(one_age.error().hint, "all of it is one age; as in arrows:every=0.5,width=0.1");
 }
 
 TEST(SurfaceLines, RefuseANumberThatIsNone) {
@@ -122,9 +127,9 @@ TEST(SurfaceLines, TakeMeasuresInLengthsInEitherOrder) {
           "streamlines:every=1,every=2", "timeribbons:8", "timeribbons:width=0.1",
           "arrows:8,width=0.1", "arrows:every=1", "streakribbons:8,width=0.1", "ribbons:8,width=1"})
         EXPECT_FALSE(read(text)) << text;
-    const auto streak = read("arrows:every=1,width=0.1", SurfaceKind::Streak);
-    ASSERT_FALSE(streak);
-    EXPECT_EQ(streak.error().message, "a streak surface has no arrows");
+    EXPECT_EQ(read("arrows:every=1,width=0.1", SurfaceKind::Time),
+              (LinesWanted{Along::Seed, 0, Form::Arrows, 1.0, 0.1, false}));
+    EXPECT_FALSE(read("ribbons:every=1,width=0.1", SurfaceKind::Time));
 }
 
 TEST(SurfaceLines, RibbonsAndArrowsArePolygonsOfTheFile) {
@@ -155,8 +160,66 @@ TEST(SurfaceLines, RibbonsAndArrowsArePolygonsOfTheFile) {
     EXPECT_EQ(none.error().message, "there is no room for them on this surface");
 }
 
-TEST(SurfaceLines, HaveNoPlaceInFormatsOfFaces) {
-    const auto file = lines_file(MeshFormat::Ply, {}, {}, {});
+TEST(SurfaceLines, RibbonsThatAreWiderThanTheSurfaceAreRefused) {
+    const core::QuadComplex mesh = round_a_vortex(SurfaceKind::Stream);
+    const auto ribbons = [&](const char* text) {
+        return surface_lines(mesh, read_lines(text, SurfaceKind::Stream).value());
+    };
+    EXPECT_TRUE(ribbons("streamribbons:1,width=0.9"));
+    const auto wide = ribbons("streamribbons:1,width=6"); // the vortex shears it
+    ASSERT_FALSE(wide);
+    EXPECT_EQ(wide.error().message.substr(0, 57),
+              "the ribbons would be wider than the surface, which is 5.7");
+}
+
+TEST(SurfaceLines, AreEdgesOrFacesOfAPly) {
+    const core::QuadComplex mesh = round_a_vortex(SurfaceKind::Stream);
+    const auto wanted = read_lines("streamlines:3", SurfaceKind::Stream).value();
+    const auto lines = surface_lines(mesh, wanted).value();
+    std::size_t edges = 0, points = 0;
+    for (const core::ContourLine& line : lines.lines) {
+        edges += line.points.size() - (line.closed ? 0 : 1);
+        points += line.points.size();
+    }
+    const auto file = lines_file(MeshFormat::Ply, lines, wanted, {.dataset = "d", .version = {}});
+    ASSERT_TRUE(file);
+    EXPECT_NE(file->find("element vertex " + std::to_string(points) + "\n"), std::string::npos);
+    EXPECT_NE(file->find("element edge " + std::to_string(edges) + "\n"), std::string::npos);
+    const std::size_t body = file->find("end_header\n") + 11;
+    EXPECT_EQ(file->size() - body, points * 24 + edges * 16);
+}
+
+TEST(SurfaceLines, AreLinesOrTrianglesOfAGlb) {
+    const core::QuadComplex mesh = round_a_vortex(SurfaceKind::Stream);
+    for (const char* text : {"streamlines:3", "arrows:every=0.4,width=0.05"}) {
+        const auto wanted = read_lines(text, SurfaceKind::Stream).value();
+        const auto found = surface_lines(mesh, wanted).value();
+        const auto file =
+            lines_file(MeshFormat::Glb, found, wanted, {.dataset = "d", .version = {}});
+        ASSERT_TRUE(file);
+        // A header of 12 bytes, then the first chunk: its length, its kind, its text.
+        std::uint32_t length = 0;
+        std::memcpy(&length, file->data() + 12, sizeof(length));
+        const auto gltf = nlohmann::json::parse(file->substr(20, length));
+        const auto& primitive = gltf["meshes"][0]["primitives"][0];
+        std::size_t wanted_indices = 0;
+        for (const core::ContourLine& line : found.lines)
+            wanted_indices += 2 * (line.points.size() - (line.closed ? 0 : 1));
+        if (wanted.form == LinesWanted::Form::Arrows) {
+            EXPECT_EQ(primitive["mode"], 4);
+            wanted_indices =
+                3 * (found.cutouts.connectivity.size() - 2 * found.cutouts.ends.size());
+        } else {
+            EXPECT_EQ(primitive["mode"], 1);
+        }
+        EXPECT_EQ(gltf["accessors"][primitive["indices"].get<std::size_t>()]["count"],
+                  wanted_indices);
+        EXPECT_TRUE(primitive["attributes"].contains("_S"));
+    }
+}
+
+TEST(SurfaceLines, HaveNoPlaceInADrc) {
+    const auto file = lines_file(MeshFormat::Drc, {}, {}, {});
     ASSERT_FALSE(file);
     EXPECT_EQ(file.error().code, core::Error::Code::Unsupported);
 }

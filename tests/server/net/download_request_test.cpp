@@ -73,9 +73,9 @@ TEST(DownloadRequest, HasNoTimeWhereTheSurfaceDoesNotMove) {
 
 TEST(DownloadRequest, TakesLinesOnlyInFormatsThatHaveThem) {
     EXPECT_EQ(read_download("mesh.vtp", {{"lines", "timelines:8"}})->lines, "timelines:8");
-    EXPECT_TRUE(read_download("mesh.obj", {{"lines", "timelines:8"}}));
-    for (const char* file : {"mesh.ply", "mesh.glb", "mesh.drc"})
-        EXPECT_FALSE(read_download(file, {{"lines", "timelines:8"}})) << file;
+    for (const char* file : {"mesh.obj", "mesh.ply", "mesh.glb"})
+        EXPECT_TRUE(read_download(file, {{"lines", "timelines:8"}})) << file;
+    EXPECT_FALSE(read_download("mesh.drc", {{"lines", "timelines:8"}}));
     EXPECT_FALSE(read_download("mesh.vtp", {{"lines", ""}}));
 }
 
