@@ -58,6 +58,7 @@ function sheet(fromRow: number, toRow: number, moved: number): TimedMeshChange {
         fromIndex: 6 * firstCellRow * (columns - 1),
         indices,
         parts: null,
+        units: null,
         cut: null,
     };
 }

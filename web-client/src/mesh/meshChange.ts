@@ -24,6 +24,8 @@ export interface MeshChange {
     parts: readonly SurfacePart[] | null;
     /** Null: as before. */
     cut: Cut | null;
+    /** How long units of s and of t are on the surface, of every vertex. Null: as before, or not asked for. */
+    units: Float32Array | null;
 }
 
 /** The same, of one simulation time. */

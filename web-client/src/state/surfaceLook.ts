@@ -5,6 +5,8 @@ export const colourMaps = ['viridis', 'cividis', 'inferno', 'plasma', 'coolToWar
 export type ColourMap = (typeof colourMaps)[number];
 export const lineKinds = ['none', 'timelines', 'streamlines', 'grid', 'checker'] as const;
 export type LineKind = (typeof lineKinds)[number];
+export const pieceKinds = ['whole', 'timelines', 'seedlines', 'timeribbons', 'seedribbons', 'arrows'] as const;
+export type PieceKind = (typeof pieceKinds)[number];
 export const backSides = ['shaded', 'same', 'tinted'] as const;
 export type BackSide = (typeof backSides)[number];
 
@@ -35,6 +37,11 @@ export interface SurfaceLook {
     smoke: number;
     silhouettes: boolean;
     lines: LineKind;
+    /** What is left of the surface: all, or lines, ribbons or arrows on it. */
+    pieces: PieceKind;
+    /** Lengths: from one to the next, and of ribbons and arrows' heads; null: as the dataset is large. */
+    pieceEvery: number | null;
+    pieceWidth: number | null;
     density: number;
     texture: boolean;
     animated: boolean;
@@ -65,6 +72,9 @@ export const usualLook: SurfaceLook = {
     smoke: 0,
     silhouettes: false,
     lines: 'none',
+    pieces: 'whole',
+    pieceEvery: null,
+    pieceWidth: null,
     density: 1,
     texture: false,
     animated: false,
@@ -84,6 +94,7 @@ const isNumber = (value: unknown): value is number => typeof value === 'number' 
 const isFlag = (value: unknown): boolean => typeof value === 'boolean';
 const isPart = (value: unknown): boolean => isNumber(value) && value >= 0 && value <= 1;
 const isPair = (value: unknown): value is [number, number] => Array.isArray(value) && value.length === 2 && value.every(isNumber);
+const isLength = (value: unknown): boolean => value === null || (isNumber(value) && value > 0);
 const isSpan = (value: unknown): boolean => value === null || (isPair(value) && value[0] <= value[1]);
 const isOneOf =
     (values: readonly string[]) =>
@@ -105,6 +116,9 @@ const checks: Record<keyof SurfaceLook, (value: unknown) => boolean> = {
     smoke: isPart,
     silhouettes: isFlag,
     lines: isOneOf(lineKinds),
+    pieces: isOneOf(pieceKinds),
+    pieceEvery: isLength,
+    pieceWidth: isLength,
     density: (value) => isNumber(value) && value >= 0.125 && value <= 8,
     texture: isFlag,
     animated: isFlag,

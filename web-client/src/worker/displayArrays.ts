@@ -9,6 +9,7 @@ import { type AttributeRange, valueOf, type WireMesh } from '../protocol/wireMes
 import { addNormals } from './normals.ts';
 import { findParts } from './parts.ts';
 import { trimTornBorder } from './tornBorder.ts';
+import { unitLengths } from './unitLengths.ts';
 import type { ShowWish } from './workerMessages.ts';
 
 export class DisplayArrays {
@@ -19,6 +20,7 @@ export class DisplayArrays {
     private wish: ShowWish = { attributes: [], parts: null, trimmed: false };
     private partsAsked = false;
     private cutAsked = false;
+    private unitsAsked = false;
     private positions = new Float32Array(0);
     private indices = new Uint32Array(0);
     private triangles = 0;
@@ -41,16 +43,18 @@ export class DisplayArrays {
     }
 
     /** Whether take() has anything new to give because of it. */
-    show({ attributes, parts, trimmed }: ShowWish): boolean {
+    show({ attributes, parts, trimmed, units }: ShowWish): boolean {
         const before = this.wish;
-        this.wish = { attributes, parts, trimmed };
+        this.wish = { attributes, parts, trimmed, ...(units === undefined ? {} : { units }) };
         const known = attributes.filter((name) => this.attributes.includes(name));
         const added = known.some((name) => !this.shown.has(name));
         this.shown = new Map(known.map((name) => [name, this.shown.get(name) ?? 0]));
         const parted = parts !== null && JSON.stringify(parts) !== JSON.stringify(before.parts);
         this.partsAsked ||= parted;
         this.cutAsked ||= parted || trimmed !== before.trimmed;
-        return added || parted || trimmed !== before.trimmed;
+        const measured = units !== undefined && units !== before.units;
+        this.unitsAsked ||= measured;
+        return added || parted || trimmed !== before.trimmed || measured;
     }
 
     /** The frames carry other attributes from the next KEY on. */
@@ -79,6 +83,7 @@ export class DisplayArrays {
         const news = turned || cells.length > 0;
         this.partsAsked ||= this.wish.parts !== null && news;
         this.cutAsked ||= (this.wish.parts !== null || this.wish.trimmed) && news;
+        this.unitsAsked ||= this.wish.units !== undefined && news;
     }
 
     /** All that has been noted, in arrays to give away. */
@@ -105,6 +110,7 @@ export class DisplayArrays {
             fromIndex,
             indices: this.indices.slice(fromIndex, 3 * this.triangles),
             ...this.partsAndCut(mesh),
+            units: this.unitsOf(mesh),
         };
         this.fromVertex = this.fromNormal = this.fromSeed = vertices;
         this.fromCell = mesh.cellCount;
@@ -162,6 +168,15 @@ export class DisplayArrays {
         const levels = found?.hidden ?? new Uint8Array(vertices);
         trimming?.levels.forEach((level, v) => (levels[v] = Math.max(level, levels[v]!)));
         return { parts, cut: { levels, trimmedCells: trimming?.cells ?? 0 } };
+    }
+
+    private unitsOf(mesh: WireMesh): Float32Array | null {
+        const { units } = this.wish;
+        if (units === undefined || !this.unitsAsked) return null;
+        this.unitsAsked = false;
+        const { positions } = this;
+        const indices = this.indices.subarray(0, 3 * this.triangles);
+        return unitLengths({ positions, indices, seeds: this.seedsOf(mesh, 0), vertices: mesh.vertices }, units === 'closed');
     }
 
     private rangeOf(mesh: WireMesh, name: string): AttributeRange | undefined {

@@ -181,9 +181,10 @@ class SessionWorker {
     }
 
     private sendState(state: SurfaceState): void {
-        const { positions, normals, seeds, scalars, indices, cut } = state;
+        const { positions, normals, seeds, scalars, indices, cut, units } = state;
         const arrays: ArrayBufferView[] = [positions, normals, seeds, indices, ...scalars.map(({ values }) => values)];
         if (cut !== null) arrays.push(cut.levels);
+        if (units !== null) arrays.push(units);
         const transfer = arrays.map(({ buffer }) => buffer as ArrayBuffer);
         this.port.postMessage({ type: 'surface', ...state }, transfer);
     }

@@ -77,6 +77,8 @@ export interface ShowWish {
     parts: PartsWish | null;
     /** Smooth borders where it is torn. */
     trimmed: boolean;
+    /** How long units of s and t are, on a surface whose rake is open or closed; left out: no one needs to know. */
+    units?: 'open' | 'closed';
 }
 
 /** Those parts are hidden that hold the vertex nearest to one of these places, [s, t]. */

@@ -9,8 +9,6 @@ uniform int lines;
 uniform float lineDensity;
 // Where t is 0 for the pattern, and +1 or -1: the way it flows.
 uniform vec2 patternT;
-// Of the picture for one of CSS: spacing and widths are meant in these.
-uniform float pixelRatio;
 
 /** Frequency (a power of two) and how far it is on the way to the next one, for a change of c by \`rate\` a pixel. */
 vec2 levelOf(float rate, float periodPx) {

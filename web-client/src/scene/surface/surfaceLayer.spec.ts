@@ -20,6 +20,7 @@ function meshOf(vertices: number): TimedMeshChange {
             tFrom: 0,
             parts: null,
             cut: null,
+            units: null,
         },
         positions: new Float32Array(3 * vertices),
         normals: new Float32Array(3 * vertices),

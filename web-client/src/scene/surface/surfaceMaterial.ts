@@ -15,6 +15,7 @@ import {
 } from 'three';
 import { drawnRange } from './colourMap.ts';
 import { peelUniforms } from './peeling.ts';
+import { coarsestPower, nearestApart } from './pieceLevels.ts';
 import { fragmentShader, pickFragmentShader, vertexShader } from './surfaceShader.ts';
 import { steadyRange } from './steadyRange.ts';
 import type { SurfaceStyle } from './surfaceStyle.ts';
@@ -25,6 +26,7 @@ const far = 1e30;
 const sources = ['constant', 'scalar', 's', 'age'] as const;
 const backSides = ['same', 'shaded', 'tinted'] as const;
 const patterns = ['none', 'timelines', 'streamlines', 'grid', 'checker'] as const;
+const pieces = ['whole', 'timelines', 'seedlines', 'timeribbons', 'seedribbons', 'arrows'] as const;
 
 /** Planes that cut nothing. */
 export function noPlanes(): Vector4[] {
@@ -69,6 +71,12 @@ function ownUniforms(textures: SurfaceTextures) {
         areaPerSeed: { value: 1 },
         ageSpan: { value: 1 },
         lines: { value: 0 },
+        pieces: { value: 0 },
+        pieceNear: { value: 1 },
+        pieceWidth: { value: 1 },
+        pieceS: { value: new Vector4(0, 1, 0.5, 0) },
+        pieceT: { value: new Vector4() },
+        rakeCloses: { value: false },
         lineDensity: { value: 1 },
         textured: { value: false },
         flowing: { value: false },
@@ -88,6 +96,14 @@ export interface MeshFacts {
     tFrom: number;
     hasStretch: boolean;
     hasFlow: boolean;
+    hasUnits: boolean;
+}
+
+/** Of t as the shaders have it, counted from the first. */
+function pieceT({ tRange: [low, high], tFrom }: MeshFacts): Vector4 {
+    const power = coarsestPower(low, high);
+    // Multiples stay the same ones without the whole turns of the largest.
+    return new Vector4(low - tFrom, high - tFrom, power, tFrom % (4 * power));
 }
 
 export class SurfaceMaterials {
@@ -175,6 +191,11 @@ export class SurfaceMaterials {
         own.ageSpan.value = Math.max(1e-30, ages[1]);
         own.lines.value = patterns.indexOf(style.lines);
         own.lineDensity.value = style.density;
+        own.pieces.value = facts.hasUnits && (facts.hasFlow || style.pieces !== 'arrows') ? pieces.indexOf(style.pieces) : 0;
+        own.pieceNear.value = nearestApart(style.pieceEvery);
+        own.pieceWidth.value = style.pieceWidth;
+        own.pieceT.value.copy(pieceT(facts));
+        own.rakeCloses.value = style.rakeCloses;
         own.textured.value = style.texture && facts.hasFlow;
         own.flowing.value = style.textureMoves !== 'no';
         own.byItself.value = style.textureMoves === 'byItself';

@@ -34,6 +34,7 @@ const kinds = {
     flowX: { size: 1, array: Float32Array },
     flowY: { size: 1, array: Float32Array },
     flowZ: { size: 1, array: Float32Array },
+    unit: { size: 2, array: Float32Array },
 } as const;
 type Kind = keyof typeof kinds;
 const flowKinds = ['flowX', 'flowY', 'flowZ'] as const;
@@ -68,6 +69,10 @@ export class SurfaceMesh {
         return flowKinds.every((kind) => this.used.has(kind));
     }
 
+    get hasUnits(): boolean {
+        return this.used.has('unit');
+    }
+
     get tRange(): Range {
         return [this.tFrom + this.seenT[0], this.tFrom + this.seenT[1]];
     }
@@ -84,6 +89,7 @@ export class SurfaceMesh {
         this.seenT = widened(fromSeed === 0 && seeds.length > 0 ? emptyRange() : this.seenT, seeds, 2, 1);
         for (const each of change.scalars) this.takeScalar(each.name, each.values, each.fromVertex);
         if (cut !== null) this.takeCut(cut.levels);
+        if (change.units !== null) this.refill('unit', change.units, 0);
         const { geometry } = this.mesh;
         if (geometry.index !== null) refill(geometry.index, change.indices, change.fromIndex);
         geometry.setDrawRange(0, 3 * triangles);

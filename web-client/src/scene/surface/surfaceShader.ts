@@ -4,6 +4,7 @@
 import { cutLevel } from '../../mesh/meshChange.ts';
 import { flowTextureGlsl } from './flowTextureShader.ts';
 import { patternGlsl } from './patternShader.ts';
+import { piecesGlsl } from './piecesShader.ts';
 import { tableSize } from './colourMap.ts';
 
 export const vertexShader = `
@@ -14,6 +15,7 @@ attribute float cut;
 attribute float flowX;
 attribute float flowY;
 attribute float flowZ;
+attribute vec2 unit;
 uniform int source;
 uniform vec2 ageOf;
 out vec3 viewNormal;
@@ -23,6 +25,10 @@ out vec2 place;
 // What colours, age, stretching, whether it is cut.
 out vec4 values;
 out vec3 flow;
+// How long units of s and t are on the surface.
+out vec2 unitLength;
+// s once more, with its jump on the other side of a closed rake.
+out float turned;
 // What is drawn in several programs has to be at the same depth in all.
 invariant gl_Position;
 
@@ -37,6 +43,8 @@ void main() {
     float value = source == 1 ? scalar : source == 2 ? seed.x : age;
     values = vec4(value, age, stretch, cut);
     flow = vec3(flowX, flowY, flowZ);
+    unitLength = unit;
+    turned = fract(seed.x + 0.5) + 0.5;
     gl_Position = projectionMatrix * inView;
 }`;
 
@@ -47,7 +55,11 @@ in vec3 worldPosition;
 in vec2 place;
 in vec4 values;
 in vec3 flow;
+in vec2 unitLength;
+in float turned;
 uniform int source;
+// Of the picture for one of CSS: spacing and widths are meant in these.
+uniform float pixelRatio;
 uniform vec4 window;
 uniform vec4 clip[3];
 uniform bool painting;
@@ -58,6 +70,24 @@ uniform float opacity;
 
 bool isLeftOut() {
     return values.w > ${cutLevel}.5;
+}
+
+${piecesGlsl}
+
+/** s and t, and how they change over a pixel, also where the s of a closed rake begins again. */
+vec2 seamless(out mat2 slope) {
+    slope = mat2(dFdx(place), dFdy(place));
+    vec2 other = vec2(dFdx(turned), dFdy(turned));
+    if (!rakeCloses || abs(other.x) + abs(other.y) >= abs(slope[0].x) + abs(slope[1].x)) return place;
+    slope[0].x = other.x;
+    slope[1].x = other.y;
+    return vec2(turned, place.y);
+}
+
+/** It lies between the pieces that are shown, if not all of it is. */
+bool isBetween(vec2 seeds, mat2 slope) {
+    mat2 unitSlope = mat2(dFdx(unitLength), dFdy(unitLength));
+    return isBetweenPieces(seeds, slope, unitLength, unitSlope, mat2x3(dFdx(worldPosition), dFdy(worldPosition)), flow);
 }
 
 bool isCut() {
@@ -144,11 +174,13 @@ void main() {
 #endif
 #ifndef PLAIN
     // Differences between pixels come before anything is thrown away.
-    mat2 slope = mat2(dFdx(place), dFdy(place));
+    mat2 slope;
+    vec2 seeds = seamless(slope);
+    bool between = isBetween(seeds, slope);
     float facingSlope = fwidth(facing);
     vec3 flatNormal = cross(dFdx(viewPosition), dFdy(viewPosition));
     float flatFacing = abs(dot(flatNormal, toViewer)) / max(length(flatNormal), 1e-30);
-    if (isCut()) discard;
+    if (between || isCut()) discard;
 #else
     if (isLeftOut()) discard;
 #endif
@@ -163,7 +195,7 @@ void main() {
 #ifdef PLAIN
     drawn = linearToOutputTexel(vec4(lit(base, n, toViewer), 1.0));
 #else
-    base *= pattern(place, slope);
+    base *= pattern(seeds, slope);
     vec3 colour = lit(base, n, toViewer);
     float outlined = 0.0;
     if (silhouettes) {
@@ -196,7 +228,9 @@ layout(location = 0) out vec4 point;
 layout(location = 1) out vec4 numbers;
 
 void main() {
-    if (isCut() || (respectPaint && revealed() < 0.02)) discard;
+    mat2 slope;
+    vec2 seeds = seamless(slope);
+    if (isBetween(seeds, slope) || isCut() || (respectPaint && revealed() < 0.02)) discard;
     point = vec4(worldPosition, pickId);
     numbers = vec4(place, values.x, -viewPosition.z);
 }`;

@@ -4,6 +4,8 @@ import type { ColourMapName } from './colourMap.ts';
 /** Where the number behind the colour comes from; 'scalar': from the server, the others are made from s and t. */
 export type ColourSource = 'constant' | 'scalar' | 's' | 'age';
 export type LinePattern = 'none' | 'timelines' | 'streamlines' | 'grid' | 'checker';
+/** All of a surface, or what is left of it. */
+export type Pieces = 'whole' | 'timelines' | 'seedlines' | 'timeribbons' | 'seedribbons' | 'arrows';
 export type BackSide = 'shaded' | 'same' | 'tinted';
 
 export interface SurfaceStyle {
@@ -36,6 +38,12 @@ export interface SurfaceStyle {
     areaPerSeed: number;
     silhouettes: boolean;
     lines: LinePattern;
+    pieces: Pieces;
+    /** Lengths: from one piece to the next, and of ribbons and of arrows' heads. */
+    pieceEvery: number;
+    pieceWidth: number;
+    /** Beside the last column lies the first. */
+    rakeCloses: boolean;
     /** Stripes and texture: 1 as usual, 2 twice as many. */
     density: number;
     texture: boolean;
@@ -72,6 +80,10 @@ export const plainStyle: SurfaceStyle = {
     areaPerSeed: 1,
     silhouettes: false,
     lines: 'none',
+    pieces: 'whole',
+    pieceEvery: 1,
+    pieceWidth: 1,
+    rakeCloses: false,
     density: 1,
     texture: false,
     textureMoves: 'no',
@@ -89,6 +101,6 @@ export function isTransparent({ opacity, angleOpacity, smoke, painting, faded }:
 }
 
 /** Whether only colour, light and the flow texture make the picture, which is drawn more quickly then. */
-export function isPlain({ silhouettes, lines, sWindow, ageWindow, painting }: SurfaceStyle): boolean {
-    return !silhouettes && lines === 'none' && sWindow === null && ageWindow === null && !painting;
+export function isPlain({ silhouettes, lines, pieces, sWindow, ageWindow, painting }: SurfaceStyle): boolean {
+    return !silhouettes && lines === 'none' && pieces === 'whole' && sWindow === null && ageWindow === null && !painting;
 }

@@ -99,7 +99,8 @@ function snake(name: string): string {
 }
 
 function download({ mesh, surface }: MeshStep): string[] {
-    const file = literal(`surface.${mesh.format}`) + (mesh.draco === false ? ', draco=False' : '');
+    const lines = mesh.lines === undefined ? '' : `, lines=${literal(mesh.lines)}`;
+    const file = literal(`surface.${mesh.format}`) + (mesh.draco === false ? ', draco=False' : '') + lines;
     if (surface instanceof KeptId) return [`${surface.name}.wait()`, `${surface.name}.export(${file})`];
     const found = `surface = next(each for each in session.surfaces() if each.id == ${literal(surface)})`;
     return [found, 'surface.wait()', `surface.export(${file})`];

@@ -9,11 +9,17 @@ export interface MeshFile {
     draco?: false;
     /** What is shown now, where that is not final yet. */
     now?: true;
+    /** Lines, ribbons or arrows instead of the mesh. */
+    lines?: string;
 }
 
 /** Below the address of the surface. */
-export function meshPath({ format, draco, now }: MeshFile): string {
-    const query = [draco === false ? 'draco=false' : '', now === true ? 'now=true' : ''].filter((each) => each !== '');
+export function meshPath({ format, draco, now, lines }: MeshFile): string {
+    const query = [
+        draco === false ? 'draco=false' : '',
+        now === true ? 'now=true' : '',
+        lines === undefined ? '' : `lines=${encodeURIComponent(lines)}`,
+    ].filter((each) => each !== '');
     return `mesh.${format}${query.length === 0 ? '' : `?${query.join('&')}`}`;
 }
 

@@ -46,7 +46,9 @@ export function showLooks({ state, view, scene, worker }: LooksOptions): void {
             if (state.hiddenSurfaces.value.has(id)) continue;
             const look = view.lookOf(id);
             const parts = look.hiddenParts.length > 0 || listed === id ? { hidden: look.hiddenParts } : null;
-            const wish = { attributes: attributesOf(look), parts, trimmed: look.trimmed };
+            const closed = state.rakes.value.get(state.surfaces.value.get(id)!.rake)?.kind === 'circle';
+            const units = look.pieces === 'whole' ? {} : { units: closed ? ('closed' as const) : ('open' as const) };
+            const wish = { attributes: attributesOf(look), parts, trimmed: look.trimmed, ...units };
             const text = JSON.stringify(wish);
             if (told.get(id) === text) continue;
             told.set(id, text);

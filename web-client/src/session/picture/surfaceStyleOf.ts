@@ -1,6 +1,7 @@
 // From the look that someone wants to what the picture needs: names become attributes, ranges those of the dataset.
 import type { DatasetDescription, FieldDescription, RakeRecord, SurfaceRecord, Vec3 } from '../../protocol/messages.ts';
 import type { ColourSource, SurfaceStyle } from '../../scene/surface/surfaceStyle.ts';
+import { niceStep } from '../../scene/base/ticks.ts';
 import { steadyRange } from '../../scene/surface/steadyRange.ts';
 import { flowNames } from '../../scene/surface/surfaceMesh.ts';
 import type { SurfaceLook } from '../../state/surfaceLook.ts';
@@ -76,11 +77,16 @@ export function attributeOf(colourBy: string): string | null {
 
 /** All attributes that a look needs, those that it can do without last. */
 export function attributesOf(look: SurfaceLook): string[] {
-    const names = [attributeOf(look.colourBy), ...(look.texture ? flowNames : []), look.smoke > 0 ? deformation : null];
+    const names = [attributeOf(look.colourBy), ...(needsFlow(look) ? flowNames : []), look.smoke > 0 ? deformation : null];
     return [...new Set(names.filter((name) => name !== null))];
 }
 
-/** Whether the server sends the velocity with the surface, which the flow texture follows. */
+/** The flow texture and arrows follow the velocity. */
+export function needsFlow({ texture, pieces }: SurfaceLook): boolean {
+    return texture || pieces === 'arrows';
+}
+
+/** Whether the server sends the velocity with the surface. */
 export function hasFlow({ fields }: Pick<SurfaceRecord, 'fields'>): boolean {
     return flowNames.every((name) => fields.includes(name));
 }
@@ -91,6 +97,9 @@ export function styleOf(facts: StyleFacts): SurfaceStyle {
     const isStreak = record.kind === 'streak';
     return {
         ...pick(same),
+        ...pieceLengths(look, facts.dataset?.bounds),
+        pieces: look.pieces === 'arrows' && !hasFlow(record) ? 'whole' : look.pieces,
+        rakeCloses: rake?.kind === 'circle',
         source: sourceOf(colourBy),
         scalar: attributeOf(colourBy) ?? '',
         colour: colour ?? rake?.colour ?? usualColour,
@@ -105,6 +114,17 @@ export function styleOf(facts: StyleFacts): SurfaceStyle {
         flowSpeed: meanSpeed(speedRange),
         areaPerSeed: lengthOf(rake?.points ?? []) * sweepOf(record, speedRange),
     };
+}
+
+/** Where they are not said, some 25 pieces fit across the domain, with room between them. */
+export function pieceLengths(
+    { pieces, pieceEvery, pieceWidth }: Pick<SurfaceLook, 'pieces' | 'pieceEvery' | 'pieceWidth'>,
+    bounds: DatasetDescription['bounds'] | undefined,
+): Pick<SurfaceStyle, 'pieceEvery' | 'pieceWidth'> {
+    const [x0, x1, y0, y1, z0, z1] = bounds ?? [0, 1, 0, 1, 0, 1];
+    const every = pieceEvery ?? niceStep(Math.hypot(x1 - x0, y1 - y0, z1 - z0) / 25);
+    const usual = Number((every / (pieces === 'arrows' ? 5 : 3)).toPrecision(4));
+    return { pieceEvery: every, pieceWidth: Math.min(every, pieceWidth ?? usual) };
 }
 
 type Same = 'map' | 'centre' | 'backSide' | 'opacity' | 'angleOpacity' | 'smoke' | 'silhouettes' | 'lines';

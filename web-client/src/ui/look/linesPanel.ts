@@ -20,7 +20,7 @@ const kinds: readonly Choice<LineKind>[] = [
 ];
 
 export interface LinesModel {
-    state: Pick<AppState, 'activeSurface' | 'surface' | 'role'>;
+    state: Pick<AppState, 'activeSurface' | 'dataset' | 'surface' | 'role'>;
     view: ViewState;
     edits: Pick<Edits, 'changeSurface'>;
     ownCopy: OwnCopyButton['model'];

@@ -6,6 +6,7 @@ import './colourPanel.ts';
 import type { ColourModel } from './colourPanel.ts';
 import './linesPanel.ts';
 import type { LinesModel } from './linesPanel.ts';
+import './piecesPanel.ts';
 import './opacityPanel.ts';
 import type { OpacityModel } from './opacityPanel.ts';
 import './paintPanel.ts';
@@ -59,6 +60,10 @@ export class LookPanel extends SignalElement {
             <details id="lines-group">
                 <summary>Stripes and texture</summary>
                 <wakesurf-lines .model=${model}></wakesurf-lines>
+            </details>
+            <details id="pieces-group">
+                <summary>Lines, ribbons and arrows</summary>
+                <wakesurf-pieces .model=${model}></wakesurf-pieces>
             </details>
             <details id="windows-group">
                 <summary>Part shown</summary>

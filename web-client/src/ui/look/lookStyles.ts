@@ -10,8 +10,10 @@ export const lookStyles = css`
         gap: 8px;
         min-height: 30px;
     }
-    .row select {
+    .row select,
+    .row input[type='number'] {
         width: 168px;
+        box-sizing: border-box;
     }
     .check {
         display: flex;

@@ -2,6 +2,7 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { signal } from '@preact/signals-core';
 import { meshSteps } from '../../session/out/panelSteps.ts';
+import { pieceText } from '../../session/out/pieceText.ts';
 import type { MeshFile } from '../../session/out/scriptStep.ts';
 import { meshIsCoarse } from '../../session/out/coarse.ts';
 import type { MeshDownload } from '../../session/out/meshDownload.ts';
@@ -29,10 +30,12 @@ const choices: readonly Choice[] = [
     { value: 'drc', format: 'drc', words: '.drc for programs that read Draco' },
 ];
 const chosen = signal<Choice>(vtp);
+/** Lines, ribbons and arrows that are shown of the surface go into the file instead of its mesh. */
+const asShown = signal(true);
 
 export interface MeshExportModel {
     state: AppState;
-    view: Pick<ViewState, 'units'>;
+    view: Pick<ViewState, 'lookOf' | 'units'>;
     mesh: MeshDownload;
 }
 
@@ -55,6 +58,7 @@ export class MeshExport extends SignalElement {
                     )}
                 </select>
             </label>
+            ${this.piecesRow()}
             <div class="row">
                 <button
                     type="button"
@@ -71,9 +75,25 @@ export class MeshExport extends SignalElement {
             ${words === '' ? nothing : html`<p role=${progress === 'failed' ? 'alert' : 'status'}>${words}</p>`}
             <wakesurf-copy-as
                 .model=${this.model}
-                .calls=${() => meshSteps(state, chosen.value)}
+                .calls=${() => meshSteps(state, wanted(this.model))}
             ></wakesurf-copy-as>
         `;
+    }
+
+    private piecesRow(): TemplateResult | typeof nothing {
+        const pieces = shownPieces(this.model);
+        if (pieces === null) return nothing;
+        const none = chosen.value.format === 'drc';
+        const words = none ? 'The whole mesh: a .drc has no lines' : `Only what is shown of it, as ${pieces.split(':')[0]}`;
+        return html`<label class="check"
+            ><input
+                id="mesh-pieces"
+                type="checkbox"
+                .checked=${asShown.value && !none}
+                ?disabled=${none}
+                @change=${(event: Event) => (asShown.value = (event.target as HTMLInputElement).checked)}
+            />${words}</label
+        >`;
     }
 
     private formatChosen(event: Event): void {
@@ -82,9 +102,20 @@ export class MeshExport extends SignalElement {
     }
 }
 
+function shownPieces({ state, view }: Pick<MeshExportModel, 'state' | 'view'>): string | null {
+    const record = state.surface.value;
+    return record === undefined ? null : pieceText(view.lookOf(state.activeSurface.value), record, state.dataset.value?.bounds);
+}
+
+function wanted(model: Pick<MeshExportModel, 'state' | 'view'>): MeshFile {
+    const lines = asShown.value && chosen.value.format !== 'drc' ? shownPieces(model) : null;
+    return lines === null ? chosen.value : { ...chosen.value, lines };
+}
+
 /** In the format that is chosen. @param now  also where it is not final yet, which the name says then */
-export async function downloadMesh({ mesh, state }: Pick<MeshExportModel, 'mesh' | 'state'>, now = false): Promise<void> {
-    const choice: MeshFile = chosen.value;
+export async function downloadMesh(model: Pick<MeshExportModel, 'mesh' | 'state' | 'view'>, now = false): Promise<void> {
+    const { mesh, state } = model;
+    const choice = wanted(model);
     const { activeSurface, session, surface } = state;
     if (activeSurface.value === null || session.value === null) return;
     const kind = surface.value?.kind ?? 'surface';

@@ -12,7 +12,7 @@ import { downloadMesh } from '../out/meshExport.ts';
 
 export interface LongPassModel {
     state: AppState;
-    view: Pick<ViewState, 'units'>;
+    view: Pick<ViewState, 'lookOf' | 'units'>;
     edits: Pick<Edits, 'changeSurface' | 'intent'>;
     mesh: MeshDownload;
 }

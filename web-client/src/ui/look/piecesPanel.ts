@@ -1,0 +1,88 @@
+// Lines, ribbons and arrows that are shown instead of all of the selected surface.
+import { html, nothing, type TemplateResult } from 'lit';
+import type { PieceKind, SurfaceLook } from '../../state/surfaceLook.ts';
+import { seedLinesOf } from '../../session/out/pieceText.ts';
+import { fieldsWith, hasFlow, pieceLengths } from '../../session/picture/surfaceStyleOf.ts';
+import type { SurfaceRecord } from '../../protocol/messages.ts';
+import type { LinesModel } from './linesPanel.ts';
+import { type Choice, lookStyles, selectRow } from './lookStyles.ts';
+import { sharedStyles } from '../base/sharedStyles.ts';
+import { SignalElement } from '../base/signalElement.ts';
+
+function choicesFor({ kind }: Pick<SurfaceRecord, 'kind'>): Choice<PieceKind>[] {
+    const along = seedLinesOf(kind);
+    // All of a time surface is one age, and each of its points a particle of its own.
+    const disabled = along === '';
+    const named = along === '' ? 'Lines of a seed' : `${along[0]!.toUpperCase()}${along.slice(1)}`;
+    return [
+        { value: 'whole', words: 'All of it' },
+        { value: 'timelines', words: 'Timelines', disabled },
+        { value: 'seedlines', words: named, disabled },
+        { value: 'timeribbons', words: 'Ribbons of timelines', disabled },
+        { value: 'seedribbons', words: `Ribbons of ${along === '' ? 'a seed' : along}`, disabled },
+        { value: 'arrows', words: 'Arrows' },
+    ];
+}
+
+export class PiecesPanel extends SignalElement {
+    static override properties = { model: { attribute: false } };
+    declare model: LinesModel;
+    static override styles = [sharedStyles, lookStyles];
+
+    override render(): TemplateResult | typeof nothing {
+        const { state, view } = this.model;
+        const look = view.lookOf(state.activeSurface.value);
+        const record = state.surface.value;
+        if (record === undefined) return nothing;
+        const { pieces } = look;
+        const { pieceEvery, pieceWidth } = pieceLengths(look, state.dataset.value?.bounds);
+        const hasWidth = pieces !== 'whole' && !pieces.endsWith('lines');
+        return html`
+            ${selectRow('pieces', 'Shown of it', choicesFor(record), pieces, (chosen) => this.choose(chosen))}
+            ${pieces === 'whole' ? nothing : this.length('piece-every', 'One every', pieceEvery, (every) => ({ pieceEvery: every }))}
+            ${hasWidth ? this.length('piece-width', 'Width', pieceWidth, (width) => ({ pieceWidth: width })) : nothing}
+            ${this.waiting(look)}
+        `;
+    }
+
+    private length(id: string, words: string, value: number, change: (value: number) => Partial<SurfaceLook>): TemplateResult {
+        const changed = (event: Event): void => {
+            const input = event.target as HTMLInputElement;
+            if (input.valueAsNumber > 0) this.change(change(input.valueAsNumber));
+            else input.value = String(value);
+        };
+        return html`<label class="row" for=${id}
+            ><span>${words}</span>
+            <input id=${id} type="number" min="0" step="any" .value=${String(Number(value.toPrecision(4)))} @change=${changed} />
+        </label>`;
+    }
+
+    /** Arrows point the way of the velocity, which travels with the surface from then on, for everyone. */
+    private choose(pieces: PieceKind): void {
+        const { state, view, edits } = this.model;
+        const look = view.lookOf(state.activeSurface.value);
+        const record = state.surface.value;
+        if (pieces === 'arrows' && record !== undefined && !hasFlow(record) && state.role.value !== 'viewer') {
+            edits.changeSurface({ fields: fieldsWith(record.fields, { ...look, pieces }) });
+        }
+        this.change({ pieces });
+    }
+
+    private waiting({ pieces }: SurfaceLook): TemplateResult | typeof nothing {
+        const { state } = this.model;
+        const record = state.surface.value;
+        if (record === undefined || pieces !== 'arrows' || hasFlow(record)) return nothing;
+        if (state.role.value === 'viewer') {
+            return html`<p class="quiet">The velocity does not come with this surface, so it has no arrows.</p>`;
+        }
+        return html`<p class="quiet" role="status">Arrows appear when the velocity arrives from the server.</p>`;
+    }
+
+    private change(change: Partial<SurfaceLook>): void {
+        const { state, view } = this.model;
+        const id = state.activeSurface.value;
+        if (id !== null) view.changeLook(id, change);
+    }
+}
+
+customElements.define('wakesurf-pieces', PiecesPanel);
