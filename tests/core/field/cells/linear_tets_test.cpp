@@ -4,8 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <optional>
 #include <random>
+#include <vector>
 
 namespace wakesurf::core::linear_tets_test {
 
@@ -111,7 +115,109 @@ CellMesh random_tetrahedra(std::mt19937& random) {
     return mesh;
 }
 
+/// A velocity that is not linear: between the nodes it has another slope in each tetrahedron.
+Vec3 swirling(const Vec3& p) {
+    const Vec3 v(1.0 + 0.6 * std::sin(7.0 * p.y), std::cos(5.0 * p.x + 3.0 * p.z) - 0.3,
+                 0.8 * std::sin(6.0 * p.x * p.y) + 0.2);
+    return Vec3(Vec3f(v)); // as it is stored
+}
+
+/// One tetrahedron and what is linear in it.
+struct Tetrahedron {
+    glm::dmat3 to_share; ///< of nodes 1 to 3, from the place beside node 0
+    Vec3 origin;
+    LinearField field;
+
+    double least_share(const Vec3& p) const {
+        const Vec3 share = to_share * (p - origin);
+        return std::min({share.x, share.y, share.z, 1.0 - share.x - share.y - share.z});
+    }
+};
+
+std::vector<Tetrahedron> tetrahedra_of(const CellMesh& mesh) {
+    std::vector<Tetrahedron> out;
+    for (const MeshCell& cell : mesh.cells) {
+        const auto at = [&](int i) { return mesh.points[cell.node[static_cast<std::size_t>(i)]]; };
+        const Vec3 v = swirling(at(0));
+        Tetrahedron one;
+        one.origin = at(0);
+        one.to_share = glm::inverse(glm::dmat3(at(1) - at(0), at(2) - at(0), at(3) - at(0)));
+        one.field.slope =
+            glm::dmat3(swirling(at(1)) - v, swirling(at(2)) - v, swirling(at(3)) - v) *
+            one.to_share;
+        one.field.constant = v - one.field.slope * at(0);
+        out.push_back(one);
+    }
+    return out;
+}
+
+/// From tetrahedron to tetrahedron by the matrix exponential, each left where it ends to the last bit; nothing where the mesh ends.
+std::optional<Vec3> by_exponentials(const std::vector<Tetrahedron>& mesh, Vec3 p, double time) {
+    constexpr double beside = 1e-9; // times the velocity: which tetrahedron comes next
+    while (time > 0.0) {
+        const Tetrahedron* inside = nullptr;
+        for (const Tetrahedron& each : mesh)
+            if (const Vec3 ahead = p + beside * each.field(p);
+                inside == nullptr && each.least_share(ahead) >= 0.0)
+                inside = &each;
+        if (inside == nullptr)
+            return std::nullopt;
+        const auto is_inside = [&](double after) {
+            return inside->least_share(inside->field.after(p, after)) >= 0.0;
+        };
+        // A piece is too short for the curve to leave and come back within it.
+        constexpr double piece = 1.0 / 1024.0;
+        double good = std::min(beside, time), bad = good;
+        while (bad < time && is_inside(bad)) {
+            good = bad;
+            bad = std::min(bad + piece, time);
+        }
+        if (is_inside(bad))
+            good = bad;
+        else
+            for (int k = 0; k < 60; ++k)
+                (is_inside(0.5 * (good + bad)) ? good : bad) = 0.5 * (good + bad);
+        p = inside->field.after(p, good);
+        time -= good;
+        if (good == 0.0)
+            return std::nullopt;
+    }
+    return p;
+}
+
 } // namespace
+
+TEST(LinearTets, CurvesGoFromOneTetrahedronToTheNextByTheExponentialOfEach) {
+    std::mt19937 random(29);
+    std::uniform_real_distribution<double> place(0.15, 0.7);
+    const CellMesh mesh = random_tetrahedra(random);
+    const auto tetrahedra = tetrahedra_of(mesh);
+    const auto flow = meshed_flow(mesh, {0.0}, [](const Vec3& p, double) { return swirling(p); });
+    std::vector<Curve> curves(40);
+    for (Curve& curve : curves) {
+        const double x = place(random), y = place(random), z = place(random);
+        curve.seed = {x, y, z};
+        curve.duration = 0.4;
+    }
+    for (const double tolerance : {1e-4, 1e-9}) {
+        std::vector<Curve> traced = curves;
+        TraceOptions options;
+        options.frozen = true;
+        options.longest_step = 0.2;
+        options.tolerance = tolerance;
+        ASSERT_TRUE(flow->trace(traced, options, {}));
+        double worst = 0.0;
+        int compared = 0;
+        for (const Curve& curve : traced)
+            if (const auto end = by_exponentials(tetrahedra, curve.seed, curve.duration);
+                end && curve.end == CurveEnd::Time) {
+                ++compared;
+                worst = std::max(worst, glm::length(curve.last.position - *end));
+            }
+        EXPECT_GT(compared, 20);
+        EXPECT_LE(worst, 1e-9) << tolerance;
+    }
+}
 
 TEST(LinearTets, TheClosedFormIsThatOfTheMatrixExponential) {
     std::mt19937 random(3);
