@@ -57,6 +57,13 @@ describe('the kinds of surface', () => {
         const keep = page.getByRole('checkbox', { name: /Keep releasing/ });
         expect((await edited(() => keep.check())).releaseUntil).toBeUndefined();
         expect((await edited(() => keep.uncheck())).releaseUntil).toBeCloseTo(12.25);
+        // Of what was released until then, half of the time is as old as a particle gets.
+        await edited(() => keep.check());
+        const young = await edited(() => page.getByRole('checkbox', { name: 'Particles live on' }).uncheck());
+        expect(young.life).toBeCloseTo(3.75);
+        const ages = (await ask(page, (hook) => hook.vertices(1))).map(({ t }) => 16 - t);
+        expect(Math.max(...ages)).toBeGreaterThan(3.7);
+        expect(Math.max(...ages)).toBeLessThan(3.751);
     });
 
     it('sweeps a time surface across the flow until told otherwise', async () => {

@@ -29,8 +29,10 @@ describe('settingOf', () => {
         expect(settingOf(later, record, times, false)).toMatchObject({ releaseUntil: 14 });
         const long = { ...streak, released: 9 };
         expect(settingOf(long, record, times, false)).not.toHaveProperty('releaseUntil');
-        const stream = { ...sheet, kind: 'stream' as const };
+        const stream = { ...sheet, life: 3, kind: 'stream' as const };
         expect(settingOf(stream, record, times, false)).not.toHaveProperty('releaseUntil');
+        expect(settingOf(stream, record, times, false)).not.toHaveProperty('life');
+        expect(settingOf({ ...stream, kind: 'path' as const }, record, times, false)).toMatchObject({ life: 3 });
     });
 
     it('gives a time surface one second curve, and the others none', () => {

@@ -33,6 +33,8 @@ export interface SurfaceIntent {
     fields: readonly string[];
     /** How long a streak surface is released for; null: until it is shown. */
     released: number | null;
+    /** How old a particle gets; null: as old as it may. */
+    life: number | null;
     /** Where the patch of a time surface ends: the rake swept along this, or another rake. */
     sweep: Vec3 | null;
     rake2: string | null;
@@ -41,11 +43,11 @@ export interface SurfaceIntent {
 export function intentOf(record: SurfaceRecord): SurfaceIntent {
     const { kind, from, to, separation, direction, accuracy, interpolation, refine, fields } = record;
     const { maxQuads, merge, angle } = record;
-    const { releaseUntil, sweep = null, rake2 = null } = record;
+    const { releaseUntil, life = null, sweep = null, rake2 = null } = record;
     const released = releaseUntil === undefined ? null : Math.abs(releaseUntil - from);
     const length = Math.abs(to - from);
     const mesh = { separation, refine, maxQuads, merge, angle };
-    return { kind, from, length, ...mesh, direction, accuracy, interpolation, fields, released, sweep, rake2 };
+    return { kind, from, length, ...mesh, direction, accuracy, interpolation, fields, released, life, sweep, rake2 };
 }
 
 /** A time surface needs a second curve: where none was chosen, the rake is swept across the domain. */
@@ -69,7 +71,7 @@ export function settingOf(
     const { separation, refine, maxQuads, merge, angle } = intent;
     if (!(followed(intent, times, steady) > 0)) return null;
     const to = endOf(intent, times, steady);
-    const shown = { from, to, releaseUntil: releaseEnd(intent, to - from) };
+    const shown = { from, to, releaseUntil: releaseEnd(intent, to - from), life: intent.life ?? undefined };
     const field = { accuracy, interpolation, fields: [...fields] };
     const mesh = { separation, refine, maxQuads, merge, angle };
     const wanted = { kind, ...mesh, direction, ...field, ...shown, ...secondCurve(intent) };

@@ -16,12 +16,12 @@ import { surfacesOf } from '../../session/edits/selection.ts';
 import type { SurfaceIntent } from '../../session/edits/surfaceIntent.ts';
 import { cutBackAt, directionsOf, followed, longestLength } from '../../session/edits/surfaceTimes.ts';
 import { withUnit } from '../../session/picture/unitsInPicture.ts';
-import { timeWords } from '../../session/picture/writtenNumbers.ts';
 import type { Edits } from '../../session/edits/edits.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { toggled } from '../../state/visibility.ts';
 import './meshRules.ts';
+import './releasePanel.ts';
 import './timeEnds.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
 import { SignalElement } from '../base/signalElement.ts';
@@ -132,17 +132,6 @@ export class SurfacePanel extends SignalElement {
             .several select {
                 max-width: none;
             }
-            .check {
-                display: flex;
-                gap: 8px;
-                align-items: center;
-                margin-top: 8px;
-                cursor: pointer;
-            }
-            .check input {
-                margin: 0;
-                accent-color: var(--accent);
-            }
             .sweep {
                 display: grid;
                 grid-template-columns: 42px repeat(3, 1fr);
@@ -200,7 +189,7 @@ export class SurfacePanel extends SignalElement {
                 />
                 <wakesurf-time-ends .model=${this.model}></wakesurf-time-ends>
                 <p class="quiet" id="data-end" ?hidden=${!dataEnd || shown < longest * 0.999}>To the end of the data.</p>
-                ${intent.kind === 'streak' ? this.release(intent, shown) : ''}
+                <wakesurf-release .model=${this.model}></wakesurf-release>
                 ${intent.kind === 'time' ? this.secondCurve(intent) : ''}
                 <label class="row" for="separation">
                     <span>Separation</span>
@@ -341,39 +330,6 @@ export class SurfacePanel extends SignalElement {
         </label>`;
     }
 
-    /** Until when a streak surface is released; at the end of the slider, as long as it is shown. */
-    private release({ from, released }: SurfaceIntent, shown: number): TemplateResult {
-        const current = Math.min(released ?? shown, shown);
-        const sign = this.model.edits.intent.value?.direction === 'backward' ? -1 : 1;
-        const allTheTime = (event: Event): void => {
-            const on = (event.target as HTMLInputElement).checked;
-            this.model.edits.changeSurface({ released: on ? null : shown / 2 });
-        };
-        return html`<label class="check">
-                <input
-                    type="checkbox"
-                    title="Particles are released until the time that is shown; without, the release stops at a time of your choice"
-                    id="release"
-                    .checked=${live(current > shown * 0.999)}
-                    @change=${allTheTime}
-                />
-                Keep releasing while shown
-            </label>
-            <label class="row" for="release-until">
-                <span>Release until</span>
-                <span class="value">t = ${timeWords(this.model.state, this.model.view, from + sign * current)}</span>
-            </label>
-            <input
-                id="release-until"
-                type="range"
-                min=${shown / 50}
-                max=${shown}
-                step=${shown / 50}
-                .value=${live(String(current))}
-                @input=${(event: Event) => this.releaseChanged(event, shown)}
-            />`;
-    }
-
     /** The second curve of a time surface's patch. */
     private secondCurve({ sweep, rake2 }: SurfaceIntent): TemplateResult {
         const rakes = this.model.state.rakes.value;
@@ -420,12 +376,6 @@ export class SurfacePanel extends SignalElement {
     private lengthChanged(event: Event): void {
         const length = (event.target as HTMLInputElement).valueAsNumber;
         if (length > 0) this.model.edits.changeSurface({ length });
-    }
-
-    private releaseChanged(event: Event, shown: number): void {
-        const value = (event.target as HTMLInputElement).valueAsNumber;
-        const released = value > shown * 0.999 ? null : value;
-        if (released === null || released > 0) this.model.edits.changeSurface({ released });
     }
 
     private sweepChanged(event: Event, before: Vec3, axis: number): void {

@@ -1,0 +1,123 @@
+// How long a surface is released for, and how old its particles get.
+import { css, html, type TemplateResult } from 'lit';
+import { live } from 'lit/directives/live.js';
+import { shortNumber } from '../../scene/base/numbers.ts';
+import type { Edits } from '../../session/edits/edits.ts';
+import type { SurfaceIntent } from '../../session/edits/surfaceIntent.ts';
+import { followed } from '../../session/edits/surfaceTimes.ts';
+import { withUnit } from '../../session/picture/unitsInPicture.ts';
+import { timeWords } from '../../session/picture/writtenNumbers.ts';
+import type { AppState } from '../../state/appState.ts';
+import type { ViewState } from '../../state/viewState.ts';
+import { sharedStyles } from '../base/sharedStyles.ts';
+import { SignalElement } from '../base/signalElement.ts';
+
+export interface ReleaseModel {
+    state: AppState;
+    view: Pick<ViewState, 'units'>;
+    edits: Pick<Edits, 'changeSurface' | 'intent'>;
+}
+
+interface Span {
+    id: string;
+    /** Of the box that leaves it at its longest, and what it says. */
+    box: string;
+    label: string;
+    title: string;
+    words: string;
+    /** What the slider stands for, and its words. */
+    shown: number | null;
+    longest: number;
+    says: (value: number) => string;
+    change: (value: number | null) => Partial<SurfaceIntent>;
+}
+
+export class ReleasePanel extends SignalElement {
+    static override properties = { model: { attribute: false } };
+    declare model: ReleaseModel;
+    static override styles = [
+        sharedStyles,
+        css`
+            .row,
+            .check {
+                display: flex;
+                gap: 8px;
+                align-items: center;
+                margin-top: 6px;
+            }
+            .row {
+                justify-content: space-between;
+            }
+            .value {
+                font-variant-numeric: tabular-nums;
+            }
+            .check {
+                margin-top: 8px;
+                cursor: pointer;
+            }
+            .check input {
+                margin: 0;
+                accent-color: var(--accent);
+            }
+        `,
+    ];
+
+    override render(): TemplateResult {
+        const { state, view, edits } = this.model;
+        const intent = edits.intent.value;
+        if (intent === null || intent.kind === 'stream') return html``;
+        const longest = followed(intent, state.times.value, state.dataset.value?.steady ?? false);
+        const sign = intent.direction === 'backward' ? -1 : 1;
+        const until: Span = {
+            ...{ id: 'release-until', box: 'release', label: 'Keep releasing while shown', words: 'Release until', longest },
+            title: 'Particles are released until the time that is shown; without, the release stops at a time of your choice',
+            shown: intent.released,
+            says: (value) => `t = ${timeWords(state, view, intent.from + sign * value)}`,
+            change: (released) => ({ released }),
+        };
+        const age: Span = {
+            ...{ id: 'life', box: 'live-on', label: 'Particles live on', words: 'Longest age', longest },
+            title: 'A particle lasts as long as the surface is followed; without, it ends at an age of your choice',
+            shown: intent.life,
+            says: (value) => withUnit(shortNumber(value), view.units.value.time),
+            change: (life) => ({ life }),
+        };
+        return html`${intent.kind === 'streak' ? this.span(until) : ''}${this.span(age)}`;
+    }
+
+    /** A box and a slider; at the slider's end, the box is what it says. */
+    private span({ id, box, label, title, words, shown, longest, says, change }: Span): TemplateResult {
+        const value = Math.min(shown ?? longest, longest);
+        const set = (to: number | null): void => this.model.edits.changeSurface(change(to));
+        const slid = (event: Event): void => {
+            const to = (event.target as HTMLInputElement).valueAsNumber;
+            if (to > longest * 0.999) set(null);
+            else if (to > 0) set(to);
+        };
+        return html`<label class="check">
+                <input
+                    type="checkbox"
+                    title=${title}
+                    id=${box}
+                    .checked=${live(value > longest * 0.999)}
+                    @change=${(event: Event) => set((event.target as HTMLInputElement).checked ? null : longest / 2)}
+                />
+                ${label}
+            </label>
+            <label class="row" for=${id}>
+                <span>${words}</span>
+                <span class="value">${says(value)}</span>
+            </label>
+            <input
+                id=${id}
+                type="range"
+                min=${longest / 50}
+                max=${longest}
+                step=${longest / 50}
+                .value=${live(String(value))}
+                @input=${slid}
+            />`;
+    }
+}
+
+customElements.define('wakesurf-release', ReleasePanel);
