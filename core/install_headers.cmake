@@ -12,6 +12,7 @@ set(waiting
     core/surface/contour_lines.hpp
     core/surface/keyed_mesh.hpp
     core/surface/obstacle_surface.hpp
+    core/surface/patches/tessellation.hpp
     core/surface/playback/surface_at.hpp
     core/surface/rake_check.hpp
     core/surface/suggestion/scene_suggestion.hpp

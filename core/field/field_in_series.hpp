@@ -52,8 +52,6 @@ class CarryingSteps {
 
     bool arrive(const Curve& curve) { return steps_.arrive(curve); }
 
-    double difference() const { return steps_.difference(); }
-
   private:
     Steps steps_;
     Carried& carried_;

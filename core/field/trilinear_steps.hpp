@@ -138,8 +138,6 @@ class TrilinearSteps {
         return cell_.inside(index_);
     }
 
-    double difference() const { return 0.05 * cell_.finest(); }
-
   private:
     const GridSampler<Grid>& field_;
     const TraceOptions& options_;

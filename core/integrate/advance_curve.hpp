@@ -18,6 +18,8 @@ namespace wakesurf::core {
 template <class F>
 concept VelocityField = requires(const F& field, const Vec3& p, double t) {
     { field.velocity(p, t) } -> std::convertible_to<Vec3>;
+    /// (grad v) w, here of a vector p.
+    { field.derivative(p, t, p) } -> std::convertible_to<Vec3>;
     { field.status(p) } -> std::same_as<PointStatus>;
 };
 
@@ -38,8 +40,6 @@ concept CurveSteps = requires(
     { steps.inside_until(step, to) } -> std::same_as<double>;
     /// Goes to the end of the step, where the curve ends now. Returns false where that is the domain's border.
     { steps.arrive(curve) } -> std::same_as<bool>;
-    /// Half the distance between the two points whose velocities make a gradient.
-    { const_steps.difference() } -> std::same_as<double>;
 };
 
 /// theta of the last point of a step that is still inside, 1 when all of it is. Looks at points an eighth
@@ -72,45 +72,51 @@ inside_until(const Field& field, const CurveStep& step, double longest_step, Poi
     return 1.0;
 }
 
-/// The tangent across the rake carried along: w' = (grad v) w by the midpoint rule over the step, the gradient by
-/// central differences (second order; it colours, it does not place vertices).
-template <VelocityField Field>
-Vec3 carry_stretch(const Field& field,
-                   const CurveStep& step,
-                   double field_time,
-                   double difference) {
-    const Vec3 middle(step.at(0.5));
-    const auto along = [&](const Vec3& w) {
-        const double length = glm::length(w);
-        if (length == 0.0)
-            return Vec3(0.0);
-        const Vec3 offset = w * (difference / length);
-        return (field.velocity(middle + offset, field_time) -
-                field.velocity(middle - offset, field_time)) *
-               (length / (2.0 * difference));
+/// The tangent across the rake carried along a step: w' = (grad v) w, by the classic Runge-Kutta formula. Within the cell of a
+/// series, where it is a polynomial too and points on the faces belong to the next cell as well, by the midpoint rule over either half.
+/// @param release  simulation time of the curve, @param frozen the field stays as it is then
+template <class Steps>
+StretchStep carry_stretch(
+    const Steps& steps, const CurveStep& step, const Vec3& start, double release, bool frozen) {
+    const auto time = [&](double theta) {
+        return frozen ? release : release + step.time + theta * step.dt;
     };
-    return step.stretch + step.dt * along(step.stretch + 0.5 * step.dt * along(step.stretch));
+    StretchStep out;
+    out.start = start;
+    if constexpr (requires { steps.gradient(step, 0.5, 0.0); }) {
+        const auto early = steps.gradient(step, 0.25, time(0.25));
+        const auto late = steps.gradient(step, 0.75, time(0.75));
+        const double half = 0.5 * step.dt;
+        const Vec3 middle = start + half * early(start + 0.5 * half * early(start));
+        out.end = middle + half * late(middle + 0.5 * half * late(middle));
+        out.start_change = step.dt * (1.5 * early(start) - 0.5 * late(start));
+        out.end_change = step.dt * (1.5 * late(out.end) - 0.5 * early(out.end));
+    } else {
+        const auto change = [&](double theta, const Vec3& w) {
+            return step.dt * steps.field().derivative(Vec3(step.at(theta)), time(theta), w);
+        };
+        out.start_change = change(0.0, start);
+        const Vec3 k2 = change(0.5, start + 0.5 * out.start_change);
+        const Vec3 k3 = change(0.5, start + 0.5 * k2);
+        const Vec3 k4 = change(1.0, start + k3);
+        out.end = start + (out.start_change + 2.0 * (k2 + k3) + k4) / 6.0;
+        out.end_change = change(1.0, out.end);
+    }
+    return out;
 }
 
 inline CurveEnd end_at(PointStatus met) {
     return met == PointStatus::InObstacle ? CurveEnd::Obstacle : CurveEnd::Domain;
 }
 
-/// Takes the part of a step that is inside: what its stretch becomes, and where the curve ends now.
-template <CurveSteps Steps>
-void take_step(
-    const Steps& steps, Curve& curve, CurveStep& step, double theta, const TraceOptions& options) {
-    step.time = curve.last.time;
-    step.stretch = curve.last.stretch;
+/// Takes the part of a step that is inside: where the curve ends now.
+inline void take_step(Curve& curve, const CurveStep& step, double theta) {
     const glm::dvec4 end = step.at(theta);
     curve.last.position = Vec3(end);
     curve.last.arc = end.w;
     curve.last.time = step.time + theta * step.dt;
-    if (options.stretch) {
-        const double middle =
-            options.frozen ? curve.release : curve.release + step.time + 0.5 * step.dt;
-        curve.last.stretch = carry_stretch(steps.field(), step, middle, steps.difference());
-    }
+    if (curve.stretches.size() > curve.steps.size())
+        curve.last.stretch = curve.stretches.back().at(theta);
 }
 
 /// Goes on from `curve.last` until `until` (time since release, same sign as the duration).
@@ -146,9 +152,14 @@ bool advance_steps(Steps steps,
             curve.end = end_at_rest(steps.field(), curve.last.position);
         if (outcome != StepOutcome::Taken)
             continue;
+        step.time = curve.last.time;
+        if (options
+                .stretch) // before anything else is looked at: the steps of cells have their place there
+            curve.stretches.push_back(
+                carry_stretch(steps, step, curve.last.stretch, curve.release, options.frozen));
         PointStatus met = PointStatus::Inside;
         const double theta = steps.inside_until(step, met);
-        take_step(steps, curve, step, theta, options);
+        take_step(curve, step, theta);
         if (!keep(step))
             return false;
         if (theta < 1.0) {

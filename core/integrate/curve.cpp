@@ -10,9 +10,9 @@ namespace {
 CurvePoint point_in(const Curve& curve, std::size_t index, double theta) {
     const CurveStep& step = curve.steps[index];
     const glm::dvec4 y = step.at(theta);
-    const Vec3 next =
-        index + 1 < curve.steps.size() ? curve.steps[index + 1].stretch : curve.last.stretch;
-    return {Vec3(y), step.time + theta * step.dt, y.w, glm::mix(step.stretch, next, theta)};
+    const Vec3 stretch =
+        index < curve.stretches.size() ? curve.stretches[index].at(theta) : curve.last.stretch;
+    return {Vec3(y), step.time + theta * step.dt, y.w, stretch};
 }
 
 /// Arc length over that at the start of the step, and its derivative, at theta.

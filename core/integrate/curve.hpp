@@ -26,9 +26,9 @@ struct TraceOptions {
     double step = 0.0;         ///< Rk4: the time step; Dopri5: the first one tried, 0: chosen
     double longest_step = 0.0; ///< arc length a step may cover, in the dataset's length unit; > 0
     double stagnation_speed = 0.0;   ///< a slower particle ends: at_rest.hpp says with what
-    std::size_t most_steps = 50'000; ///< attempts after which it ends with Budget: 208 bytes each
-    bool stretch = false;            ///< transport the tangent across the rake (for deformation)
-    bool smooth = false; ///< stored data: tricubic in space and cubic in time instead of linear
+    std::size_t most_steps = 50'000; ///< attempts after which it ends with Budget: 184 bytes each
+    bool stretch = false; ///< transport the tangent across the rake: 96 bytes a step more
+    bool smooth = false;  ///< stored data: tricubic in space and cubic in time instead of linear
     WorkMemory* memory = nullptr; ///< what the steps take is counted there, where there is one
 };
 
@@ -38,13 +38,25 @@ struct CurveStep {
     double time = 0.0; ///< since release
     double dt = 0.0;   ///< negative upstream
     std::array<glm::dvec4, 5> c;
-    Vec3 stretch{0.0}; ///< transported tangent dx/ds at the start of the step
     double error =
         0.0; ///< how far off the step's end may be for what the integrator leaves out, as it estimates it; RK4: 0
 
     glm::dvec4 at(double theta) const {
         const double other = 1.0 - theta;
         return c[0] + theta * (c[1] + other * (c[2] + theta * (c[3] + other * c[4])));
+    }
+};
+
+/// The transported tangent dx/ds during a step, of third order contact at both ends.
+struct StretchStep {
+    Vec3 start{0.0}, end{0.0};
+    Vec3 start_change{0.0}, end_change{0.0}; ///< by theta
+
+    Vec3 at(double theta) const {
+        const double other = 1.0 - theta;
+        const Vec3 change = end - start;
+        return start + theta * change +
+               theta * other * (other * (start_change - change) - theta * (end_change - change));
     }
 };
 
@@ -63,6 +75,7 @@ struct Curve {
     double duration = 0.0;  ///< signed: negative integrates upstream
 
     std::vector<CurveStep> steps;
+    std::vector<StretchStep> stretches; ///< one a step with TraceOptions::stretch, else none
     CurveEnd end = CurveEnd::Running;
     CurvePoint last;          ///< where the curve ends
     double next_dt = 0.0;     ///< the integrator's proposal, kept between sliding-window intervals
@@ -78,8 +91,9 @@ struct Curve {
 /// Adds a step. False: there is no memory for it, and tracing should end.
 inline bool keep_step(Curve& curve, const CurveStep& step, const TraceOptions& options) {
     const std::size_t before = curve.steps.capacity();
+    const std::size_t bytes = sizeof(CurveStep) + (options.stretch ? sizeof(StretchStep) : 0);
     if (options.memory != nullptr && curve.steps.size() == before &&
-        !options.memory->grow(std::max<std::size_t>(before, 1) * sizeof(CurveStep)))
+        !options.memory->grow(std::max<std::size_t>(before, 1) * bytes))
         return false;
     curve.steps.push_back(step);
     return true;

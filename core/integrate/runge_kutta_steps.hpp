@@ -62,8 +62,6 @@ class RungeKuttaSteps {
         return true;
     }
 
-    double difference() const { return 0.05 * options_.longest_step; }
-
   private:
     Vec3 velocity(const Curve& curve, const Vec3& p, double t) const {
         return field_.velocity(p, options_.frozen ? curve.release : t);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "core/base/vec3.hpp"
+#include "core/surface/carried_error.hpp"
 
 #include <array>
 #include <cstdint>
@@ -48,6 +49,9 @@ struct QuadComplex {
     std::vector<std::uint8_t> approximated; ///< 1: interpolated, not traced from the rake
     /// Length: how far the vertex may be from the true surface, across it, as estimated; empty: of a mesh that no builder has made
     std::vector<float> error;
+    std::vector<SurfaceTangents> tangents; ///< dx/ds and dx/dt; empty when not asked for
+    std::vector<Vec3f>
+        normal; ///< of length 1, or 0 where there is none; empty: as the cells beside say
     std::vector<Cell> cells;
 
     std::size_t vertices() const { return position.size(); }

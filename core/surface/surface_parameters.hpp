@@ -49,7 +49,10 @@ struct SurfaceParameters {
     Refine refine =
         Refine::On; ///< off: `merge`, `angle` and `separation` across the flow count for nothing
     std::uint64_t max_quads = 1'000'000;
-    bool deformation = false; ///< compute the deformation array (four more samples a step)
+    bool deformation =
+        false; ///< compute the deformation array: that of stream and path surfaces takes time
+    bool tangents =
+        false; ///< keep dx/ds and dx/dt of each vertex, which takes the same time: what patches/ needs
     std::optional<double>
         release_until{}; ///< streak: the release stops here (a streak sheet); default: `to`
     std::optional<double>

@@ -36,6 +36,9 @@ Result<void> add_attributes(SheetMesh& mesh, const SurfacePlan& plan, std::stop_
     if (auto sampled = flow.sample(complex.position, times, velocity, stop, smooth); !sampled)
         return sampled;
     complex.velocity.assign(velocity.begin(), velocity.end());
+    if (p.tangents)
+        for (std::size_t i = 0; i < velocity.size(); ++i)
+            complex.tangents.push_back({mesh.stretch[i], velocity[i]});
     if (!p.deformation)
         return {};
 

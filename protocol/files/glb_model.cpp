@@ -46,6 +46,8 @@ tinygltf::Value::Object extras(const MeshMetadata& metadata) {
         out["rake2"] = numbers(metadata.parameters.rake2->points);
     if (metadata.parameters.rake2 && tells_kind(metadata.parameters.rake2->kind))
         out["rake2Kind"] = Value(std::string(name(metadata.parameters.rake2->kind)));
+    if (metadata.tessellate > 1)
+        out["tessellate"] = Value(static_cast<int>(metadata.tessellate));
     if (!metadata.stopped.empty())
         out["stopped"] = Value(metadata.stopped);
     if (metadata.parameters.sweep)

@@ -47,6 +47,8 @@ std::vector<std::string> mesh_comments(const MeshMetadata& metadata) {
     for (const auto& [name, value] : given_numbers(metadata.parameters))
         lines.push_back(std::string(name) + " " + number_text(value));
     lines.push_back("separation " + number_text(metadata.separation));
+    if (metadata.tessellate > 1)
+        lines.push_back("tessellate " + std::to_string(metadata.tessellate));
     if (!metadata.stopped.empty())
         lines.push_back("stopped " + printable(metadata.stopped));
     return lines;

@@ -4,6 +4,7 @@
 #include "core/surface/rake.hpp"
 #include "core/surface/surface_parameters.hpp"
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -15,6 +16,7 @@ struct MeshMetadata {
     core::Rake rake{};
     core::SurfaceParameters parameters{};
     double separation = 0.0; ///< of the mesh: the quad budget may have raised the one asked for
+    std::uint32_t tessellate = 1; ///< quads that a cell of that separation was cut into, each way
     std::string dataset;
     std::string version;          ///< of wakesurf
     std::optional<double> time{}; ///< at which it is shown, where that is not its end

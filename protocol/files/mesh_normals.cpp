@@ -23,6 +23,9 @@ std::vector<core::Vec3f> vertex_normals(const core::QuadComplex& mesh,
         const bool usable = length > 0.0 && std::isfinite(length);
         normals.emplace_back(usable ? sum / length : core::Vec3(0.0, 0.0, 1.0));
     }
+    for (std::size_t v = 0; v < mesh.normal.size(); ++v)
+        if (mesh.normal[v] != core::Vec3f(0.0F))
+            normals[v] = mesh.normal[v];
     return normals;
 }
 

@@ -85,6 +85,9 @@ void field_data(std::string& xml, const MeshMetadata& metadata) {
     for (const auto& [name, value] : given_numbers(metadata.parameters))
         field_numbers(xml, name, std::span(&value, 1));
     field_numbers(xml, "separation", std::span(&metadata.separation, 1));
+    const double pieces = metadata.tessellate;
+    if (metadata.tessellate > 1)
+        field_numbers(xml, "tessellate", std::span(&pieces, 1));
     field_text(xml, "dataset", metadata.dataset);
     field_text(xml, "version", metadata.version);
     if (!metadata.stopped.empty())

@@ -2,6 +2,7 @@
 
 #include "core/base/machine_memory.hpp"
 #include "core/surface/budget_search.hpp"
+#include "core/surface/patches/tessellation.hpp"
 #include "core/surface/surface_builder.hpp"
 #include "core/surface/vertex_times.hpp"
 #include "protocol/api/generated/names.hpp"
@@ -107,10 +108,12 @@ core::Result<void> write(const SurfaceOptions& options,
                          const core::Surface& surface,
                          const protocol::MeshScalars& scalars,
                          double processor_seconds,
-                         bool cut_short) {
+                         bool cut_short,
+                         std::uint64_t flat_cells) {
     const protocol::MeshMetadata metadata{.rake = plan.rake,
                                           .parameters = plan.parameters,
                                           .separation = surface.statistics.separation,
+                                          .tessellate = options.tessellate,
                                           .dataset = info.dataset,
                                           .version = WAKESURF_VERSION,
                                           .stopped = surface.statistics.stopped};
@@ -127,6 +130,11 @@ core::Result<void> write(const SurfaceOptions& options,
     statistics["seconds"]["processor"] = processor_seconds;
     if (cut_short)
         statistics["reason"] = "timeLimit";
+    if (options.tessellate > 1)
+        statistics["tessellation"] = {{"pieces", options.tessellate},
+                                      {"quads", surface.mesh.cells.size()},
+                                      {"vertices", surface.mesh.vertices()},
+                                      {"flatCells", flat_cells}};
     return write_whole_file(options.stats, protocol::json_text(statistics, 2) + "\n");
 }
 
@@ -217,6 +225,25 @@ core::Result<core::SurfacePlan> planned(SurfaceRequest request,
     return plan;
 }
 
+/// Cuts the surface's cells where that is asked for; what is said of its error is then said of what is written. Returns how many cells have
+/// a side that stayed flat.
+core::Result<std::uint64_t> cut_cells(core::Surface& surface,
+                                      std::vector<double>& times,
+                                      const SurfaceOptions& options,
+                                      const core::SurfacePlan& plan,
+                                      const std::stop_token& stop,
+                                      core::WorkMemory& memory) {
+    if (options.tessellate <= 1)
+        return 0;
+    auto cut =
+        core::tessellate(plan, surface.mesh, times, options.tessellate, stop, {nullptr, &memory});
+    if (!cut)
+        return tl::unexpected(cut.error());
+    surface.mesh = std::move(cut->mesh);
+    surface.statistics.error = core::stated_error(surface.mesh, surface.statistics.separation);
+    return cut->flat_cells;
+}
+
 core::Error nothing_yet(const core::Error& error, const TimeLimit& limit) {
     return limit.over() ? nothing_within(limit) : error;
 }
@@ -235,7 +262,7 @@ core::Result<void> make(const SurfaceOptions& options,
     if (!plan)
         return tl::unexpected(nothing_yet(plan.error(), limit));
     const std::clock_t began = std::clock();
-    const auto built =
+    auto built =
         build_within(limit, plan->parameters, core::coarsest_separation(dataset->flow->domain()),
                      [&](const auto& parameters) {
                          core::SurfacePlan pass = *plan;
@@ -247,27 +274,33 @@ core::Result<void> make(const SurfaceOptions& options,
         return tl::unexpected(as_option(built.error()));
     if (stop.stop_requested())
         return core::fail(core::Error::Code::Cancelled, "stopped, nothing was written");
-    const core::Surface& surface = built->surface;
+    core::Surface& surface = built->surface;
     const double processor_seconds =
         static_cast<double>(std::clock() - began) / static_cast<double>(CLOCKS_PER_SEC);
     if (auto shown = tell_statistics(surface.statistics, built->cut_short); !shown)
         return shown;
     core::WorkMemory memory(process.account(), stop, std::chrono::seconds(1), "the surface's file");
+    auto times = core::vertex_times(surface, plan->parameters);
+    const auto flat = cut_cells(surface, times, options, *plan, stop, memory);
+    if (!flat)
+        return tl::unexpected(as_option(flat.error()));
     if (!memory.grow(surface.mesh.vertices() * file_bytes))
         return tl::unexpected(memory.refusal());
-    const auto scalars =
-        surface_scalars(*dataset, surface.mesh, core::vertex_times(surface, plan->parameters),
-                        options.fields, stop);
+    const auto scalars = surface_scalars(*dataset, surface.mesh, times, options.fields, stop);
     if (!scalars)
         return tl::unexpected(scalars.error());
     if (auto written = write(options, lines, *plan, dataset->info, surface, *scalars,
-                             processor_seconds, built->cut_short);
+                             processor_seconds, built->cut_short, *flat);
         !written)
         return written;
     const auto& statistics = surface.statistics;
-    tell("{}: {}{} quads, {} vertices, {:.2f} s{}\n", options.output,
+    tell("{}: {}{} quads, {} vertices, {:.2f} s{}{}\n", options.output,
          lines ? options.lines + " of a surface of " : "", statistics.quads, statistics.vertices,
-         statistics.seconds.total, built->cut_short ? ", not finished" : "");
+         statistics.seconds.total,
+         options.tessellate > 1 ? fmt::format(", cut into {} quads, {} cells with flat sides",
+                                              surface.mesh.cells.size(), *flat)
+                                : "",
+         built->cut_short ? ", not finished" : "");
     return {};
 }
 
@@ -331,6 +364,12 @@ void add_surface_options(CLI::App& command, SurfaceOptions& options) {
     command.add_flag(
         "--draco,!--no-draco", options.draco,
         "Compress .glb files with Draco; --no-draco is for readers without it, such as ParaView");
+    command
+        .add_option("--tessellate", options.tessellate,
+                    "Cut each cell into N by N quads on a curved patch through its vertices, which "
+                    "is as exact as they are")
+        ->check(CLI::Range(1U, core::most_tessellated))
+        ->capture_default_str();
     command.add_option(
         "--lines", options.lines,
         "Write lines instead of the mesh: timelines:N, or streamlines:N, pathlines:N or "

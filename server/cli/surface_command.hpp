@@ -30,8 +30,9 @@ struct SurfaceOptions {
     int threads = 0;          ///< 0: one a core
     double seconds = 0.0; ///< of the wall clock, after which what is there is written; 0: no limit
     std::string output;
-    bool draco = true; ///< in .glb files
-    std::string lines; ///< which lines are written instead of the mesh; empty: the mesh
+    bool draco = true;            ///< in .glb files
+    std::uint32_t tessellate = 1; ///< quads a cell becomes, each way
+    std::string lines;            ///< which lines are written instead of the mesh; empty: the mesh
     std::string stats;
     std::string store;
     SourceOptions taken;

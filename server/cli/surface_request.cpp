@@ -161,10 +161,15 @@ core::Result<SurfaceRequest> check_surface_options(const SurfaceOptions& options
     }
     request.parameters.max_quads = options.max_quads;
     request.parameters.deformation = true;
+    request.parameters.tangents = options.tessellate > 1;
     return request;
 }
 
 core::Error as_option(core::Error error) {
+    constexpr std::string_view cut = "`tessellate`";
+    for (std::string* text : {&error.message, &error.hint})
+        if (const auto at = text->find(cut); at != std::string::npos)
+            text->replace(at, cut.size(), "--tessellate");
     for (const protocol::SurfaceOption& each : protocol::surface_options)
         for (std::string* text : {&error.message, &error.hint}) {
             const std::string quoted = '`' + std::string(each.parameter) + '`';

@@ -9,7 +9,7 @@
 
 namespace wakesurf::tests {
 
-/// At a time since release, between 0 and that of the curve's end; its stretch is that at the start of the step.
+/// At a time since release, between 0 and that of the curve's end; its stretch is that at the end of the curve.
 inline core::CurvePoint at_time(const core::Curve& curve, double time) {
     if (curve.steps.empty() || std::abs(time) >= std::abs(curve.last.time))
         return curve.last;
@@ -20,7 +20,7 @@ inline core::CurvePoint at_time(const core::Curve& curve, double time) {
         after == curve.steps.begin() ? curve.steps.front() : *std::prev(after);
     const double theta = std::clamp((time - step.time) / step.dt, 0.0, 1.0);
     const glm::dvec4 y = step.at(theta);
-    return {core::Vec3(y), step.time + theta * step.dt, y.w, step.stretch};
+    return {core::Vec3(y), step.time + theta * step.dt, y.w, curve.last.stretch};
 }
 
 } // namespace wakesurf::tests

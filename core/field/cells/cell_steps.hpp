@@ -70,8 +70,6 @@ class CellStepsOf {
     /// The cursor is there: inside_until looked at the end.
     bool arrive(const Curve&) { return true; }
 
-    double difference() const { return 0.05 * options_.longest_step; }
-
   private:
     Cursor field_;
     const TraceOptions& options_;

@@ -421,7 +421,9 @@ Result<void> MovingSurface::advance_to(double to, std::stop_token stop, const Wo
 }
 
 KeyedMesh MovingSurface::mesh() const {
-    return snapshot(state_.mesh, true, &state_.step_errors, state_.errors_until);
+    const bool tangents = state_.plan->request.plan.parameters.tangents;
+    return snapshot(state_.mesh, {.deformation = true, .tangents = tangents}, &state_.step_errors,
+                    state_.errors_until);
 }
 
 std::string MovingSurface::validate() const {

@@ -113,8 +113,10 @@ void hang(const MovingMesh& mesh,
 
 } // namespace
 
-KeyedMesh
-snapshot(const MovingMesh& mesh, bool deformation, const StepErrors* errors, double errors_until) {
+KeyedMesh snapshot(const MovingMesh& mesh,
+                   const ShownArrays& arrays,
+                   const StepErrors* errors,
+                   double errors_until) {
     Quads quads = quads_of(mesh.triangles);
     const MaterialVertices& v = mesh.vertices;
     std::vector<VertexId> place(v.slots(), no_vertex);
@@ -130,7 +132,8 @@ snapshot(const MovingMesh& mesh, bool deformation, const StepErrors* errors, dou
     out.mesh.t.resize(count);
     out.mesh.velocity.resize(count);
     out.mesh.approximated.resize(count);
-    out.mesh.deformation.resize(deformation ? count : 0);
+    out.mesh.deformation.resize(arrays.deformation ? count : 0);
+    out.mesh.tangents.resize(arrays.tangents ? count : 0);
     out.mesh.error.resize(errors != nullptr ? count : 0);
     for_each_index(v.slots(), [&](std::size_t slot) {
         const auto i = static_cast<VertexId>(slot);
@@ -143,8 +146,10 @@ snapshot(const MovingMesh& mesh, bool deformation, const StepErrors* errors, dou
         out.mesh.t[k] = v.t[i];
         out.mesh.velocity[k] = v.velocity[i];
         out.mesh.approximated[k] = v.approximated[i];
-        if (deformation)
+        if (arrays.deformation)
             out.mesh.deformation[k] = deformation_of(v, i);
+        if (arrays.tangents)
+            out.mesh.tangents[k] = v.tangents(i);
         if (errors != nullptr)
             out.mesh.error[k] = stated_error(mesh, i, *errors, errors_until);
     });
@@ -193,7 +198,7 @@ std::string violation(const MovingMesh& mesh) {
         if (!(material_area(mesh, a, b, c) >= 0.0)) // zero: within rounding
             return at(t, "is turned over in (s, t)");
     }
-    return snapshot(mesh, false).mesh.validate();
+    return snapshot(mesh, {}).mesh.validate();
 }
 
 } // namespace wakesurf::core

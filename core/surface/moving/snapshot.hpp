@@ -10,10 +10,16 @@
 
 namespace wakesurf::core {
 
+/// What the mesh is to have besides.
+struct ShownArrays {
+    bool deformation = false;
+    bool tangents = false;
+};
+
 /// @param errors  of steps, or nothing: the mesh then has no errors
 /// @param errors_until  the steps before are in the errors of the vertices
 KeyedMesh snapshot(const MovingMesh& mesh,
-                   bool deformation,
+                   const ShownArrays& arrays,
                    const StepErrors* errors = nullptr,
                    double errors_until = 0.0);
 

@@ -40,6 +40,7 @@ QuadComplex vertices(const QuadComplex& mesh, const Order& order) {
     take(mesh.component, order, out.component);
     take(mesh.approximated, order, out.approximated);
     take(mesh.error, order, out.error);
+    take(mesh.tangents, order, out.tangents);
     return out;
 }
 

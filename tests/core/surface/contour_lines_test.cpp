@@ -21,7 +21,7 @@ double length(const ContourLine& line) {
 
 /// 6 x 5 cells, some of them cut in four so that nodes hang on their neighbours; s = x / 6, t = y / 5.
 QuadComplex hanging() {
-    QuadComplex mesh = snapshot(flat_patch(6, 5), false).mesh;
+    QuadComplex mesh = snapshot(flat_patch(6, 5), {}).mesh;
     const auto middle = [&](VertexId a, VertexId b) {
         mesh.position.push_back(0.5 * (mesh.position[a] + mesh.position[b]));
         mesh.s.push_back(0.5 * (mesh.s[a] + mesh.s[b]));
@@ -115,7 +115,7 @@ TEST(ContourLines, ComeInTheOrderOfTheValues) {
 
 TEST(ContourLines, RoundATubeAreClosed) {
     constexpr int columns = 12;
-    const QuadComplex mesh = snapshot(flat_patch(columns, 4, true), false).mesh;
+    const QuadComplex mesh = snapshot(flat_patch(columns, 4, true), {}).mesh;
     const double around = 2.0 * columns * std::sin(std::numbers::pi / columns);
     for (const double value : {0.1, 0.5, 0.6}) { // one of them on a row of vertices
         const auto lines = contour_lines(mesh, mesh.t, std::array{value});
@@ -128,7 +128,7 @@ TEST(ContourLines, RoundATubeAreClosed) {
 }
 
 TEST(ContourLines, AClosedLineRoundAPeakIsFound) {
-    QuadComplex mesh = snapshot(flat_patch(8, 8), false).mesh;
+    QuadComplex mesh = snapshot(flat_patch(8, 8), {}).mesh;
     for (std::size_t i = 0; i < mesh.vertices(); ++i) // a pyramid over the middle
         mesh.t[i] =
             4.0 - std::max(std::abs(mesh.position[i].x - 4.0), std::abs(mesh.position[i].y - 4.0));
@@ -145,7 +145,7 @@ TEST(ContourLines, APatchInTwoPartsHasALineInEach) {
     for (TriangleId row = 0; row < 5; ++row)
         for (const TriangleId half : {0u, 1u})
             mesh.triangles.remove(2 * (6 * row + 2) + half);
-    const QuadComplex torn = snapshot(mesh, false).mesh;
+    const QuadComplex torn = snapshot(mesh, {}).mesh;
     const auto lines = contour_lines(torn, torn.t, std::array{0.5});
     ASSERT_EQ(lines.size(), 2u);
     EXPECT_NEAR(length(lines[0]) + length(lines[1]), 5.0, 1e-12);

@@ -62,7 +62,7 @@ class Edited {
         mesh_.time += 0.5;
     }
 
-    KeyedMesh now() const { return snapshot(mesh_, true); }
+    KeyedMesh now() const { return snapshot(mesh_, {.deformation = true}); }
 
     std::size_t live() const { return mesh_.triangles.live(); }
 

@@ -69,7 +69,7 @@ TEST(MaterialTriangles, AppendedQuadsArePairsThatKnowThoseBeside) {
     EXPECT_EQ(mesh.triangles.live(), 12u);
     EXPECT_EQ(mesh.triangles.quads(), 6u);
     EXPECT_EQ(violation(mesh), "");
-    const KeyedMesh out = snapshot(mesh, false);
+    const KeyedMesh out = snapshot(mesh, {});
     ASSERT_EQ(out.mesh.cells.size(), 6u);
     // As they were released: the first two corners are the row that left the rake last.
     EXPECT_EQ(out.mesh.cells[0].corner, (std::array<VertexId, 4>{0, 1, 5, 4}));
@@ -93,11 +93,11 @@ TEST(MaterialTriangles, WhatWouldTouchAtAVertexOnlyIsLeftOut) {
 TEST(MaterialTriangles, AFlipOfAFlipIsWhatWasThereBefore) {
     MovingMesh mesh = flat_patch(3, 3);
     const auto before = edges(mesh);
-    const std::uint64_t handed_out = hash(snapshot(mesh, false));
+    const std::uint64_t handed_out = hash(snapshot(mesh, {}));
     const unsigned diagonal = mesh.triangles[8].mate;
     mesh.triangles.flip(8, diagonal);
     EXPECT_NE(edges(mesh), before);
-    EXPECT_EQ(hash(snapshot(mesh, false)), handed_out) << "the quad is the same";
+    EXPECT_EQ(hash(snapshot(mesh, {})), handed_out) << "the quad is the same";
     EXPECT_EQ(violation(mesh), "");
     mesh.triangles.flip(8, mesh.triangles[8].mate);
     EXPECT_EQ(edges(mesh), before);
@@ -262,7 +262,7 @@ TEST(MaterialTriangles, RenumberingIsInvisibleInTheSnapshot) {
     mesh.triangles.tear(26);
     mesh.triangles.split(8, 0, insert_middle(mesh, 8, 0));
     pair_and_clean(mesh);
-    const std::uint64_t before = hash(snapshot(mesh, false));
+    const std::uint64_t before = hash(snapshot(mesh, {}));
     std::vector<TriangleId> triangles;
     for (TriangleId t = 0; t < mesh.triangles.slots().size(); ++t)
         if (mesh.triangles[t].live)
@@ -279,7 +279,7 @@ TEST(MaterialTriangles, RenumberingIsInvisibleInTheSnapshot) {
         slot[vertices[i]] = static_cast<VertexId>(i);
     mesh.triangles.renumber(triangles, slot);
     mesh.vertices.renumber(vertices);
-    EXPECT_EQ(hash(snapshot(mesh, false)), before);
+    EXPECT_EQ(hash(snapshot(mesh, {})), before);
     EXPECT_EQ(violation(mesh), "");
 }
 
