@@ -1,6 +1,7 @@
 #include "server/net/download_request.hpp"
 
 #include "core/base/rounding.hpp"
+#include "core/surface/patches/tessellation.hpp"
 #include "core/surface/playback/surface_age.hpp"
 #include "core/surface/time_direction.hpp"
 #include "server/session/live/surface_build.hpp"
@@ -55,6 +56,18 @@ core::Result<void> read_draco(const std::string& text, DownloadRequest& out) {
     return {};
 }
 
+core::Result<void> read_tessellate(const std::string& text, DownloadRequest& out) {
+    const char* const end = text.data() + text.size();
+    const auto read = std::from_chars(text.data(), end, out.tessellate);
+    if (read.ec != std::errc{} || read.ptr != end || out.tessellate < 1 ||
+        out.tessellate > core::most_tessellated)
+        return fail(
+            Error::Code::InvalidArgument,
+            fmt::format("`tessellate` is not a whole number from 1 to {}", core::most_tessellated),
+            "?tessellate=4 cuts each cell into 4 by 4 quads on a curved patch");
+    return {};
+}
+
 /// What there is depends on the surface's kind, which is not known yet.
 core::Result<void> read_lines_text(const std::string& text, DownloadRequest& out) {
     if (out.format == protocol::MeshFormat::Drc)
@@ -84,10 +97,12 @@ core::Result<DownloadRequest> read_download(std::string_view file,
             : name == "draco" ? read_draco(value, out)
             : name == "now"   ? read_now(value, out)
             : name == "lines" ? read_lines_text(value, out)
-                              : fail(Error::Code::InvalidArgument,
-                                     "a download has no parameter `" + name.substr(0, 64) + "`",
-                                     "the parameters are ?time=2.5, ?time=end, ?draco=false, "
-                                     "?now=true and ?lines=timelines:8");
+            : name == "tessellate"
+                ? read_tessellate(value, out)
+                : fail(Error::Code::InvalidArgument,
+                       "a download has no parameter `" + name.substr(0, 64) + "`",
+                       "the parameters are ?time=2.5, ?time=end, ?draco=false, "
+                       "?now=true, ?lines=timelines:8 and ?tessellate=4");
         if (!read)
             return tl::unexpected(read.error());
     }

@@ -15,10 +15,11 @@ namespace wakesurf::server {
 struct DownloadRequest {
     protocol::MeshFormat format = protocol::MeshFormat::Vtp;
     protocol::GlbCoding glb = protocol::GlbCoding::Draco;
-    std::string lines{};        ///< which lines instead of the mesh, as text; empty: the mesh
-    bool now = false;           ///< what is shown, also where it is not final yet
-    bool at_the_end = false;    ///< whatever the session's clock says
-    std::optional<double> time; ///< likewise; neither: as the clock says
+    std::string lines{};          ///< which lines instead of the mesh, as text; empty: the mesh
+    std::uint32_t tessellate = 1; ///< quads that each cell is cut into, each way
+    bool now = false;             ///< what is shown, also where it is not final yet
+    bool at_the_end = false;      ///< whatever the session's clock says
+    std::optional<double> time;   ///< likewise; neither: as the clock says
 };
 
 /// @param file  the last part of the path, `mesh.vtp`

@@ -2,6 +2,7 @@
 
 #include "core/base/crc32c.hpp"
 #include "core/surface/obstacle_surface.hpp"
+#include "core/surface/patches/tessellation.hpp"
 #include "core/surface/playback/surface_at.hpp"
 #include "protocol/api/json_text.hpp"
 #include "protocol/files/lines_file.hpp"
@@ -132,14 +133,22 @@ struct FileJob {
     core::Result<std::string> make(const std::stop_token& stop,
                                    core::MemoryAccount::Share& share) const {
         core::WorkMemory memory(*account, stop, limits::download_memory, "a file of this surface");
-        const auto shown =
+        auto shown =
             core::surface_at(surface.plan, time, core::SteadyClock{}, stop, {nullptr, &memory});
         if (!shown)
             return tl::unexpected(shown.error());
+        if (request.tessellate > 1) {
+            auto cut = core::tessellate(surface.plan, shown->mesh, shown->times, request.tessellate,
+                                        stop, {nullptr, &memory});
+            if (!cut)
+                return tl::unexpected(cut.error());
+            shown->mesh = std::move(cut->mesh);
+        }
         const std::size_t needed = shown->mesh.vertices() * (vertex_file_bytes + 8 * fields.size());
         if (auto taken = take(needed, stop, share); !taken)
             return tl::unexpected(taken.error());
         auto metadata = metadata_of(surface, shown->statistics, *dataset, time);
+        metadata.tessellate = request.tessellate;
         if (coarse)
             metadata.stopped = "this is the coarse surface that was shown before the final one";
         if (lines)
@@ -174,6 +183,8 @@ std::string tag_of(const protocol::SurfaceRecord& record,
         }
     all += fmt::format("|{} {} {}", steps, values, WAKESURF_VERSION);
     all += "|" + request.lines;
+    if (request.tessellate > 1)
+        all += fmt::format("|tessellate {}", request.tessellate);
     if (early)
         all += fmt::format("|coarse {} {} {}", job.plan.parameters.max_quads,
                            job.plan.parameters.separation, job.plan.parameters.to);
@@ -290,6 +301,7 @@ core::Result<void> Downloads::offer(const HttpRequest& request,
         job.plan = early_plan(std::move(job.plan), *early);
     else // which a fast surface would be another one for
         job.plan.parameters.deformation = true;
+    job.plan.parameters.tangents = wanted->tessellate > 1;
     std::optional<protocol::LinesWanted> lines;
     if (!wanted->lines.empty()) {
         const auto read = protocol::read_lines(wanted->lines, job.plan.parameters.kind);

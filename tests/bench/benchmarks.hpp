@@ -56,6 +56,9 @@ void register_cells_benchmarks();
 /// deviation.
 void register_stream_surface_benchmarks();
 
+/// How far flat and tessellated cells are from the exact surface, on closed forms and on data.
+void register_tessellation_benchmarks(const std::shared_ptr<const server::LoadedDataset>& dataset);
+
 /// Single steps of a streak surface of 100,000 vertices: whole frames with refinement, on one thread and on
 /// two.
 void register_streak_frame_benchmarks();

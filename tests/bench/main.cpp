@@ -69,6 +69,7 @@ int measure(const server::BenchOptions& options) {
     register_playing_benchmark();
     register_accuracy_benchmarks(*loaded);
     register_shape_benchmarks(*loaded);
+    register_tessellation_benchmarks(*loaded);
     register_budget_benchmarks();
     register_surface_benchmarks(*loaded);
     register_wire_benchmarks(*loaded);

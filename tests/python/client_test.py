@@ -165,6 +165,16 @@ class ClientTest(unittest.TestCase):
         with self.assertRaisesRegex(wakesurf.InvalidParameters, "no lines called 'streaklines'"):
             surface.lines("streaklines")
 
+    def test_cells_can_be_cut_on_curved_patches(self):
+        rake = self.session.rake(line=[(0.5, 0, 0), (1.5, 0, 0)], seeds=5)
+        surface = self.session.surface(rake, "path", dataset="lamb-oseen", to=1, separation=0.2)
+        flat, cut = surface.mesh(), surface.mesh(tessellate=3)
+        self.assertEqual(len(cut.polygons), 9 * len(flat.polygons))
+        np.testing.assert_array_equal(cut.points[:len(flat.points)], flat.points)
+        self.assertEqual(len(surface.mesh().polygons), len(flat.polygons))
+        with self.assertRaisesRegex(wakesurf.InvalidParameters, "`tessellate` is not a whole number from 1 to 64"):
+            surface.download("vtp", tessellate=65)
+
     def test_makes_a_surface_and_gives_its_mesh_as_arrays(self):
         stats = self.surface().wait(60)
         self.assertTrue(stats["complete"])

@@ -51,21 +51,31 @@ inline std::vector<DrawnCase> drawn_cases() {
             {"time/abc", "abc", line, time}};
 }
 
-/// A surface whose vertices are exact, refined by its separation alone.
+/// A surface whose vertices are exact; of a case it is refined by its separation alone.
 struct DrawnSurface {
-    std::unique_ptr<core::Flow> flow;
+    std::shared_ptr<const core::Flow> flow;
     core::SurfacePlan plan;
     core::Surface surface;
 
-    DrawnSurface(const DrawnCase& c, double separation) : flow(*core::make_analytic_flow(c.flow)) {
+    DrawnSurface(std::shared_ptr<const core::Flow> through,
+                 const core::Rake& rake,
+                 core::SurfaceParameters p)
+        : flow(std::move(through)) {
+        p.accuracy = core::Accuracy::Exact;
+        p.tangents = true;
+        plan = *core::plan_surface(flow, rake, p);
+        surface = *core::build_surface(plan);
+    }
+
+    DrawnSurface(const DrawnCase& c, double separation)
+        : DrawnSurface(*core::make_analytic_flow(c.flow), c.rake, by_separation(c, separation)) {}
+
+    static core::SurfaceParameters by_separation(const DrawnCase& c, double separation) {
         core::SurfaceParameters p = c.parameters;
         p.separation = separation;
-        p.accuracy = core::Accuracy::Exact;
         p.angle = 180.0;
         p.merge = 0.0;
-        p.tangents = true;
-        plan = *core::plan_surface(*flow, c.rake, p);
-        surface = *core::build_surface(plan);
+        return p;
     }
 
     core::Tessellation cut(std::uint32_t pieces) const {

@@ -76,15 +76,16 @@ class Surface(SurfaceChanger, Record):
         return self.session.api.surface.stop(surface=self.id)["stopped"]
 
     def download(self, format: str = "ply", timeout: float = 600.0, *, time: Union[float, str, None] = None,
-                 draco: bool = True, lines: Optional[str] = None) -> bytes:
+                 draco: bool = True, lines: Optional[str] = None, tessellate: int = 1) -> bytes:
         """The whole mesh as the bytes of a .vtp, .glb, .ply, .obj or .drc file, once it is computed: as the session shows
         it, at the time of its clock. `time`: at another time instead, or "end". `draco=False`: a .glb for readers that
         cannot decompress, as ParaView's, some 12 times as large. `lines`, such as "timelines:8" or
-        "arrows:every=0.5,width=0.1": those instead of the mesh, see `lines`; not as .drc."""
-        return self._fetch(format, None, timeout, time, draco, lines)[1]
+        "arrows:every=0.5,width=0.1": those instead of the mesh, see `lines`; not as .drc. `tessellate`: each
+        cell cut into so many quads each way, on a curved patch that is as exact as the vertices."""
+        return self._fetch(format, None, timeout, time, draco, lines, tessellate)[1]
 
     def _fetch(self, format: str, tag: Optional[str], timeout: float, time: Union[float, str, None],
-               draco: bool = True, lines: Optional[str] = None) -> Tuple[str, bytes]:
+               draco: bool = True, lines: Optional[str] = None, tessellate: int = 1) -> Tuple[str, bytes]:
         path = "/api/v1/sessions/{}/surfaces/{}/mesh.{}".format(
             *(urllib.parse.quote(word, safe="") for word in (self.session.id, self.id, format)))
         query = {} if time is None else {"time": time if isinstance(time, str) else repr(float(plain(time, "time")))}
@@ -92,6 +93,8 @@ class Surface(SurfaceChanger, Record):
             query["draco"] = "false"
         if lines:
             query["lines"] = lines
+        if tessellate != 1:
+            query["tessellate"] = str(int(plain(tessellate, "tessellate")))
         if query:
             path += "?" + urllib.parse.urlencode(query)
         headers = {"If-None-Match": tag} if tag else {}
@@ -101,14 +104,16 @@ class Surface(SurfaceChanger, Record):
         return reply.get("ETag", ""), body if status == 200 else b""
 
     def export(self, path: Union[str, os.PathLike[str]], timeout: float = 600.0, *,
-               time: Union[float, str, None] = None, draco: bool = True, lines: Optional[str] = None) -> None:
+               time: Union[float, str, None] = None, draco: bool = True, lines: Optional[str] = None,
+               tessellate: int = 1) -> None:
         """Writes the mesh to a file, in the format of its extension; nothing half-written is left behind. `time`,
-        `draco` and `lines` as in `download`."""
+        `draco`, `lines` and `tessellate` as in `download`."""
         path = os.fspath(path)
         extension = os.path.splitext(path)[1]
         if extension.lower() not in _FORMATS:
             raise ValueError(f"{path!r} has no known extension: one of {', '.join(_FORMATS)}")
-        body = self.download(extension[1:].lower(), timeout, time=time, draco=draco, lines=lines)
+        body = self.download(extension[1:].lower(), timeout, time=time, draco=draco, lines=lines,
+                             tessellate=tessellate)
         part = path + ".part"
         try:
             with open(part, "wb") as file:
@@ -118,10 +123,10 @@ class Surface(SurfaceChanger, Record):
             if os.path.exists(part):
                 os.remove(part)
 
-    def mesh(self, timeout: float = 600.0, *, time: Union[float, str, None] = None) -> Mesh:
+    def mesh(self, timeout: float = 600.0, *, time: Union[float, str, None] = None, tessellate: int = 1) -> Mesh:
         """The whole mesh as numpy arrays, once it is computed: as the session shows it, at the time of its clock, or at
-        `time`, or at its "end". Not fetched again while it is the same."""
-        tag, body = self._fetch("vtp", self._kept[0] if self._kept else None, timeout, time)
+        `time`, or at its "end". `tessellate` as in `download`. Not fetched again while it is the same."""
+        tag, body = self._fetch("vtp", self._kept[0] if self._kept else None, timeout, time, tessellate=tessellate)
         if body:
             self._kept = (tag, Mesh.from_vtp(body))
         assert self._kept is not None

@@ -178,6 +178,48 @@ TEST_F(SurfaceCommand, WritesOneSurfaceInEveryFormat) {
     EXPECT_EQ(drc.faces.size(), triangles);
 }
 
+TEST_F(SurfaceCommand, CutsCellsInEveryFormatAndSaysSo) {
+    ASSERT_EQ(run({"-o", file("flat.ply")}).exit_status, 0);
+    ASSERT_EQ(run({"-o", file("one.ply"), "--tessellate", "1"}).exit_status, 0);
+    EXPECT_TRUE(bytes("one.ply") == bytes("flat.ply"));
+    const auto flat = tests::read_ply(bytes("flat.ply"));
+    for (const std::string name : {"out.ply", "out.obj", "out.glb", "out.drc", "out.vtp"}) {
+        const auto outcome =
+            run({"--tessellate", "3", "--stats", file("stats.json"), "-o", file(name)});
+        EXPECT_EQ(outcome.exit_status, 0) << outcome.errors;
+    }
+    const auto stats = nlohmann::json::parse(bytes("stats.json"));
+    const auto cut = stats["tessellation"];
+    EXPECT_EQ(cut["pieces"], 3);
+    EXPECT_EQ(cut["quads"], 9 * stats["quads"].get<int>());
+    EXPECT_EQ(cut["flatCells"], 0);
+    const auto ply = tests::read_ply(bytes("out.ply"));
+    const auto obj = tests::read_obj(bytes("out.obj"));
+    EXPECT_EQ(ply.points.size(), cut["vertices"].get<std::size_t>());
+    EXPECT_EQ(obj.points, ply.points);
+    EXPECT_EQ(obj.faces, ply.faces);
+    EXPECT_TRUE(std::equal(flat.points.begin(), flat.points.end(), ply.points.begin()));
+    EXPECT_EQ(tests::read_glb(bytes("out.glb")).points, tests::read_drc(bytes("out.drc")).points);
+    EXPECT_NE(bytes("out.ply").find("comment tessellate 3"), std::string::npos);
+    EXPECT_NE(bytes("out.obj").find("# tessellate 3"), std::string::npos);
+    EXPECT_NE(bytes("out.vtp").find("Name=\"tessellate\""), std::string::npos);
+    EXPECT_NE(bytes("out.glb").find("\"tessellate\":3"), std::string::npos);
+    EXPECT_EQ(tests::read_drc(bytes("out.drc")).about.at("tessellate"), "3");
+}
+
+TEST_F(SurfaceCommand, RefusesToCutCellsTooFinelyOrWhereThereAreNone) {
+    EXPECT_EQ(run({"--tessellate", "65"}).exit_status, 2);
+    const auto large = run({"--tessellate", "64", "--separation", "0.01"});
+    EXPECT_NE(large.exit_status, 0);
+    EXPECT_NE(large.errors.find("--tessellate 64 makes "), std::string::npos) << large.errors;
+    const auto gone = run({"--tessellate", "4", "--kind", "time", "--sweep", "0,0,1", "--rake",
+                           "9.9,0,0 9.9,1,0", "--from", "0", "--to", "60"});
+    EXPECT_NE(gone.exit_status, 0);
+    EXPECT_NE(gone.errors.find("an empty surface cannot be tessellated"), std::string::npos)
+        << gone.errors;
+    EXPECT_EQ(files(), 0u);
+}
+
 TEST_F(SurfaceCommand, WritesAGlbWithoutDracoWhereAsked) {
     ASSERT_EQ(run({"-o", file("plain.glb"), "--no-draco"}).exit_status, 0);
     ASSERT_EQ(run({"-o", file("out.glb")}).exit_status, 0);

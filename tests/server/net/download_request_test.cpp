@@ -77,6 +77,11 @@ TEST(DownloadRequest, TakesLinesOnlyInFormatsThatHaveThem) {
         EXPECT_TRUE(read_download(file, {{"lines", "timelines:8"}})) << file;
     EXPECT_FALSE(read_download("mesh.drc", {{"lines", "timelines:8"}}));
     EXPECT_FALSE(read_download("mesh.vtp", {{"lines", ""}}));
+    EXPECT_EQ(read_download("mesh.vtp", {{"tessellate", "4"}})->tessellate, 4u);
+    for (const char* wrong : {"", "0", "65", "-1", "4.5", "4x", "99999999999"})
+        EXPECT_EQ(read_download("mesh.vtp", {{"tessellate", wrong}}).error().message,
+                  "`tessellate` is not a whole number from 1 to 64")
+            << wrong;
 }
 
 } // namespace wakesurf::server::download_request_test
