@@ -1,88 +1,105 @@
-// Flow texture: noise in space, smeared along the part of the velocity that is tangential to the surface (line integral convolution,
-// Cabral and Leedom 1993, over so short a way that it is straight), as Laramee et al. 2004 and 2006 advect it in the picture. In
-// space, so that it stays on the surface while the view turns, and is the same in every tile of a figure.
-import { noiseSize } from './flowNoise.ts';
+// Flow texture: noise in space, smeared along the part of the velocity that is tangential to the surface, as Laramee et al. 2004 and
+// 2006 advect it in the picture. In space, so that it stays on the surface while the view turns, and is the same in every tile of a
+// figure.
+import { directions, noiseGrains, waveGrains } from './smearedNoise.ts';
 
-/** Along the flow; more make longer streaks, and each is a look-up. */
-export const grainsAlong = 8;
 /**
- * How often its own length a wave wanders before the next takes over. Together they go a whole number of lengths, so at most a sixteenth of
- * the speed is missing; over a longer way differences in speed would take a wave apart.
+ * How often its own length a wave wanders before the next takes over, at least; at most twice as often. Over a longer way differences in
+ * speed would take a wave apart. Where the flow is half as fast it may take twice as long, so slow places move too; where one time becomes
+ * the other, both waves have gone a whole number of lengths, and there is no seam.
  */
 const lengths = 8;
 /** Pixels of a grain across the flow, at usual density; up to twice as much. */
 const grainPx = 3;
 
-const turns = Array.from({ length: grainsAlong }, (_, k) => {
-    const angle = (2 * Math.PI * k) / grainsAlong;
-    return `vec2(${Math.cos(angle).toFixed(6)}, ${Math.sin(angle).toFixed(6)})`;
-});
+/** What a shared uniform says of the picture: larger grains in a unit of length at usual density, where 1 / gl_FragCoord.w is 1. */
+export function grainsPerLength(projection: readonly number[], heightPx: number, pixelRatio: number): number {
+    return (projection[5]! * heightPx) / (2 * grainPx * pixelRatio);
+}
+
+/** For the vertices: what the texture needs to know of the flow. */
+export const flowVertexGlsl = `
+// Where the noise begins: far from the origin of the data, coordinates have too few digits left.
+uniform vec3 noiseFrom;
+// In the frame of the noise: the place, the normal, the velocity along the surface, and how much of the texture is shown.
+out vec3 noisePlace;
+out vec3 noiseNormal;
+out vec4 alongFlow;
+
+// No plane of a grid lies along an axis of the noise.
+const mat3 aslant = mat3(0.36, 0.48, -0.8, -0.8, 0.6, 0.0, 0.48, 0.64, 0.6);
+
+void placeInFlow(vec3 at, vec3 normalHere, vec3 velocity) {
+    noisePlace = aslant * (at - noiseFrom);
+    noiseNormal = aslant * normalHere;
+    vec3 tangential = velocity - dot(velocity, normalHere) * normalHere;
+    float whole = length(velocity);
+    // Where the flow goes through the surface rather than along it there is no direction to show (Laramee et al. 2004).
+    alongFlow = vec4(aslant * tangential, whole > 0.0 ? smoothstep(0.1, 0.3, length(tangential) / whole) : 0.0);
+}`;
 
 export const flowTextureGlsl = `
-uniform sampler2D noise;
-// Whether it flows, for how much simulation time it has, and what is to be added where a field stands still.
-uniform bool flowing;
+in vec3 noisePlace;
+in vec3 noiseNormal;
+in vec4 alongFlow;
+uniform float noiseScale;
+#ifndef FLOWING
+uniform sampler2DArray noise;
+#else
+uniform sampler2DArray waves;
+// For how much simulation time it has flown: in data of several times, and where a field stands still.
 uniform float flowTime;
 uniform bool byItself;
 uniform float flowed;
-// That of most of the flow.
-uniform float flowSpeed;
 
-const vec2 turns[${grainsAlong}] = vec2[](${turns.join(', ')});
-// No plane of a grid lies along an axis of the noise.
-const mat3 aslant = mat3(0.36, 0.48, -0.8, -0.8, 0.6, 0.0, 0.48, 0.64, 0.6);
+/** A parabola between its zeros: sin(2 pi x) and cos(2 pi x) within 6 %. */
+vec4 onCircle(vec2 x) {
+    vec4 y = 2.0 * fract(vec4(x, x + 0.25)).xzyw - 1.0;
+    return 4.0 * y * (abs(y) - 1.0);
+}
 
 /**
  * The weights along the way are a wave, which wanders with the flow (Cabral and Leedom's animation). Two of them take turns, each fading out
  * before differences in speed have taken it apart.
+ * @param grain  under waves: of the larger size, and of the smaller  @param often  lengths of a wave in a unit of time
  */
-vec2 waveAt(float speed, float along) {
-    // At rest its crest is in the middle.
-    if (!flowing) return vec2(-1.0, 0.0);
-    float turn = ${lengths}.0 * along / flowSpeed;
-    vec2 passed = fract((byItself ? flowed : flowTime) / turn + vec2(0.0, 0.5));
+vec2 moved(vec4 grain, float often) {
+    // The power of two below it, and how many times that it is.
+    int bits = floatBitsToInt(often);
+    float most = intBitsToFloat(bits & 0x7f800000) * ${(1 / lengths).toFixed(6)};
+    float times = intBitsToFloat((bits & 0x007fffff) | 0x3f800000) * ${lengths}.0;
+    vec2 passed = fract((byItself ? flowed : flowTime) * most + vec2(0.0, 0.5));
     float first = 1.0 - abs(2.0 * passed.x - 1.0);
-    vec2 angle = 6.2831853 * passed * turn * speed / along;
-    return first * vec2(cos(angle.x), sin(angle.x)) + (1.0 - first) * vec2(cos(angle.y), sin(angle.y));
+    vec4 wave = onCircle(passed * times);
+    vec2 weights = mix(wave.zw, wave.xy, first).yx * vec2(1.0, -1.0);
+    return vec2(dot(grain.xy, weights), dot(grain.zw, weights));
 }
+#endif
 
-/** @param at, way  in the plane of the noise. @param density  grains in a unit of length */
-float smearedNoise(vec2 at, vec2 way, float speed, float density) {
-    vec2 wave = waveAt(speed, ${grainsAlong}.0 / density);
-    vec2 grain = way / ${noiseSize}.0;
-    vec2 from = at * density / ${noiseSize}.0 - ${(grainsAlong - 1) / 2} * grain;
-    // What would not move with the wave.
-    float rest = flowing ? 0.0 : 1.0;
-    float sum = 0.0;
-    for (int k = 0; k < ${grainsAlong}; ++k) {
-        float weight = rest + wave.x * turns[k].x - wave.y * turns[k].y;
-        sum += weight * (textureLod(noise, from + float(k) * grain, 0.0).r - 0.5);
-    }
-    // The mean of so much noise hardly leaves the middle.
-    return clamp(0.5 + (4.5 - 1.5 * rest) * sum / ${grainsAlong}.0, 0.0, 1.0);
-}
-
-/** Which of the three planes of the axes a surface lies in most: noise of one plane takes half as long to look up as that of a cube. */
-vec2 inPlane(vec3 of, vec3 normalHere) {
-    vec3 facing = abs(aslant * normalHere);
-    vec3 turned = aslant * of;
-    return facing.x > max(facing.y, facing.z) ? turned.yz : facing.y > facing.z ? turned.zx : turned.xy;
-}
-
-/** What is left of the colour, on a surface with this normal, where a pixel is so wide. */
-float flowTexture(vec3 at, vec3 normalHere, vec3 velocity, float pixelWidth) {
-    vec3 tangential = velocity - dot(velocity, normalHere) * normalHere;
-    float speed = length(tangential);
-    float whole = length(velocity);
-    // Where the flow goes through the surface rather than along it there is no direction to show (Laramee et al. 2004).
-    float shown = whole > 0.0 ? smoothstep(0.1, 0.3, speed / whole) : 0.0;
-    if (shown <= 0.0) return 1.0;
-    vec2 way = inPlane(tangential / speed, normalHere);
-    vec2 place = inPlane(at, normalHere);
-    vec2 level = levelOf(pixelWidth, ${grainPx}.0 / lineDensity);
-    // Two sizes of grain are looked up in a narrow band only.
-    level.y = smoothstep(0.3, 0.7, level.y);
-    float grain = level.y < 1.0 ? smearedNoise(place, way, speed, level.x) : 0.0;
-    if (level.y > 0.0) grain = mix(grain, smearedNoise(place, way, speed, 2.0 * level.x), level.y);
-    return mix(1.0, mix(0.35, 1.25, grain), shown);
+/** What is left of the colour. No branches: a software renderer takes both ways. */
+float flowTexture(float facing) {
+    // Of the three planes of the axes that which the surface lies in most.
+    vec3 towards = abs(noiseNormal);
+    bool first = towards.x > max(towards.y, towards.z);
+    bool second = towards.y > towards.z;
+    vec2 way = first ? alongFlow.yz : second ? alongFlow.zx : alongFlow.xy;
+    vec2 at = first ? noisePlace.yz : second ? noisePlace.zx : noisePlace.xy;
+    // Directions go half way round only.
+    float side = way.y < 0.0 ? -1.0 : 1.0;
+    float layer = ${directions / 2}.0 - ${directions / 2}.0 * side * way.x / (abs(way.x) + abs(way.y));
+    // Of the grains wanted, the power of two below, and how many times that.
+    int wanted = floatBitsToInt(noiseScale * lineDensity * gl_FragCoord.w);
+    float density = intBitsToFloat(wanted & 0x7f800000);
+    float finer = smoothstep(1.25, 1.6, intBitsToFloat((wanted & 0x007fffff) | 0x3f800000));
+    vec3 place = vec3(at * density * ${(1 / noiseGrains).toFixed(8)}, layer);
+#ifndef FLOWING
+    vec2 grain = textureLod(noise, place, 0.0).rg - 0.5;
+#else
+    vec4 wave = textureLod(waves, place, 0.0) - 0.5;
+    wave.yw *= side;
+    vec2 grain = moved(wave, length(way) * density * ${(1 / waveGrains).toFixed(8)});
+#endif
+    // Seen edge-on, grains are finer than pixels.
+    float shown = alongFlow.w * min(1.0, 4.0 * facing);
+    return mix(1.0, 0.8 + 0.9 * mix(grain.x, grain.y, finer), shown);
 }`;

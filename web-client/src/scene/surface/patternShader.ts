@@ -12,7 +12,7 @@ uniform vec2 patternT;
 
 /** Frequency (a power of two) and how far it is on the way to the next one, for a change of c by \`rate\` a pixel. */
 vec2 levelOf(float rate, float periodPx) {
-    float wanted = -log2(max(rate, 1e-9) * periodPx * pixelRatio);
+    float wanted = -log2(max(rate, 1e-30) * periodPx * pixelRatio);
     float level = floor(wanted);
     return vec2(exp2(level), smoothstep(0.25, 0.75, wanted - level));
 }

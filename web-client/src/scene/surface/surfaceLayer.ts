@@ -1,9 +1,10 @@
 // All surfaces of the session in the scene: their meshes, materials, looks and what the painter has left of them.
-import { Group, type Scene, type Vector4, WebGLRenderTarget } from 'three';
+import { Group, type Scene, Vector2, type Vector4, WebGLRenderTarget } from 'three';
 import type { TimedMeshChange } from '../../mesh/meshChange.ts';
 import type { Bounds } from '../domain/domainAxes.ts';
 import { bodyPush } from './bodyDepth.ts';
 import { ContactShade, shadedLayer } from './contactShade.ts';
+import { grainsPerLength } from './flowTextureShader.ts';
 import { decodeMask } from './maskCode.ts';
 import { SurfaceMask, type BrushPrint } from './surfaceMask.ts';
 import { SurfaceMesh, type SurfaceVertex } from './surfaceMesh.ts';
@@ -41,7 +42,7 @@ export interface SurfaceSpan {
 export class SurfaceLayer {
     readonly object = new Group();
     readonly textures = new SurfaceTextures();
-    readonly shared = sharedUniforms(this.textures);
+    readonly shared = sharedUniforms();
     /** Planes (n, w) that cut the body: nothing is left where n . point > w. */
     readonly bodyClip = { value: noPlanes() };
     /** How much further from the eye the body is drawn, in depth alone. */
@@ -66,6 +67,12 @@ export class SurfaceLayer {
         // Of a scene, the fourth is the target, other than the types say (WebGLRenderer.render).
         scene.onBeforeRender = (renderer, _scene, camera, target: unknown) => {
             const into = target instanceof WebGLRenderTarget ? target : null;
+            const height = into?.height ?? renderer.getDrawingBufferSize(new Vector2()).y;
+            this.shared.noiseScale.value = grainsPerLength(
+                camera.projectionMatrix.elements,
+                height,
+                this.shared.pixelRatio.value,
+            );
             this.shade.prepare(renderer, scene, camera, into, () => this.transparency.drawDense(renderer, camera));
             this.transparency.prepare(renderer, scene, camera, into);
         };
@@ -74,6 +81,7 @@ export class SurfaceLayer {
     setBounds(bounds: readonly [number, number, number, number, number, number]): void {
         const [x0, x1, y0, y1, z0, z1] = bounds;
         this.bodyPush.value = bodyPush * Math.hypot(x1 - x0, y1 - y0, z1 - z0);
+        this.shared.noiseFrom.value.set(x0, y0, z0);
         this.transparency.setBounds(bounds);
     }
 
@@ -233,8 +241,7 @@ export class SurfaceLayer {
             this.transparency.show(mesh.mesh, materials);
         } else {
             this.transparency.hide(mesh.mesh);
-            const quick = surface.style.texture ? materials.textured : materials.plain;
-            mesh.mesh.material = plain ? quick : materials.opaque;
+            mesh.mesh.material = plain ? materials.plain : materials.opaque;
             this.object.add(mesh.mesh);
         }
     }

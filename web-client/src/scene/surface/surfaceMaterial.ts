@@ -2,6 +2,7 @@
 import {
     Color,
     CustomBlending,
+    type DataArrayTexture,
     type DataTexture,
     DoubleSide,
     GLSL3,
@@ -10,6 +11,7 @@ import {
     OneMinusSrcAlphaFactor,
     ShaderMaterial,
     Vector2,
+    Vector3,
     Vector4,
     ZeroFactor,
 } from 'three';
@@ -20,6 +22,8 @@ import { fragmentShader, pickFragmentShader, vertexShader } from './surfaceShade
 import { steadyRange } from './steadyRange.ts';
 import type { SurfaceStyle } from './surfaceStyle.ts';
 import type { SurfaceTextures } from './surfaceTextures.ts';
+
+type FlowTexture = 'none' | 'standing' | 'flowing';
 
 /** A number that nothing on a surface reaches. */
 const far = 1e30;
@@ -34,14 +38,18 @@ export function noPlanes(): Vector4[] {
 }
 
 /** Of all surfaces together; the same objects in every material. */
-export function sharedUniforms(textures: SurfaceTextures) {
+export function sharedUniforms() {
     return {
         clip: { value: noPlanes() },
         depthRange: { value: new Vector2(0, 1) },
         respectPaint: { value: true },
         pixelRatio: { value: 1 },
         flowed: { value: 0 },
-        noise: { value: textures.noise },
+        noise: { value: null as DataArrayTexture | null },
+        waves: { value: null as DataArrayTexture | null },
+        /** Of the flow texture, see grainsPerLength(). */
+        noiseScale: { value: 1 },
+        noiseFrom: { value: new Vector3() },
         ...peelUniforms(),
     };
 }
@@ -78,11 +86,8 @@ function ownUniforms(textures: SurfaceTextures) {
         pieceT: { value: new Vector4() },
         rakeCloses: { value: false },
         lineDensity: { value: 1 },
-        textured: { value: false },
-        flowing: { value: false },
         byItself: { value: false },
         flowTime: { value: 0 },
-        flowSpeed: { value: 1 },
         patternT: { value: new Vector2(0, 1) },
     };
 }
@@ -110,7 +115,6 @@ export class SurfaceMaterials {
     /** It lets little light through. */
     isDense = true;
     readonly plain: ShaderMaterial;
-    readonly textured: ShaderMaterial;
     readonly opaque: ShaderMaterial;
     readonly blended: ShaderMaterial;
     readonly peeled: ShaderMaterial;
@@ -118,17 +122,19 @@ export class SurfaceMaterials {
     /** What is drawn as the two ends of the colours. */
     range: [number, number] = [0, 1];
     ages: [number, number] = [0, 1];
+    private texture: FlowTexture = 'none';
     private readonly own: ReturnType<typeof ownUniforms>;
     private readonly textures: SurfaceTextures;
+    private readonly shared: SharedUniforms;
 
     constructor(textures: SurfaceTextures, shared: SharedUniforms) {
         this.textures = textures;
+        this.shared = shared;
         this.own = ownUniforms(textures);
         const uniforms = { ...this.own, ...shared };
         const common = { glslVersion: GLSL3, vertexShader, uniforms, side: DoubleSide };
         this.plain = new ShaderMaterial({ ...common, fragmentShader, defines: { PLAIN: 1 } });
-        this.textured = new ShaderMaterial({ ...common, fragmentShader, defines: { PLAIN: 1, TEXTURED: 1 } });
-        this.opaque = new ShaderMaterial({ ...common, fragmentShader });
+        this.opaque = new ShaderMaterial({ ...common, fragmentShader, defines: {} });
         this.blended = new ShaderMaterial({
             ...common,
             fragmentShader,
@@ -196,15 +202,27 @@ export class SurfaceMaterials {
         own.pieceWidth.value = style.pieceWidth;
         own.pieceT.value.copy(pieceT(facts));
         own.rakeCloses.value = style.rakeCloses;
-        own.textured.value = style.texture && facts.hasFlow;
-        own.flowing.value = style.textureMoves !== 'no';
+        this.setTexture(!style.texture || !facts.hasFlow ? 'none' : style.textureMoves === 'no' ? 'standing' : 'flowing');
         own.byItself.value = style.textureMoves === 'byItself';
         own.flowTime.value = style.textureMoves === 'withTime' ? facts.time - style.from : 0;
-        own.flowSpeed.value = style.flowSpeed;
         own.patternT.value.set(style.tOrigin - facts.tFrom, ageSign);
     }
 
+    /** Programs with it are made when it is first wanted. */
+    private setTexture(texture: FlowTexture): void {
+        if (texture === this.texture) return;
+        this.texture = texture;
+        if (texture === 'standing') this.shared.noise.value = this.textures.noise(false);
+        if (texture === 'flowing') this.shared.waves.value = this.textures.noise(true);
+        for (const material of [this.plain, this.opaque, this.blended, this.peeled]) {
+            const { TEXTURED: _textured, FLOWING: _flowing, ...others } = material.defines;
+            const added = { none: {}, standing: { TEXTURED: 1 }, flowing: { TEXTURED: 1, FLOWING: 1 } }[texture];
+            material.defines = { ...others, ...added };
+            material.needsUpdate = true;
+        }
+    }
+
     dispose(): void {
-        for (const material of [this.plain, this.textured, this.opaque, this.blended, this.peeled, this.pick]) material.dispose();
+        for (const material of [this.plain, this.opaque, this.blended, this.peeled, this.pick]) material.dispose();
     }
 }

@@ -1,8 +1,9 @@
-// The shader of the surfaces, one text for six programs: the first draws; PLAIN does so without planes, windows, painting, stripes and
-// outlines, which most surfaces have none of, at half the cost, and PLAIN and TEXTURED with the flow texture alone; BLENDED adds to the targets of transparency (weightedBlending.ts); PEELED draws one
-// of its layers (peeling.ts); the pick writes what is where (surfacePick.ts). Looks differ in uniforms alone.
+// The shader of the surfaces, one text for five programs: the first draws; PLAIN does so without planes, windows, painting, stripes and
+// outlines, which most surfaces have none of, at half the cost; BLENDED adds to the targets of transparency (weightedBlending.ts); PEELED draws one
+// of its layers (peeling.ts); the pick writes what is where (surfacePick.ts). Looks differ in uniforms, and the flow texture
+// in programs with it (TEXTURED) in which it stands or moves (FLOWING): a software renderer computes what no pixel takes.
 import { cutLevel } from '../../mesh/meshChange.ts';
-import { flowTextureGlsl } from './flowTextureShader.ts';
+import { flowTextureGlsl, flowVertexGlsl } from './flowTextureShader.ts';
 import { patternGlsl } from './patternShader.ts';
 import { piecesGlsl } from './piecesShader.ts';
 import { tableSize } from './colourMap.ts';
@@ -29,6 +30,9 @@ out vec3 flow;
 out vec2 unitLength;
 // s once more, with its jump on the other side of a closed rake.
 out float turned;
+#ifdef TEXTURED
+${flowVertexGlsl}
+#endif
 // What is drawn in several programs has to be at the same depth in all.
 invariant gl_Position;
 
@@ -45,6 +49,9 @@ void main() {
     flow = vec3(flowX, flowY, flowZ);
     unitLength = unit;
     turned = fract(seed.x + 0.5) + 0.5;
+#ifdef TEXTURED
+    placeInFlow(worldPosition, normal, vec3(flowX, flowY, flowZ));
+#endif
     gl_Position = projectionMatrix * inView;
 }`;
 
@@ -118,7 +125,6 @@ uniform float smoke;
 uniform bool stretchKnown;
 uniform float areaPerSeed;
 uniform float ageSpan;
-uniform bool textured;
 
 vec3 baseColour() {
     if (source == 0) return constant;
@@ -169,9 +175,6 @@ void main() {
     vec3 n = normalize(viewNormal);
     n = dot(n, toViewer) < 0.0 ? -n : n;
     float facing = dot(n, toViewer);
-#if !defined(PLAIN) || defined(TEXTURED)
-    float areaPerPixel = length(cross(dFdx(worldPosition), dFdy(worldPosition)));
-#endif
 #ifndef PLAIN
     // Differences between pixels come before anything is thrown away.
     mat2 slope;
@@ -179,7 +182,8 @@ void main() {
     bool between = isBetween(seeds, slope);
     float facingSlope = fwidth(facing);
     vec3 flatNormal = cross(dFdx(viewPosition), dFdy(viewPosition));
-    float flatFacing = abs(dot(flatNormal, toViewer)) / max(length(flatNormal), 1e-30);
+    float areaPerPixel = length(flatNormal);
+    float flatFacing = abs(dot(flatNormal, toViewer)) / max(areaPerPixel, 1e-30);
     if (between || isCut()) discard;
 #else
     if (isLeftOut()) discard;
@@ -189,8 +193,8 @@ void main() {
 #endif
     vec3 base = baseColour();
     if (!gl_FrontFacing) base = backColour(base);
-#if !defined(PLAIN) || defined(TEXTURED)
-    if (textured) base *= flowTexture(worldPosition, (vec4(n, 0.0) * viewMatrix).xyz, flow, sqrt(areaPerPixel));
+#ifdef TEXTURED
+    base *= flowTexture(facing);
 #endif
 #ifdef PLAIN
     drawn = linearToOutputTexel(vec4(lit(base, n, toViewer), 1.0));
@@ -263,5 +267,14 @@ bool isPeeledOff() {
 #endif
 `;
 
-export const fragmentShader = declarations + shading + patternGlsl + flowTextureGlsl + outputs + main;
+export const fragmentShader = [
+    declarations,
+    shading,
+    patternGlsl,
+    '#ifdef TEXTURED',
+    flowTextureGlsl,
+    '#endif',
+    outputs,
+    main,
+].join('\n');
 export const pickFragmentShader = `${declarations}\nuniform bool respectPaint;\n${pickMain}`;

@@ -51,8 +51,6 @@ export interface SurfaceStyle {
     textureMoves: 'no' | 'withTime' | 'byItself';
     /** When the surface begins. */
     from: number;
-    /** That of most of the flow. */
-    flowSpeed: number;
     sWindow: readonly [number, number] | null;
     ageWindow: readonly [number, number] | null;
     painting: boolean;
@@ -88,7 +86,6 @@ export const plainStyle: SurfaceStyle = {
     texture: false,
     textureMoves: 'no',
     from: 0,
-    flowSpeed: 1,
     sWindow: null,
     ageWindow: null,
     painting: false,

@@ -111,7 +111,6 @@ export function styleOf(facts: StyleFacts): SurfaceStyle {
         texture: look.texture && hasFlow(record),
         textureMoves: !look.animated ? 'no' : record.kind === 'stream' ? 'byItself' : 'withTime',
         from: record.from,
-        flowSpeed: meanSpeed(speedRange),
         areaPerSeed: lengthOf(rake?.points ?? []) * sweepOf(record, speedRange),
     };
 }

@@ -1,0 +1,63 @@
+// A page for measurements and tests of the scene alone, without a server: one module of support/, bundled as the page is.
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { createServer } from 'node:http';
+import type { AddressInfo } from 'node:net';
+import { tmpdir } from 'node:os';
+import { join, normalize } from 'node:path';
+import type { Browser, Page } from 'playwright-core';
+import { build } from 'vite';
+import { resolveFromWebClient } from '../../../web-client/tools/resolve_from_web_client.js';
+import { projectRoot } from './project_root.ts';
+
+const types: Record<string, string> = { js: 'text/javascript', html: 'text/html' };
+
+async function buildPage(module: string, into: string): Promise<void> {
+    await build({
+        configFile: false,
+        root: join(projectRoot, 'web-client'),
+        base: './',
+        publicDir: false,
+        logLevel: 'error',
+        plugins: [resolveFromWebClient(join(projectRoot, 'tests/end_to_end/'))],
+        build: {
+            outDir: into,
+            target: 'es2022',
+            modulePreload: false,
+            rollupOptions: {
+                input: join(projectRoot, 'tests/end_to_end/support', module),
+                output: { entryFileNames: 'page.js' },
+            },
+        },
+    });
+}
+
+export interface BundledPage {
+    page: Page;
+    close: () => Promise<void>;
+}
+
+/** @param module  a file of support/ */
+export async function openBundledPage(
+    browser: Browser,
+    module: string,
+    viewport: { width: number; height: number },
+): Promise<BundledPage> {
+    const folder = mkdtempSync(join(tmpdir(), 'wakesurf-'));
+    await buildPage(module, folder);
+    const server = createServer(({ url = '/' }, response) => {
+        const path = normalize(url).replace(/^\/+/, '') || 'index.html';
+        response.setHeader('Content-Type', types[path.split('.').at(-1) ?? ''] ?? 'application/octet-stream');
+        if (path === 'index.html') response.end('<!doctype html><script type="module" src="page.js"></script>');
+        else if (path.endsWith('.js')) response.end(readFileSync(join(folder, path)));
+        else response.writeHead(404).end();
+    });
+    await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve));
+    const page = await browser.newPage({ viewport });
+    await page.goto(`http://127.0.0.1:${(server.address() as AddressInfo).port}/`);
+    const close = async (): Promise<void> => {
+        await page.close();
+        server.close();
+        rmSync(folder, { recursive: true });
+    };
+    return { page, close };
+}

@@ -1,0 +1,125 @@
+// Runs in a page: draws sheets of known shape and velocity with the scene's surfaces, to measure what looks cost and to look at
+// their pixels. The GPU finishes each picture before it is measured.
+import { Color, OrthographicCamera, Scene, WebGLRenderer } from 'three';
+import type { TimedMeshChange } from '../../../web-client/src/mesh/meshChange.ts';
+import { SurfaceLayer } from '../../../web-client/src/scene/surface/surfaceLayer.ts';
+import { plainStyle, type SurfaceStyle } from '../../../web-client/src/scene/surface/surfaceStyle.ts';
+
+/** A sheet over all of the picture: a picture's width is `size` long, its lower left corner lies at `corner`. */
+export interface FlatFlow {
+    corner: readonly [number, number, number];
+    size: number;
+    /** How far waves of it reach up. */
+    waves: number;
+    /** The velocity's size and direction (radians) at the left end and at the right end. */
+    speed: readonly [number, number];
+    angle: readonly [number, number];
+}
+
+export interface LookBench {
+    /** Makes a picture ready; returns how to draw it so often, each time to its end. */
+    ready(flow: FlatFlow, look: Partial<SurfaceStyle>): (times: number) => void;
+    /** Brightness by pixels, rows from the bottom. */
+    light(flow: FlatFlow, look: Partial<SurfaceStyle>, time: number): number[];
+}
+
+declare global {
+    interface Window {
+        lookBench?: LookBench;
+    }
+}
+
+const [columns, rows] = [200, 100];
+
+function sheet({ corner, size, waves, speed, angle }: FlatFlow, time: number): TimedMeshChange {
+    const count = columns * rows;
+    const height = (size * innerHeight) / innerWidth;
+    const [positions, normals, seeds] = [new Float32Array(3 * count), new Float32Array(3 * count), new Float32Array(2 * count)];
+    const flow = [0, 1, 2].map(() => new Float32Array(count)) as [Float32Array, Float32Array, Float32Array];
+    const mixed = ([a, b]: readonly [number, number], at: number): number => a + (b - a) * at;
+    for (let i = 0; i < count; ++i) {
+        const [u, v] = [(i % columns) / (columns - 1), Math.floor(i / columns) / (rows - 1)];
+        const [dx, dy] = [waves * Math.cos(9 * u) * 9, -waves * Math.sin(7 * v) * 7];
+        const up = size * waves * (Math.sin(9 * u) + Math.cos(7 * v));
+        positions.set([corner[0] + size * u, corner[1] + height * v, corner[2] + up], 3 * i);
+        const steep = Math.hypot(dx, (dy * size) / height, 1);
+        normals.set([-dx / steep, (-dy * size) / height / steep, 1 / steep], 3 * i);
+        seeds.set([u, v], 2 * i);
+        const [along, turn] = [mixed(speed, u), mixed(angle, u)];
+        flow[0][i] = along * Math.cos(turn);
+        flow[1][i] = along * Math.sin(turn);
+        flow[2][i] = along * (Math.cos(turn) * dx + (Math.sin(turn) * dy * size) / height);
+    }
+    const speeds = Float32Array.from({ length: count }, (_, i) => mixed(speed, (i % columns) / (columns - 1)));
+    const quads = (columns - 1) * (rows - 1);
+    const indices = new Uint32Array(6 * quads);
+    for (let i = 0; i < quads; ++i) {
+        const at = Math.floor(i / (columns - 1)) * columns + (i % (columns - 1));
+        indices.set([at, at + 1, at + columns, at + 1, at + columns + 1, at + columns], 6 * i);
+    }
+    const scalars = ['velocity_x', 'velocity_y', 'velocity_z'].map((name, axis) => ({
+        ...{ name, fromVertex: 0, values: flow[axis]! },
+    }));
+    scalars.push({ name: 'speed', fromVertex: 0, values: speeds });
+    return {
+        ...{ time, vertices: count, triangles: 2 * quads, fromVertex: 0, positions, fromNormal: 0, normals, fromSeed: 0, seeds },
+        ...{ tFrom: 0, scalars, fromIndex: 0, indices, parts: null, cut: null, units: null },
+    };
+}
+
+class Picture {
+    private readonly layer = new SurfaceLayer();
+    private readonly scene = new Scene();
+    private readonly camera = new OrthographicCamera();
+    private readonly renderer = new WebGLRenderer({ preserveDrawingBuffer: true });
+
+    constructor() {
+        this.renderer.setSize(innerWidth, innerHeight);
+        this.scene.background = new Color(0, 0, 0);
+        this.layer.attach(this.scene);
+    }
+
+    show(flow: FlatFlow, look: Partial<SurfaceStyle>, time: number): void {
+        const { size } = flow;
+        const [x, y, z] = flow.corner;
+        const height = (size * innerHeight) / innerWidth;
+        this.layer.setBounds([x, x + size, y, y + height, z - size, z + size]);
+        this.layer.setStyle('s', { ...plainStyle, source: 'constant', ...look });
+        this.layer.set('s', sheet(flow, time));
+        const { camera } = this;
+        [camera.left, camera.right, camera.bottom, camera.top] = [-size / 2, size / 2, -height / 2, height / 2];
+        [camera.near, camera.far] = [0, 4 * size];
+        camera.updateProjectionMatrix();
+        camera.position.set(x + size / 2, y + height / 2, z + 2 * size);
+        camera.updateMatrixWorld();
+    }
+
+    draw(width: number, height: number): Uint8Array {
+        this.renderer.render(this.scene, this.camera);
+        const gl = this.renderer.getContext();
+        const pixels = new Uint8Array(4 * width * height);
+        gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+        return pixels;
+    }
+}
+
+let kept: Picture | null = null;
+
+window.lookBench = {
+    ready: (flow, look) => {
+        const picture = new Picture();
+        picture.show(flow, look, 0);
+        return (times) => {
+            for (let i = 0; i < times; ++i) picture.draw(1, 1);
+        };
+    },
+    light: (flow, look, time) => {
+        kept ??= new Picture();
+        kept.show(flow, look, time);
+        const pixels = kept.draw(innerWidth, innerHeight);
+        return Array.from(
+            { length: innerWidth * innerHeight },
+            (_, i) => pixels[4 * i]! + pixels[4 * i + 1]! + pixels[4 * i + 2]!,
+        );
+    },
+};
