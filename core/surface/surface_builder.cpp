@@ -4,6 +4,7 @@
 #include "core/surface/columns/fixed_sheet.hpp"
 #include "core/surface/columns/sheet_mesh.hpp"
 #include "core/surface/emptiness.hpp"
+#include "core/surface/level/level_surface.hpp"
 #include "core/surface/moving/moving_builder.hpp"
 #include "core/surface/time_direction.hpp"
 #include "core/surface/vertex_attributes.hpp"
@@ -259,6 +260,8 @@ Result<Surface> build_surface(const Flow& flow,
 
 Result<Surface>
 build_surface(const SurfacePlan& plan, std::stop_token stop, const Clock& clock, WorkPart work) {
+    if (plan.parameters.kind == SurfaceKind::Level)
+        return build_level_surface(plan, plan.parameters.to, stop, clock, work);
     const std::size_t before = work.memory() != nullptr ? work.memory()->bytes() : 0;
     auto surface = build_whole(plan, stop, clock, work);
     std::string stopped;

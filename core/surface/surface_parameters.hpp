@@ -5,10 +5,11 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 namespace wakesurf::core {
 
-enum class SurfaceKind { Stream, Path, Streak, Time };
+enum class SurfaceKind { Stream, Path, Streak, Time, Level };
 enum class Direction { Forward, Backward, Both };
 enum class Accuracy { Fast, Balanced, Exact };
 
@@ -28,6 +29,7 @@ struct SurfaceParameters {
         0.0; ///< where it starts. Stream: time at which the field is frozen; else: the (first) release
     /// where it ends: before `from` where time runs backward. Stream: `to - from` is the integration time,
     /// and `to` need not lie in the data; else: shown until
+    /// Level: a steady field has one time, `from`.
     double to = 1.0;
     std::optional<Direction>
         direction{}; ///< nothing: as `from` and `to` say (direction_of); what contradicts them is refused
@@ -59,6 +61,9 @@ struct SurfaceParameters {
         life{}; ///< path, streak, time: a particle ends at this age; default: it lives to the end
     std::optional<Rake> rake2{}; ///< time: the patch lies between the rake and this one
     std::optional<Vec3> sweep{}; ///< time: the patch is the rake swept along this vector
+
+    std::optional<std::string> field{}; ///< level: the scalar field that it is a level set of
+    std::optional<double> level{};      ///< level: the value that the field has on it
 
     bool operator==(const SurfaceParameters&) const = default;
 };

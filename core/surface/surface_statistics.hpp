@@ -5,6 +5,7 @@
 #include "core/surface/quad_complex.hpp"
 #include "core/surface/surface_parameters.hpp"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -22,7 +23,8 @@ struct Emptiness {
         NoArea,
         NothingYet,
         AllLeft,
-        TooCoarse
+        TooCoarse,
+        OutsideRange
     };
     Reason reason;
     std::string message;
@@ -58,6 +60,8 @@ struct SurfaceStatistics {
     std::uint64_t vertex_steps = 0; ///< integrator steps of all columns
     std::uint64_t approximated = 0;
     Terminated terminated;
+    /// Of a level surface: the values of its field at that time.
+    std::optional<std::array<double, 2>> field_range{};
     /// Cells of a streak or time surface that were deleted amid living particles, until then: these went
     /// apart, or came together, so much that no cells between them can follow.
     std::optional<std::uint64_t> torn{};

@@ -19,9 +19,11 @@ std::string span_text(double from, double to) {
 /// Their vertices are all there at one time, and there is one such time only in each direction.
 Result<void> check_both(const SurfaceParameters& p) {
     const double back = 2.0 * p.from - p.to;
-    if (p.kind == SurfaceKind::Streak || p.kind == SurfaceKind::Time)
+    if (p.kind != SurfaceKind::Stream && p.kind != SurfaceKind::Path)
         return refused("`direction` both is for stream and path surfaces: all of a " +
-                           std::string(p.kind == SurfaceKind::Streak ? "streak" : "time") +
+                           std::string(p.kind == SurfaceKind::Streak ? "streak"
+                                       : p.kind == SurfaceKind::Time ? "time"
+                                                                     : "level") +
                            " surface is there at one time",
                        "make two surfaces: one with " + span_text(p.from, p.to) + ", one with " +
                            span_text(p.from, back));
@@ -75,6 +77,8 @@ Direction direction_of(const SurfaceParameters& p) {
 }
 
 Result<void> check_direction(const SurfaceParameters& p) {
+    if (p.kind == SurfaceKind::Level && std::isfinite(p.from) && p.from == p.to)
+        return {}; // of one time
     if (!std::isfinite(p.from) || !std::isfinite(p.to) || p.from == p.to)
         return fail(Error::Code::InvalidArgument, "`from` and `to` must be finite and differ",
                     "give the integration time as to - from");

@@ -4,7 +4,7 @@ namespace wakesurf::core {
 
 std::vector<double> vertex_times(const Surface& surface, const SurfaceParameters& parameters) {
     const auto& p = parameters;
-    const bool moving = p.kind == SurfaceKind::Streak || p.kind == SurfaceKind::Time;
+    const bool moving = p.kind != SurfaceKind::Stream && p.kind != SurfaceKind::Path;
     std::vector<double> times(surface.mesh.vertices(),
                               moving ? surface.ended.value_or(p.to) : p.from);
     if (p.kind == SurfaceKind::Path)

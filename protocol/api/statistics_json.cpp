@@ -37,6 +37,8 @@ nlohmann::json statistics_json(const core::SurfaceStatistics& statistics,
         out["torn"] = *statistics.torn;
     if (statistics.data_end)
         out["dataEnd"] = *statistics.data_end;
+    if (statistics.field_range)
+        out["fieldRange"] = *statistics.field_range;
     if (statistics.empty)
         out["empty"] = {{"reason", name(statistics.empty->reason)},
                         {"message", statistics.empty->message},

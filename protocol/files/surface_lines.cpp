@@ -18,7 +18,7 @@ namespace {
 constexpr std::string_view timelines = "timelines";
 constexpr std::string_view arrows_name = "arrows";
 
-/// What the particles of one seed form. Empty for time surfaces: each of their points is a particle of its own.
+/// What the particles of one seed form. Empty for time surfaces, each of whose points is a particle of its own, and level surfaces.
 std::string_view seed_lines(SurfaceKind kind) {
     switch (kind) {
     case SurfaceKind::Stream:
@@ -28,6 +28,7 @@ std::string_view seed_lines(SurfaceKind kind) {
     case SurfaceKind::Streak:
         return "streaklines";
     case SurfaceKind::Time:
+    case SurfaceKind::Level:
         break;
     }
     return {};
@@ -83,6 +84,9 @@ core::Result<LinesWanted> read_lines(std::string_view text, SurfaceKind kind) {
     const auto refuse = [](std::string what, std::string hint) {
         return core::fail(Error::Code::InvalidArgument, std::move(what), std::move(hint));
     };
+    if (kind == SurfaceKind::Level)
+        return refuse("a level surface has no lines: no particle runs along it",
+                      "build a stream surface for its lines");
     const bool flows = kind == SurfaceKind::Stream || kind == SurfaceKind::Path;
     const std::string_view arrows_usage = "arrows:every=0.5,width=0.1";
     const std::string base(own.substr(0, own.size() - std::min<std::size_t>(own.size(), 5)));

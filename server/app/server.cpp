@@ -135,6 +135,9 @@ struct Server::Parts {
     void watch_memory() {
         if (memory.too_much())
             pool.run([account = memory.account()] { account.make_room(0); });
+        for (const DatasetStatus& each : catalogue->list())
+            if (const auto open = catalogue->find(each.dataset); open && (*open)->levels)
+                pool.let_go((*open)->levels->take_idle());
         watching = loop.after(limits::memory_look, [this] { watch_memory(); });
     }
 

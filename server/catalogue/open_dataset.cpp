@@ -116,9 +116,13 @@ core::Result<LoadedDataset> open_store(const std::filesystem::path& folder,
         return tl::unexpected(budget.error());
     }
     auto cache = std::make_shared<core::TimeStepCache>(*reader, std::move(cached));
-    auto flow = core::make_stored_flow(cache, std::make_shared<core::SteadyClock>(), simd_wanted());
-    return LoadedDataset{std::move(manifest->info), std::move(flow), cache, *reader,
-                         std::move(memory)};
+    const std::shared_ptr<const core::Flow> flow =
+        core::make_stored_flow(cache, std::make_shared<core::SteadyClock>(), simd_wanted());
+    LevelSets::Options levels;
+    levels.account = options.account;
+    const auto sets = std::make_shared<const LevelSets>(flow, *reader, manifest->info.velocity,
+                                                        std::move(levels));
+    return LoadedDataset{std::move(manifest->info), flow, cache, *reader, std::move(memory), sets};
 }
 
 namespace {

@@ -7,6 +7,7 @@
 #include "core/field/flow.hpp"
 #include "server/base/source_options.hpp"
 #include "server/catalogue/dataset_argument.hpp"
+#include "server/levels/level_sets.hpp"
 #include "store/import_progress.hpp"
 #include "store/store_reader.hpp"
 
@@ -24,6 +25,7 @@ struct LoadedDataset {
     std::shared_ptr<core::TimeStepCache> cache;      ///< null for a built-in flow
     std::shared_ptr<const store::StoreReader> store; ///< behind the cache; null for a built-in flow
     std::shared_ptr<core::MemoryAccount::Share> memory{}; ///< of its grid; null where no one counts
+    std::shared_ptr<const LevelSets> levels{}; ///< of its fields; null for a built-in flow
 };
 
 struct OpenOptions {

@@ -2,6 +2,7 @@
 
 #include "core/base/machine_memory.hpp"
 #include "core/surface/budget_search.hpp"
+#include "core/surface/level/level_surface.hpp"
 #include "core/surface/patches/tessellation.hpp"
 #include "core/surface/surface_builder.hpp"
 #include "core/surface/vertex_times.hpp"
@@ -211,13 +212,15 @@ core::Result<core::SurfacePlan> planned(SurfaceRequest request,
                                         const SurfaceOptions& options,
                                         const LoadedDataset& dataset,
                                         const std::stop_token& stop) {
-    if (options.rake.empty())
+    if (options.rake.empty() && request.parameters.kind != core::SurfaceKind::Level)
         if (auto begun = begin_with_suggestion(request, options, dataset, stop); !begun)
             return tl::unexpected(begun.error());
     choose_times(request, dataset.info.times);
     auto plan = core::plan_surface(dataset.flow, request.rake, std::move(request.parameters));
     if (!plan)
         return tl::unexpected(as_option(plan.error()));
+    if (auto there = core::take_levels(*plan, dataset.levels); !there)
+        return tl::unexpected(as_option(there.error()));
     if (plan->clipped)
         tell(stderr, "wakesurf: part of the rake is outside the domain and was cut away\n");
     if (auto known = check_fields(dataset, options.fields); !known)

@@ -77,7 +77,9 @@ core::Result<protocol::SurfaceSetting> read_asked(const SurfaceOptions& options)
     if (auto sound = in.verdict(); !sound)
         return tl::unexpected(
             as_option({sound.error().code, sound.error().message, "see wakesurf surface --help"}));
-    if (options.rake.empty()) // what is left out is still to come from the data
+    if (options.rake.empty() &&
+        setting.parameters.kind !=
+            core::SurfaceKind::Level) // what is left out is still to come from the data
         return setting;
     if (auto sound = protocol::check_kind(setting); !sound)
         return tl::unexpected(as_option(sound.error()));

@@ -3,11 +3,13 @@
 #include "core/base/plain_text.hpp"
 #include "protocol/api/dataset_json.hpp"
 #include "protocol/api/json_text.hpp"
+#include "server/base/level_message.hpp"
 #include "server/base/manual_page.hpp"
 #include "server/base/memory_size.hpp"
 #include "server/base/source_options.hpp"
 #include "server/import/conversion.hpp"
 #include "server/import/failure_words.hpp"
+#include "server/import/level_sets.hpp"
 #include "server/import/limited_rights.hpp"
 #include "server/import/own_output.hpp"
 #include "server/import/progress_marks.hpp"
@@ -132,6 +134,41 @@ void add_bounds(CLI::App& app, server::ImportBounds& bounds) {
         ->transform(server::as_memory_size());
 }
 
+// What a server starts this program for, beside importing. The first argument says so, and people are not told.
+constexpr std::string_view for_level_sets = "--level-sets";
+
+// In the process that is watched: requests come on standard input, answers go there too.
+int extract_levels(const Wish& wish) {
+    const auto out = server::take_outputs(false);
+    if (auto limited = server::limit_rights({}); !limited)
+        return failed(out.errors, wish, limited.error());
+    try {
+        server::made_progress();
+        const auto done = server::answer_level_requests(STDIN_FILENO, server::level_memory);
+        return done ? 0 : failed(out.errors, wish, done.error());
+    } catch (const std::exception& error) {
+        return failed(out.errors, wish, server::error_of(error, "a level set"));
+    }
+}
+
+int level_sets(int argc, char** argv) {
+    Wish wish;
+    CLI::App app("Extracts level sets for a server.", "wakesurf-import");
+    app.add_flag(std::string(for_level_sets));
+    app.add_option("--memory", wish.bounds.memory)->transform(server::as_memory_size());
+    app.add_option("--parent", wish.parent);
+    CLI11_PARSE(app, argc, argv);
+    if (wish.bounds.memory == 0)
+        wish.bounds.memory = server::usual_import_memory();
+    wish.bounds.survey = wish.bounds.stall =
+        std::chrono::seconds(0); // the server looks at the time
+    if (wish.parent > 0 && !server::end_with(wish.parent))
+        return 1;
+    const auto ended =
+        server::run_watched("a level set", wish.bounds, [&wish] { return extract_levels(wish); });
+    return ended ? *ended : failed(stderr, wish, ended.error());
+}
+
 constexpr std::string_view manual_chapters = ".SH EXIT STATUS\n0 done, 1 failed, 2 wrong usage.\n"
                                              ".SH SEE ALSO\n\\fBwakesurf\\fR(1), whose command "
                                              "\\fBimport\\fR starts this program\n";
@@ -139,6 +176,8 @@ constexpr std::string_view manual_chapters = ".SH EXIT STATUS\n0 done, 1 failed,
 } // namespace
 
 int main(int argc, char** argv) {
+    if (argc > 1 && argv[1] == for_level_sets)
+        return level_sets(argc, argv);
     Wish wish;
     std::string source;
     std::string times;

@@ -303,6 +303,8 @@ core::Result<protocol::SurfaceRecord> Session::set_surface(const protocol::Surfa
     // What was left to the data, and to the times.
     record.parameters.separation = job->plan.parameters.separation;
     record.parameters.direction = job->plan.parameters.direction;
+    record.parameters.from = job->plan.parameters.from;
+    record.parameters.to = job->plan.parameters.to;
 
     record.surface = asked.surface ? *asked.surface : records_.new_id(RecordType::Surface);
     if (auto sound = may_keep(record); !sound)

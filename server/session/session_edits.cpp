@@ -117,7 +117,9 @@ Session::build(const std::vector<RecordChange>& changes, bool rest, std::optiona
             set.insert(each.key.id);
         if (each.after && each.key.type == RecordType::Rake && !looks_only(each))
             for (std::string& id : records_.hanging_on(each.key.id))
-                hanging.insert(std::move(id));
+                if (records_.find<protocol::SurfaceRecord>(id)->parameters.kind !=
+                    core::SurfaceKind::Level) // which takes no more of it than its place in lists
+                    hanging.insert(std::move(id));
     }
     Epochs epochs;
     for (const auto& [id, record] : records_.all<protocol::SurfaceRecord>())

@@ -59,6 +59,9 @@ void register_stream_surface_benchmarks();
 /// How far flat and tessellated cells are from the exact surface, on closed forms and on data.
 void register_tessellation_benchmarks(const std::shared_ptr<const server::LoadedDataset>& dataset);
 
+/// 30 level sets of one field, one after the other, each to its frames.
+void register_level_benchmark();
+
 /// Single steps of a streak surface of 100,000 vertices: whole frames with refinement, on one thread and on
 /// two.
 void register_streak_frame_benchmarks();

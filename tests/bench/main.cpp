@@ -66,6 +66,7 @@ int measure(const server::BenchOptions& options) {
     register_streak_frame_benchmarks();
     register_store_benchmarks();
     register_import_benchmarks();
+    register_level_benchmark();
     register_playing_benchmark();
     register_accuracy_benchmarks(*loaded);
     register_shape_benchmarks(*loaded);

@@ -300,6 +300,11 @@ Result<Tessellation> tessellate(const SurfacePlan& plan,
                                 const std::stop_token& stop,
                                 const WorkPart& work) {
     const SurfaceParameters& p = plan.parameters;
+    if (p.kind == SurfaceKind::Level && pieces > 1)
+        return fail(Error::Code::InvalidArgument,
+                    "`tessellate` is for surfaces that particles form: no tangents are known on a "
+                    "level surface",
+                    "leave it out");
     std::vector<double> creases = plan.seeding.corners();
     if (p.rake2) {
         const std::vector<double> others = SeedingCurve(*p.rake2).corners();

@@ -38,6 +38,7 @@ Result<Tessellation> tessellate(const QuadComplex& mesh,
                                 const WorkPart& work = {});
 
 /// The same of a surface that a plan with tangents has made; velocities are those of the flow.
+/// Error: as above; InvalidArgument for a level surface.
 /// @param times  at which each vertex is there, as vertex_times; becomes that of all vertices
 Result<Tessellation> tessellate(const SurfacePlan& plan,
                                 const QuadComplex& mesh,

@@ -7,7 +7,7 @@
 namespace wakesurf::core {
 
 bool moves(const SurfaceParameters& p) {
-    return p.kind != SurfaceKind::Stream;
+    return p.kind != SurfaceKind::Stream && p.from != p.to;
 }
 
 double age_at(const SurfaceParameters& p, std::optional<double> time) {

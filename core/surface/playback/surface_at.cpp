@@ -1,5 +1,6 @@
 #include "core/surface/playback/surface_at.hpp"
 
+#include "core/surface/level/level_surface.hpp"
 #include "core/surface/playback/growing_mesh.hpp"
 #include "core/surface/playback/played_surface.hpp"
 #include "core/surface/playback/surface_age.hpp"
@@ -28,6 +29,17 @@ Result<SurfaceAt> played(const SurfacePlan& plan,
     return SurfaceAt{std::move(shown->mesh.mesh), std::move(shown->statistics), std::move(times)};
 }
 
+Result<SurfaceAt> level_at(const SurfacePlan& plan,
+                           double time,
+                           const Clock& clock,
+                           const std::stop_token& stop,
+                           const WorkPart& work) {
+    return build_level_surface(plan, time, stop, clock, work).map([&](Surface&& level) {
+        std::vector<double> times(level.mesh.vertices(), time);
+        return SurfaceAt{std::move(level.mesh), std::move(level.statistics), std::move(times)};
+    });
+}
+
 } // namespace
 
 Result<SurfaceAt> surface_at(const SurfacePlan& plan,
@@ -38,6 +50,8 @@ Result<SurfaceAt> surface_at(const SurfacePlan& plan,
     const SurfaceParameters& p = plan.parameters;
     const bool timed = time && moves(p);
     const double age = age_at(p, time);
+    if (p.kind == SurfaceKind::Level)
+        return level_at(plan, p.from + time_sign(p) * age, clock, stop, work);
     if (timed && p.kind != SurfaceKind::Path)
         return played(plan, age, clock, stop, work);
     auto surface = build_surface(plan, stop, clock, work);

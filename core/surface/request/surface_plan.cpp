@@ -73,7 +73,10 @@ Result<void> clip(Rake& rake, const Box& domain, bool& clipped) {
     });
 }
 
+/// A level surface begins at no rake, and so one that lies anywhere will do.
 Result<void> clip_rakes(SurfacePlan& plan) {
+    if (plan.parameters.kind == SurfaceKind::Level)
+        return {};
     const Box domain = plan.flow->domain();
     if (auto inside = clip(plan.rake, domain, plan.clipped); !inside)
         return inside;
@@ -103,10 +106,13 @@ double trace_tolerance(Accuracy accuracy) {
 
 Result<SurfacePlan>
 plan_surface(std::shared_ptr<const Flow> flow, const Rake& rake, SurfaceParameters parameters) {
-    SurfacePlan plan{std::move(flow), rake, std::move(parameters), {}, false};
+    SurfacePlan plan{std::move(flow), rake, std::move(parameters), {}, {}, false};
     SurfaceParameters& p = plan.parameters;
     if (p.separation == 0.0)
         p.separation = plan.flow->finest_spacing();
+    if (const auto range = plan.flow->time_range();
+        p.kind == SurfaceKind::Level && range && (*range)[0] == (*range)[1])
+        p.from = p.to = (*range)[0]; // the field is the same at all times
     auto sound = check_values(p)
                      .and_then([&] { return check_direction(p); })
                      .and_then([&] { return check_interpolation(*plan.flow, p.interpolation); })
@@ -116,7 +122,8 @@ plan_surface(std::shared_ptr<const Flow> flow, const Rake& rake, SurfaceParamete
     if (!sound)
         return tl::unexpected(std::move(sound.error()));
     p.direction = direction_of(p);
-    plan.seeding = SeedingCurve(plan.rake);
+    if (p.kind != SurfaceKind::Level)
+        plan.seeding = SeedingCurve(plan.rake);
     return plan;
 }
 

@@ -13,6 +13,7 @@
 
 namespace wakesurf::core {
 
+class LevelSource;
 struct SheetOptions;
 
 /// A value, made by plan_surface.
@@ -24,6 +25,8 @@ struct SurfacePlan {
     SurfaceParameters parameters;
     /// Of `rake`.
     SeedingCurve seeding;
+    /// Of the flow's data, for a level surface: whoever opens the data sets it.
+    std::shared_ptr<const LevelSource> levels{};
     /// Part of a rake was outside the domain and is left out.
     bool clipped = false;
 

@@ -25,6 +25,17 @@ Result<void> check_kind(const SurfaceParameters& p) {
         return wrong("`life` belongs to path, streak or time surfaces", "leave it out");
     if (p.sweep && p.kind != SurfaceKind::Time)
         return wrong("`sweep` belongs to time surfaces", "leave it out");
+    if (p.field && p.kind != SurfaceKind::Level)
+        return wrong("`field` belongs to level surfaces", "leave it out");
+    if (p.level && p.kind != SurfaceKind::Level)
+        return wrong("`level` belongs to level surfaces", "leave it out");
+    if (p.kind == SurfaceKind::Level && !p.field)
+        return wrong("a level surface needs `field`",
+                     "scalar field of the dataset, or derived from its velocity, of which the "
+                     "surface is a level set: its magnitude by the velocity's name, `vorticity`, "
+                     "`q_criterion`, `velocity_x` and the like");
+    if (p.kind == SurfaceKind::Level && !p.level)
+        return wrong("a level surface needs `level`", "value that the field has on the surface");
     if (p.kind == SurfaceKind::Time && p.rake2.has_value() == p.sweep.has_value())
         return wrong("a time surface takes one of `rake2` and `sweep`",
                      "the patch lies between two rakes, or is one swept along a vector");

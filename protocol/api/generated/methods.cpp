@@ -38,11 +38,13 @@ constexpr Names of_rake_set[]{"session", "rake",     "kind",  "points",  "seeds"
                               "colour",  "dragging", "force", "default", "gesture", "ifRev"};
 constexpr Names of_rake_delete[]{"session", "rake", "force", "gesture", "ifRev"};
 constexpr Names of_rake_list[]{"session"};
-constexpr Names of_surface_set[]{
-    "session",      "surface",    "rake",      "rake2",    "dataset",       "kind",
-    "from",         "to",         "direction", "accuracy", "interpolation", "refine",
-    "releaseUntil", "life",       "sweep",     "merge",    "angle",         "stagnationSpeed",
-    "maxQuads",     "separation", "fields",    "default",  "gesture",       "ifRev"};
+constexpr Names of_surface_set[]{"session",      "surface",    "rake",          "rake2",
+                                 "dataset",      "kind",       "from",          "to",
+                                 "direction",    "accuracy",   "interpolation", "refine",
+                                 "releaseUntil", "life",       "sweep",         "field",
+                                 "level",        "merge",      "angle",         "stagnationSpeed",
+                                 "maxQuads",     "separation", "fields",        "default",
+                                 "gesture",      "ifRev"};
 constexpr Names of_surface_delete[]{"session", "surface", "gesture", "ifRev"};
 constexpr Names of_surface_stop[]{"session", "surface"};
 constexpr Names of_surface_list[]{"session"};

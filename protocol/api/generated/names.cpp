@@ -39,6 +39,8 @@ std::string_view name(core::SurfaceKind value) {
         return "streak";
     case core::SurfaceKind::Time:
         return "time";
+    case core::SurfaceKind::Level:
+        return "level";
     }
     return {};
 }
@@ -52,6 +54,8 @@ std::optional<core::SurfaceKind> surface_kind(std::string_view word) {
         return core::SurfaceKind::Streak;
     if (word == "time")
         return core::SurfaceKind::Time;
+    if (word == "level")
+        return core::SurfaceKind::Level;
     return std::nullopt;
 }
 
@@ -155,6 +159,8 @@ std::string_view name(core::Emptiness::Reason value) {
         return "allLeft";
     case core::Emptiness::Reason::TooCoarse:
         return "tooCoarse";
+    case core::Emptiness::Reason::OutsideRange:
+        return "outsideRange";
     }
     return {};
 }
@@ -178,6 +184,8 @@ std::optional<core::Emptiness::Reason> empty_reason(std::string_view word) {
         return core::Emptiness::Reason::AllLeft;
     if (word == "tooCoarse")
         return core::Emptiness::Reason::TooCoarse;
+    if (word == "outsideRange")
+        return core::Emptiness::Reason::OutsideRange;
     return std::nullopt;
 }
 

@@ -94,6 +94,7 @@ const std::string_view methods_1 = R"json({
       "stop",
       "trash",
       "thumbnail",
+      "level",
       "mesh.vtp",
       "mesh.glb",
       "mesh.ply",

@@ -129,8 +129,11 @@ const std::string_view methods_6 = R"json({
   {
    "name": "rake",
    "required": true,
-   "description": "an id from rake.list; the particles start from this rake",
-   "schema": {"type": "string", "maxLength": 256, "description": "an id from rake.list; the particles start from this rake"}},
+   "description": "an id from rake.list; the particles start from this rake. A level surface takes no more of it than its place in lists and its colour",
+   "schema": {
+    "type": "string",
+    "maxLength": 256,
+    "description": "an id from rake.list; the particles start from this rake. A level surface takes no more of it than its place in lists and its colour"}},
   {
    "name": "dataset",
    "required": true,
@@ -139,10 +142,10 @@ const std::string_view methods_6 = R"json({
   {
    "name": "kind",
    "required": true,
-   "description": "stream: streamlines of the field frozen at `from`; path: particles released together at `from`; streak: particles released continuously from `from` on; time: a patch of particles released at `from`",
+   "description": "stream: streamlines of the field frozen at `from`; path: particles released together at `from`; streak: particles released continuously from `from` on; time: a patch of particles released at `from`; level: where `field` has the value `level`, at the time that is shown between `from` and `to`",
    "schema": {
-    "enum": ["stream", "path", "streak", "time"],
-    "description": "stream: streamlines of the field frozen at `from`; path: particles released together at `from`; streak: particles released continuously from `from` on; time: a patch of particles released at `from`"}},
+    "enum": ["stream", "path", "streak", "time", "level"],
+    "description": "stream: streamlines of the field frozen at `from`; path: particles released together at `from`; streak: particles released continuously from `from` on; time: a patch of particles released at `from`; level: where `field` has the value `level`, at the time that is shown between `from` and `to`"}},
   {
    "name": "to",
    "required": true,
@@ -245,6 +248,26 @@ const std::string_view methods_6 = R"json({
     "x-unit": "the dataset's unit of length",
     "x-only-for": ["time"],
     "items": {"type": "number"}}},
+  {
+   "name": "field",
+   "required": false,
+   "description": "scalar field of the dataset, or derived from its velocity, of which the surface is a level set: its magnitude by the velocity's name, `vorticity`, `q_criterion`, `velocity_x` and the like",
+   "schema": {
+    "type": "string",
+    "maxLength": 256,
+    "description": "scalar field of the dataset, or derived from its velocity, of which the surface is a level set: its magnitude by the velocity's name, `vorticity`, `q_criterion`, `velocity_x` and the like",
+    "x-only-for": ["level"],
+    "x-needed-for": ["level"]}},
+  {
+   "name": "level",
+   "required": false,
+   "description": "value that the field has on the surface",
+   "schema": {
+    "type": "number",
+    "description": "value that the field has on the surface",
+    "x-unit": "the field's unit",
+    "x-only-for": ["level"],
+    "x-needed-for": ["level"]}},
   {
    "name": "merge",
    "required": false,

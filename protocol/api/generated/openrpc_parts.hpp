@@ -22,7 +22,8 @@ inline constexpr const std::string_view* methods[]{&methods_1, &methods_2, &meth
 extern const std::string_view schemas_1;
 extern const std::string_view schemas_2;
 extern const std::string_view schemas_3;
-inline constexpr const std::string_view* schemas[]{&schemas_1, &schemas_2, &schemas_3};
+extern const std::string_view schemas_4;
+inline constexpr const std::string_view* schemas[]{&schemas_1, &schemas_2, &schemas_3, &schemas_4};
 
 extern const std::string_view errors_1;
 inline constexpr const std::string_view* errors[]{&errors_1};

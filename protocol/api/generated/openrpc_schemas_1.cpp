@@ -319,8 +319,8 @@ const std::string_view schemas_1 =
  "description": "Parameters to begin a surface with, as surface.set takes them.",
  "properties": {
   "kind": {
-   "enum": ["stream", "path", "streak", "time"],
-   "description": "stream: streamlines of the field frozen at `from`; path: particles released together at `from`; streak: particles released continuously from `from` on; time: a patch of particles released at `from`"},
+   "enum": ["stream", "path", "streak", "time", "level"],
+   "description": "stream: streamlines of the field frozen at `from`; path: particles released together at `from`; streak: particles released continuously from `from` on; time: a patch of particles released at `from`; level: where `field` has the value `level`, at the time that is shown between `from` and `to`"},
   "from": {"type": "number", "description": "where the surface starts", "x-unit": "the dataset's unit of time"},
   "to": {"type": "number", "description": "where it ends", "x-unit": "the dataset's unit of time"},
   "separation": {"type": "number", "exclusiveMinimum": 0, "description": "longest edge allowed", "x-unit": "the dataset's unit of length"},

@@ -3,23 +3,19 @@
 
 namespace wakesurf::protocol::openrpc {
 
-const std::string_view schemas_3 = R"json("Surface": {
+const std::string_view schemas_3 = R"json("SurfaceFields": {
  "type": "object",
- "description": "A surface as the session keeps it: its parameters, not its mesh.",
+ "description": "The parameters of a surface.",
  "properties": {
-  "surface": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the surface"},
-  "rev": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "counts the edits of a record"},
-  "epoch": {
-   "type": "integer",
-   "minimum": 0,
-   "maximum": 4294967295,
-   "description": "counts the surfaces that have been built for the record; it never decreases"},
-  "rake": {"type": "string", "maxLength": 256, "description": "an id from rake.list; the particles start from this rake"},
+  "rake": {
+   "type": "string",
+   "maxLength": 256,
+   "description": "an id from rake.list; the particles start from this rake. A level surface takes no more of it than its place in lists and its colour"},
   "rake2": {"type": "string", "maxLength": 256, "description": "the patch lies between the rake and this second rake", "x-only-for": ["time"]},
   "dataset": {"type": "string", "maxLength": 256, "description": "an id from dataset.list"},
   "kind": {
-   "enum": ["stream", "path", "streak", "time"],
-   "description": "stream: streamlines of the field frozen at `from`; path: particles released together at `from`; streak: particles released continuously from `from` on; time: a patch of particles released at `from`"},
+   "enum": ["stream", "path", "streak", "time", "level"],
+   "description": "stream: streamlines of the field frozen at `from`; path: particles released together at `from`; streak: particles released continuously from `from` on; time: a patch of particles released at `from`; level: where `field` has the value `level`, at the time that is shown between `from` and `to`"},
   "accuracy": {"enum": ["fast", "balanced", "exact"], "default": "balanced", "description": "how accurately particles are traced and vertices inserted"},
   "interpolation": {
    "enum": ["linear", "smooth"],
@@ -56,6 +52,110 @@ const std::string_view schemas_3 = R"json("Surface": {
    "x-unit": "the dataset's unit of length",
    "x-only-for": ["time"],
    "items": {"type": "number"}},
+  "field": {
+   "type": "string",
+   "maxLength": 256,
+   "description": "scalar field of the dataset, or derived from its velocity, of which the surface is a level set: its magnitude by the velocity's name, `vorticity`, `q_criterion`, `velocity_x` and the like",
+   "x-only-for": ["level"],
+   "x-needed-for": ["level"]},
+  "level": {
+   "type": "number",
+   "description": "value that the field has on the surface",
+   "x-unit": "the field's unit",
+   "x-only-for": ["level"],
+   "x-needed-for": ["level"]},
+  "merge": {
+   "type": "number",
+   "minimum": 0,
+   "maximum": 0.5,
+   "default": 0.35,
+   "description": "quads smaller than this are joined; 0: never",
+   "x-unit": "part of the separation"},
+  "angle": {
+   "type": "number",
+   "maximum": 180,
+   "exclusiveMinimum": 0,
+   "default": 20,
+   "description": "neighbouring quads at a larger angle are refined, as far as the separation and `maxQuads` allow; 180: never",
+   "x-unit": "degrees"},
+  "stagnationSpeed": {
+   "type": "number",
+   "minimum": 0,
+   "maximum": 0.1,
+   "default": 1e-06,
+   "description": "a slower particle counts as at rest and ends; 0: only a particle that does not move at all",
+   "x-unit": "part of the largest speed"},
+  "maxQuads": {"type": "integer", "minimum": 1, "maximum": 4000000, "default": 1000000, "description": "maximum number of quads"}},
+ "required": ["rake", "dataset", "kind", "to"],
+ "additionalProperties": false},
+"Surface": {
+ "type": "object",
+ "description": "A surface as the session keeps it: its parameters, not its mesh.",
+ "properties": {
+  "surface": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the surface"},
+  "rev": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "counts the edits of a record"},
+  "epoch": {
+   "type": "integer",
+   "minimum": 0,
+   "maximum": 4294967295,
+   "description": "counts the surfaces that have been built for the record; it never decreases"},
+  "rake": {
+   "type": "string",
+   "maxLength": 256,
+   "description": "an id from rake.list; the particles start from this rake. A level surface takes no more of it than its place in lists and its colour"},
+  "rake2": {"type": "string", "maxLength": 256, "description": "the patch lies between the rake and this second rake", "x-only-for": ["time"]},
+  "dataset": {"type": "string", "maxLength": 256, "description": "an id from dataset.list"},
+  "kind": {
+   "enum": ["stream", "path", "streak", "time", "level"],
+   "description": "stream: streamlines of the field frozen at `from`; path: particles released together at `from`; streak: particles released continuously from `from` on; time: a patch of particles released at `from`; level: where `field` has the value `level`, at the time that is shown between `from` and `to`"},
+  "accuracy": {"enum": ["fast", "balanced", "exact"], "default": "balanced", "description": "how accurately particles are traced and vertices inserted"},
+  "interpolation": {
+   "enum": ["linear", "smooth"],
+   "default": "linear",
+   "description": "of stored velocity. linear: between the nodes of a cell and in time, as ParaView shows it; smooth: cubic in space and time, for uniform grids only, see `smooth` of dataset.describe"},
+  "refine": {
+   "enum": ["on", "off"],
+   "default": "on",
+   "description": "whether quads are cut, joined and reconnected, and torn at obstacles. off: the grid that the rake begins with stays as it is, with a column a seed, as in smoke surfaces; `merge` and `angle` then count for nothing, and `separation` only along the flow. Quads with a particle that has ended are left out"},
+  "to": {
+   "type": "number",
+   "minimum": -3.4028234663852886e+38,
+   "maximum": 3.4028234663852886e+38,
+   "description": "where the surface ends: before `from`, time runs backward. A stream surface is followed for `to` - `from`, and `to` need not lie in the data; for the others it must",
+   "x-unit": "the dataset's unit of time"},
+  "releaseUntil": {
+   "type": "number",
+   "minimum": -3.4028234663852886e+38,
+   "maximum": 3.4028234663852886e+38,
+   "description": "time at which the release stops; if left out, `to`",
+   "x-unit": "the dataset's unit of time",
+   "x-only-for": ["streak"]},
+  "life": {
+   "type": "number",
+   "exclusiveMinimum": 0,
+   "description": "longest age of a particle: it ends so long after its release; if left out, it lives as long as the surface",
+   "x-unit": "the dataset's unit of time",
+   "x-only-for": ["path", "streak", "time"]},
+  "sweep": {
+   "type": "array",
+   "minItems": 3,
+   "maxItems": 3,
+   "description": "the patch is the rake swept along this vector",
+   "x-unit": "the dataset's unit of length",
+   "x-only-for": ["time"],
+   "items": {"type": "number"}},
+  "field": {
+   "type": "string",
+   "maxLength": 256,
+   "description": "scalar field of the dataset, or derived from its velocity, of which the surface is a level set: its magnitude by the velocity's name, `vorticity`, `q_criterion`, `velocity_x` and the like",
+   "x-only-for": ["level"],
+   "x-needed-for": ["level"]},
+  "level": {
+   "type": "number",
+   "description": "value that the field has on the surface",
+   "x-unit": "the field's unit",
+   "x-only-for": ["level"],
+   "x-needed-for": ["level"]},
   "merge": {
    "type": "number",
    "minimum": 0,
@@ -163,8 +263,8 @@ const std::string_view schemas_3 = R"json("Surface": {
  "description": "Why there is nothing to see of a surface.",
  "properties": {
   "reason": {
-   "enum": ["inBody", "outsideCells", "atRest", "notFinite", "sameRakes", "noArea", "nothingYet", "allLeft", "tooCoarse"],
-   "description": "why a surface shows nothing. inBody, outsideCells: the whole rake lies there; atRest: the fluid does not move at the rake; notFinite: the velocities there are no numbers; sameRakes: both rakes of a time surface are the same; noArea: the rake lies along the flow; nothingYet: before the first release; allLeft: all particles have left the domain or reached the body; tooCoarse: no quad is left at this separation"},
+   "enum": ["inBody", "outsideCells", "atRest", "notFinite", "sameRakes", "noArea", "nothingYet", "allLeft", "tooCoarse", "outsideRange"],
+   "description": "why a surface shows nothing. inBody, outsideCells: the rake is there; atRest: the fluid does not move at the rake; notFinite: the velocities there, or a level surface's values, are no numbers; sameRakes: both rakes of a time surface are the same; noArea: the rake lies along the flow; nothingYet: before the first release; allLeft: all particles have left or reached the body; tooCoarse: no quad is left at this separation; outsideRange: no such value"},
   "message": {"type": "string", "description": "the reason, for people"},
   "hint": {"type": "string", "description": "what to do about it"}},
  "required": ["reason", "message", "hint"],
@@ -181,8 +281,8 @@ const std::string_view schemas_3 = R"json("Surface": {
    "description": "counts the surfaces that have been built for the record; it never decreases"},
   "complete": {"type": "boolean", "description": "true: this is the final surface of its epoch"},
   "kind": {
-   "enum": ["stream", "path", "streak", "time"],
-   "description": "stream: streamlines of the field frozen at `from`; path: particles released together at `from`; streak: particles released continuously from `from` on; time: a patch of particles released at `from`"},
+   "enum": ["stream", "path", "streak", "time", "level"],
+   "description": "stream: streamlines of the field frozen at `from`; path: particles released together at `from`; streak: particles released continuously from `from` on; time: a patch of particles released at `from`; level: where `field` has the value `level`, at the time that is shown between `from` and `to`"},
   "quads": {"type": "integer", "minimum": 0, "description": "number of quads"},
   "vertices": {"type": "integer", "minimum": 0, "description": "number of vertices"},
   "steps": {"type": "integer", "minimum": 0, "description": "number of steps of the surface, in time or along its curves"},
@@ -219,6 +319,12 @@ const std::string_view schemas_3 = R"json("Surface": {
    "type": "number",
    "description": "first time of the data, where it cuts the backward side of a path surface of both directions short",
    "x-unit": "the dataset's unit of time"},
+  "fieldRange": {
+   "type": "array",
+   "minItems": 2,
+   "maxItems": 2,
+   "description": "of a level surface: what its field ranges over at the time that is shown",
+   "items": {"type": "number"}},
   "stopped": {"type": "string", "description": "why the surface ends early"},
   "empty": {"$ref": "#/components/schemas/Emptiness"},
   "stateSum": {
@@ -278,123 +384,6 @@ const std::string_view schemas_3 = R"json("Surface": {
    "description": "the session's time that belongs to the view",
    "x-unit": "the dataset's unit of time"}},
  "required": ["view"],
- "additionalProperties": false},
-"Bookmark": {
- "type": "object",
- "description": "A bookmark as the session keeps it.",
- "properties": {
-  "bookmark": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the bookmark"},
-  "rev": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "counts the edits of a record"},
-  "name": {"type": "string", "maxLength": 120, "description": "display name"},
-  "view": {
-   "type": "object",
-   "description": "camera, colours and so on, in whatever form the client chooses; at most 4 KiB as JSON text",
-   "additionalProperties": true},
-  "time": {
-   "type": "number",
-   "minimum": -3.4028234663852886e+38,
-   "maximum": 3.4028234663852886e+38,
-   "description": "the session's time that belongs to the view",
-   "x-unit": "the dataset's unit of time"}},
- "required": ["bookmark", "rev", "name", "view"],
- "additionalProperties": false},
-"AnnotationFields": {
- "type": "object",
- "description": "The content of an annotation.",
- "properties": {
-  "text": {"type": "string", "maxLength": 4096, "description": "text of one or more lines"},
-  "position": {
-   "type": "array",
-   "minItems": 3,
-   "maxItems": 3,
-   "description": "the point that it refers to",
-   "x-unit": "the dataset's unit of length",
-   "items": {"type": "number"}},
-  "surface": {"type": "string", "maxLength": 256, "description": "id of the surface that it refers to, which may have been deleted since"}},
- "required": ["text", "position"],
- "additionalProperties": false},
-"Annotation": {
- "type": "object",
- "description": "An annotation as the session keeps it.",
- "properties": {
-  "annotation": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the annotation"},
-  "rev": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "counts the edits of a record"},
-  "text": {"type": "string", "maxLength": 4096, "description": "text of one or more lines"},
-  "position": {
-   "type": "array",
-   "minItems": 3,
-   "maxItems": 3,
-   "description": "the point that it refers to",
-   "x-unit": "the dataset's unit of length",
-   "items": {"type": "number"}},
-  "author": {"type": "string", "maxLength": 120, "description": "name of the one who made it"},
-  "surface": {"type": "string", "maxLength": 256, "description": "id of the surface that it refers to, which may have been deleted since"}},
- "required": ["annotation", "rev", "text", "position", "author"],
- "additionalProperties": false},
-"Change": {
- "type": "object",
- "description": "A record that was changed.",
- "properties": {
-  "op": {"enum": ["put", "delete"], "description": "what happened to the record"},
-  "type": {"type": "string", "description": "kind of record: rake, surface, bookmark or annotation"},
-  "id": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the record"},
-  "rev": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "counts the edits of a record"}},
- "required": ["op", "type", "id"],
- "additionalProperties": false},
-"Skip": {
- "type": "object",
- "description": "A record that was skipped because someone else has changed it since.",
- "properties": {
-  "type": {"type": "string", "description": "kind of record: rake, surface, bookmark or annotation"},
-  "id": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the record"},
-  "why": {"type": "string", "description": "why it was skipped, for people"}},
- "required": ["type", "id", "why"],
- "additionalProperties": false},
-"HistoryDepth": {
- "type": "object",
- "description": "What can be undone and redone.",
- "properties": {
-  "seq": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "`seq` of the session after the edit"},
-  "skipped": {
-   "type": "array",
-   "description": "records that were skipped; their edits are forgotten for good",
-   "items": {"$ref": "#/components/schemas/Skip"}},
-  "undo": {"type": "integer", "minimum": 0, "description": "number of edits that can still be taken back"},
-  "redo": {"type": "integer", "minimum": 0, "description": "number of edits that can be repeated"}},
- "required": ["seq", "skipped", "undo", "redo"],
- "additionalProperties": false},
-"Clock": {
- "type": "object",
- "description": "The clock of a session. `time` is its time when the message was written. While it is `playing`, it advances by `speed` up to `to`, and there it stops or goes on at `from` (`loop`).",
- "properties": {
-  "time": {
-   "type": ["number", "null"],
-   "minimum": -1e+30,
-   "maximum": 1e+30,
-   "description": "simulation time; null: it was never set, and surfaces are shown at their end",
-   "x-unit": "the dataset's unit of time"},
-  "playing": {"type": "boolean", "description": "true: the clock runs"},
-  "speed": {"type": "number", "minimum": 1e-09, "maximum": 1000000, "description": "how fast the clock runs", "x-unit": "simulation time a second"},
-  "loop": {"type": "boolean", "description": "true: the clock goes on at `from` when it reaches `to`"},
-  "from": {
-   "type": ["number", "null"],
-   "minimum": -1e+30,
-   "maximum": 1e+30,
-   "description": "time at which playing starts; null before the clock was first played",
-   "x-unit": "the dataset's unit of time"},
-  "to": {
-   "type": ["number", "null"],
-   "minimum": -1e+30,
-   "maximum": 1e+30,
-   "description": "time at which playing ends; null before the clock was first played",
-   "x-unit": "the dataset's unit of time"}},
- "required": ["time", "playing", "speed", "loop", "from", "to"],
- "additionalProperties": false},
-"ClockAnswer": {
- "type": "object",
- "description": "The clock after the call.",
- "properties": {"clock": {"$ref": "#/components/schemas/Clock"}},
- "required": ["clock"],
  "additionalProperties": false})json";
 
 } // namespace wakesurf::protocol::openrpc

@@ -23,7 +23,7 @@ void read(CheckedJson& in, SurfaceRecord& out) {
     if (const auto found = surface_kind(in.text("kind")))
         out.parameters.kind = *found;
     else
-        in.fault("kind", "must be stream, path, streak or time");
+        in.fault("kind", "must be stream, path, streak, time or level");
     if (const auto found = accuracy(in.text_or("accuracy", "balanced")))
         out.parameters.accuracy = *found;
     else
@@ -43,6 +43,9 @@ void read(CheckedJson& in, SurfaceRecord& out) {
     if (out.parameters.life && !(*out.parameters.life > 0.0))
         in.fault("life", "must be a number greater than 0");
     out.parameters.sweep = in.point_if("sweep");
+    if (in.has("field"))
+        out.parameters.field = in.text("field", 256);
+    out.parameters.level = in.number_if("level", -any_number, any_number);
     out.parameters.merge = in.number_or("merge", 0.0, 0.5, 0.35);
     out.parameters.angle = in.number_or("angle", 0.0, 180.0, 20.0);
     if (in.has("angle") && !(out.parameters.angle > 0.0))
@@ -85,6 +88,10 @@ nlohmann::json kept_json(const SurfaceRecord& record) {
         out["life"] = *record.parameters.life;
     if (record.parameters.sweep)
         out["sweep"] = point_json(*record.parameters.sweep);
+    if (record.parameters.field)
+        out["field"] = *record.parameters.field;
+    if (record.parameters.level)
+        out["level"] = *record.parameters.level;
     out["merge"] = record.parameters.merge;
     out["angle"] = record.parameters.angle;
     out["stagnationSpeed"] = record.parameters.stagnation_speed;
@@ -109,7 +116,7 @@ void read(CheckedJson& in, SurfaceSetting& out) {
     if (const auto found = surface_kind(in.text("kind")))
         out.parameters.kind = *found;
     else
-        in.fault("kind", "must be stream, path, streak or time");
+        in.fault("kind", "must be stream, path, streak, time or level");
     out.from = in.number_if("from", -3.4028234663852886e+38, 3.4028234663852886e+38);
     out.parameters.to = in.number("to", -3.4028234663852886e+38, 3.4028234663852886e+38);
     if (in.has("direction")) {
@@ -136,6 +143,9 @@ void read(CheckedJson& in, SurfaceSetting& out) {
     if (out.parameters.life && !(*out.parameters.life > 0.0))
         in.fault("life", "must be a number greater than 0");
     out.parameters.sweep = in.point_if("sweep");
+    if (in.has("field"))
+        out.parameters.field = in.text("field", 256);
+    out.parameters.level = in.number_if("level", -any_number, any_number);
     out.parameters.merge = in.number_or("merge", 0.0, 0.5, 0.35);
     out.parameters.angle = in.number_or("angle", 0.0, 180.0, 20.0);
     if (in.has("angle") && !(out.parameters.angle > 0.0))
@@ -188,6 +198,8 @@ std::vector<std::pair<std::string_view, double>> given_numbers(const core::Surfa
         out.emplace_back("releaseUntil", *p.release_until);
     if (p.life)
         out.emplace_back("life", *p.life);
+    if (p.level)
+        out.emplace_back("level", *p.level);
     return out;
 }
 

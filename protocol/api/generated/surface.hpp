@@ -24,14 +24,15 @@ struct SurfaceRecord {
     std::uint64_t rev = 0;
     /// counts the surfaces that have been built for the record; it never decreases
     std::uint32_t epoch = 0;
-    /// an id from rake.list; the particles start from this rake
+    /// an id from rake.list; the particles start from this rake. A level surface takes no more of
+    /// it than its place in lists and its colour
     std::string rake;
     /// the patch lies between the rake and this second rake
     std::optional<std::string> rake2;
     /// an id from dataset.list
     std::string dataset;
-    /// kind, accuracy, interpolation, refine, to, releaseUntil, life, sweep, merge, angle,
-    /// stagnationSpeed, maxQuads, from, direction, separation
+    /// kind, accuracy, interpolation, refine, to, releaseUntil, life, sweep, field, level, merge,
+    /// angle, stagnationSpeed, maxQuads, from, direction, separation
     core::SurfaceParameters parameters;
     /// additional attributes of the vertices, in frames and exports: scalar fields of the dataset,
     /// its velocity (the magnitude), `deformation`, `approximated`, `error`, `vorticity` (its
@@ -59,14 +60,15 @@ struct SurfaceSetting {
     std::optional<std::string> session;
     /// id of the surface to replace; if left out, a new one is created
     std::optional<std::string> surface;
-    /// an id from rake.list; the particles start from this rake
+    /// an id from rake.list; the particles start from this rake. A level surface takes no more of
+    /// it than its place in lists and its colour
     std::string rake;
     /// the patch lies between the rake and this second rake
     std::optional<std::string> rake2;
     /// an id from dataset.list
     std::string dataset;
-    /// kind, to, direction, accuracy, interpolation, refine, releaseUntil, life, sweep, merge,
-    /// angle, stagnationSpeed, maxQuads, separation
+    /// kind, to, direction, accuracy, interpolation, refine, releaseUntil, life, sweep, field,
+    /// level, merge, angle, stagnationSpeed, maxQuads, separation
     core::SurfaceParameters parameters;
     /// where the surface starts: the (first) release; for stream surfaces, the time at which the
     /// field is frozen; if left out, the first time of the data, or the last where `direction` is

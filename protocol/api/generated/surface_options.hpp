@@ -19,7 +19,8 @@ inline constexpr SurfaceOption surface_options[]{
     {"--kind", "kind", "text",
      "Stream: streamlines of the field frozen at --from; path: particles released together at "
      "--from; streak: particles released continuously from --from on; time: a patch of particles "
-     "released at --from",
+     "released at --from; level: where --field has the value --level, at the time that is shown "
+     "between --from and --to",
      "", true},
     {"--from", "from", "number",
      "Where the surface starts: the (first) release; for stream surfaces, the time at which the "
@@ -60,6 +61,13 @@ inline constexpr SurfaceOption surface_options[]{
     {"--sweep", "sweep", "point",
      "Time: the patch is the rake swept along this vector (the dataset's unit of length)", "",
      false},
+    {"--field", "field", "text",
+     "Level: scalar field of the dataset, or derived from its velocity, of which the surface is a "
+     "level set: its magnitude by the velocity's name, `vorticity`, `q_criterion`, `velocity_x` "
+     "and the like",
+     "", false},
+    {"--level", "level", "number",
+     "Level: value that the field has on the surface (the field's unit)", "", false},
     {"--merge", "merge", "number",
      "Quads smaller than this are joined; 0: never (part of the separation; 0 to 0.5)", "0.35",
      false},

@@ -40,6 +40,10 @@ class Engine(Cpp):
                 others = " && ".join(f"p.kind != {kinds}::{camel(word)}" for word in words)
                 body += refuse(f"{self.place_in_engine(each)} && {others}",
                                quoted(f"`{each.name}` belongs to {either(words)} surfaces"), "leave it out")
+        for each in fields.values():
+            for word in each.node.get("x-needed-for", []):
+                body += refuse(f"p.kind == {kinds}::{camel(word)} && !{self.place_in_engine(each)}",
+                               quoted(f"a {word} surface needs `{each.name}`"), each.node.words)
         for word, rule in method.data.get("x-exactly-one", {}).items():
             there = " == ".join(f"{self.place_in_engine(fields[one])}.has_value()" for one in rule["of"])
             names = " and ".join(f"`{one}`" for one in rule["of"])

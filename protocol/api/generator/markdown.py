@@ -87,6 +87,8 @@ def words_of(each, parameters):
     words = each.node.words
     if "x-only-for" in each.node:
         words += f"; only for {either(each.node['x-only-for'])} surfaces"
+    if "x-needed-for" in each.node:
+        words += ", which need it"
     if parameters and each.required:
         words += "; **required**"
     if not parameters and not each.required:

@@ -1,7 +1,7 @@
 """The description as parts of an OpenRPC 1.3 document, whose schemas are those of JSON Schema draft 7."""
 
 PASSED = ("type", "enum", "const", "minimum", "maximum", "exclusiveMinimum", "minLength", "maxLength", "pattern", "minItems", "maxItems",
-          "default", "description", "x-unit", "x-only-for")
+          "default", "description", "x-unit", "x-only-for", "x-needed-for")
 
 
 def is_component(node):

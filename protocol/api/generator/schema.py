@@ -13,7 +13,7 @@ NOUNS = ("server", "dataset", "session", "share", "presence", "rake", "surface",
 OTHERS = ("shared", "limits", "errors")
 
 # Words beside a reference that say something of its use and leave the shape what it is.
-OF_USE = {"description", "default", "x-cpp", "x-option", "x-only-for", "x-older", "x-unit", "x-kept", "x-missing", "x-plain",
+OF_USE = {"description", "default", "x-cpp", "x-option", "x-only-for", "x-needed-for", "x-older", "x-unit", "x-kept", "x-missing", "x-plain",
           "x-nullable", "x-emptyIsMissing", "x-partial", "x-nonzero", "x-between", "x-differs"}
 OF_SHAPE = {"type", "enum", "const", "minimum", "maximum", "exclusiveMinimum", "minLength", "maxLength", "pattern", "items", "minItems",
             "maxItems", "properties", "required", "additionalProperties", "unevaluatedProperties", "allOf", "anyOf", "prefixItems", "$ref",

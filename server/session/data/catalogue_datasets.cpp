@@ -12,8 +12,9 @@ std::vector<std::string> CatalogueDatasets::ids() const {
 
 core::Result<OpenDataset> CatalogueDatasets::open(const std::string& id) const {
     return catalogue_.find(id).map([](const std::shared_ptr<const LoadedDataset>& loaded) {
-        return OpenDataset{loaded->info, protocol::lattice_over(loaded->info.bounds), loaded->flow,
-                           loaded->cache, loaded->store};
+        return OpenDataset{loaded->info,  protocol::lattice_over(loaded->info.bounds),
+                           loaded->flow,  loaded->cache,
+                           loaded->store, loaded->levels};
     });
 }
 

@@ -5,6 +5,7 @@
 #include "core/dataset/dataset_info.hpp"
 #include "core/dataset/time_step_cache.hpp"
 #include "core/field/flow.hpp"
+#include "core/surface/level/level_source.hpp"
 #include "protocol/wire/lattice.hpp"
 #include "store/store_reader.hpp"
 
@@ -20,6 +21,7 @@ struct OpenDataset {
     std::shared_ptr<const core::Flow> flow;
     std::shared_ptr<core::TimeStepCache> cache{};      ///< null for a built-in flow
     std::shared_ptr<const store::StoreReader> store{}; ///< null for a built-in flow
+    std::shared_ptr<const core::LevelSource> levels{}; ///< the same
 };
 
 /// Loop thread only; nothing here waits for a disk.

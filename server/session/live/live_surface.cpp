@@ -167,8 +167,7 @@ std::uint32_t LiveSurface::refuse(core::SurfaceKind kind, core::Error error, boo
     building_ = false;
     held_ = rest;
     wanted_.plan.parameters.kind = kind;
-    wanted_.plan.flow.reset(); // of data that may be no more
-    wanted_.store.reset();
+    renew_data(nullptr, nullptr, nullptr); // of data that may be no more
     error_ = std::move(error);
     services_.loop.post([weak = weak_from_this(), epoch = epoch_] {
         const auto self = weak.lock();
@@ -243,15 +242,15 @@ bool LiveSurface::running() const {
 std::optional<SurfacePass> LiveSurface::next_pass() const {
     if (!building_ || error_)
         return std::nullopt;
-    const bool moving = core::moves(wanted_.plan.parameters);
+    const core::SurfaceParameters& p = wanted_.plan.parameters;
+    const bool moving = core::moves(p);
     const std::optional<double> time = moving ? time_ : std::nullopt;
     const auto early = [&](Phase phase) {
         return SurfacePass{phase, budgets_.quads(phase), time, budgets_.separation(phase)};
     };
-    const auto age = [&](std::optional<double> at) {
-        return core::age_at(wanted_.plan.parameters, at);
-    };
-    const bool begun = age(time) > 0.0; // at the release there is little to build
+    const auto age = [&](std::optional<double> at) { return core::age_at(p, at); };
+    // At the release there is little to build, and a level set has no coarser one.
+    const bool begun = age(time) > 0.0 && p.kind != core::SurfaceKind::Level;
     if (begun && !full_ && !coarse_done_ && budgets_.coarse_first())
         return early(Phase::Coarse);
     if (begun && !full_ && !refined_done_ && budgets_.refined_too())
@@ -294,10 +293,11 @@ void LiveSurface::start(Pace pace, const SurfacePass& pass) {
         session_, pace,
         [build = build_, pass, pace, stop = running.stop.get_token(), weak = weak_from_this(),
          services = services_, first = !full_, queued = running.since, wanted = running.wanted,
-         work = running.work, flow = wanted_.plan.flow, store = wanted_.store] {
+         work = running.work, flow = wanted_.plan.flow, store = wanted_.store,
+         levels = wanted_.plan.levels] {
             const auto start = services.clock.now();
             if (build->job().plan.flow != flow)
-                build->renew_data(flow, store);
+                build->renew_data(flow, store, levels);
             auto result =
                 std::make_shared<core::Result<Update>>(build->run(pass, stop, work.get()));
             const std::chrono::duration<double> taken = services.clock.now() - start;

@@ -107,8 +107,10 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
 
     /// The same data, opened again: lets go of the old one's time-steps.
     void renew_data(std::shared_ptr<const core::Flow> flow,
-                    std::shared_ptr<const store::StoreReader> store) {
+                    std::shared_ptr<const store::StoreReader> store,
+                    std::shared_ptr<const core::LevelSource> levels) {
         wanted_.plan.flow = std::move(flow);
+        wanted_.plan.levels = std::move(levels);
         wanted_.store = std::move(store);
     }
 

@@ -1,5 +1,6 @@
 #include "server/session/live/surface_build.hpp"
 
+#include "core/surface/level/level_surface.hpp"
 #include "core/surface/playback/surface_age.hpp"
 #include "core/surface/surface_builder.hpp"
 #include "core/surface/time_direction.hpp"
@@ -56,13 +57,15 @@ std::size_t SurfaceBuild::shrink_history(std::size_t bytes) {
 }
 
 void SurfaceBuild::renew_data(std::shared_ptr<const core::Flow> flow,
-                              std::shared_ptr<const store::StoreReader> store) {
+                              std::shared_ptr<const store::StoreReader> store,
+                              std::shared_ptr<const core::LevelSource> levels) {
     if (place_) // it follows the old one
         place_->clear();
     played_.reset();
     grown_.reset();
     last_ = Source::Nothing;
     job_.plan.flow = std::move(flow);
+    job_.plan.levels = std::move(levels);
     job_.store = std::move(store);
 }
 
@@ -124,6 +127,8 @@ core::Result<SurfaceBuild::Shown>
 SurfaceBuild::build(const SurfacePass& pass, const std::stop_token& stop, const Work& work) {
     const bool timed = pass.time && core::moves(job_.plan.parameters);
     const double age = core::age_at(job_.plan.parameters, pass.time);
+    if (job_.plan.parameters.kind == core::SurfaceKind::Level)
+        return level(age, stop, work);
     if (pass.phase == Phase::Coarse || pass.phase == Phase::Refined)
         return build_early(pass, stop, work);
     if (!timed)
@@ -185,6 +190,26 @@ core::Result<protocol::MeshFields> SurfaceBuild::fields_of(const core::Surface& 
     return sample_fields(
         job_.fields, *job_.plan.flow, job_.store.get(), surface.mesh,
         [&] { return core::vertex_times(surface, p); }, stop);
+}
+
+/// Each time and each level has a mesh of its own.
+core::Result<SurfaceBuild::Shown>
+SurfaceBuild::level(double age, const std::stop_token& stop, const Work& work) const {
+    const core::SurfaceParameters& p = job_.plan.parameters;
+    const double time = p.from + core::time_sign(p) * age;
+    auto surface = core::build_level_surface(job_.plan, time, stop, clock_, work);
+    if (!surface)
+        return tl::unexpected(surface.error());
+    if (auto room = work.takes(sampling_memory(surface->mesh.vertices())); !room)
+        return tl::unexpected(room.error());
+    auto fields = sample_fields(
+        job_.fields, *job_.plan.flow, job_.store.get(), surface->mesh,
+        [&] { return std::vector<double>(surface->mesh.vertices(), time); }, stop);
+    if (!fields)
+        return tl::unexpected(fields.error());
+    const double load = surface->statistics.seconds.load;
+    return Shown{protocol::with_ids(std::move(surface->mesh)), std::move(surface->statistics),
+                 Source::Nothing, std::move(*fields), load};
 }
 
 core::Result<SurfaceBuild::Shown>

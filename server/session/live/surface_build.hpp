@@ -49,7 +49,8 @@ class SurfaceBuild {
 
     /// The same data, opened again. Frees what was made from the old: not for the network thread.
     void renew_data(std::shared_ptr<const core::Flow> flow,
-                    std::shared_ptr<const store::StoreReader> store);
+                    std::shared_ptr<const store::StoreReader> store,
+                    std::shared_ptr<const core::LevelSource> levels);
 
   private:
     /// Where a mesh comes from: ids last within one source.
@@ -77,6 +78,7 @@ class SurfaceBuild {
                                                  const core::SurfaceParameters& parameters,
                                                  const std::stop_token& stop,
                                                  const Work& work) const;
+    core::Result<Shown> level(double age, const std::stop_token& stop, const Work& work) const;
     core::Result<Shown> grow(double age, const std::stop_token& stop, const Work& work);
     core::Result<Shown> play(double age, const std::stop_token& stop, const Work& work);
     core::Result<Shown>

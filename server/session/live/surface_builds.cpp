@@ -1,5 +1,6 @@
 #include "server/session/live/surface_builds.hpp"
 
+#include "core/surface/level/level_surface.hpp"
 #include "core/surface/playback/surface_age.hpp"
 #include "server/base/loop.hpp"
 #include "server/session/data/datasets.hpp"
@@ -36,6 +37,8 @@ core::Result<SurfaceJob> SurfaceBuilds::job_for(const protocol::SurfaceRecord& r
     auto plan = core::plan_surface(open->flow, rakes.at(record.rake).shape, std::move(p));
     if (!plan)
         return tl::unexpected(plan.error());
+    if (auto there = core::take_levels(*plan, open->levels); !there)
+        return tl::unexpected(there.error());
     return SurfaceJob{0, 0, std::move(*plan), open->store, std::move(fields), open->lattice};
 }
 
@@ -195,7 +198,7 @@ void SurfaceBuilds::try_again(const std::string& surface, LiveSurface& live) {
     if (!open)
         return;
     if (outcome.statistics.stopped.empty() && !outcome.error)
-        return live.renew_data(open->flow, open->store);
+        return live.renew_data(open->flow, open->store, open->levels);
     auto job = job_for(*record);
     if (job)
         events_.rebuilt(surface, live.rebuild(std::move(*job), live.resting()));

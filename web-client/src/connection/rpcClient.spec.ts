@@ -77,7 +77,7 @@ describe('RpcClient', () => {
         );
         expect(await refused('session.join', joined)).toBe(words('in the answer to session.join, snapshot is missing'));
         expect(await refused('surface.stats', { ...sampleStatistics(), kind: 'steam' })).toBe(
-            words('in the answer to surface.stats, kind is not one of stream, path, streak, time'),
+            words('in the answer to surface.stats, kind is not one of stream, path, streak, time, level'),
         );
         expect(await refused('dataset.list', [])).toBe(words('the answer to dataset.list is not an object'));
     });

@@ -15,7 +15,8 @@ if TYPE_CHECKING:
 
 Made = TypeVar("Made")
 SETTABLE = ("rake", "kind", "dataset", "to", "from", "rake2", "direction", "accuracy", "interpolation", "refine",
-            "releaseUntil", "life", "sweep", "merge", "angle", "stagnationSpeed", "maxQuads", "separation", "fields")
+            "releaseUntil", "life", "sweep", "field", "level", "merge", "angle", "stagnationSpeed", "maxQuads",
+            "separation", "fields")
 
 
 class SurfaceMaker(Generic[Made]):
@@ -25,22 +26,24 @@ class SurfaceMaker(Generic[Made]):
         raise NotImplementedError
 
     @named
-    def surface(self, rake: Union[Record, str], kind: Literal["stream", "path", "streak", "time"], dataset: str,
-                to: float, from_: Optional[float] = None, *, rake2: Optional[Union[Record, str]] = None,
+    def surface(self, rake: Union[Record, str], kind: Literal["stream", "path", "streak", "time", "level"],
+                dataset: str, to: float, from_: Optional[float] = None, *, rake2: Optional[Union[Record, str]] = None,
                 direction: Optional[Literal["forward", "backward", "both"]] = None,
                 accuracy: Optional[Literal["fast", "balanced", "exact"]] = None,
                 interpolation: Optional[Literal["linear", "smooth"]] = None,
                 refine: Optional[Literal["on", "off"]] = None, release_until: Optional[float] = None,
-                life: Optional[float] = None, sweep: Optional[Point] = None, merge: Optional[float] = None,
-                angle: Optional[float] = None, stagnation_speed: Optional[float] = None,
-                max_quads: Optional[int] = None, separation: Optional[float] = None,
-                fields: Optional[Sequence[str]] = None) -> Made:
+                life: Optional[float] = None, sweep: Optional[Point] = None, field: Optional[str] = None,
+                level: Optional[float] = None, merge: Optional[float] = None, angle: Optional[float] = None,
+                stagnation_speed: Optional[float] = None, max_quads: Optional[int] = None,
+                separation: Optional[float] = None, fields: Optional[Sequence[str]] = None) -> Made:
         """Makes a surface and starts computing it. What is left out has the default of `surface.set`. What `fields`
         names is also in `Surface.mesh`, by name.
 
-        `rake`: an id from rake.list; the particles start from this rake.
+        `rake`: an id from rake.list; the particles start from this rake. A level surface takes no more of it than its
+            place in lists and its colour.
         `kind`: stream: streamlines of the field frozen at `from_`; path: particles released together at `from_`;
-            streak: particles released continuously from `from_` on; time: a patch of particles released at `from_`.
+            streak: particles released continuously from `from_` on; time: a patch of particles released at `from_`;
+            level: where `field` has the value `level`, at the time that is shown between `from_` and `to`.
         `dataset`: an id from dataset.list.
         `to`: where the surface ends: before `from_`, time runs backward. A stream surface is followed for `to` -
             `from_`, and `to` need not lie in the data; for the others it must (the dataset's unit of time).
@@ -63,6 +66,10 @@ class SurfaceMaker(Generic[Made]):
         `life`: longest age of a particle: it ends so long after its release; if left out, it lives as long as the
             surface (the dataset's unit of time); only for path, streak or time surfaces; above 0.
         `sweep`: the patch is the rake swept along this vector (the dataset's unit of length); only for time surfaces.
+        `field`: scalar field of the dataset, or derived from its velocity, of which the surface is a level set: its
+            magnitude by the velocity's name, `vorticity`, `q_criterion`, `velocity_x` and the like; only for level
+            surfaces.
+        `level`: value that the field has on the surface (the field's unit); only for level surfaces.
         `merge`: quads smaller than this are joined; 0: never (part of the separation); 0 to 0.5; default 0.35.
         `angle`: neighbouring quads at a larger angle are refined, as far as the separation and `max_quads` allow; 180:
             never (degrees); above 0, at most 180; default 20.
@@ -82,8 +89,9 @@ class SurfaceMaker(Generic[Made]):
         return self._made({"rake": rake, "kind": kind, "dataset": dataset, "to": to, "from": from_, "rake2": rake2,
                            "direction": direction, "accuracy": accuracy, "interpolation": interpolation,
                            "refine": refine, "releaseUntil": release_until, "life": life, "sweep": sweep,
-                           "merge": merge, "angle": angle, "stagnationSpeed": stagnation_speed, "maxQuads": max_quads,
-                           "separation": separation, "fields": fields})
+                           "field": field, "level": level, "merge": merge, "angle": angle,
+                           "stagnationSpeed": stagnation_speed, "maxQuads": max_quads, "separation": separation,
+                           "fields": fields})
 
 
 class SurfaceChanger:
@@ -94,14 +102,15 @@ class SurfaceChanger:
 
     @named
     def set(self, *, rake: Optional[Union[Record, str]] = None,
-            kind: Optional[Literal["stream", "path", "streak", "time"]] = None, dataset: Optional[str] = None,
+            kind: Optional[Literal["stream", "path", "streak", "time", "level"]] = None, dataset: Optional[str] = None,
             to: Optional[float] = None, from_: Optional[float] = None, rake2: Optional[Union[Record, str]] = None,
             direction: Optional[Literal["forward", "backward", "both"]] = None,
             accuracy: Optional[Literal["fast", "balanced", "exact"]] = None,
             interpolation: Optional[Literal["linear", "smooth"]] = None, refine: Optional[Literal["on", "off"]] = None,
             release_until: Optional[float] = None, life: Optional[float] = None, sweep: Optional[Point] = None,
-            merge: Optional[float] = None, angle: Optional[float] = None, stagnation_speed: Optional[float] = None,
-            max_quads: Optional[int] = None, separation: Optional[float] = None, fields: Optional[Sequence[str]] = None,
+            field: Optional[str] = None, level: Optional[float] = None, merge: Optional[float] = None,
+            angle: Optional[float] = None, stagnation_speed: Optional[float] = None, max_quads: Optional[int] = None,
+            separation: Optional[float] = None, fields: Optional[Sequence[str]] = None,
             if_rev: Optional[int] = None) -> SurfaceSetResult:
         """Changes the parameters given, as `Session.surface` has them, and computes the surface again. Where `from_`
         or `to` change, forward or backward follows from them. `if_rev`: only if the record is at this revision.
@@ -116,5 +125,6 @@ class SurfaceChanger:
         return self._changed({"rake": rake, "kind": kind, "dataset": dataset, "to": to, "from": from_, "rake2": rake2,
                               "direction": direction, "accuracy": accuracy, "interpolation": interpolation,
                               "refine": refine, "releaseUntil": release_until, "life": life, "sweep": sweep,
-                              "merge": merge, "angle": angle, "stagnationSpeed": stagnation_speed,
-                              "maxQuads": max_quads, "separation": separation, "fields": fields}, if_rev)
+                              "field": field, "level": level, "merge": merge, "angle": angle,
+                              "stagnationSpeed": stagnation_speed, "maxQuads": max_quads, "separation": separation,
+                              "fields": fields}, if_rev)

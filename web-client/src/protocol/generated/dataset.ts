@@ -161,7 +161,8 @@ export const datasetCheck = members<Dataset>({
 export interface SuggestedSurface {
     /**
      * stream: streamlines of the field frozen at `from`; path: particles released together at `from`; streak:
-     * particles released continuously from `from` on; time: a patch of particles released at `from`
+     * particles released continuously from `from` on; time: a patch of particles released at `from`; level: where
+     * `field` has the value `level`, at the time that is shown between `from` and `to`
      */
     kind: SurfaceKind;
     /** where the surface starts (the dataset's unit of time) */

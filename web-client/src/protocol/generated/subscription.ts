@@ -1,5 +1,5 @@
 // Made by protocol/api/generate from subscription.schema.json: do not edit.
-import { flag, members, number, oneOf, optional, text, whole } from '../checks.ts';
+import { flag, list, members, number, oneOf, optional, text, whole } from '../checks.ts';
 import { type Lattice, type Problem, problemCheck } from './shared.ts';
 import { type SurfaceKind, surfaceKindCheck } from './surface.ts';
 
@@ -65,10 +65,10 @@ export const buildSecondsCheck = members<BuildSeconds>({
 });
 
 /**
- * why a surface shows nothing. inBody, outsideCells: the whole rake lies there; atRest: the fluid does not move at the
- * rake; notFinite: the velocities there are no numbers; sameRakes: both rakes of a time surface are the same; noArea:
- * the rake lies along the flow; nothingYet: before the first release; allLeft: all particles have left the domain or
- * reached the body; tooCoarse: no quad is left at this separation
+ * why a surface shows nothing. inBody, outsideCells: the rake is there; atRest: the fluid does not move at the rake;
+ * notFinite: the velocities there, or a level surface's values, are no numbers; sameRakes: both rakes of a time
+ * surface are the same; noArea: the rake lies along the flow; nothingYet: before the first release; allLeft: all
+ * particles have left or reached the body; tooCoarse: no quad is left at this separation; outsideRange: no such value
  */
 export const emptyReasons = [
     'inBody',
@@ -80,6 +80,7 @@ export const emptyReasons = [
     'nothingYet',
     'allLeft',
     'tooCoarse',
+    'outsideRange',
 ] as const;
 export type EmptyReason = (typeof emptyReasons)[number];
 export const emptyReasonCheck = oneOf(emptyReasons);
@@ -87,10 +88,11 @@ export const emptyReasonCheck = oneOf(emptyReasons);
 /** Why there is nothing to see of a surface. */
 export interface Emptiness {
     /**
-     * why a surface shows nothing. inBody, outsideCells: the whole rake lies there; atRest: the fluid does not move at
-     * the rake; notFinite: the velocities there are no numbers; sameRakes: both rakes of a time surface are the same;
-     * noArea: the rake lies along the flow; nothingYet: before the first release; allLeft: all particles have left the
-     * domain or reached the body; tooCoarse: no quad is left at this separation
+     * why a surface shows nothing. inBody, outsideCells: the rake is there; atRest: the fluid does not move at the
+     * rake; notFinite: the velocities there, or a level surface's values, are no numbers; sameRakes: both rakes of a
+     * time surface are the same; noArea: the rake lies along the flow; nothingYet: before the first release; allLeft:
+     * all particles have left or reached the body; tooCoarse: no quad is left at this separation; outsideRange: no
+     * such value
      */
     reason: EmptyReason;
     /** the reason, for people */
@@ -111,7 +113,8 @@ export interface Statistics {
     complete: boolean;
     /**
      * stream: streamlines of the field frozen at `from`; path: particles released together at `from`; streak:
-     * particles released continuously from `from` on; time: a patch of particles released at `from`
+     * particles released continuously from `from` on; time: a patch of particles released at `from`; level: where
+     * `field` has the value `level`, at the time that is shown between `from` and `to`
      */
     kind: SurfaceKind;
     /** number of quads */
@@ -168,6 +171,8 @@ export interface Statistics {
      * dataset's unit of time)
      */
     dataEnd?: number;
+    /** of a level surface: what its field ranges over at the time that is shown */
+    fieldRange?: [number, number];
     /** why the surface ends early */
     stopped?: string;
     /** why there is nothing to see; left out where there is something */
@@ -200,6 +205,7 @@ export const statisticsCheck = members<Statistics>({
     pass: optional(passSecondsCheck),
     peakBytes: whole,
     dataEnd: optional(number),
+    fieldRange: optional(list(number, 2)),
     stopped: optional(text),
     empty: optional(emptinessCheck),
     stateSum: whole,

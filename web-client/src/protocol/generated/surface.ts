@@ -4,9 +4,10 @@ import type { Vec3 } from '../vec3.ts';
 
 /**
  * stream: streamlines of the field frozen at `from`; path: particles released together at `from`; streak: particles
- * released continuously from `from` on; time: a patch of particles released at `from`
+ * released continuously from `from` on; time: a patch of particles released at `from`; level: where `field` has the
+ * value `level`, at the time that is shown between `from` and `to`
  */
-export const surfaceKinds = ['stream', 'path', 'streak', 'time'] as const;
+export const surfaceKinds = ['stream', 'path', 'streak', 'time', 'level'] as const;
 export type SurfaceKind = (typeof surfaceKinds)[number];
 export const surfaceKindCheck = oneOf(surfaceKinds);
 
@@ -45,7 +46,10 @@ export interface SurfaceRecord {
     rev: number;
     /** counts the surfaces that have been built for the record; it never decreases */
     epoch: number;
-    /** an id from rake.list; the particles start from this rake */
+    /**
+     * an id from rake.list; the particles start from this rake. A level surface takes no more of it than its place in
+     * lists and its colour
+     */
     rake: string;
     /** the patch lies between the rake and this second rake */
     rake2?: string;
@@ -53,7 +57,8 @@ export interface SurfaceRecord {
     dataset: string;
     /**
      * stream: streamlines of the field frozen at `from`; path: particles released together at `from`; streak:
-     * particles released continuously from `from` on; time: a patch of particles released at `from`
+     * particles released continuously from `from` on; time: a patch of particles released at `from`; level: where
+     * `field` has the value `level`, at the time that is shown between `from` and `to`
      */
     kind: SurfaceKind;
     /** how accurately particles are traced and vertices inserted */
@@ -83,6 +88,13 @@ export interface SurfaceRecord {
     life?: number;
     /** the patch is the rake swept along this vector (the dataset's unit of length) */
     sweep?: Vec3;
+    /**
+     * scalar field of the dataset, or derived from its velocity, of which the surface is a level set: its magnitude by
+     * the velocity's name, `vorticity`, `q_criterion`, `velocity_x` and the like
+     */
+    field?: string;
+    /** value that the field has on the surface (the field's unit) */
+    level?: number;
     /** quads smaller than this are joined; 0: never (part of the separation) */
     merge: number;
     /**
@@ -129,6 +141,8 @@ export const surfaceRecordCheck = members<SurfaceRecord>({
     releaseUntil: optional(number),
     life: optional(number),
     sweep: optional(point),
+    field: optional(text),
+    level: optional(number),
     merge: number,
     angle: number,
     stagnationSpeed: number,
@@ -159,7 +173,10 @@ export interface SurfaceSetParams {
     session?: string;
     /** id of the surface to replace; if left out, a new one is created */
     surface?: string;
-    /** an id from rake.list; the particles start from this rake */
+    /**
+     * an id from rake.list; the particles start from this rake. A level surface takes no more of it than its place in
+     * lists and its colour
+     */
     rake: string;
     /** the patch lies between the rake and this second rake */
     rake2?: string;
@@ -167,7 +184,8 @@ export interface SurfaceSetParams {
     dataset: string;
     /**
      * stream: streamlines of the field frozen at `from`; path: particles released together at `from`; streak:
-     * particles released continuously from `from` on; time: a patch of particles released at `from`
+     * particles released continuously from `from` on; time: a patch of particles released at `from`; level: where
+     * `field` has the value `level`, at the time that is shown between `from` and `to`
      */
     kind: SurfaceKind;
     /**
@@ -207,6 +225,13 @@ export interface SurfaceSetParams {
     life?: number;
     /** the patch is the rake swept along this vector (the dataset's unit of length) */
     sweep?: Vec3;
+    /**
+     * scalar field of the dataset, or derived from its velocity, of which the surface is a level set: its magnitude by
+     * the velocity's name, `vorticity`, `q_criterion`, `velocity_x` and the like
+     */
+    field?: string;
+    /** value that the field has on the surface (the field's unit) */
+    level?: number;
     /** quads smaller than this are joined; 0: never (part of the separation) */
     merge?: number;
     /**
@@ -255,6 +280,8 @@ export const surfaceAskedNames = [
     'releaseUntil',
     'life',
     'sweep',
+    'field',
+    'level',
     'merge',
     'angle',
     'stagnationSpeed',
@@ -292,6 +319,8 @@ export const surfaceSetOnlyFor = {
     releaseUntil: ['streak'],
     life: ['path', 'streak', 'time'],
     sweep: ['time'],
+    field: ['level'],
+    level: ['level'],
 } as const;
 
 /** Parameters of surface.delete. */

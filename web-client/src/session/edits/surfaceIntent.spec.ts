@@ -57,6 +57,16 @@ describe('settingOf', () => {
         expect(intentOf({ ...record, ...sheet! })).toMatchObject({ length: 3.5, released: 2 });
     });
 
+    it('shows a level surface at all times that there are, of its field', () => {
+        const level = { ...intentOf(record), kind: 'level' as const, field: 'p', level: 0.25 };
+        const setting = settingOf(level, record, times, false);
+        expect(setting).toMatchObject({ kind: 'level', field: 'p', level: 0.25, from: 8.5, to: 16, direction: 'forward' });
+        expect(settingOf(level, record, [3], true)).toMatchObject({ from: 3, to: 3 });
+        expect(settingOf({ ...level, field: null }, record, times, false)).toBeNull();
+        expect(settingOf({ ...level, kind: 'stream' }, record, times, false)).not.toHaveProperty('field');
+        expect(intentOf({ ...record, ...setting! })).toMatchObject({ field: 'p', level: 0.25 });
+    });
+
     it('keeps what only scripts set', () => {
         const tuned = { ...record, merge: 0.1, angle: 5 };
         expect(settingOf(intentOf(tuned), tuned, times, false)).toMatchObject({ merge: 0.1, angle: 5 });

@@ -38,16 +38,20 @@ export interface SurfaceIntent {
     /** Where the patch of a time surface ends: the rake swept along this, or another rake. */
     sweep: Vec3 | null;
     rake2: string | null;
+    /** What a level surface is a level set of, and where. */
+    field: string | null;
+    level: number | null;
 }
 
 export function intentOf(record: SurfaceRecord): SurfaceIntent {
     const { kind, from, to, separation, direction, accuracy, interpolation, refine, fields } = record;
     const { maxQuads, merge, angle } = record;
-    const { releaseUntil, life = null, sweep = null, rake2 = null } = record;
+    const { releaseUntil, life = null, sweep = null, rake2 = null, field = null, level = null } = record;
     const released = releaseUntil === undefined ? null : Math.abs(releaseUntil - from);
     const length = Math.abs(to - from);
     const mesh = { separation, refine, maxQuads, merge, angle };
-    return { kind, from, length, ...mesh, direction, accuracy, interpolation, fields, released, life, sweep, rake2 };
+    const curves = { sweep, rake2, field, level };
+    return { kind, from, length, ...mesh, direction, accuracy, interpolation, fields, released, life, ...curves };
 }
 
 /** A time surface needs a second curve: where none was chosen, the rake is swept across the domain. */
@@ -69,12 +73,22 @@ export function settingOf(
 ): SurfaceSetting | null {
     const { kind, from, direction, accuracy, interpolation, fields } = intent;
     const { separation, refine, maxQuads, merge, angle } = intent;
+    if (kind === 'level') return levelSetting(intent, record, times);
     if (!(followed(intent, times, steady) > 0)) return null;
     const to = endOf(intent, times, steady);
     const shown = { from, to, releaseUntil: releaseEnd(intent, to - from), life: intent.life ?? undefined };
     const field = { accuracy, interpolation, fields: [...fields] };
     const mesh = { separation, refine, maxQuads, merge, angle };
     const wanted = { kind, ...mesh, direction, ...field, ...shown, ...secondCurve(intent) };
+    return { ...askedOf({ ...record, ...wanted }), surface: record.surface };
+}
+
+/** It has nothing to follow: it is shown at all times that there are. */
+function levelSetting(intent: SurfaceIntent, record: SurfaceRecord, times: readonly number[]): SurfaceSetting | null {
+    const { kind, field, level, maxQuads } = intent;
+    if (field === null || level === null) return null;
+    const [from, to] = [times[0] ?? 0, times.at(-1) ?? 0];
+    const wanted = { kind, field, level, maxQuads, from, to, direction: 'forward' as const, fields: [...intent.fields] };
     return { ...askedOf({ ...record, ...wanted }), surface: record.surface };
 }
 

@@ -12,8 +12,9 @@ interface Times {
     direction: Direction;
 }
 
-/** All of a streak or time surface is there at one time: it cannot go both ways. */
+/** All of a streak, time or level surface is there at one time: it cannot go both ways. */
 export function directionsOf(kind: SurfaceKind): readonly Direction[] {
+    if (kind === 'level') return ['forward'];
     return kind === 'streak' || kind === 'time' ? ['forward', 'backward'] : ['forward', 'backward', 'both'];
 }
 
@@ -100,9 +101,10 @@ export function adapted<Intent extends Times>(
     const intent = { ...wanted };
     if (!directionsOf(intent.kind).includes(intent.direction)) {
         intent.direction = 'forward';
+        if (intent.kind === 'level') return { intent, told: null };
         told.push(`A ${intent.kind} surface goes one way in time: this one goes forward.`);
     }
-    if (times.length > 1 && !(followed(intent, times, steady) > 0)) {
+    if (intent.kind !== 'level' && times.length > 1 && !(followed(intent, times, steady) > 0)) {
         const from = dragged ? nearestRelease(intent.direction, times) : bestRelease(intent.direction, times);
         const side = intent.direction === 'backward' ? 'before' : 'after';
         told.push(`Released at ${shortNumber(from)}: the data have nothing ${side} ${shortNumber(intent.from)}.`);

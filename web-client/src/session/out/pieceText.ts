@@ -5,7 +5,7 @@ import { pieceLengths } from '../picture/surfaceStyleOf.ts';
 
 /** What the particles of one seed form; empty for surfaces of which each point is a particle of its own. */
 export function seedLinesOf(kind: SurfaceRecord['kind']): '' | 'streamlines' | 'pathlines' | 'streaklines' {
-    return ({ stream: 'streamlines', path: 'pathlines', streak: 'streaklines', time: '' } as const)[kind];
+    return ({ stream: 'streamlines', path: 'pathlines', streak: 'streaklines', time: '', level: '' } as const)[kind];
 }
 
 /** Null: all of the surface. */

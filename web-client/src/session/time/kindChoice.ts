@@ -3,6 +3,7 @@ import type { SurfaceKind } from '../../protocol/messages.ts';
 import { shortNumber } from '../../scene/base/numbers.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { Edits } from '../edits/edits.ts';
+import { firstLevel } from '../edits/levelFields.ts';
 import { followed } from '../edits/surfaceTimes.ts';
 import type { SurfaceIntent } from '../edits/surfaceIntent.ts';
 import type { ClockControl } from './clockControl.ts';
@@ -27,6 +28,11 @@ interface Times {
 export function chooseKind({ state, edits, clock, playback }: KindChoice, kind: SurfaceKind): void {
     const before = edits.intent.value;
     if (before === null || before.kind === kind) return;
+    if (kind === 'level') {
+        const dataset = state.dataset.value;
+        if (dataset !== null) edits.changeSurface({ kind, ...(before.field === null ? firstLevel(dataset) : {}) });
+        return;
+    }
     const steady = state.dataset.value?.steady ?? false;
     const shownBefore = playback.time.value;
     const suggested = suggestedOf(state, kind);
@@ -36,6 +42,11 @@ export function chooseKind({ state, edits, clock, playback }: KindChoice, kind: 
         : kind === 'stream'
           ? frozenTimes(times, shownBefore, suggested?.length ?? before.length)
           : movingTimes(before, { ...before, kind }, shownBefore, times, suggested, suggestedOf(state, before.kind));
+    if (before.kind === 'level' && suggested !== null) {
+        const { from, length, separation } = suggested;
+        edits.changeSurface({ kind, from, length, separation });
+        return;
+    }
     const separation = chosenSeparation(before, suggested?.separation, suggestedOf(state, before.kind)?.separation);
     const change = { kind, from: after.from, length: after.length, separation };
     edits.changeSurface(change, undefined, jumpWords(shownBefore, after, steady));

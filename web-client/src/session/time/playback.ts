@@ -52,6 +52,8 @@ export class Playback {
         const { state, edits } = this.options;
         const intent = edits.intent.value;
         if (intent === null) return 'none';
+        // Of one time-step there is one level set at all times.
+        if (intent.kind === 'level' && state.times.value.length < 2) return 'none';
         if (intent.kind !== 'stream') return state.clock.value === null ? 'none' : 'clock';
         return state.times.value.length > 1 ? 'frozen' : 'none';
     });

@@ -52,8 +52,13 @@ export function colourChoices(
     ];
     return [
         { value: 'speed', words: 'Speed' },
-        { value: 'age', words: ageName(kind) },
-        { value: 's', words: 'Position on the rake' },
+        // Nothing is released on a level set.
+        ...(kind === 'level'
+            ? []
+            : [
+                  { value: 'age', words: ageName(kind) },
+                  { value: 's', words: 'Position on the rake' },
+              ]),
         ...derived
             .filter(({ value }) => canCome(dataset, value))
             .map(({ value, words }) => ({

@@ -21,6 +21,7 @@ import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { toggled } from '../../state/visibility.ts';
 import './meshRules.ts';
+import './levelPanel.ts';
 import './releasePanel.ts';
 import './timeEnds.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
@@ -51,7 +52,13 @@ const interpolations: [Interpolation, string][] = [
     ['smooth', 'Smooth, cubic'],
 ];
 
-const kindNames: Record<SurfaceKind, string> = { stream: 'Stream', path: 'Path', streak: 'Streak', time: 'Time' };
+const kindNames: Record<SurfaceKind, string> = {
+    stream: 'Stream',
+    path: 'Path',
+    streak: 'Streak',
+    time: 'Time',
+    level: 'Level set',
+};
 
 const axes = ['x', 'y', 'z'] as const;
 
@@ -162,9 +169,6 @@ export class SurfacePanel extends SignalElement {
             return html`<p class="quiet">This rake has no surface.</p>
                 ${this.several()}`;
         }
-        const shown = followed(intent, state.times.value, dataset.steady);
-        const { longest, dataEnd } = this.longest(intent, dataset);
-        const step = longest / lengthSteps;
         return html`
             <fieldset class="edits" ?disabled=${state.locked.value}>
                 <fieldset class="kinds">
@@ -173,7 +177,22 @@ export class SurfacePanel extends SignalElement {
                     ${this.kindChoice('path', 'Path', dataset)}
                     ${this.kindChoice('streak', 'Streak', dataset)}
                     ${this.kindChoice('time', 'Time', dataset)}
+                    ${this.kindChoice('level', 'Level set', dataset)}
                 </fieldset>
+                ${intent.kind === 'level' ? html`<wakesurf-level .model=${this.model}></wakesurf-level>` : this.followedRows(intent, dataset)}
+                <wakesurf-mesh-rules .model=${this.model}></wakesurf-mesh-rules>
+            </fieldset>
+            ${this.several()}
+        `;
+    }
+
+    /** Of surfaces that follow particles. */
+    private followedRows(intent: SurfaceIntent, dataset: DatasetDescription): TemplateResult {
+        const { state, edits } = this.model;
+        const shown = followed(intent, state.times.value, dataset.steady);
+        const { longest, dataEnd } = this.longest(intent, dataset);
+        const step = longest / lengthSteps;
+        return html`
                 <label class="row" for="length">
                     <span>Integration time</span>
                     <span class="value">${this.time(shown)}</span>
@@ -202,9 +221,6 @@ export class SurfacePanel extends SignalElement {
                 <p class="quiet" id="surface-remark" role="status" ?hidden=${edits.remark.value === null}>${edits.remark.value}</p>
                 ${this.choice('accuracy', 'Accuracy', accuracies, intent.accuracy, (accuracy) => ({ accuracy }))}
                 ${dataset.smooth ? this.interpolation(intent) : nothing}
-                <wakesurf-mesh-rules .model=${this.model}></wakesurf-mesh-rules>
-            </fieldset>
-            ${this.several()}
         `;
     }
 
@@ -314,9 +330,10 @@ export class SurfacePanel extends SignalElement {
         return withUnit(shortNumber(value), this.model.view.units.value.length);
     }
 
-    private kindChoice(kind: SurfaceKind, label: string, { times, steady }: DatasetDescription): TemplateResult {
+    private kindChoice(kind: SurfaceKind, label: string, { times, steady, points }: DatasetDescription): TemplateResult {
         const { edits, state } = this.model;
-        const still = kind !== 'stream' && times.length < 2 && !steady;
+        // A formula has no nodes.
+        const still = kind === 'level' ? points === 0 : kind !== 'stream' && times.length < 2 && !steady;
         const disabled = still || !state.capabilities.value.includes(kind);
         return html`<label class="kind">
             <input

@@ -25,7 +25,7 @@ import './timeline.ts';
 const speeds = [0.1, 0.25, 0.5, 1, 2, 4];
 
 /** What the release is to a surface of each kind. */
-const released: Record<Exclude<SurfaceKind, 'stream'>, string> = {
+const released: Partial<Record<SurfaceKind, string>> = {
     path: 'released at',
     streak: 'released from',
     time: 'released at',
@@ -157,6 +157,7 @@ export class TimeBar extends SignalElement {
         const { playback, edits, state } = this.model;
         const intent = edits.intent.value;
         if (intent === null) return nothing;
+        if (intent.kind === 'level') return nothing;
         if (intent.kind === 'stream') {
             return playback.mode.value === 'none'
                 ? html`<span class="quiet">The data have only one time-step: there is nothing to play.</span>`

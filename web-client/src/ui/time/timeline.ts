@@ -98,7 +98,7 @@ export class Timeline extends SignalElement {
                 ${shared === '' ? nothing : svg`<text class="shared" x="100%" y="63">${withUnit(shared, this.unit)}</text>`}
             </svg>
             ${moving ? this.clockSlider(line) : this.frozenSlider(line)}
-            ${moving ? this.releaseSlider(line) : nothing}
+            ${moving && this.model.edits.intent.value?.kind !== 'level' ? this.releaseSlider(line) : nothing}
         `;
     }
 
@@ -122,9 +122,12 @@ export class Timeline extends SignalElement {
     private surfaceBand(surface: Span, at: (time: number) => string): TemplateResult {
         const record = this.model.state.surface.value;
         const backward = record !== undefined && record.to < record.from;
+        const width = (low: number, high: number): string => `${Math.max(0, parseFloat(at(high)) - parseFloat(at(low)))}%`;
+        if (record?.kind === 'level') {
+            return svg`<rect class="shown" x=${at(surface[0])} width=${width(...surface)} y="6" height="8" rx="2" />`;
+        }
         const released = releasedSpan(this.model.playback.span.value, record?.kind ?? 'path', backward, record?.releaseUntil);
         const end = released[backward ? 0 : 1];
-        const width = (low: number, high: number): string => `${Math.max(0, parseFloat(at(high)) - parseFloat(at(low)))}%`;
         return svg`
             <rect class="shown" x=${at(surface[0])} width=${width(...surface)} y="6" height="8" rx="2" />
             <rect class="released" x=${at(released[0])} width=${width(...released)} y="6" height="8" rx="2" />

@@ -16,22 +16,25 @@ class SurfaceMethods(Noun):
     """Surfaces."""
 
     @named
-    def set(self, *, rake: str, dataset: str, kind: Literal["stream", "path", "streak", "time"], to: float,
+    def set(self, *, rake: str, dataset: str, kind: Literal["stream", "path", "streak", "time", "level"], to: float,
             surface: Optional[str] = None, rake2: Optional[str] = None, from_: Optional[float] = None,
             direction: Optional[Literal["forward", "backward", "both"]] = None,
             accuracy: Optional[Literal["fast", "balanced", "exact"]] = None,
             interpolation: Optional[Literal["linear", "smooth"]] = None, refine: Optional[Literal["on", "off"]] = None,
             release_until: Optional[float] = None, life: Optional[float] = None, sweep: Optional[Point] = None,
-            merge: Optional[float] = None, angle: Optional[float] = None, stagnation_speed: Optional[float] = None,
-            max_quads: Optional[int] = None, separation: Optional[float] = None, fields: Optional[Sequence[str]] = None,
-            default: Optional[bool] = None, gesture: Optional[str] = None, if_rev: Optional[int] = None,
+            field: Optional[str] = None, level: Optional[float] = None, merge: Optional[float] = None,
+            angle: Optional[float] = None, stagnation_speed: Optional[float] = None, max_quads: Optional[int] = None,
+            separation: Optional[float] = None, fields: Optional[Sequence[str]] = None, default: Optional[bool] = None,
+            gesture: Optional[str] = None, if_rev: Optional[int] = None,
             session: Optional[str] = None) -> SurfaceSetResult:
         """Creates a surface, or replaces its record as a whole, and starts to build it.
 
-        `rake`: an id from rake.list; the particles start from this rake.
+        `rake`: an id from rake.list; the particles start from this rake. A level surface takes no more of it than its
+            place in lists and its colour.
         `dataset`: an id from dataset.list.
         `kind`: stream: streamlines of the field frozen at `from_`; path: particles released together at `from_`;
-            streak: particles released continuously from `from_` on; time: a patch of particles released at `from_`.
+            streak: particles released continuously from `from_` on; time: a patch of particles released at `from_`;
+            level: where `field` has the value `level`, at the time that is shown between `from_` and `to`.
         `to`: where the surface ends: before `from_`, time runs backward. A stream surface is followed for `to` -
             `from_`, and `to` need not lie in the data; for the others it must (the dataset's unit of time).
         `surface`: id of the surface to replace; if left out, a new one is created.
@@ -54,6 +57,10 @@ class SurfaceMethods(Noun):
         `life`: longest age of a particle: it ends so long after its release; if left out, it lives as long as the
             surface (the dataset's unit of time); only for path, streak or time surfaces; above 0.
         `sweep`: the patch is the rake swept along this vector (the dataset's unit of length); only for time surfaces.
+        `field`: scalar field of the dataset, or derived from its velocity, of which the surface is a level set: its
+            magnitude by the velocity's name, `vorticity`, `q_criterion`, `velocity_x` and the like; only for level
+            surfaces.
+        `level`: value that the field has on the surface (the field's unit); only for level surfaces.
         `merge`: quads smaller than this are joined; 0: never (part of the separation); 0 to 0.5; default 0.35.
         `angle`: neighbouring quads at a larger angle are refined, as far as the separation and `max_quads` allow; 180:
             never (degrees); above 0, at most 180; default 20.
@@ -82,8 +89,9 @@ class SurfaceMethods(Noun):
                                                               "rake2": rake2, "from": from_, "direction": direction,
                                                               "accuracy": accuracy, "interpolation": interpolation,
                                                               "refine": refine, "releaseUntil": release_until,
-                                                              "life": life, "sweep": sweep, "merge": merge,
-                                                              "angle": angle, "stagnationSpeed": stagnation_speed,
+                                                              "life": life, "sweep": sweep, "field": field,
+                                                              "level": level, "merge": merge, "angle": angle,
+                                                              "stagnationSpeed": stagnation_speed,
                                                               "maxQuads": max_quads, "separation": separation,
                                                               "fields": fields, "default": default, "gesture": gesture,
                                                               "ifRev": if_rev})

@@ -71,7 +71,7 @@ class Dataset(TypedDict, total=False):
 
 
 SuggestedSurface = TypedDict("SuggestedSurface", {  # Parameters to begin a surface with, as surface.set takes them.
-    "kind": 'Literal["stream", "path", "streak", "time"]',  # stream: streamlines of the field frozen at `from`; ...
+    "kind": 'Literal["stream", "path", "streak", "time", "level"]',  # stream: streamlines of the field frozen at ...
     "from": "float",  # where the surface starts (the dataset's unit of time)
     "to": "float",  # where it ends (the dataset's unit of time)
     "separation": "float",  # longest edge allowed (the dataset's unit of length)

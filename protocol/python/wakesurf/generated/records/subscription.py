@@ -43,7 +43,7 @@ class BuildSeconds(TypedDict, total=False):
 class Emptiness(TypedDict, total=False):
     """Why there is nothing to see of a surface."""
 
-    reason: Literal["inBody", "outsideCells", "atRest", "notFinite", "sameRakes", "noArea", "nothingYet", "allLeft", "tooCoarse"]
+    reason: Literal["inBody", "outsideCells", "atRest", "notFinite", "sameRakes", "noArea", "nothingYet", "allLeft", "tooCoarse", "outsideRange"]
     message: str  # the reason, for people
     hint: str  # what to do about it
 
@@ -52,7 +52,7 @@ Statistics = TypedDict("Statistics", {  # Statistics of the newest state of a su
     "surface": "str",  # id of the surface
     "epoch": "int",  # counts the surfaces that have been built for the record; it never decreases
     "complete": "bool",  # true: this is the final surface of its epoch
-    "kind": 'Literal["stream", "path", "streak", "time"]',  # stream: streamlines of the field frozen at `from`; ...
+    "kind": 'Literal["stream", "path", "streak", "time", "level"]',  # stream: streamlines of the field frozen at ...
     "quads": "int",  # number of quads
     "vertices": "int",  # number of vertices
     "steps": "int",  # number of steps of the surface, in time or along its curves
@@ -70,6 +70,7 @@ Statistics = TypedDict("Statistics", {  # Statistics of the newest state of a su
     "pass": "PassSeconds",  # how long it took to make this state; may be missing
     "peakBytes": "int",  # the most memory that the process has held, for everything that it does (bytes)
     "dataEnd": "float",  # first time of the data, where it cuts the backward side of a path surface of both ...
+    "fieldRange": "List[float]",  # of a level surface: what its field ranges over at the time that is shown; may be ...
     "stopped": "str",  # why the surface ends early; may be missing
     "empty": "Emptiness",  # why there is nothing to see; left out where there is something; may be missing
     "stateSum": "int",  # checksum of what clients show, as in the frames (protocol/wire/FORMAT.md, State sum)

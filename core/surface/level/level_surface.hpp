@@ -1,0 +1,29 @@
+// A level set of a scalar field as a surface like any other: what it is coloured by, exported and sent with comes from the same mesh.
+#pragma once
+
+#include "core/base/clock.hpp"
+#include "core/base/result.hpp"
+#include "core/base/work_done.hpp"
+#include "core/surface/level/level_source.hpp"
+#include "core/surface/request/surface_plan.hpp"
+#include "core/surface/surface.hpp"
+
+#include <memory>
+#include <stop_token>
+
+namespace wakesurf::core {
+
+/// What a plan of a level surface still needs, where the data are open; nothing for others.
+/// Error: Unsupported where there is none; NotFound, naming the fields there are.
+Result<void> take_levels(SurfacePlan& plan, std::shared_ptr<const LevelSource> levels);
+
+/// The level set at a time. Its s and t are 0: nothing is released. Statistics say why it is empty, and what the field ranges over.
+/// REQUIRES: a plan that take_levels() has completed.
+/// Error: OverLimit (quads, or memory), what LevelSource::extract and sampling report.
+Result<Surface> build_level_surface(const SurfacePlan& plan,
+                                    double time,
+                                    const std::stop_token& stop,
+                                    const Clock& clock,
+                                    const WorkPart& work);
+
+} // namespace wakesurf::core

@@ -1,0 +1,154 @@
+#include "server/levels/node_values.hpp"
+
+#include "core/surface/vertex_attributes.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <variant>
+#include <vector>
+
+namespace wakesurf::server {
+
+namespace {
+
+constexpr std::size_t nodes_at_once = std::size_t{1}
+                                      << 16; ///< nodes whose places and samples are held
+
+core::Vec3 node_place(const core::Grid& grid, std::size_t node) {
+    if (const auto* mesh = std::get_if<core::CellMesh>(&grid))
+        return mesh->points[node];
+    const auto along = [&](std::size_t nx, std::size_t ny) {
+        return std::array{node % nx, node / nx % ny, node / nx / ny};
+    };
+    if (const auto* uniform = std::get_if<core::UniformGrid>(&grid)) {
+        const auto [i, j, k] = along(uniform->dimensions[0], uniform->dimensions[1]);
+        return uniform->origin + uniform->spacing * core::Vec3(static_cast<double>(i),
+                                                               static_cast<double>(j),
+                                                               static_cast<double>(k));
+    }
+    const auto& axes = std::get<core::RectilinearGrid>(grid).coordinates;
+    const auto [i, j, k] = along(axes[0].size(), axes[1].size());
+    return {axes[0][i], axes[1][j], axes[2][k]};
+}
+
+/// The time-step at or before a time, and the part of the way to the next.
+std::pair<std::size_t, double> moment_in(const std::vector<double>& times, double time) {
+    const auto after = std::ranges::upper_bound(times, time);
+    if (after == times.begin())
+        return {0, 0.0};
+    const auto step = static_cast<std::size_t>(after - times.begin() - 1);
+    if (step + 1 == times.size())
+        return {step, 0.0};
+    return {step, (time - times[step]) / (times[step + 1] - times[step])};
+}
+
+core::Result<void> stored_values(const store::StoreReader& store,
+                                 std::size_t scalar,
+                                 double time,
+                                 std::span<float> out,
+                                 const std::stop_token& stop) {
+    const auto [step, part] = moment_in(store.times(), time);
+    const auto first = store.scalar_values(scalar, step, stop);
+    if (!first)
+        return tl::unexpected(first.error());
+    const auto* from = reinterpret_cast<const float*>((*first)->bytes().data());
+    std::copy_n(from, out.size(), out.begin());
+    if (part == 0.0)
+        return {};
+    const auto second = store.scalar_values(scalar, step + 1, stop);
+    if (!second)
+        return tl::unexpected(second.error());
+    const auto* to = reinterpret_cast<const float*>((*second)->bytes().data());
+    for (std::size_t i = 0; i < out.size(); ++i)
+        out[i] = static_cast<float>(from[i] + part * (double(to[i]) - from[i]));
+    return {};
+}
+
+core::Result<void> sampled_values(const NodeField& field,
+                                  const core::Flow& flow,
+                                  std::span<const core::Vec3> places,
+                                  double time,
+                                  std::span<float> out,
+                                  const std::stop_token& stop) {
+    const std::vector<double> times(places.size(), time);
+    if (field.source == NodeField::Source::Gradient) {
+        const std::array wanted{static_cast<core::GradientField>(field.index)};
+        return core::sample_gradient_fields(wanted, flow, places, times, stop)
+            .map([&](const auto& values) { std::ranges::copy(values.front(), out.begin()); });
+    }
+    std::vector<core::Vec3> velocities(places.size());
+    std::vector<std::uint8_t> gap(places.size(), 0);
+    if (auto done = flow.sample(places, times, velocities, stop).and_then([&] {
+            return flow.mark_gaps(places, times, gap, stop);
+        });
+        !done)
+        return done;
+    for (std::size_t i = 0; i < places.size(); ++i)
+        out[i] = gap[i] != 0 ? std::numeric_limits<float>::quiet_NaN()
+                 : field.source == NodeField::Source::Speed
+                     ? static_cast<float>(glm::length(velocities[i]))
+                     : static_cast<float>(velocities[i][static_cast<int>(field.index)]);
+    return {};
+}
+
+} // namespace
+
+core::Result<NodeField> find_node_field(const store::StoreReader& store,
+                                        const std::string& velocity,
+                                        const std::string& name) {
+    using Source = NodeField::Source;
+    if (const auto scalar = store::find_scalar(store.layout(), name))
+        return NodeField{name, Source::Scalar, *scalar};
+    if (name == velocity)
+        return NodeField{name, Source::Speed, 0};
+    const auto& components = core::velocity_component_names;
+    if (const auto found = std::ranges::find(components, name); found != components.end())
+        return NodeField{name, Source::VelocityComponent,
+                         static_cast<std::size_t>(found - components.begin())};
+    if (const auto derived = core::find_gradient_field(name))
+        return NodeField{name, Source::Gradient, static_cast<std::size_t>(*derived)};
+    std::vector<std::string> names;
+    for (const store::StoredScalar& each : store.layout().scalars)
+        names.push_back(each.name);
+    names.push_back(velocity);
+    for (const auto& more : {std::span<const std::string_view>(core::gradient_field_names),
+                             std::span<const std::string_view>(components)})
+        names.insert(names.end(), more.begin(), more.end());
+    return core::fail(core::Error::Code::NotFound,
+                      "`field` names a field the dataset does not have: " + name,
+                      fmt::format("there is {}", fmt::join(names, ", ")));
+}
+
+core::Result<void> node_values(const NodeField& field,
+                               const core::Flow& flow,
+                               const store::StoreReader& store,
+                               double time,
+                               std::span<float> out,
+                               const std::stop_token& stop) {
+    if (field.source == NodeField::Source::Scalar) {
+        if (auto read = stored_values(store, field.index, time, out, stop); !read)
+            return read;
+    } else {
+        std::vector<core::Vec3> places;
+        for (std::size_t begin = 0; begin < out.size(); begin += places.size()) {
+            places.resize(std::min(nodes_at_once, out.size() - begin));
+            for (std::size_t i = 0; i < places.size(); ++i)
+                places[i] = node_place(store.grid(), begin + i);
+            if (auto done = sampled_values(field, flow, places, time,
+                                           out.subspan(begin, places.size()), stop);
+                !done)
+                return done;
+        }
+    }
+    const auto& fluid = store.mask().fluid;
+    for (std::size_t i = 0; i < fluid.size(); ++i)
+        if (fluid[i] == 0)
+            out[i] = std::numeric_limits<float>::quiet_NaN();
+    return {};
+}
+
+} // namespace wakesurf::server

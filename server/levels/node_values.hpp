@@ -1,0 +1,43 @@
+// The values of a scalar field at the nodes of a dataset: stored ones, or derived from the velocity.
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/field/flow.hpp"
+#include "core/field/velocity_gradient.hpp"
+#include "store/store_reader.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <stop_token>
+#include <string>
+
+namespace wakesurf::server {
+
+struct NodeField {
+    enum class Source : std::uint8_t { Scalar, Speed, VelocityComponent, Gradient };
+
+    std::string name;
+    Source source = Source::Scalar;
+    std::size_t index =
+        0; ///< of the scalar in the store, of the component, or of the derived field
+
+    bool operator==(const NodeField&) const = default;
+};
+
+/// A stored field goes before a derived one. @param velocity  the name of the dataset's. Error: NotFound, naming those there are.
+core::Result<NodeField> find_node_field(const store::StoreReader& store,
+                                        const std::string& velocity,
+                                        const std::string& name);
+
+/// One a node at a time, linear between time-steps; NaN where there is none: in obstacles too.
+/// @param out  as many as there are nodes
+/// Error: Cancelled, what reading and sampling report.
+core::Result<void> node_values(const NodeField& field,
+                               const core::Flow& flow,
+                               const store::StoreReader& store,
+                               double time,
+                               std::span<float> out,
+                               const std::stop_token& stop);
+
+} // namespace wakesurf::server

@@ -1,0 +1,123 @@
+// Level surfaces as records of a session: what is checked before they are kept, what of a rake they follow, and that they come back.
+#include "tests/support/server/session_bench.hpp"
+
+#include <gtest/gtest.h>
+
+namespace wakesurf::server::level_records_test {
+namespace {
+
+using core::Error;
+
+/// Has one field, p, and no triangles.
+class OneField final : public core::LevelSource {
+  public:
+    core::Result<core::LevelTriangles> extract(const core::LevelWanted&,
+                                               const std::stop_token&) const override {
+        return core::LevelTriangles{};
+    }
+
+    core::Result<void> check_field(const std::string& name) const override {
+        if (name == "p")
+            return {};
+        return core::fail(Error::Code::NotFound,
+                          "`field` names a field the dataset does not have: " + name);
+    }
+};
+
+/// The flow `abc` as data with a field.
+class WithField final : public Datasets {
+  public:
+    std::vector<std::string> ids() const override { return {"abc"}; }
+
+    core::Result<OpenDataset> open(const std::string& id) const override {
+        return flow_.open(id).map([&](OpenDataset open) {
+            open.levels = levels_;
+            return open;
+        });
+    }
+
+  private:
+    tests::OneFlow flow_;
+    std::shared_ptr<const core::LevelSource> levels_ = std::make_shared<OneField>();
+};
+
+struct Bench {
+    WithField data;
+    tests::HandLoop loop;
+    ComputePool pool{1};
+    SystemEntropy entropy;
+    tests::MemoryJournal journal;
+    SessionDirectory sessions{services(data)};
+    std::shared_ptr<Session> session = *sessions.find("main");
+    const Author ada{"p1", "Ada"};
+    std::string rake = session->set_rake(tests::rake_at(1), ada)->record.rake;
+
+    SessionServices services(const Datasets& datasets) {
+        SessionServices out{loop, pool, datasets, entropy};
+        out.journal = &journal;
+        out.clock = &loop;
+        return out;
+    }
+
+    protocol::SurfaceSetting level(double value, std::optional<std::string> id = {}) const {
+        auto setting = tests::surface_on(rake, std::move(id));
+        setting.parameters.kind = core::SurfaceKind::Level;
+        setting.parameters.field = "p";
+        setting.parameters.level = value;
+        return setting;
+    }
+};
+
+TEST(LevelRecords, HoldTheirFieldAndLevelThroughUndoAndARestart) {
+    Bench bench;
+    const auto made = bench.session->set_surface(bench.level(0.25), bench.ada);
+    ASSERT_TRUE(made) << made.error().message;
+    EXPECT_EQ(made->parameters.field, "p");
+    EXPECT_EQ(made->parameters.level, 0.25);
+    ASSERT_TRUE(bench.session->set_surface(bench.level(0.5, made->surface), bench.ada));
+    (void)bench.session->move_in_history(HistoryMove::Undo, bench.ada);
+    EXPECT_EQ(bench.session->surface(made->surface)->parameters.level, 0.25);
+    const KeptRecords kept = read_entries(bench.journal.entries("main"));
+    EXPECT_TRUE(kept.report.refused.empty());
+    EXPECT_EQ(kept.records.find<protocol::SurfaceRecord>(made->surface)->parameters,
+              made->parameters);
+}
+
+TEST(LevelRecords, NeedAFieldThatThereIsAndALevel) {
+    const Bench bench;
+    auto setting = bench.level(0.25);
+    setting.parameters.field = "q";
+    EXPECT_EQ(bench.session->set_surface(setting, bench.ada).error().code, Error::Code::NotFound);
+    setting.parameters.field.reset();
+    EXPECT_EQ(bench.session->set_surface(setting, bench.ada).error().code,
+              Error::Code::InvalidArgument);
+    setting = bench.level(0.25);
+    setting.parameters.level.reset();
+    EXPECT_EQ(bench.session->set_surface(setting, bench.ada).error().code,
+              Error::Code::InvalidArgument);
+    EXPECT_TRUE(bench.session->surfaces().empty()) << "nothing was made";
+    tests::SessionBench formula;
+    const std::string rake = formula.session->set_rake(tests::rake_at(1), formula.ada)->record.rake;
+    setting = bench.level(0.25);
+    setting.rake = rake;
+    EXPECT_EQ(formula.session->set_surface(setting, formula.ada).error().code,
+              Error::Code::Unsupported);
+}
+
+TEST(LevelRecords, AreNotExtractedAgainWhenTheirRakeMovesAndGoWithIt) {
+    const Bench bench;
+    const auto level = bench.session->set_surface(bench.level(0.25), bench.ada);
+    const auto stream = bench.session->set_surface(tests::surface_on(bench.rake), bench.ada);
+    const auto epoch = [&](const auto& surface) {
+        return bench.session->surface(surface->surface)->epoch;
+    };
+    const auto before = std::pair(epoch(level), epoch(stream));
+    ASSERT_TRUE(bench.session->set_rake(tests::rake_at(2, bench.rake), bench.ada));
+    EXPECT_EQ(epoch(level), before.first);
+    EXPECT_GT(epoch(stream), before.second);
+    ASSERT_TRUE(bench.session->delete_rake(bench.rake, bench.ada));
+    EXPECT_TRUE(bench.session->surfaces().empty());
+}
+
+} // namespace
+} // namespace wakesurf::server::level_records_test
