@@ -36,11 +36,14 @@ tinygltf::Value::Object extras(const MeshMetadata& metadata) {
     Value::Object out{{"kind", Value(std::string(name(metadata.parameters.kind)))},
                       {"dataset", Value(metadata.dataset)},
                       {"wakesurf", Value(metadata.version)},
-                      {"rake", numbers(metadata.rake.points)},
                       {"from", Value(metadata.parameters.from)},
                       {"to", Value(metadata.parameters.to)},
                       {"separation", Value(metadata.separation)}};
-    if (tells_kind(metadata.rake.kind))
+    if (metadata.parameters.field)
+        out["field"] = Value(*metadata.parameters.field);
+    else
+        out["rake"] = numbers(metadata.rake.points);
+    if (!metadata.parameters.field && tells_kind(metadata.rake.kind))
         out["rakeKind"] = Value(std::string(name(metadata.rake.kind)));
     if (metadata.parameters.rake2)
         out["rake2"] = numbers(metadata.parameters.rake2->points);

@@ -30,9 +30,10 @@ std::string printable(std::string text) {
 std::vector<std::string> mesh_comments(const MeshMetadata& metadata) {
     std::vector<std::string> lines{"wakesurf " + printable(metadata.version),
                                    "kind " + std::string(name(metadata.parameters.kind)),
-                                   "dataset " + printable(metadata.dataset),
-                                   "rake " + points_text(metadata.rake.points)};
-    if (tells_kind(metadata.rake.kind))
+                                   "dataset " + printable(metadata.dataset)};
+    lines.push_back(metadata.parameters.field ? "field " + printable(*metadata.parameters.field)
+                                              : "rake " + points_text(metadata.rake.points));
+    if (!metadata.parameters.field && tells_kind(metadata.rake.kind))
         lines.push_back("rakeKind " + std::string(name(metadata.rake.kind)));
     if (metadata.parameters.rake2)
         lines.push_back("rake2 " + points_text(metadata.parameters.rake2->points));

@@ -69,8 +69,11 @@ void field_points(std::string& xml, std::string_view name, std::span<const core:
 void field_data(std::string& xml, const MeshMetadata& metadata) {
     xml += "<FieldData>\n";
     field_text(xml, "kind", name(metadata.parameters.kind));
-    field_points(xml, "rake", metadata.rake.points);
-    if (tells_kind(metadata.rake.kind))
+    if (metadata.parameters.field)
+        field_text(xml, "field", *metadata.parameters.field);
+    else
+        field_points(xml, "rake", metadata.rake.points);
+    if (!metadata.parameters.field && tells_kind(metadata.rake.kind))
         field_text(xml, "rakeKind", name(metadata.rake.kind));
     if (metadata.parameters.rake2)
         field_points(xml, "rake2", metadata.parameters.rake2->points);

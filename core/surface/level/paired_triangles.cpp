@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <tuple>
 
 namespace wakesurf::core {
 
@@ -15,38 +15,54 @@ constexpr std::uint32_t no_triangle_beyond = 0xffffffffu;
 constexpr double flat_enough = 0.95;
 /// Sine of the sharpest turn at a quad's corner, so that it is convex whichever diagonal it is drawn with.
 constexpr double least_turn = 0.05;
+constexpr std::size_t grades = 1024; ///< of quads, as good as each other within one
+
+/// Numbers below `size` in the order of their keys, those of one key as they come. @param key  of a number, below `keys`
+template <class Key>
+std::vector<std::uint32_t> in_order(std::size_t size, std::size_t keys, const Key& key) {
+    std::vector<std::uint32_t> place(keys + 1, 0);
+    for (std::uint32_t i = 0; i < size; ++i)
+        ++place[key(i) + 1];
+    for (std::size_t k = 0; k < keys; ++k)
+        place[k + 1] += place[k];
+    std::vector<std::uint32_t> order(size);
+    for (std::uint32_t i = 0; i < size; ++i)
+        order[place[key(i)]++] = i;
+    return order;
+}
 
 /// The triangle beyond each side, from corner i to corner i + 1, as 3 * triangle + side.
-std::vector<std::uint32_t> sides_beyond(std::span<const LevelCorners> triangles) {
-    struct Side {
-        std::uint64_t edge; ///< the lower vertex first
-        std::uint32_t side;
+std::vector<std::uint32_t> sides_beyond(std::span<const LevelCorners> triangles,
+                                        std::size_t points) {
+    const auto ends = [&](std::uint32_t side) {
+        const LevelCorners& corners = triangles[side / 3];
+        const auto [lo, hi] = std::minmax(corners[side % 3], corners[(side % 3 + 1) % 3]);
+        return std::pair(lo, hi);
     };
-
-    std::vector<Side> sides;
-    sides.reserve(3 * triangles.size());
-    for (std::uint32_t t = 0; t < triangles.size(); ++t)
-        for (std::uint32_t k = 0; k < 3; ++k) {
-            const auto [lo, hi] = std::minmax(triangles[t][k], triangles[t][(k + 1) % 3]);
-            sides.push_back({std::uint64_t{lo} << 32 | hi, 3 * t + k});
-        }
-    std::ranges::sort(sides, [](const Side& a, const Side& b) {
-        return a.edge != b.edge ? a.edge < b.edge : a.side < b.side;
-    });
-    std::vector<std::uint32_t> beyond(sides.size(), no_triangle_beyond);
-    for (std::size_t i = 0; i + 1 < sides.size(); ++i)
-        if (sides[i].edge == sides[i + 1].edge) {
-            beyond[sides[i].side] = sides[i + 1].side;
-            beyond[sides[i + 1].side] = sides[i].side;
-            ++i;
-        }
+    const std::size_t sides = 3 * triangles.size();
+    std::vector<std::uint32_t> lower(sides), upper(sides);
+    for (std::uint32_t side = 0; side < sides; ++side)
+        std::tie(lower[side], upper[side]) = ends(side);
+    const auto order = in_order(sides, points, [&](std::uint32_t side) { return lower[side]; });
+    std::vector<std::uint32_t> beyond(sides, no_triangle_beyond);
+    for (std::size_t first = 0; first < sides; ++first) {
+        if (beyond[order[first]] != no_triangle_beyond)
+            continue;
+        // Of one vertex there are few.
+        for (std::size_t i = first + 1; i < sides && lower[order[i]] == lower[order[first]]; ++i)
+            if (upper[order[i]] == upper[order[first]] && beyond[order[i]] == no_triangle_beyond) {
+                beyond[order[i]] = order[first];
+                beyond[order[first]] = order[i];
+                break;
+            }
+    }
     return beyond;
 }
 
 class TrianglePairing {
   public:
     TrianglePairing(std::vector<Vec3>& points, std::span<const LevelCorners> triangles)
-        : points_(points), triangles_(triangles), beyond_(sides_beyond(triangles)),
+        : points_(points), triangles_(triangles), beyond_(sides_beyond(triangles, points.size())),
           cell_of_(triangles.size(), no_triangle_beyond) {}
 
     std::vector<Cell> cells() {
@@ -60,28 +76,33 @@ class TrianglePairing {
         return triangles_[triangle][k % 3];
     }
 
-    Vec3 normal(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
-        const Vec3 n = glm::cross(points_[b] - points_[a], points_[c] - points_[a]);
-        const double length = glm::length(n);
-        return length > 0.0 ? n / length : Vec3(0.0);
+    Vec3 twice_area(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+        return glm::cross(points_[b] - points_[a], points_[c] - points_[a]);
     }
 
     /// The sharpest turn of a quad's outline as seen along its normal, or less than nothing where it is bent or not convex.
     double quality(const std::array<std::uint32_t, 4>& q) const {
-        const Vec3 one = normal(q[0], q[1], q[2]);
-        const Vec3 other = normal(q[0], q[2], q[3]);
-        if (!(glm::dot(one, other) >= flat_enough))
+        const Vec3 one = twice_area(q[0], q[1], q[2]);
+        const Vec3 other = twice_area(q[0], q[2], q[3]);
+        const double ones = glm::dot(one, one), others = glm::dot(other, other);
+        const double along = glm::dot(one, other);
+        if (!(along > 0.0 && along * along >= flat_enough * flat_enough * ones * others))
             return -1.0;
-        const Vec3 up = one + other;
-        double least = 1.0;
+        const Vec3 up = one / std::sqrt(ones) + other / std::sqrt(others);
+        std::array<Vec3, 4> side;
+        std::array<double, 4> length;
         for (std::size_t k = 0; k < 4; ++k) {
-            const Vec3 in = points_[q[(k + 1) % 4]] - points_[q[k]];
-            const Vec3 out = points_[q[(k + 2) % 4]] - points_[q[(k + 1) % 4]];
-            const double size = glm::length(in) * glm::length(out) * glm::length(up);
-            const double turn = size > 0.0 ? glm::dot(glm::cross(in, out), up) / size : -1.0;
-            least = std::min(least, turn);
+            side[k] = points_[q[(k + 1) % 4]] - points_[q[k]];
+            length[k] = glm::dot(side[k], side[k]);
         }
-        return least;
+        double least = 1.0; // signed squares
+        for (std::size_t k = 0; k < 4; ++k) {
+            const std::size_t next = (k + 1) % 4;
+            const double turn = glm::dot(glm::cross(side[k], side[next]), up);
+            const double size = length[k] * length[next];
+            least = std::min(least, size > 0.0 ? turn * std::abs(turn) / size : -1.0);
+        }
+        return least > 0.0 ? std::sqrt(least / glm::dot(up, up)) : -1.0;
     }
 
     std::array<std::uint32_t, 4> quad_over(std::uint32_t side) const {
@@ -90,27 +111,25 @@ class TrianglePairing {
         return {corner(t, k + 2), corner(t, k), corner(other, j + 2), corner(t, k + 1)};
     }
 
-    /// The best quads first; triangles that have only one partner left would be better, but cost more to find.
+    /// The best quads first, of as good ones that of the lowest number; triangles that have only one partner left would be better, but
+    /// cost more to find.
     void pair() {
-        struct Choice {
-            double quality;
-            std::uint32_t side;
-        };
-
-        std::vector<Choice> choices;
+        std::vector<std::uint32_t> sides;
+        std::vector<std::uint16_t> worse;
         for (std::uint32_t side = 0; side < beyond_.size(); ++side)
             if (beyond_[side] != no_triangle_beyond && side < beyond_[side])
-                if (const double how = quality(quad_over(side)); how > least_turn)
-                    choices.push_back({how, side});
-        std::ranges::sort(choices, [](const Choice& a, const Choice& b) {
-            return a.quality != b.quality ? a.quality > b.quality : a.side < b.side;
-        });
-        for (const Choice& each : choices) {
-            const std::uint32_t t = each.side / 3, other = beyond_[each.side] / 3;
+                if (const double how = quality(quad_over(side)); how > least_turn) {
+                    sides.push_back(side);
+                    worse.push_back(
+                        static_cast<std::uint16_t>((1.0 - std::min(how, 1.0)) * (grades - 1)));
+                }
+        for (const std::uint32_t i :
+             in_order(sides.size(), grades, [&](std::uint32_t each) { return worse[each]; })) {
+            const std::uint32_t t = sides[i] / 3, other = beyond_[sides[i]] / 3;
             if (cell_of_[t] != no_triangle_beyond || cell_of_[other] != no_triangle_beyond)
                 continue;
             cell_of_[t] = cell_of_[other] = static_cast<std::uint32_t>(cells_.size());
-            cells_.push_back({quad_over(each.side), {no_vertex, no_vertex, no_vertex, no_vertex}});
+            cells_.push_back({quad_over(sides[i]), {no_vertex, no_vertex, no_vertex, no_vertex}});
         }
     }
 

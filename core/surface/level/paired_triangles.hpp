@@ -13,7 +13,7 @@ namespace wakesurf::core {
 
 /// Appends a vertex to `points` for each triangle that is left over, one for two that share their longest side.
 /// REQUIRES: indices below the number of points; no triangle repeats one; a directed edge is used once.
-/// Cost: O(triangles log triangles). The same triangles give the same cells.
+/// Cost: O(triangles). The same triangles give the same cells.
 std::vector<Cell> paired_triangles(std::vector<Vec3>& points,
                                    std::span<const std::array<std::uint32_t, 3>> triangles);
 

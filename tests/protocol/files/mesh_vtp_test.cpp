@@ -1,3 +1,4 @@
+#include "protocol/files/mesh_comments.hpp"
 #include "protocol/files/mesh_vtp.hpp"
 #include "tests/support/small_mesh.hpp"
 #include "tests/support/vtp_arrays.hpp"
@@ -76,6 +77,22 @@ TEST(MeshVtp, SaysWhatTheSurfaceWasReleasedFromWhereThatIsMoreThanARake) {
                                    "Name=\"releaseUntil\" NumberOfComponents=\"1\" "
                                    "NumberOfTuples=\"1\" format=\"ascii\">2.5 <"})
         EXPECT_NE(file.find(part), std::string::npos) << part;
+}
+
+TEST(MeshVtp, SaysOfALevelSetItsFieldAndLevelAndNoRake) {
+    auto level = metadata;
+    level.parameters.kind = core::SurfaceKind::Level;
+    level.parameters.field = "p";
+    level.parameters.level = 0.25;
+    const auto file = mesh_vtp(small_mesh(), level);
+    for (const std::string part : {"Name=\"field\" NumberOfTuples=\"1\" format=\"ascii\">112 0<",
+                                   "Name=\"level\" NumberOfComponents=\"1\" "
+                                   "NumberOfTuples=\"1\" format=\"ascii\">0.25 <"})
+        EXPECT_NE(file.find(part), std::string::npos) << part;
+    EXPECT_EQ(file.find("Name=\"rake\""), std::string::npos);
+    const auto lines = mesh_comments(level);
+    EXPECT_NE(std::ranges::find(lines, "field p"), lines.end());
+    EXPECT_NE(std::ranges::find(lines, "level 0.25"), lines.end());
 }
 
 TEST(MeshVtp, CutsLongArraysIntoBlocksThatReadBackWhole) {
