@@ -14,6 +14,8 @@ export interface FlatFlow {
     /** The velocity's size and direction (radians) at the left end and at the right end. */
     speed: readonly [number, number];
     angle: readonly [number, number];
+    /** Of all vertices, see worker/unresolved.ts. */
+    unresolved?: readonly [number, number];
 }
 
 export interface LookBench {
@@ -31,7 +33,7 @@ declare global {
 
 const [columns, rows] = [200, 100];
 
-function sheet({ corner, size, waves, speed, angle }: FlatFlow, time: number): TimedMeshChange {
+function sheet({ corner, size, waves, speed, angle, unresolved }: FlatFlow, time: number): TimedMeshChange {
     const count = columns * rows;
     const height = (size * innerHeight) / innerWidth;
     const [positions, normals, seeds] = [new Float32Array(3 * count), new Float32Array(3 * count), new Float32Array(2 * count)];
@@ -61,9 +63,10 @@ function sheet({ corner, size, waves, speed, angle }: FlatFlow, time: number): T
         ...{ name, fromVertex: 0, values: flow[axis]! },
     }));
     scalars.push({ name: 'speed', fromVertex: 0, values: speeds });
+    const lost = unresolved === undefined ? null : Float32Array.from({ length: 2 * count }, (_, i) => unresolved[i % 2]!);
     return {
         ...{ time, vertices: count, triangles: 2 * quads, fromVertex: 0, positions, fromNormal: 0, normals, fromSeed: 0, seeds },
-        ...{ tFrom: 0, scalars, fromIndex: 0, indices, parts: null, cut: null, units: null },
+        ...{ tFrom: 0, scalars, fromIndex: 0, indices, parts: null, cut: null, units: null, unresolved: lost },
     };
 }
 

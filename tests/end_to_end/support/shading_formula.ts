@@ -39,11 +39,14 @@ export interface LayerFacts {
     areaRatio?: number;
     /** Age as a part of the greatest. */
     age?: number;
+    /** What a fixed grid cannot resolve: by the shape of its triangles, and by how far the surface turns between vertices. */
+    unresolved?: readonly [number, number];
 }
 
 /** Opacity of a thin layer: light falls off with the way through it, and with what is left of it. */
-export function layerAlpha({ opacity, facing = 1, smoke = 0, areaRatio = 1, age = 0 }: LayerFacts): number {
-    const density = Math.min(1.5, Math.max(0.02, 1 / areaRatio)) * Math.max(0, 1 - age);
+export function layerAlpha({ opacity, facing = 1, smoke = 0, areaRatio = 1, age = 0, unresolved = [0, 0] }: LayerFacts): number {
+    const resolved = (1 - unresolved[0]) * (1 - unresolved[1]);
+    const density = Math.min(1.5, Math.max(0.02, 1 / areaRatio)) * resolved * Math.max(0, 1 - age);
     const thickness = (-Math.log(1 - opacity) / Math.max(facing, 0.06)) * mixed(1, density, smoke);
     return 1 - Math.exp(-thickness);
 }

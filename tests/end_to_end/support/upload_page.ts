@@ -59,6 +59,7 @@ function sheet(fromRow: number, toRow: number, moved: number): TimedMeshChange {
         indices,
         parts: null,
         units: null,
+        unresolved: null,
         cut: null,
     };
 }

@@ -26,6 +26,8 @@ export interface MeshChange {
     cut: Cut | null;
     /** How long units of s and of t are on the surface, of every vertex. Null: as before, or not asked for. */
     units: Float32Array | null;
+    /** What a fixed grid cannot resolve, of every vertex (worker/unresolved.ts). Null: as before, or not asked for. */
+    unresolved: Float32Array | null;
 }
 
 /** The same, of one simulation time. */

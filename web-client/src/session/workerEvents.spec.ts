@@ -33,7 +33,7 @@ const frame: WorkerEvent = {
     },
     ...{ decodeMs: 1, vertices: 0, triangles: 0, fromVertex: 0, fromNormal: 0, fromSeed: 0, tFrom: 0, fromIndex: 0 },
     ...{ positions: new Float32Array(), normals: new Float32Array(), seeds: new Float32Array() },
-    ...{ indices: new Uint32Array(), scalars: [], parts: null, cut: null, units: null },
+    ...{ indices: new Uint32Array(), scalars: [], parts: null, cut: null, units: null, unresolved: null },
 };
 
 describe('what the worker sends', () => {

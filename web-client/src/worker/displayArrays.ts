@@ -10,6 +10,7 @@ import { addNormals } from './normals.ts';
 import { findParts } from './parts.ts';
 import { trimTornBorder } from './tornBorder.ts';
 import { unitLengths } from './unitLengths.ts';
+import { unresolved } from './unresolved.ts';
 import type { ShowWish } from './workerMessages.ts';
 
 export class DisplayArrays {
@@ -21,6 +22,7 @@ export class DisplayArrays {
     private partsAsked = false;
     private cutAsked = false;
     private unitsAsked = false;
+    private unresolvedAsked = false;
     private positions = new Float32Array(0);
     private indices = new Uint32Array(0);
     private triangles = 0;
@@ -43,9 +45,10 @@ export class DisplayArrays {
     }
 
     /** Whether take() has anything new to give because of it. */
-    show({ attributes, parts, trimmed, units }: ShowWish): boolean {
+    show(wish: ShowWish): boolean {
+        const { attributes, parts, trimmed, units } = wish;
         const before = this.wish;
-        this.wish = { attributes, parts, trimmed, ...(units === undefined ? {} : { units }) };
+        this.wish = wish;
         const known = attributes.filter((name) => this.attributes.includes(name));
         const added = known.some((name) => !this.shown.has(name));
         this.shown = new Map(known.map((name) => [name, this.shown.get(name) ?? 0]));
@@ -54,7 +57,9 @@ export class DisplayArrays {
         this.cutAsked ||= parted || trimmed !== before.trimmed;
         const measured = units !== undefined && units !== before.units;
         this.unitsAsked ||= measured;
-        return added || parted || trimmed !== before.trimmed || measured;
+        const thinned = wish.unresolved !== before.unresolved;
+        this.unresolvedAsked ||= thinned && wish.unresolved === true;
+        return added || parted || trimmed !== before.trimmed || measured || thinned;
     }
 
     /** The frames carry other attributes from the next KEY on. */
@@ -84,6 +89,7 @@ export class DisplayArrays {
         this.partsAsked ||= this.wish.parts !== null && news;
         this.cutAsked ||= (this.wish.parts !== null || this.wish.trimmed) && news;
         this.unitsAsked ||= this.wish.units !== undefined && news;
+        this.unresolvedAsked ||= this.wish.unresolved === true && news;
     }
 
     /** All that has been noted, in arrays to give away. */
@@ -111,6 +117,7 @@ export class DisplayArrays {
             indices: this.indices.slice(fromIndex, 3 * this.triangles),
             ...this.partsAndCut(mesh),
             units: this.unitsOf(mesh),
+            unresolved: this.unresolvedOf(mesh),
         };
         this.fromVertex = this.fromNormal = this.fromSeed = vertices;
         this.fromCell = mesh.cellCount;
@@ -177,6 +184,15 @@ export class DisplayArrays {
         const { positions } = this;
         const indices = this.indices.subarray(0, 3 * this.triangles);
         return unitLengths({ positions, indices, seeds: this.seedsOf(mesh, 0), vertices: mesh.vertices }, units === 'closed');
+    }
+
+    private unresolvedOf({ vertices }: WireMesh): Float32Array | null {
+        if (!this.unresolvedAsked || this.wish.unresolved !== true) return null;
+        this.unresolvedAsked = false;
+        const indices = this.indices.subarray(0, 3 * this.triangles);
+        const normals = new Float32Array(3 * vertices);
+        addNormals(this.positions, indices, 0, normals);
+        return unresolved({ positions: this.positions, normals, indices, vertices });
     }
 
     private rangeOf(mesh: WireMesh, name: string): AttributeRange | undefined {

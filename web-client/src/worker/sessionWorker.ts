@@ -181,10 +181,10 @@ class SessionWorker {
     }
 
     private sendState(state: SurfaceState): void {
-        const { positions, normals, seeds, scalars, indices, cut, units } = state;
+        const { positions, normals, seeds, scalars, indices, cut, units, unresolved } = state;
         const arrays: ArrayBufferView[] = [positions, normals, seeds, indices, ...scalars.map(({ values }) => values)];
         if (cut !== null) arrays.push(cut.levels);
-        if (units !== null) arrays.push(units);
+        for (const each of [units, unresolved]) if (each !== null) arrays.push(each);
         const transfer = arrays.map(({ buffer }) => buffer as ArrayBuffer);
         this.port.postMessage({ type: 'surface', ...state }, transfer);
     }

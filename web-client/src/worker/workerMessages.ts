@@ -79,6 +79,8 @@ export interface ShowWish {
     trimmed: boolean;
     /** How long units of s and t are, on a surface whose rake is open or closed; left out: no one needs to know. */
     units?: 'open' | 'closed';
+    /** What a fixed grid cannot resolve, which smoke hides. */
+    unresolved?: true;
 }
 
 /** Those parts are hidden that hold the vertex nearest to one of these places, [s, t]. */

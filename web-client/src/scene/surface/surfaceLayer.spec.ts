@@ -21,6 +21,7 @@ function meshOf(vertices: number): TimedMeshChange {
             parts: null,
             cut: null,
             units: null,
+            unresolved: null,
         },
         positions: new Float32Array(3 * vertices),
         normals: new Float32Array(3 * vertices),

@@ -78,6 +78,7 @@ function ownUniforms(textures: SurfaceTextures) {
         stretchKnown: { value: false },
         areaPerSeed: { value: 1 },
         ageSpan: { value: 1 },
+        fixedGrid: { value: false },
         lines: { value: 0 },
         pieces: { value: 0 },
         pieceNear: { value: 1 },
@@ -192,6 +193,7 @@ export class SurfaceMaterials {
         own.silhouettes.value = style.silhouettes;
         own.angleOpacity.value = style.angleOpacity;
         own.smoke.value = style.smoke;
+        own.fixedGrid.value = style.fixedGrid;
         own.stretchKnown.value = facts.hasStretch;
         own.areaPerSeed.value = style.areaPerSeed;
         own.ageSpan.value = Math.max(1e-30, ages[1]);

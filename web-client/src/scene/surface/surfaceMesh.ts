@@ -35,6 +35,7 @@ const kinds = {
     flowY: { size: 1, array: Float32Array },
     flowZ: { size: 1, array: Float32Array },
     unit: { size: 2, array: Float32Array },
+    unresolved: { size: 2, array: Float32Array },
 } as const;
 type Kind = keyof typeof kinds;
 const flowKinds = ['flowX', 'flowY', 'flowZ'] as const;
@@ -90,6 +91,7 @@ export class SurfaceMesh {
         for (const each of change.scalars) this.takeScalar(each.name, each.values, each.fromVertex);
         if (cut !== null) this.takeCut(cut.levels);
         if (change.units !== null) this.refill('unit', change.units, 0);
+        if (change.unresolved !== null) this.refill('unresolved', change.unresolved, 0);
         const { geometry } = this.mesh;
         if (geometry.index !== null) refill(geometry.index, change.indices, change.fromIndex);
         geometry.setDrawRange(0, 3 * triangles);

@@ -13,12 +13,15 @@ attribute vec2 seed;
 attribute float scalar;
 attribute float stretch;
 attribute float cut;
+// What a fixed grid cannot resolve: what shape takes away of smoke, and how far sides leave the plane of the vertex.
+attribute vec2 unresolved;
 attribute float flowX;
 attribute float flowY;
 attribute float flowZ;
 attribute vec2 unit;
 uniform int source;
 uniform vec2 ageOf;
+uniform bool fixedGrid;
 out vec3 viewNormal;
 out vec3 viewPosition;
 out vec3 worldPosition;
@@ -28,6 +31,7 @@ out vec4 values;
 out vec3 flow;
 // How long units of s and t are on the surface.
 out vec2 unitLength;
+out vec2 hidden;
 // s once more, with its jump on the other side of a closed rake.
 out float turned;
 #ifdef TEXTURED
@@ -48,6 +52,7 @@ void main() {
     values = vec4(value, age, stretch, cut);
     flow = vec3(flowX, flowY, flowZ);
     unitLength = unit;
+    hidden = fixedGrid ? unresolved : vec2(0.0);
     turned = fract(seed.x + 0.5) + 0.5;
 #ifdef TEXTURED
     placeInFlow(worldPosition, normal, vec3(flowX, flowY, flowZ));
@@ -63,6 +68,7 @@ in vec2 place;
 in vec4 values;
 in vec3 flow;
 in vec2 unitLength;
+in vec2 hidden;
 in float turned;
 uniform int source;
 // Of the picture for one of CSS: spacing and widths are meant in these.
@@ -153,12 +159,16 @@ vec3 lit(vec3 base, vec3 n, vec3 toViewer) {
     return base * diffuse + vec3(shine);
 }
 
-/** What is left of the smoke where the surface has been stretched, and with time. */
+/**
+ * What is left of the smoke where the surface has been stretched, and with time; and of that which a fixed grid can resolve (after von Funck
+ * et al. 2008: the product of density, shape, curvature and fading).
+ */
 float density(float seedsPerPixel, float areaPerPixel) {
     float known = exp2(-values.z);
     float guessed = seedsPerPixel * areaPerSeed / max(areaPerPixel, 1e-30);
     float thinned = clamp(stretchKnown ? known : guessed, 0.02, 1.5);
-    return thinned * clamp(1.0 - values.y / ageSpan, 0.0, 1.0);
+    vec2 resolved = clamp(1.0 - hidden, 0.0, 1.0);
+    return thinned * resolved.x * resolved.y * clamp(1.0 - values.y / ageSpan, 0.0, 1.0);
 }
 
 float opacityAt(float facing, float seedsPerPixel, float areaPerPixel) {

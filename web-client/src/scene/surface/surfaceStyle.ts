@@ -34,6 +34,8 @@ export interface SurfaceStyle {
     angleOpacity: boolean;
     /** 0 .. 1: how much stretching and age thin the surface out. */
     smoke: number;
+    /** Nothing was refined: smoke hides what the grid cannot resolve. */
+    fixedGrid: boolean;
     /** Area that the rake sweeps per unit of s and t as it releases; the measure of stretching where that is not sent. */
     areaPerSeed: number;
     silhouettes: boolean;
@@ -75,6 +77,7 @@ export const plainStyle: SurfaceStyle = {
     opacity: 1,
     angleOpacity: false,
     smoke: 0,
+    fixedGrid: false,
     areaPerSeed: 1,
     silhouettes: false,
     lines: 'none',

@@ -42,13 +42,14 @@ export function showLooks({ state, view, scene, worker }: LooksOptions): void {
         for (const id of told.keys()) {
             if (!state.surfaces.value.has(id) || state.hiddenSurfaces.value.has(id)) told.delete(id);
         }
-        for (const id of state.surfaces.value.keys()) {
+        for (const [id, record] of state.surfaces.value) {
             if (state.hiddenSurfaces.value.has(id)) continue;
             const look = view.lookOf(id);
             const parts = look.hiddenParts.length > 0 || listed === id ? { hidden: look.hiddenParts } : null;
-            const closed = state.rakes.value.get(state.surfaces.value.get(id)!.rake)?.kind === 'circle';
+            const closed = state.rakes.value.get(record.rake)?.kind === 'circle';
             const units = look.pieces === 'whole' ? {} : { units: closed ? ('closed' as const) : ('open' as const) };
-            const wish = { attributes: attributesOf(look), parts, trimmed: look.trimmed, ...units };
+            const fixed = look.smoke > 0 && record.refine === 'off' ? { unresolved: true as const } : {};
+            const wish = { attributes: attributesOf(look), parts, trimmed: look.trimmed, ...units, ...fixed };
             const text = JSON.stringify(wish);
             if (told.get(id) === text) continue;
             told.set(id, text);

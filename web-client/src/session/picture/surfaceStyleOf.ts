@@ -111,6 +111,7 @@ export function styleOf(facts: StyleFacts): SurfaceStyle {
         texture: look.texture && hasFlow(record),
         textureMoves: !look.animated ? 'no' : record.kind === 'stream' ? 'byItself' : 'withTime',
         from: record.from,
+        fixedGrid: record.refine === 'off',
         areaPerSeed: lengthOf(rake?.points ?? []) * sweepOf(record, speedRange),
     };
 }

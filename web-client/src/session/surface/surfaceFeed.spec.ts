@@ -11,7 +11,17 @@ function stateOfEpoch(epoch: number, change: Partial<SurfaceState> = {}): Surfac
         ...{ surface: 's1', epoch, phase: 'final', time: 0, stateSum: epoch, cells: 1, vertices: 4, triangles: 2 },
         ...{ keys: 1, deltas: 0, withheld: [], decodeMs: 2 },
         ...{ fromVertex: 0, positions: new Float32Array(12), normals: new Float32Array(12) },
-        ...{ fromNormal: 0, fromSeed: 0, tFrom: 0, seeds: new Float32Array(8), scalars: [], parts: null, cut: null, units: null },
+        ...{
+            fromNormal: 0,
+            fromSeed: 0,
+            tFrom: 0,
+            seeds: new Float32Array(8),
+            scalars: [],
+            parts: null,
+            cut: null,
+            units: null,
+            unresolved: null,
+        },
         ...{ fromIndex: 0, indices: new Uint32Array(6) },
         ...change,
     };
