@@ -26,12 +26,18 @@ const pythonClient: Plugin = {
 /** Parts of three's shaders that no material of the page has: of physically based and of cartoon-like ones. */
 const unusedShaders = /^(?:var|const) ((?:lights_physical|lights_toon|transmission)_\w+) = ".*";$/gm;
 
+/** Lines of comments, and comments of several lines, which only those in shaders get as far as the bundle. */
+const comments = /^[ \t]*(?:\/\/.*|\/\*\*[\s\S]*?\*\/[ \t]*)\n/gm;
+
 /** Templates, styles and shaders, three's too, are indented for who reads them; in a browser that is 3 % of the page and means nothing. */
 const unindented: Plugin = {
     name: 'unindented',
     apply: 'build',
     transform(code, id) {
-        if (/\/src\/(ui|scene)\/.*\.ts$/.test(id)) return { code: code.replace(/\n[ \t]+/g, '\n'), map: null };
+        if (/\/src\/(ui|scene)\/.*\.ts$/.test(id)) {
+            const said = id.includes('/src/scene/') ? code.replace(comments, '') : code;
+            return { code: said.replace(/\n[ \t]+/g, '\n'), map: null };
+        }
         if (!id.endsWith('/three.module.js')) return null;
         // Its shaders are strings with escaped ends of lines.
         return { code: code.replace(unusedShaders, 'var $1 = "";').replace(/\\n(\\t)+/g, '\\n'), map: null };
