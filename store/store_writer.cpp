@@ -1,6 +1,7 @@
 #include "store/store_writer.hpp"
 
 #include "core/base/crc32c.hpp"
+#include "store/stored_families.hpp"
 #include "store/whole_bytes.hpp"
 
 #include <fcntl.h>
@@ -62,7 +63,8 @@ bool of_a_time_step(const std::string& name) {
 }
 
 bool of_a_store(const std::string& name) {
-    constexpr std::array<std::string_view, 12> fixed{manifest_file_name,
+    constexpr std::array<std::string_view, 13> fixed{manifest_file_name,
+                                                     families_file_name,
                                                      mask_file_name,
                                                      checksums_file_name,
                                                      "x.f64",

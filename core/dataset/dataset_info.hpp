@@ -23,8 +23,9 @@ struct FieldInfo {
     int components = 1;
     Source source = Source::Point;
     std::array<double, 2> range{
-        0.0, 0.0};    ///< over what has been read so far; of the magnitude for vectors
-    std::string unit; ///< empty where the format has none
+        0.0, 0.0};       ///< over what has been read so far; of the magnitude for vectors
+    std::string unit;    ///< empty where the format has none
+    bool family = false; ///< made here, from the velocity: core/surface/family
 };
 
 struct DatasetInfo {

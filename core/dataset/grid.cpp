@@ -85,6 +85,19 @@ std::size_t cell_count(const Grid& grid) {
         grid);
 }
 
+Vec3 node_position(const Grid& grid, std::size_t node) {
+    const Overloaded where{
+        [node](const UniformGrid& uniform) { return node_position(uniform, node); },
+        [node](const RectilinearGrid& rectilinear) {
+            const auto& [x, y, z] = rectilinear.coordinates;
+            const std::size_t row = node / x.size();
+            return Vec3(x[node % x.size()], y[row % y.size()], z[row / y.size()]);
+        },
+        [node](const CellMesh& mesh) { return mesh.points[node]; },
+    };
+    return std::visit(where, grid);
+}
+
 std::size_t memory_of(const Grid& grid) {
     return std::visit(Overloaded{[](const UniformGrid&) { return std::size_t{0}; },
                                  [](const RectilinearGrid& g) {

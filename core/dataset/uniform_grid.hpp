@@ -22,4 +22,11 @@ struct UniformGrid {
     }
 };
 
+/// Node of a flat index, x fastest.
+inline Vec3 node_position(const UniformGrid& grid, std::size_t node) {
+    const std::size_t nx = grid.dimensions[0];
+    const std::size_t ny = grid.dimensions[1];
+    return grid.origin + grid.spacing * Vec3(node % nx, node / nx % ny, node / (nx * ny));
+}
+
 } // namespace wakesurf::core

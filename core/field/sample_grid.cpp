@@ -69,12 +69,6 @@ void for_tasks(std::size_t count, const Work& work) {
 
 } // namespace
 
-Vec3 node_position(const UniformGrid& grid, std::size_t node) {
-    const std::size_t nx = grid.dimensions[0];
-    const std::size_t ny = grid.dimensions[1];
-    return grid.origin + grid.spacing * Vec3(node % nx, node / nx % ny, node / (nx * ny));
-}
-
 Result<Range> sample_nodes(const Flow& flow,
                            const UniformGrid& grid,
                            std::size_t first,

@@ -13,9 +13,6 @@
 
 namespace wakesurf::core {
 
-/// Node of a flat index, x fastest.
-Vec3 node_position(const UniformGrid& grid, std::size_t node);
-
 /// Fills `velocities` (xyz interleaved) for the nodes from `first` on; zero at nodes inside an obstacle. Runs in
 /// parallel; the values are those of Flow::sample rounded to float.
 ///

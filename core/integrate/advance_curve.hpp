@@ -174,7 +174,8 @@ bool advance_steps(Steps steps,
     return true;
 }
 
-/// The same from where the curve ends, or its seed, and the curve keeps its steps. Returns false also where there is no memory.
+/// The same from where the curve ends, or its seed, and the curve keeps its steps, or the options' watch sees them. Returns false also
+/// where there is no memory.
 template <CurveSteps Steps>
 bool advance_curve(Steps steps,
                    Curve& curve,
@@ -183,8 +184,14 @@ bool advance_curve(Steps steps,
                    const std::stop_token& stop) {
     if (curve.steps.empty())
         curve.last = {curve.seed, 0.0, 0.0, curve.seed_tangent};
-    return advance_steps(std::move(steps), curve, options, until, stop,
-                         [&](const CurveStep& step) { return keep_step(curve, step, options); });
+    const auto keep = [&](const CurveStep& step) {
+        if (options.watch == nullptr)
+            return keep_step(curve, step, options);
+        if (!(*options.watch)(curve, step))
+            curve.end = CurveEnd::Time;
+        return true;
+    };
+    return advance_steps(std::move(steps), curve, options, until, stop, keep);
 }
 
 } // namespace wakesurf::core

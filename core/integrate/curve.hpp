@@ -11,11 +11,18 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace wakesurf::core {
 
 enum class CurveEnd : std::uint8_t { Running, Time, Domain, Obstacle, Stagnation, Budget };
+
+struct Curve;
+struct CurveStep;
+
+/// Is shown each step once it is taken: the curve ends at `curve.last` then, which may be within the step. False: that was far enough.
+using StepWatch = std::function<bool(const Curve& curve, const CurveStep& step)>;
 
 struct TraceOptions {
     enum class Method { Dopri5, Rk4 };
@@ -30,6 +37,8 @@ struct TraceOptions {
     bool stretch = false; ///< transport the tangent across the rake: 96 bytes a step more
     bool smooth = false;  ///< stored data: tricubic in space and cubic in time instead of linear
     WorkMemory* memory = nullptr; ///< what the steps take is counted there, where there is one
+    /// Sees the steps of a frozen field, of which none is kept then. Called from several threads, for different curves.
+    const StepWatch* watch = nullptr;
 };
 
 /// Dense output of one accepted step, Hairer, Norsett, Wanner, Solving ODEs I, II.6: y(theta) =

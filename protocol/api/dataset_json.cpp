@@ -28,6 +28,8 @@ json field_json(const core::FieldInfo& field) {
              {"range", field.range}};
     if (!field.unit.empty())
         out["unit"] = field.unit;
+    if (field.family)
+        out["family"] = true;
     return out;
 }
 

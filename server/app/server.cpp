@@ -15,6 +15,7 @@
 #include "server/rpc/careful_notice.hpp"
 #include "server/rpc/dataset_entry.hpp"
 #include "server/rpc/durability_notice.hpp"
+#include "server/rpc/family_jobs.hpp"
 #include "server/rpc/import_waiters.hpp"
 #include "server/rpc/method_table.hpp"
 #include "server/rpc/replaced_data_notice.hpp"
@@ -99,7 +100,8 @@ struct Server::Parts {
             method_table(),
             MethodContext{*sessions, *datasets, [this] { return dataset_entries(*catalogue); },
                           prober, grants, clock, loop, journal.get(), [this] { return standing(); },
-                          &metrics, &imports.emplace(*catalogue, loop), notice, &budgets},
+                          &metrics, &imports.emplace(*catalogue, loop), notice, &budgets,
+                          &families.emplace(loop, pool, *catalogue, memory.account())},
             protocol::RpcLimits{limits::message_bytes, limits::message_depth, limits::batch});
         downloads.emplace(loop, pool, *sessions, *catalogue, memory.account());
         session_files.emplace(loop, pool, *sessions, *datasets, journal.get());
@@ -275,6 +277,7 @@ struct Server::Parts {
     std::optional<CatalogueDatasets> datasets;
     std::optional<SessionDirectory> sessions;
     std::optional<ImportWaiters> imports;
+    std::optional<FamilyJobs> families;
     std::optional<Dispatcher> dispatcher;
     std::optional<Downloads> downloads;
     std::optional<SessionFiles> session_files;

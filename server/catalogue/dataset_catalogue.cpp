@@ -166,6 +166,8 @@ void DatasetCatalogue::attend(Entry& entry, const std::stop_token& stop) {
         import_one(entry, stop);
     else
         looked_only = true;
+    if (!looked_only)
+        entry.look_for_families(); // one may have been made since this began to read
     const auto ended = Clock::now();
     const auto took = ended - started;
     const bool news = entry.status.values != before;
@@ -305,6 +307,13 @@ bool DatasetCatalogue::start_import(std::string_view dataset) {
     again_.notify_all();
     listener_(std::string(dataset));
     return true;
+}
+
+void DatasetCatalogue::look_for_families(std::string_view dataset) {
+    if (Entry* const entry = find_entry(dataset)) {
+        entry->look_for_families();
+        listener_(entry->status.dataset);
+    }
 }
 
 core::Result<void> DatasetCatalogue::choose_velocity(std::string_view dataset,

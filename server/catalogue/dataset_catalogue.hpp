@@ -52,6 +52,9 @@ class DatasetCatalogue {
     /// Begins an import that was stopped again, where it ended. False when it was not stopped.
     bool start_import(std::string_view dataset);
 
+    /// The families in its store are others than they were: find() and status() have them from now on. Reads a small file.
+    void look_for_families(std::string_view dataset);
+
     /// Imports a dataset of which nothing is there, as its velocity was not clear, with this one. Once that has worked, later servers take
     /// it as well, as long as they have the same folder of stores and no --velocity.
     /// Nothing where it is shown with that velocity already. Error: NotFound; InvalidArgument for a store or a built-in flow, and

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <string_view>
@@ -118,11 +119,45 @@ core::Result<LoadedDataset> open_store(const std::filesystem::path& folder,
     auto cache = std::make_shared<core::TimeStepCache>(*reader, std::move(cached));
     const std::shared_ptr<const core::Flow> flow =
         core::make_stored_flow(cache, std::make_shared<core::SteadyClock>(), simd_wanted());
+    return with_families(
+        LoadedDataset{std::move(manifest->info), flow, cache, *reader, std::move(memory)}, options);
+}
+
+void list_families(core::DatasetInfo& info, const store::StoreScalars& scalars) {
+    std::erase_if(info.fields, [](const core::FieldInfo& each) { return each.family; });
+    for (const core::FamilyRecord& each : scalars.families()) {
+        core::FieldInfo field;
+        field.name = each.name;
+        field.family = true;
+        field.range = each.steps.front().counts.range;
+        for (const core::FamilyStep& step : each.steps)
+            field.range = {std::min(field.range[0], step.counts.range[0]),
+                           std::max(field.range[1], step.counts.range[1])};
+        info.fields.push_back(std::move(field));
+    }
+}
+
+LoadedDataset with_families(LoadedDataset open, const core::TimeStepCache::Options& cache) {
+    if (!open.store)
+        return open;
+    auto scalars = store::StoreScalars::open(open.store, std::make_shared<core::PosixDisk>());
+    if (open.scalars && open.scalars->mark() == scalars->mark()) {
+        list_families(open.info, *open.scalars);
+        return open;
+    }
+    open.scalars = std::move(scalars);
     LevelSets::Options levels;
-    levels.account = options.account;
-    const auto sets = std::make_shared<const LevelSets>(flow, *reader, manifest->info.velocity,
-                                                        std::move(levels));
-    return LoadedDataset{std::move(manifest->info), flow, cache, *reader, std::move(memory), sets};
+    levels.account = cache.account;
+    open.levels = std::make_shared<const LevelSets>(open.flow, open.store, open.info.velocity,
+                                                    std::move(levels), open.scalars);
+    open.family_memory.reset();
+    if (cache.account && open.scalars->family_memory() > 0) {
+        open.family_memory = std::make_shared<core::MemoryAccount::Share>(
+            cache.account->open(core::MemoryUse::Meshes));
+        open.family_memory->set(open.scalars->family_memory());
+    }
+    list_families(open.info, *open.scalars);
+    return open;
 }
 
 namespace {
@@ -145,7 +180,7 @@ core::Result<LoadedDataset> open_again(const LoadedDataset& open,
         return open_store(folder, cache);
     LoadedDataset whole = open;
     whole.info = manifest->info;
-    return whole;
+    return with_families(std::move(whole), cache);
 }
 
 bool still_there(const LoadedDataset& open) {

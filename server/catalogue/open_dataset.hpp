@@ -10,6 +10,7 @@
 #include "server/levels/level_sets.hpp"
 #include "store/import_progress.hpp"
 #include "store/store_reader.hpp"
+#include "store/store_scalars.hpp"
 
 #include <chrono>
 #include <filesystem>
@@ -26,6 +27,9 @@ struct LoadedDataset {
     std::shared_ptr<const store::StoreReader> store; ///< behind the cache; null for a built-in flow
     std::shared_ptr<core::MemoryAccount::Share> memory{}; ///< of its grid; null where no one counts
     std::shared_ptr<const LevelSets> levels{}; ///< of its fields; null for a built-in flow
+    std::shared_ptr<const store::StoreScalars>
+        scalars{}; ///< of the store; null for a built-in flow
+    std::shared_ptr<core::MemoryAccount::Share> family_memory{}; ///< of its families; likewise
 };
 
 struct OpenOptions {
@@ -51,6 +55,12 @@ core::Result<LoadedDataset> open_store(const std::filesystem::path& folder,
 core::Result<LoadedDataset> open_again(const LoadedDataset& open,
                                        const std::filesystem::path& folder,
                                        const core::TimeStepCache::Options& cache);
+
+/// The families become fields of the dataset, in the place of those listed before.
+void list_families(core::DatasetInfo& info, const store::StoreScalars& scalars);
+
+/// The same, with the families that are in its store now.
+LoadedDataset with_families(LoadedDataset open, const core::TimeStepCache::Options& cache);
 
 /// The store on the disk has all the values of what is open of it, and perhaps more.
 bool still_there(const LoadedDataset& open);

@@ -21,6 +21,14 @@ Error incomplete(std::size_t ready, std::size_t total) {
             "import it again into the same store: the import resumes where the last one ended"};
 }
 
+std::vector<std::string> family_names(const LoadedDataset& open) {
+    std::vector<std::string> names;
+    if (open.scalars)
+        for (const core::FamilyRecord& each : open.scalars->families())
+            names.push_back(each.name);
+    return names;
+}
+
 double share(std::size_t part, std::size_t whole) {
     return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
 }
@@ -97,6 +105,7 @@ bool ServedDataset::show(const store::ImportProgress& progress,
     if (first) {
         open = std::move(first);
         status.values = values_of(*open);
+        status.families = family_names(*open);
     }
     if (settled(status.state))
         return false;
@@ -119,6 +128,7 @@ void ServedDataset::finish(core::Result<LoadedDataset> opened, Ending how) {
     if (gone) {
         open.reset();
         status.values.clear();
+        status.families.clear();
         status.steps_ready = 0;
     }
     if (!opened) {
@@ -138,7 +148,26 @@ void ServedDataset::finish(core::Result<LoadedDataset> opened, Ending how) {
     status.steps_total = opened->info.times.size();
     status.progress = how == Ending::Whole ? 1.0 : share(ready, status.steps_total);
     status.values = values_of(*opened);
+    status.families = family_names(*opened);
     open = std::make_shared<const LoadedDataset>(std::move(*opened));
+}
+
+void ServedDataset::look_for_families() {
+    for (;;) {
+        const auto before = [&] {
+            const std::scoped_lock lock(guard_);
+            return open;
+        }();
+        if (!before)
+            return;
+        auto now = std::make_shared<const LoadedDataset>(with_families(*before, cache_));
+        const std::scoped_lock lock(guard_);
+        if (open != before) // opened again meanwhile, perhaps without the newest of them
+            continue;
+        open = std::move(now);
+        status.families = family_names(*open);
+        return;
+    }
 }
 
 // Of an import that was stopped, or of an earlier one; by now it may be wanted again.

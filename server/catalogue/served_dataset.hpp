@@ -27,6 +27,7 @@ struct DatasetStatus {
     std::size_t steps_total = 0;     ///< 0 while unknown
     double progress = 0.0;           ///< of the import, 0..1
     std::optional<double> remaining; ///< seconds the import will still take, once that can be told
+    std::vector<std::string> families; ///< names of those that are kept beside its data
     std::string
         values; ///< what its values are told from others by (store::ValueMarks); empty: a built-in flow
     std::vector<std::string>
@@ -35,7 +36,7 @@ struct DatasetStatus {
         error; ///< why it failed or is incomplete; of one that is ready, why what was looked for since could not be read
 };
 
-/// Its methods are for the thread that has it (`busy`), but for state() and taken_now().
+/// Its methods are for the thread that has it (`busy`), but for state(), taken_now() and look_for_families().
 class ServedDataset {
   public:
     /// Of an import. Stopped: the caller that stops and starts it says how the dataset stands.
@@ -57,6 +58,8 @@ class ServedDataset {
     /// False where there is nothing to tell.
     bool show(const store::ImportProgress& progress, const std::filesystem::path& folder);
     void finish(core::Result<LoadedDataset> opened, Ending how = Ending::Whole);
+    /// The families that are in the store now. For any thread, one at a time.
+    void look_for_families();
 
     DatasetArgument argument;
     SourceOptions taken; ///< its velocity guarded as the status is

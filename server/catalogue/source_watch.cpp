@@ -1,6 +1,7 @@
 #include "server/catalogue/source_watch.hpp"
 
 #include "store/store_layout.hpp"
+#include "store/stored_families.hpp"
 
 #include <sys/stat.h>
 
@@ -33,7 +34,8 @@ SourceWatch::SourceWatch(fs::path source, bool is_store)
     folder_ = is_store_ || fs::is_directory(source_, error) ? source_ : source_.parent_path();
     if (!is_store_)
         return;
-    for (const auto name : {store::manifest_file_name, store::checksums_file_name})
+    for (const auto name :
+         {store::manifest_file_name, store::checksums_file_name, store::families_file_name})
         always_.push_back(folder_ / name);
 }
 

@@ -9,7 +9,7 @@ namespace wakesurf::server {
 namespace {
 
 bool stored(const LoadedDataset& dataset, const std::string& name) {
-    return dataset.store != nullptr && store::find_scalar(dataset.store->layout(), name);
+    return dataset.scalars != nullptr && dataset.scalars->find(name);
 }
 
 /// Every export has it anyhow, unless the dataset has a field of that name.
@@ -32,12 +32,12 @@ core::Result<void> check_fields(const LoadedDataset& dataset,
     for (const std::string& name : fields) {
         if (written_anyhow(dataset, name) || derived_here(dataset, name))
             continue;
-        if (dataset.store == nullptr)
+        if (dataset.scalars == nullptr)
             return core::fail(core::Error::Code::Unsupported,
                               "a built-in flow has no scalar field " + name,
                               "speed, velocity and deformation are written at every vertex; "
                               "vorticity and q_criterion are written if you name them");
-        if (const auto found = store::find_scalar(dataset.store->layout(), name); !found)
+        if (const auto found = dataset.scalars->find(name); !found)
             return tl::unexpected(found.error());
     }
     return {};
@@ -61,9 +61,8 @@ core::Result<protocol::MeshScalars> surface_scalars(const LoadedDataset& dataset
             derived_names.push_back(name);
             continue;
         }
-        auto values = core::sample_scalar(*dataset.flow, *dataset.store,
-                                          *store::find_scalar(dataset.store->layout(), name),
-                                          mesh.position, times, stop);
+        auto values = core::sample_scalar(*dataset.flow, *dataset.scalars,
+                                          *dataset.scalars->find(name), mesh.position, times, stop);
         if (!values)
             return tl::unexpected(values.error());
         scalars[name] = std::move(*values);

@@ -5,6 +5,7 @@
 #include "protocol/api/json_text.hpp"
 #include "server/catalogue/dataset_argument.hpp"
 #include "server/catalogue/import_process.hpp"
+#include "server/catalogue/open_dataset.hpp"
 #include "server/cli/failure.hpp"
 #include "server/cli/stop_on_signal.hpp"
 #include "server/cli/tell.hpp"
@@ -36,6 +37,7 @@ core::Result<core::DatasetInfo> describe_store(const std::filesystem::path& fold
             fmt::format("{}incomplete: {} of {} time-steps are stored; `wakesurf import` into the "
                         "same folder goes on",
                         manifest->info.note.empty() ? "" : "; ", ready, total);
+    list_families(manifest->info, *store::StoreScalars::open(*reader, disk));
     return std::move(manifest->info);
 }
 

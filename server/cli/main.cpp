@@ -4,6 +4,7 @@
 #include "server/cli/bench_command.hpp"
 #include "server/cli/built_commit.hpp"
 #include "server/cli/failure.hpp"
+#include "server/cli/family_command.hpp"
 #include "server/cli/generate_command.hpp"
 #include "server/cli/import_command.hpp"
 #include "server/cli/info_command.hpp"
@@ -90,6 +91,11 @@ int run(int argc, char** argv) {
     add_surface_options(*command("surface", "Build one surface and write it to a file",
                                  [&] { return run_surface(surface); }),
                         surface);
+    FamilyOptions family;
+    add_family_options(*command("family",
+                                "Make a family of stream surfaces as a scalar field of a dataset",
+                                [&] { return run_family(family); }),
+                       family);
     InfoOptions info;
     auto* const info_command =
         command("info", "Describe a dataset", [&] { return run_info(info); });

@@ -64,9 +64,12 @@ class LevelSets::OneAtATime {
 LevelSets::LevelSets(std::shared_ptr<const core::Flow> flow,
                      std::shared_ptr<const store::StoreReader> store,
                      std::string velocity,
-                     Options options)
-    : flow_(std::move(flow)), store_(std::move(store)), velocity_(std::move(velocity)),
-      options_(std::move(options)) {
+                     Options options,
+                     std::shared_ptr<const store::StoreScalars> scalars)
+    : flow_(std::move(flow)), store_(std::move(store)),
+      scalars_(scalars ? std::move(scalars)
+                       : store::StoreScalars::open(store_, std::make_shared<core::PosixDisk>())),
+      velocity_(std::move(velocity)), options_(std::move(options)) {
     if (options_.clock == nullptr)
         options_.clock = &machine_clock();
     if (options_.account)
@@ -98,7 +101,7 @@ std::optional<pid_t> LevelSets::process() const {
 }
 
 core::Result<void> LevelSets::check_field(const std::string& name) const {
-    return find_node_field(*store_, velocity_, name).map([](const NodeField&) {});
+    return find_node_field(*scalars_, velocity_, name).map([](const NodeField&) {});
 }
 
 core::Result<core::LevelTriangles> LevelSets::extract(const core::LevelWanted& wanted,
@@ -145,7 +148,7 @@ core::Result<void> LevelSets::load(Loaded& loaded,
         return {};
     loaded.field.reset();
     const auto values = loaded.memory->values();
-    if (auto read = node_values(field, *flow_, *store_, time, values, stop); !read)
+    if (auto read = node_values(field, *flow_, *store_, *scalars_, time, values, stop); !read)
         return read;
     double lo = std::numeric_limits<double>::infinity(), hi = -lo;
     loaded.gaps = false;
@@ -166,7 +169,7 @@ core::Result<void> LevelSets::load(Loaded& loaded,
 core::Result<core::LevelTriangles> LevelSets::extract_in(Loaded& loaded,
                                                          const core::LevelWanted& wanted,
                                                          const std::stop_token& stop) const {
-    const auto field = find_node_field(*store_, velocity_, wanted.field);
+    const auto field = find_node_field(*scalars_, velocity_, wanted.field);
     if (!field)
         return tl::unexpected(field.error());
     const auto ready =

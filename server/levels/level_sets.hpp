@@ -27,10 +27,12 @@ class LevelSets final : public core::LevelSource {
     };
 
     /// @param velocity  the name of the dataset's
+    /// @param scalars   of the store; null: those that it has now
     LevelSets(std::shared_ptr<const core::Flow> flow,
               std::shared_ptr<const store::StoreReader> store,
               std::string velocity,
-              Options options);
+              Options options,
+              std::shared_ptr<const store::StoreScalars> scalars = nullptr);
     ~LevelSets() override;
 
     core::Result<core::LevelTriangles> extract(const core::LevelWanted& wanted,
@@ -69,6 +71,7 @@ class LevelSets final : public core::LevelSource {
 
     std::shared_ptr<const core::Flow> flow_;
     std::shared_ptr<const store::StoreReader> store_;
+    std::shared_ptr<const store::StoreScalars> scalars_;
     std::string velocity_;
     Options options_;
     mutable std::mutex mutex_; ///< guards what follows

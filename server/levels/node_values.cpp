@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <variant>
 #include <vector>
 
 namespace wakesurf::server {
@@ -17,23 +16,6 @@ namespace {
 
 constexpr std::size_t nodes_at_once = std::size_t{1}
                                       << 16; ///< nodes whose places and samples are held
-
-core::Vec3 node_place(const core::Grid& grid, std::size_t node) {
-    if (const auto* mesh = std::get_if<core::CellMesh>(&grid))
-        return mesh->points[node];
-    const auto along = [&](std::size_t nx, std::size_t ny) {
-        return std::array{node % nx, node / nx % ny, node / nx / ny};
-    };
-    if (const auto* uniform = std::get_if<core::UniformGrid>(&grid)) {
-        const auto [i, j, k] = along(uniform->dimensions[0], uniform->dimensions[1]);
-        return uniform->origin + uniform->spacing * core::Vec3(static_cast<double>(i),
-                                                               static_cast<double>(j),
-                                                               static_cast<double>(k));
-    }
-    const auto& axes = std::get<core::RectilinearGrid>(grid).coordinates;
-    const auto [i, j, k] = along(axes[0].size(), axes[1].size());
-    return {axes[0][i], axes[1][j], axes[2][k]};
-}
 
 /// The time-step at or before a time, and the part of the way to the next.
 std::pair<std::size_t, double> moment_in(const std::vector<double>& times, double time) {
@@ -46,20 +28,20 @@ std::pair<std::size_t, double> moment_in(const std::vector<double>& times, doubl
     return {step, (time - times[step]) / (times[step + 1] - times[step])};
 }
 
-core::Result<void> stored_values(const store::StoreReader& store,
+core::Result<void> stored_values(const core::ScalarSource& scalars,
                                  std::size_t scalar,
                                  double time,
                                  std::span<float> out,
                                  const std::stop_token& stop) {
-    const auto [step, part] = moment_in(store.times(), time);
-    const auto first = store.scalar_values(scalar, step, stop);
+    const auto [step, part] = moment_in(scalars.times(), time);
+    const auto first = scalars.scalar_values(scalar, step, stop);
     if (!first)
         return tl::unexpected(first.error());
     const auto* from = reinterpret_cast<const float*>((*first)->bytes().data());
     std::copy_n(from, out.size(), out.begin());
     if (part == 0.0)
         return {};
-    const auto second = store.scalar_values(scalar, step + 1, stop);
+    const auto second = scalars.scalar_values(scalar, step + 1, stop);
     if (!second)
         return tl::unexpected(second.error());
     const auto* to = reinterpret_cast<const float*>((*second)->bytes().data());
@@ -97,11 +79,11 @@ core::Result<void> sampled_values(const NodeField& field,
 
 } // namespace
 
-core::Result<NodeField> find_node_field(const store::StoreReader& store,
+core::Result<NodeField> find_node_field(const store::StoreScalars& scalars,
                                         const std::string& velocity,
                                         const std::string& name) {
     using Source = NodeField::Source;
-    if (const auto scalar = store::find_scalar(store.layout(), name))
+    if (const auto scalar = scalars.find(name))
         return NodeField{name, Source::Scalar, *scalar};
     if (name == velocity)
         return NodeField{name, Source::Speed, 0};
@@ -111,9 +93,7 @@ core::Result<NodeField> find_node_field(const store::StoreReader& store,
                          static_cast<std::size_t>(found - components.begin())};
     if (const auto derived = core::find_gradient_field(name))
         return NodeField{name, Source::Gradient, static_cast<std::size_t>(*derived)};
-    std::vector<std::string> names;
-    for (const store::StoredScalar& each : store.layout().scalars)
-        names.push_back(each.name);
+    std::vector<std::string> names = scalars.names();
     names.push_back(velocity);
     for (const auto& more : {std::span<const std::string_view>(core::gradient_field_names),
                              std::span<const std::string_view>(components)})
@@ -126,18 +106,19 @@ core::Result<NodeField> find_node_field(const store::StoreReader& store,
 core::Result<void> node_values(const NodeField& field,
                                const core::Flow& flow,
                                const store::StoreReader& store,
+                               const store::StoreScalars& scalars,
                                double time,
                                std::span<float> out,
                                const std::stop_token& stop) {
     if (field.source == NodeField::Source::Scalar) {
-        if (auto read = stored_values(store, field.index, time, out, stop); !read)
+        if (auto read = stored_values(scalars, field.index, time, out, stop); !read)
             return read;
     } else {
         std::vector<core::Vec3> places;
         for (std::size_t begin = 0; begin < out.size(); begin += places.size()) {
             places.resize(std::min(nodes_at_once, out.size() - begin));
             for (std::size_t i = 0; i < places.size(); ++i)
-                places[i] = node_place(store.grid(), begin + i);
+                places[i] = core::node_position(store.grid(), begin + i);
             if (auto done = sampled_values(field, flow, places, time,
                                            out.subspan(begin, places.size()), stop);
                 !done)

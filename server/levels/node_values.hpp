@@ -4,7 +4,7 @@
 #include "core/base/result.hpp"
 #include "core/field/flow.hpp"
 #include "core/field/velocity_gradient.hpp"
-#include "store/store_reader.hpp"
+#include "store/store_scalars.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -19,14 +19,13 @@ struct NodeField {
 
     std::string name;
     Source source = Source::Scalar;
-    std::size_t index =
-        0; ///< of the scalar in the store, of the component, or of the derived field
+    std::size_t index = 0; ///< of the scalar, of the component, or of the derived field
 
     bool operator==(const NodeField&) const = default;
 };
 
 /// A stored field goes before a derived one. @param velocity  the name of the dataset's. Error: NotFound, naming those there are.
-core::Result<NodeField> find_node_field(const store::StoreReader& store,
+core::Result<NodeField> find_node_field(const store::StoreScalars& scalars,
                                         const std::string& velocity,
                                         const std::string& name);
 
@@ -36,6 +35,7 @@ core::Result<NodeField> find_node_field(const store::StoreReader& store,
 core::Result<void> node_values(const NodeField& field,
                                const core::Flow& flow,
                                const store::StoreReader& store,
+                               const store::StoreScalars& scalars,
                                double time,
                                std::span<float> out,
                                const std::stop_token& stop);

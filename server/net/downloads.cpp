@@ -315,8 +315,9 @@ core::Result<void> Downloads::offer(const HttpRequest& request,
     if (early && job.plan.parameters.kind != core::SurfaceKind::Path)
         time->reset(); // it ends there
     const auto status = catalogue_.status(record->dataset);
-    const std::string tag = tag_of(*record, job, *wanted, *time, early,
-                                   status ? status->steps_ready : 0, values_of(**dataset));
+    const std::string tag =
+        tag_of(*record, job, *wanted, *time, early, status ? status->steps_ready : 0,
+               values_of(**dataset) + ((*dataset)->scalars ? (*dataset)->scalars->mark() : ""));
     if (names(request.header("if-none-match"), tag)) {
         respond({304, {{"ETag", tag}, {"Cache-Control", "private, no-cache"}}});
         return {};

@@ -17,6 +17,8 @@ nlohmann::json dataset_entry(const DatasetStatus& status) {
                        {"steps", {{"ready", status.steps_ready}, {"total", status.steps_total}}}};
     if (!status.values.empty())
         out["values"] = status.values;
+    if (!status.families.empty())
+        out["families"] = status.families;
     if (status.state == DatasetState::Importing) {
         out["progress"] = status.progress;
         if (status.remaining)

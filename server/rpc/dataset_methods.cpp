@@ -1,5 +1,6 @@
 // dataset.list, dataset.describe, dataset.suggest, dataset.open, cache.status, probe.sample.
 #include "protocol/api/dataset_json.hpp"
+#include "protocol/api/family_json.hpp"
 #include "protocol/api/generated/dataset.hpp"
 #include "protocol/api/generated/names.hpp"
 #include "protocol/api/point_json.hpp"
@@ -39,6 +40,9 @@ void dataset_describe(const Call& call, const protocol::DatasetDescribe& of, Rep
     out["lattice"] = lattice_json(open->lattice);
     out["smooth"] = open->flow->has_smooth();
     out["surfaceFields"] = field_names(*open);
+    if (open->scalars)
+        for (const core::FamilyRecord& each : open->scalars->families())
+            out["families"].push_back(protocol::family_json(each));
     reply.result(out);
 }
 

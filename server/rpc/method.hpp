@@ -26,6 +26,7 @@
 
 namespace wakesurf::server {
 
+class FamilyJobs;
 class ImportWaiters;
 
 /// The one answer to a call. Move-only; one that goes unanswered answers with an internal error.
@@ -64,6 +65,7 @@ struct MethodContext {
     ImportWaiters* imports = nullptr;     ///< without, datasets are as they are
     std::string notice{};                 ///< a whole notification for each who joins; empty: none
     Budgets* budgets = nullptr;           ///< anybody may use as much as they like without
+    FamilyJobs* families = nullptr;       ///< none are made without
 };
 
 struct Call {

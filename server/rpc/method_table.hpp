@@ -9,6 +9,7 @@ namespace wakesurf::server {
 
 std::vector<Method> server_methods();
 std::vector<Method> dataset_methods();
+std::vector<Method> family_methods();
 std::vector<Method> session_methods();
 std::vector<Method> session_keeping_methods();
 std::vector<Method> share_methods();

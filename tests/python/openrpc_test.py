@@ -2,12 +2,15 @@
 and result is checked against the schema the document gives for it."""
 import copy
 import json
+import os
+import subprocess
+import tempfile
 import unittest
 
 from jsonschema import Draft7Validator, RefResolver
 
 from openrpc_rules import faults, resolve
-from real_server import RealServer
+from real_server import BINARY, RealServer
 import wakesurf
 from wakesurf.plain import NULL
 
@@ -18,7 +21,10 @@ PIXEL = ("iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhg
 class OpenRpcTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.server = RealServer("flow:lamb-oseen", "flow:double-gyre")
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.store = os.path.join(cls.folder.name, "stored")
+        subprocess.run([BINARY, "generate", "uniform", cls.store, "--grid", "9,9,9"], stdout=subprocess.DEVNULL, check=True)
+        cls.server = RealServer("flow:lamb-oseen", "flow:double-gyre", cls.store)
         cls.client = wakesurf.Client(cls.server.url)
         cls.document = json.loads(cls.client._request("/openrpc.json")[2])
         cls.methods = {each["name"]: each for each in cls.document["methods"]}
@@ -26,6 +32,7 @@ class OpenRpcTest(unittest.TestCase):
     @classmethod
     def tearDownClass(cls):
         cls.server.stop()
+        cls.folder.cleanup()
 
     def test_the_document_keeps_the_rules(self):
         self.assertEqual((faults(self.document)), [])
@@ -119,6 +126,18 @@ class OpenRpcTest(unittest.TestCase):
                 ask("dataset.suggest", dataset=dataset)
                 ask("cache.status", dataset=dataset)
             ask("probe.sample", dataset="lamb-oseen", points=[[0, 0, 0], [50, 0, 0]], time=0)
+            ask("dataset.open", dataset="stored", timeoutMs=60000)
+            ask("family.make", dataset="stored", name="psi", workDoneToken="f", **{"from": "inflow"})
+            refused(wakesurf.InvalidParameters, host, "family.make", dataset="stored", name="psi", **{"from": "inflow"})
+            ask("family.make", dataset="stored", name="phi", point=[1, 0, 0], normal=[1, 0, 0], scalar="psi", accuracy="exact",
+                length=50, time=0, **{"from": "plane"})
+            ask("family.make", dataset="stored", name="chi", rakeKind="circle", points=[[0, 0, 0], [0, 1, 0], [0, 0, 1]],
+                **{"from": "curve"})
+            self.assertEqual([each["name"] for each in ask("dataset.describe", dataset="stored")["families"]],
+                             ["psi", "phi", "chi"])
+            self.assertIn(["psi", "phi", "chi"], [each.get("families") for each in ask("dataset.list")["datasets"]])
+            ask("family.remove", dataset="stored", name="phi")
+            refused(wakesurf.NotFound, host, "family.remove", dataset="stored", name="phi")
             session = ask("session.create", name="truth")["session"]
             me = ask("session.join", session=session, name="host", colour="#00ff00")
             guest = self.ask(other, "session.join", session=session, name="guest")
@@ -191,6 +210,7 @@ class OpenRpcTest(unittest.TestCase):
             refused(wakesurf.NotFound, host, "session.unshare", grant=share["grant"])
             ask("session.setRole", participant=guest["you"], role="viewer")
             refused(wakesurf.NotPermitted, other, "rake.delete", rake=rake)
+            refused(wakesurf.NotPermitted, other, "family.remove", dataset="stored", name="psi")
             ask("bookmark.delete", bookmark=mark)
             ask("annotation.delete", annotation=note)
             ask("surface.delete", surface=moving)

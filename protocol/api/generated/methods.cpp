@@ -16,6 +16,10 @@ constexpr Names of_dataset_open[]{"dataset", "timeoutMs", "velocity", "workDoneT
 constexpr Names of_dataset_suggest[]{"dataset"};
 constexpr Names of_cache_status[]{"dataset"};
 constexpr Names of_probe_sample[]{"dataset", "points", "time", "fields"};
+constexpr Names of_family_make[]{"dataset", "name",     "from",     "scalar",
+                                 "point",   "normal",   "rakeKind", "points",
+                                 "time",    "accuracy", "length",   "workDoneToken"};
+constexpr Names of_family_remove[]{"dataset", "name"};
 constexpr Names of_session_create[]{"name"};
 constexpr Names of_session_fork[]{"session", "name"};
 constexpr Names of_session_list[]{"trash"};
@@ -79,6 +83,8 @@ constexpr MethodDescription described[]{
     {"dataset.suggest", "viewer", false, false, false, of_dataset_suggest},
     {"cache.status", "viewer", false, false, false, of_cache_status},
     {"probe.sample", "viewer", false, false, false, of_probe_sample},
+    {"family.make", "editor", false, false, false, of_family_make},
+    {"family.remove", "editor", false, false, true, of_family_remove},
     {"session.create", "editor", false, true, true, of_session_create},
     {"session.fork", "viewer", false, true, false, of_session_fork},
     {"session.list", "viewer", false, false, false, of_session_list},

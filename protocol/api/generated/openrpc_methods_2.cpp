@@ -161,6 +161,189 @@ const std::string_view methods_2 = R"json({
    "params": [{"name": "dataset", "value": "lamb-oseen"}, {"name": "points", "value": [[0, 0, 0], [50, 0, 0]]}, {"name": "time", "value": 0}],
    "result": {"name": "result", "value": {"inside": [true, false], "values": {"velocity": [[0, 0, 0.5], null]}}}}]},
 {
+ "name": "family.make",
+ "summary": "Carries a scalar along the streamlines of one time-step to all nodes of a dataset, and keeps it there as a scalar field: surfaces are coloured by it, files and probes have it. Answers once it is kept. $/cancelRequest, or a lost connection, ends the work, and nothing is kept.",
+ "tags": [{"name": "family"}],
+ "paramStructure": "by-name",
+ "params": [
+  {
+   "name": "dataset",
+   "required": true,
+   "description": "an id from dataset.list",
+   "schema": {"type": "string", "maxLength": 256, "description": "an id from dataset.list"}},
+  {
+   "name": "name",
+   "required": true,
+   "description": "name of the field, which no other field may have: letters, digits, and _ - .",
+   "schema": {
+    "type": "string",
+    "minLength": 1,
+    "maxLength": 64,
+    "description": "name of the field, which no other field may have: letters, digits, and _ - ."}},
+  {
+   "name": "from",
+   "required": true,
+   "description": "where the scalar is given; inflow: on the boundary through which the flow enters; plane: on a plane; curve: it is the distance from a curve, in the plane of the curve, so that the level 0 is the stream surface through the curve",
+   "schema": {
+    "enum": ["inflow", "plane", "curve"],
+    "description": "where the scalar is given; inflow: on the boundary through which the flow enters; plane: on a plane; curve: it is the distance from a curve, in the plane of the curve, so that the level 0 is the stream surface through the curve"}},
+  {
+   "name": "scalar",
+   "required": false,
+   "description": "of inflow and plane: x, y or z, or a scalar field of the dataset; empty: y",
+   "schema": {
+    "type": "string",
+    "maxLength": 256,
+    "default": "",
+    "description": "of inflow and plane: x, y or z, or a scalar field of the dataset; empty: y"}},
+  {
+   "name": "point",
+   "required": false,
+   "description": "of a plane: a point of it",
+   "schema": {
+    "type": "array",
+    "minItems": 3,
+    "maxItems": 3,
+    "description": "of a plane: a point of it",
+    "x-unit": "the dataset's unit of length",
+    "items": {"type": "number"}}},
+  {
+   "name": "normal",
+   "required": false,
+   "description": "of a plane: its normal, of any length; the plane counts where the flow passes it the way that most of it does",
+   "schema": {
+    "type": "array",
+    "minItems": 3,
+    "maxItems": 3,
+    "description": "of a plane: its normal, of any length; the plane counts where the flow passes it the way that most of it does",
+    "x-unit": "the dataset's unit of length",
+    "items": {"type": "number"}}},
+  {
+   "name": "rakeKind",
+   "required": false,
+   "description": "of a curve: what the points are, as of a rake: a line, a polyline in one plane, or a circle",
+   "schema": {
+    "enum": ["line", "polyline", "circle", "points"],
+    "description": "of a curve: what the points are, as of a rake: a line, a polyline in one plane, or a circle"}},
+  {
+   "name": "points",
+   "required": false,
+   "description": "of a curve: its points; the ends of a line or a polyline are continued straight",
+   "schema": {
+    "type": "array",
+    "minItems": 2,
+    "maxItems": 1024,
+    "description": "of a curve: its points; the ends of a line or a polyline are continued straight",
+    "items": {
+     "type": "array",
+     "minItems": 3,
+     "maxItems": 3,
+     "description": "[x, y, z], finite as 32-bit floats",
+     "x-unit": "the dataset's unit of length",
+     "items": {"type": "number"}}}},
+  {
+   "name": "time",
+   "required": false,
+   "description": "the nearest time-step is taken; if left out, the first one",
+   "schema": {
+    "type": "number",
+    "minimum": -3.4028234663852886e+38,
+    "maximum": 3.4028234663852886e+38,
+    "description": "the nearest time-step is taken; if left out, the first one",
+    "x-unit": "the dataset's unit of time"}},
+  {
+   "name": "accuracy",
+   "required": false,
+   "description": "how accurately particles are traced and vertices inserted",
+   "schema": {
+    "enum": ["fast", "balanced", "exact"],
+    "default": "balanced",
+    "description": "how accurately particles are traced and vertices inserted"}},
+  {
+   "name": "length",
+   "required": false,
+   "description": "how far a node is followed at most; if left out, ten diagonals of the domain",
+   "schema": {
+    "type": "number",
+    "maximum": 1e+30,
+    "exclusiveMinimum": 0,
+    "description": "how far a node is followed at most; if left out, ten diagonals of the domain",
+    "x-unit": "the dataset's unit of length"}},
+  {
+   "name": "workDoneToken",
+   "required": false,
+   "description": "on a WebSocket: $/progress reports the progress of the work with this token",
+   "schema": {"type": ["string", "integer"], "description": "on a WebSocket: $/progress reports the progress of the work with this token"}}],
+ "result": {
+  "name": "result",
+  "description": "A family of stream surfaces of a dataset, with what it was made from.",
+  "schema": {"$ref": "#/components/schemas/Family"}},
+ "errors": [
+  {"$ref": "#/components/errors/invalidParameters"},
+  {"$ref": "#/components/errors/internal"},
+  {"$ref": "#/components/errors/cancelled"},
+  {"$ref": "#/components/errors/unauthenticated"},
+  {"$ref": "#/components/errors/notPermitted"},
+  {"$ref": "#/components/errors/notFound"},
+  {"$ref": "#/components/errors/outsideDomain"},
+  {"$ref": "#/components/errors/outsideTimeRange"},
+  {"$ref": "#/components/errors/overLimit"},
+  {"$ref": "#/components/errors/datasetError"}],
+ "x-leastRole": "editor",
+ "x-websocketOnly": false,
+ "examples": [
+  {
+   "name": "family.make",
+   "params": [
+    {"name": "dataset", "value": "sqcyl"},
+    {"name": "name", "value": "psi"},
+    {"name": "from", "value": "curve"},
+    {"name": "rakeKind", "value": "line"},
+    {"name": "points", "value": [[-2, 0.1, 1], [-2, 0.1, 2]]}],
+   "result": {
+    "name": "result",
+    "value": {
+     "name": "psi",
+     "from": "curve",
+     "rakeKind": "line",
+     "points": [[-2, 0.1, 1], [-2, 0.1, 2]],
+     "accuracy": "balanced",
+     "length": 200,
+     "version": "0.1.0",
+     "steps": [{"index": 0, "time": 0, "nodes": 1000, "reached": 900, "atRest": 60, "obstacle": 20, "lost": 10, "outside": 10, "range": [-4, 4]}]}}}]},
+{
+ "name": "family.remove",
+ "summary": "Removes a family, and its files. Surfaces that show it are shown without it.",
+ "tags": [{"name": "family"}],
+ "paramStructure": "by-name",
+ "params": [
+  {
+   "name": "dataset",
+   "required": true,
+   "description": "an id from dataset.list",
+   "schema": {"type": "string", "maxLength": 256, "description": "an id from dataset.list"}},
+  {
+   "name": "name",
+   "required": true,
+   "description": "name of the field: letters, digits, and _ - .",
+   "schema": {"type": "string", "minLength": 1, "maxLength": 64, "description": "name of the field: letters, digits, and _ - ."}}],
+ "result": {"name": "result", "description": "an empty object", "schema": {"$ref": "#/components/schemas/Empty"}},
+ "errors": [
+  {"$ref": "#/components/errors/invalidParameters"},
+  {"$ref": "#/components/errors/internal"},
+  {"$ref": "#/components/errors/cancelled"},
+  {"$ref": "#/components/errors/unauthenticated"},
+  {"$ref": "#/components/errors/notPermitted"},
+  {"$ref": "#/components/errors/notFound"},
+  {"$ref": "#/components/errors/datasetError"}],
+ "x-leastRole": "editor",
+ "x-websocketOnly": false,
+ "examples": [
+  {
+   "name": "family.remove",
+   "params": [{"name": "dataset", "value": "sqcyl"}, {"name": "name", "value": "psi"}],
+   "result": {"name": "result", "value": {}}}]},
+{
  "name": "session.create",
  "summary": "Makes a new, empty session. When there are too many sessions, one without a name that no one has edited or shared and no one is in is removed; no other session ever is.",
  "tags": [{"name": "session"}],
@@ -198,121 +381,6 @@ const std::string_view methods_2 = R"json({
   {
    "name": "session.create",
    "params": [{"name": "name", "value": "wing tip"}],
-   "result": {"name": "result", "value": {"name": "wing tip", "remaining": 1022, "session": "session-1"}}}]},
-{
- "name": "session.fork",
- "summary": "Makes a new session with the records of another and the time it shows, but without its people, links and history. With a share link, of any role, it copies the link's session only, and `key` lets you into the copy as an editor, for as long as your link is valid.",
- "tags": [{"name": "session"}],
- "paramStructure": "by-name",
- "params": [
-  {
-   "name": "session",
-   "required": false,
-   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
-   "schema": {
-    "type": "string",
-    "maxLength": 256,
-    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}},
-  {
-   "name": "name",
-   "required": false,
-   "description": "display name",
-   "schema": {"type": "string", "maxLength": 120, "default": "", "description": "display name"}}],
- "result": {
-  "name": "result",
-  "description": "what it answers",
-  "schema": {
-   "type": "object",
-   "properties": {
-    "session": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the session"},
-    "name": {"type": "string", "description": "display name"},
-    "remaining": {"type": "integer", "minimum": 0, "description": "how many more sessions can be made"},
-    "key": {"type": "string", "description": "with a share link: secret key of a link into the copy; it is returned only this once"},
-    "link": {"type": "string", "description": "with a share link: what to append to the address of the page"},
-    "durable": {"type": "boolean", "description": "true: the edit is on the server's disk; only present if the server runs with --state"},
-    "hint": {"type": "string", "description": "why the edit is not on the disk"}},
-   "required": ["session", "name", "remaining"],
-   "additionalProperties": false}},
- "errors": [
-  {"$ref": "#/components/errors/invalidParameters"},
-  {"$ref": "#/components/errors/internal"},
-  {"$ref": "#/components/errors/cancelled"},
-  {"$ref": "#/components/errors/unauthenticated"},
-  {"$ref": "#/components/errors/notPermitted"},
-  {"$ref": "#/components/errors/notFound"},
-  {"$ref": "#/components/errors/overLimit"}],
- "x-leastRole": "viewer",
- "x-websocketOnly": false,
- "examples": [
-  {
-   "name": "session.fork",
-   "params": [{"name": "session", "value": "main"}, {"name": "name", "value": "copy"}],
-   "result": {"name": "result", "value": {"name": "copy", "remaining": 1021, "session": "session-2"}}}]},
-{
- "name": "session.list",
- "summary": "Lists the sessions of this server. With a share link, only the session of the link is listed.",
- "tags": [{"name": "session"}],
- "paramStructure": "by-name",
- "params": [
-  {
-   "name": "trash",
-   "required": false,
-   "description": "true: list the deleted sessions instead",
-   "schema": {"type": "boolean", "default": false, "description": "true: list the deleted sessions instead"}}],
- "result": {
-  "name": "result",
-  "description": "what it answers",
-  "schema": {
-   "type": "object",
-   "properties": {
-    "sessions": {"type": "array", "description": "all sessions", "items": {"$ref": "#/components/schemas/SessionEntry"}},
-    "limit": {"type": "integer", "minimum": 0, "description": "how many sessions the server keeps"},
-    "trashLimit": {"type": "integer", "minimum": 0, "description": "how many deleted sessions the server keeps"}},
-   "required": ["sessions", "limit", "trashLimit"],
-   "additionalProperties": false}},
- "errors": [
-  {"$ref": "#/components/errors/invalidParameters"},
-  {"$ref": "#/components/errors/internal"},
-  {"$ref": "#/components/errors/cancelled"},
-  {"$ref": "#/components/errors/unauthenticated"},
-  {"$ref": "#/components/errors/notPermitted"}],
- "x-leastRole": "viewer",
- "x-websocketOnly": false,
- "examples": [
-  {
-   "name": "session.list",
-   "params": [],
-   "result": {
-    "name": "result",
-    "value": {
-     "limit": 1024,
-     "sessions": [
-      {
-       "annotations": 1,
-       "bookmarks": 1,
-       "created": "2026-11-23T11:45:41Z",
-       "edited": true,
-       "lastUsed": "2026-11-23T11:45:42Z",
-       "name": "main",
-       "participants": 2,
-       "people": [{"colour": "#0072b2", "name": "Grace"}, {"colour": "#4477aa", "name": "Ada"}],
-       "rakes": 1,
-       "session": "main",
-       "surfaces": 1,
-       "thumbnail": false},
-      {
-       "annotations": 0,
-       "bookmarks": 0,
-       "created": "2026-11-23T11:45:42Z",
-       "edited": false,
-       "lastUsed": "2026-11-23T11:45:42Z",
-       "name": "wing tip",
-       "participants": 0,
-       "people": [],
-       "rakes": 0,
-       "session": "session-1",
-       "surfaces": 0,
-       "thumbnail": false}],
-     "trashLimit": 256}}}]})json";
+   "result": {"name": "result", "value": {"name": "wing tip", "remaining": 1022, "session": "session-1"}}}]})json";
 
 } // namespace wakesurf::protocol::openrpc

@@ -4,6 +4,121 @@
 namespace wakesurf::protocol::openrpc {
 
 const std::string_view methods_3 = R"json({
+ "name": "session.fork",
+ "summary": "Makes a new session with the records of another and the time it shows, but without its people, links and history. With a share link, of any role, it copies the link's session only, and `key` lets you into the copy as an editor, for as long as your link is valid.",
+ "tags": [{"name": "session"}],
+ "paramStructure": "by-name",
+ "params": [
+  {
+   "name": "session",
+   "required": false,
+   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
+   "schema": {
+    "type": "string",
+    "maxLength": 256,
+    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}},
+  {
+   "name": "name",
+   "required": false,
+   "description": "display name",
+   "schema": {"type": "string", "maxLength": 120, "default": "", "description": "display name"}}],
+ "result": {
+  "name": "result",
+  "description": "what it answers",
+  "schema": {
+   "type": "object",
+   "properties": {
+    "session": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the session"},
+    "name": {"type": "string", "description": "display name"},
+    "remaining": {"type": "integer", "minimum": 0, "description": "how many more sessions can be made"},
+    "key": {"type": "string", "description": "with a share link: secret key of a link into the copy; it is returned only this once"},
+    "link": {"type": "string", "description": "with a share link: what to append to the address of the page"},
+    "durable": {"type": "boolean", "description": "true: the edit is on the server's disk; only present if the server runs with --state"},
+    "hint": {"type": "string", "description": "why the edit is not on the disk"}},
+   "required": ["session", "name", "remaining"],
+   "additionalProperties": false}},
+ "errors": [
+  {"$ref": "#/components/errors/invalidParameters"},
+  {"$ref": "#/components/errors/internal"},
+  {"$ref": "#/components/errors/cancelled"},
+  {"$ref": "#/components/errors/unauthenticated"},
+  {"$ref": "#/components/errors/notPermitted"},
+  {"$ref": "#/components/errors/notFound"},
+  {"$ref": "#/components/errors/overLimit"}],
+ "x-leastRole": "viewer",
+ "x-websocketOnly": false,
+ "examples": [
+  {
+   "name": "session.fork",
+   "params": [{"name": "session", "value": "main"}, {"name": "name", "value": "copy"}],
+   "result": {"name": "result", "value": {"name": "copy", "remaining": 1021, "session": "session-2"}}}]},
+{
+ "name": "session.list",
+ "summary": "Lists the sessions of this server. With a share link, only the session of the link is listed.",
+ "tags": [{"name": "session"}],
+ "paramStructure": "by-name",
+ "params": [
+  {
+   "name": "trash",
+   "required": false,
+   "description": "true: list the deleted sessions instead",
+   "schema": {"type": "boolean", "default": false, "description": "true: list the deleted sessions instead"}}],
+ "result": {
+  "name": "result",
+  "description": "what it answers",
+  "schema": {
+   "type": "object",
+   "properties": {
+    "sessions": {"type": "array", "description": "all sessions", "items": {"$ref": "#/components/schemas/SessionEntry"}},
+    "limit": {"type": "integer", "minimum": 0, "description": "how many sessions the server keeps"},
+    "trashLimit": {"type": "integer", "minimum": 0, "description": "how many deleted sessions the server keeps"}},
+   "required": ["sessions", "limit", "trashLimit"],
+   "additionalProperties": false}},
+ "errors": [
+  {"$ref": "#/components/errors/invalidParameters"},
+  {"$ref": "#/components/errors/internal"},
+  {"$ref": "#/components/errors/cancelled"},
+  {"$ref": "#/components/errors/unauthenticated"},
+  {"$ref": "#/components/errors/notPermitted"}],
+ "x-leastRole": "viewer",
+ "x-websocketOnly": false,
+ "examples": [
+  {
+   "name": "session.list",
+   "params": [],
+   "result": {
+    "name": "result",
+    "value": {
+     "limit": 1024,
+     "sessions": [
+      {
+       "annotations": 1,
+       "bookmarks": 1,
+       "created": "2026-11-23T11:45:41Z",
+       "edited": true,
+       "lastUsed": "2026-11-23T11:45:42Z",
+       "name": "main",
+       "participants": 2,
+       "people": [{"colour": "#0072b2", "name": "Grace"}, {"colour": "#4477aa", "name": "Ada"}],
+       "rakes": 1,
+       "session": "main",
+       "surfaces": 1,
+       "thumbnail": false},
+      {
+       "annotations": 0,
+       "bookmarks": 0,
+       "created": "2026-11-23T11:45:42Z",
+       "edited": false,
+       "lastUsed": "2026-11-23T11:45:42Z",
+       "name": "wing tip",
+       "participants": 0,
+       "people": [],
+       "rakes": 0,
+       "session": "session-1",
+       "surfaces": 0,
+       "thumbnail": false}],
+     "trashLimit": 256}}}]},
+{
  "name": "session.join",
  "summary": "Enters a session. From now on its changes are sent to this WebSocket.",
  "tags": [{"name": "session"}],
@@ -270,102 +385,6 @@ const std::string_view methods_3 = R"json({
   {
    "name": "session.rename",
    "params": [{"name": "name", "value": "tip vortex"}, {"name": "session", "value": "session-2"}],
-   "result": {"name": "result", "value": {"name": "tip vortex", "session": "session-2"}}}]},
-{
- "name": "session.setUnits",
- "summary": "Sets the units in which lengths and times are read. They only name what the numbers of the data mean: no number changes. Everyone in the session is notified.",
- "tags": [{"name": "session"}],
- "paramStructure": "by-name",
- "params": [
-  {
-   "name": "length",
-   "required": true,
-   "description": "unit of lengths; empty: as in dataset.describe",
-   "schema": {"type": "string", "maxLength": 32, "description": "unit of lengths; empty: as in dataset.describe"}},
-  {
-   "name": "time",
-   "required": true,
-   "description": "unit of times; empty: as in dataset.describe",
-   "schema": {"type": "string", "maxLength": 32, "description": "unit of times; empty: as in dataset.describe"}},
-  {
-   "name": "session",
-   "required": false,
-   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
-   "schema": {
-    "type": "string",
-    "maxLength": 256,
-    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}}],
- "result": {
-  "name": "result",
-  "description": "The id and the name of a session, and its units.",
-  "schema": {
-   "type": "object",
-   "description": "The id and the name of a session, and its units.",
-   "properties": {
-    "session": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the session"},
-    "name": {"type": "string", "description": "display name"},
-    "units": {"$ref": "#/components/schemas/Units"},
-    "durable": {"type": "boolean", "description": "true: the edit is on the server's disk; only present if the server runs with --state"},
-    "hint": {"type": "string", "description": "why the edit is not on the disk"}},
-   "required": ["session", "name"],
-   "additionalProperties": false}},
- "errors": [
-  {"$ref": "#/components/errors/invalidParameters"},
-  {"$ref": "#/components/errors/internal"},
-  {"$ref": "#/components/errors/cancelled"},
-  {"$ref": "#/components/errors/unauthenticated"},
-  {"$ref": "#/components/errors/notPermitted"},
-  {"$ref": "#/components/errors/notFound"},
-  {"$ref": "#/components/errors/overLimit"}],
- "x-leastRole": "editor",
- "x-websocketOnly": false,
- "examples": [
-  {
-   "name": "session.setUnits",
-   "params": [{"name": "length", "value": "mm"}, {"name": "time", "value": "s"}, {"name": "session", "value": "session-2"}],
-   "result": {"name": "result", "value": {"name": "tip vortex", "session": "session-2", "units": {"length": "mm", "time": "s"}}}}]},
-{
- "name": "session.delete",
- "summary": "Moves a session to the trash, from which session.restore can bring it back for 30 days. The people in it are notified, and meanwhile its share links let no one in. `main` cannot be deleted.",
- "tags": [{"name": "session"}],
- "paramStructure": "by-name",
- "params": [
-  {
-   "name": "session",
-   "required": true,
-   "description": "an id from session.list",
-   "schema": {"type": "string", "maxLength": 256, "description": "an id from session.list"}},
-  {
-   "name": "forever",
-   "required": false,
-   "description": "true: permanently deletes a session that is in the trash",
-   "schema": {"type": "boolean", "default": false, "description": "true: permanently deletes a session that is in the trash"}}],
- "result": {
-  "name": "result",
-  "description": "what it answers",
-  "schema": {
-   "type": "object",
-   "properties": {
-    "session": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the session"},
-    "deletedUntil": {"type": "string", "description": "until when the session can be restored, in UTC"},
-    "durable": {"type": "boolean", "description": "true: the edit is on the server's disk; only present if the server runs with --state"},
-    "hint": {"type": "string", "description": "why the edit is not on the disk"}},
-   "required": ["session"],
-   "additionalProperties": false}},
- "errors": [
-  {"$ref": "#/components/errors/invalidParameters"},
-  {"$ref": "#/components/errors/internal"},
-  {"$ref": "#/components/errors/cancelled"},
-  {"$ref": "#/components/errors/unauthenticated"},
-  {"$ref": "#/components/errors/notPermitted"},
-  {"$ref": "#/components/errors/notFound"},
-  {"$ref": "#/components/errors/overLimit"}],
- "x-leastRole": "host",
- "x-websocketOnly": false,
- "examples": [
-  {
-   "name": "session.delete",
-   "params": [{"name": "session", "value": "session-2"}],
-   "result": {"name": "result", "value": {"deletedUntil": "2026-12-23T11:45:42Z", "session": "session-2"}}}]})json";
+   "result": {"name": "result", "value": {"name": "tip vortex", "session": "session-2"}}}]})json";
 
 } // namespace wakesurf::protocol::openrpc

@@ -4,6 +4,102 @@
 namespace wakesurf::protocol::openrpc {
 
 const std::string_view methods_4 = R"json({
+ "name": "session.setUnits",
+ "summary": "Sets the units in which lengths and times are read. They only name what the numbers of the data mean: no number changes. Everyone in the session is notified.",
+ "tags": [{"name": "session"}],
+ "paramStructure": "by-name",
+ "params": [
+  {
+   "name": "length",
+   "required": true,
+   "description": "unit of lengths; empty: as in dataset.describe",
+   "schema": {"type": "string", "maxLength": 32, "description": "unit of lengths; empty: as in dataset.describe"}},
+  {
+   "name": "time",
+   "required": true,
+   "description": "unit of times; empty: as in dataset.describe",
+   "schema": {"type": "string", "maxLength": 32, "description": "unit of times; empty: as in dataset.describe"}},
+  {
+   "name": "session",
+   "required": false,
+   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
+   "schema": {
+    "type": "string",
+    "maxLength": 256,
+    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}}],
+ "result": {
+  "name": "result",
+  "description": "The id and the name of a session, and its units.",
+  "schema": {
+   "type": "object",
+   "description": "The id and the name of a session, and its units.",
+   "properties": {
+    "session": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the session"},
+    "name": {"type": "string", "description": "display name"},
+    "units": {"$ref": "#/components/schemas/Units"},
+    "durable": {"type": "boolean", "description": "true: the edit is on the server's disk; only present if the server runs with --state"},
+    "hint": {"type": "string", "description": "why the edit is not on the disk"}},
+   "required": ["session", "name"],
+   "additionalProperties": false}},
+ "errors": [
+  {"$ref": "#/components/errors/invalidParameters"},
+  {"$ref": "#/components/errors/internal"},
+  {"$ref": "#/components/errors/cancelled"},
+  {"$ref": "#/components/errors/unauthenticated"},
+  {"$ref": "#/components/errors/notPermitted"},
+  {"$ref": "#/components/errors/notFound"},
+  {"$ref": "#/components/errors/overLimit"}],
+ "x-leastRole": "editor",
+ "x-websocketOnly": false,
+ "examples": [
+  {
+   "name": "session.setUnits",
+   "params": [{"name": "length", "value": "mm"}, {"name": "time", "value": "s"}, {"name": "session", "value": "session-2"}],
+   "result": {"name": "result", "value": {"name": "tip vortex", "session": "session-2", "units": {"length": "mm", "time": "s"}}}}]},
+{
+ "name": "session.delete",
+ "summary": "Moves a session to the trash, from which session.restore can bring it back for 30 days. The people in it are notified, and meanwhile its share links let no one in. `main` cannot be deleted.",
+ "tags": [{"name": "session"}],
+ "paramStructure": "by-name",
+ "params": [
+  {
+   "name": "session",
+   "required": true,
+   "description": "an id from session.list",
+   "schema": {"type": "string", "maxLength": 256, "description": "an id from session.list"}},
+  {
+   "name": "forever",
+   "required": false,
+   "description": "true: permanently deletes a session that is in the trash",
+   "schema": {"type": "boolean", "default": false, "description": "true: permanently deletes a session that is in the trash"}}],
+ "result": {
+  "name": "result",
+  "description": "what it answers",
+  "schema": {
+   "type": "object",
+   "properties": {
+    "session": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the session"},
+    "deletedUntil": {"type": "string", "description": "until when the session can be restored, in UTC"},
+    "durable": {"type": "boolean", "description": "true: the edit is on the server's disk; only present if the server runs with --state"},
+    "hint": {"type": "string", "description": "why the edit is not on the disk"}},
+   "required": ["session"],
+   "additionalProperties": false}},
+ "errors": [
+  {"$ref": "#/components/errors/invalidParameters"},
+  {"$ref": "#/components/errors/internal"},
+  {"$ref": "#/components/errors/cancelled"},
+  {"$ref": "#/components/errors/unauthenticated"},
+  {"$ref": "#/components/errors/notPermitted"},
+  {"$ref": "#/components/errors/notFound"},
+  {"$ref": "#/components/errors/overLimit"}],
+ "x-leastRole": "host",
+ "x-websocketOnly": false,
+ "examples": [
+  {
+   "name": "session.delete",
+   "params": [{"name": "session", "value": "session-2"}],
+   "result": {"name": "result", "value": {"deletedUntil": "2026-12-23T11:45:42Z", "session": "session-2"}}}]},
+{
  "name": "session.restore",
  "summary": "Brings a session back from the trash as it was, with its share links.",
  "tags": [{"name": "session"}],
@@ -243,118 +339,6 @@ const std::string_view methods_4 = R"json({
    "params": [
     {"name": "image", "value": "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg=="},
     {"name": "session", "value": "session-2"}],
-   "result": {"name": "result", "value": {}}}]},
-{
- "name": "session.share",
- "summary": "Makes a link that lets people into this session, in a role, until it expires or is revoked. The key is returned only this once; it works wherever the token does.",
- "tags": [{"name": "session"}],
- "paramStructure": "by-name",
- "params": [
-  {
-   "name": "role",
-   "required": true,
-   "description": "viewers look, editors edit, hosts also decide who may be here",
-   "schema": {"enum": ["viewer", "editor", "host"], "description": "viewers look, editors edit, hosts also decide who may be here"}},
-  {
-   "name": "session",
-   "required": false,
-   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
-   "schema": {
-    "type": "string",
-    "maxLength": 256,
-    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}},
-  {
-   "name": "expiresIn",
-   "required": false,
-   "description": "how long the link is valid; if left out, 7 days, or as long as the link you came by; null: until it is revoked",
-   "schema": {
-    "type": ["integer", "null"],
-    "minimum": 1,
-    "maximum": 316224000,
-    "description": "how long the link is valid; if left out, 7 days, or as long as the link you came by; null: until it is revoked",
-    "x-unit": "s"}}],
- "result": {
-  "name": "result",
-  "description": "what it answers",
-  "schema": {
-   "type": "object",
-   "properties": {
-    "grant": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the link"},
-    "role": {"enum": ["viewer", "editor", "host"], "description": "role of those who come by it"},
-    "expires": {"type": "number", "description": "when the link expires; if left out, never", "x-unit": "s since 1970"},
-    "newcomers": {
-     "enum": ["viewer", "editor"],
-     "description": "role of those who come by it from now on; present if a host has given someone who came by it a lower role"},
-    "madeBy": {"$ref": "#/components/schemas/ShareMaker"},
-    "copy": {"type": "string", "minLength": 1, "maxLength": 256, "description": "for a link into a copy that session.fork has made: id of the copy"},
-    "children": {"type": "integer", "minimum": 0, "description": "number of valid links that were made through this one, directly or indirectly"},
-    "key": {"type": "string", "description": "secret key of the link"},
-    "link": {"type": "string", "description": "what to append to the address of the page"},
-    "durable": {"type": "boolean", "description": "true: the edit is on the server's disk; only present if the server runs with --state"},
-    "hint": {"type": "string", "description": "why the edit is not on the disk"}},
-   "required": ["grant", "role", "madeBy", "children", "key", "link"],
-   "additionalProperties": false}},
- "errors": [
-  {"$ref": "#/components/errors/invalidParameters"},
-  {"$ref": "#/components/errors/internal"},
-  {"$ref": "#/components/errors/cancelled"},
-  {"$ref": "#/components/errors/unauthenticated"},
-  {"$ref": "#/components/errors/notPermitted"},
-  {"$ref": "#/components/errors/notFound"},
-  {"$ref": "#/components/errors/overLimit"}],
- "x-leastRole": "host",
- "x-websocketOnly": false,
- "examples": [
-  {
-   "name": "session.share",
-   "params": [{"name": "role", "value": "viewer"}, {"name": "session", "value": "main"}, {"name": "expiresIn", "value": 3600}],
-   "result": {
-    "name": "result",
-    "value": {
-     "children": 0,
-     "expires": 1795437942,
-     "grant": "g1",
-     "key": "943db84bd03195fd1eb227dc8e5e2429133ab28b4926ba2ce02f5400bad5b390",
-     "link": "#session=main&token=943db84bd03195fd1eb227dc8e5e2429133ab28b4926ba2ce02f5400bad5b390",
-     "madeBy": {"name": "Ada"},
-     "role": "viewer"}}}]},
-{
- "name": "session.shares",
- "summary": "Lists the valid links into this session, without their keys.",
- "tags": [{"name": "session"}],
- "paramStructure": "by-name",
- "params": [
-  {
-   "name": "session",
-   "required": false,
-   "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link",
-   "schema": {
-    "type": "string",
-    "maxLength": 256,
-    "description": "an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link"}}],
- "result": {
-  "name": "result",
-  "description": "what it answers",
-  "schema": {
-   "type": "object",
-   "properties": {"shares": {"type": "array", "description": "all valid links", "items": {"$ref": "#/components/schemas/Share"}}},
-   "required": ["shares"],
-   "additionalProperties": false}},
- "errors": [
-  {"$ref": "#/components/errors/invalidParameters"},
-  {"$ref": "#/components/errors/internal"},
-  {"$ref": "#/components/errors/cancelled"},
-  {"$ref": "#/components/errors/unauthenticated"},
-  {"$ref": "#/components/errors/notPermitted"},
-  {"$ref": "#/components/errors/notFound"}],
- "x-leastRole": "host",
- "x-websocketOnly": false,
- "examples": [
-  {
-   "name": "session.shares",
-   "params": [{"name": "session", "value": "main"}],
-   "result": {
-    "name": "result",
-    "value": {"shares": [{"children": 0, "expires": 1795437942, "grant": "g1", "madeBy": {"name": "Ada"}, "role": "viewer"}]}}}]})json";
+   "result": {"name": "result", "value": {}}}]})json";
 
 } // namespace wakesurf::protocol::openrpc

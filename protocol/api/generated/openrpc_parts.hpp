@@ -15,9 +15,10 @@ extern const std::string_view methods_6;
 extern const std::string_view methods_7;
 extern const std::string_view methods_8;
 extern const std::string_view methods_9;
-inline constexpr const std::string_view* methods[]{&methods_1, &methods_2, &methods_3,
-                                                   &methods_4, &methods_5, &methods_6,
-                                                   &methods_7, &methods_8, &methods_9};
+extern const std::string_view methods_10;
+inline constexpr const std::string_view* methods[]{&methods_1, &methods_2, &methods_3, &methods_4,
+                                                   &methods_5, &methods_6, &methods_7, &methods_8,
+                                                   &methods_9, &methods_10};
 
 extern const std::string_view schemas_1;
 extern const std::string_view schemas_2;

@@ -235,6 +235,10 @@ const std::string_view schemas_1 =
    "type": "array",
    "description": "of a dataset that failed because it is not clear which field is the velocity: what `velocity` of dataset.open may be",
    "items": {"type": "string"}},
+  "families": {
+   "type": "array",
+   "description": "names of the families of stream surfaces that are kept with its data; left out if there are none",
+   "items": {"type": "string", "minLength": 1, "maxLength": 64, "description": "name of the field: letters, digits, and _ - ."}},
   "error": {"$ref": "#/components/schemas/Problem"}},
  "required": ["dataset", "name", "state", "steps"],
  "additionalProperties": false},
@@ -251,7 +255,8 @@ const std::string_view schemas_1 =
    "maxItems": 2,
    "description": "smallest and largest value (for a vector, of its magnitude); null: unknown",
    "items": {"type": ["number", "null"]}},
-  "unit": {"type": "string", "description": "unit of the values, as stated in the files"}},
+  "unit": {"type": "string", "description": "unit of the values, as stated in the files"},
+  "family": {"type": "boolean", "description": "true: a family of stream surfaces, which was made from the velocity by family.make"}},
  "required": ["name", "components", "source", "range"],
  "additionalProperties": false},
 "Dataset": {
@@ -282,6 +287,10 @@ const std::string_view schemas_1 =
   "lattice": {"$ref": "#/components/schemas/Lattice"},
   "smooth": {"type": "boolean", "description": "true: surface.set accepts `interpolation` smooth"},
   "surfaceFields": {"type": "array", "description": "names that `fields` of surface.set accepts", "items": {"type": "string"}},
+  "families": {
+   "type": "array",
+   "description": "families of stream surfaces, which are among its fields; left out if there are none",
+   "items": {"$ref": "#/components/schemas/Family"}},
   "note": {"type": "string", "description": "a remark about the data, for people"},
   "lengthUnit": {"type": "string", "description": "unit of lengths and coordinates; left out if the files do not state it"},
   "timeUnit": {"type": "string", "description": "unit of times; left out if the files do not state it"},
@@ -367,31 +376,23 @@ const std::string_view schemas_1 =
   "budget": {"type": "integer", "minimum": 0, "description": "memory that the time-steps may take", "x-unit": "bytes"}},
  "required": ["dataset", "steps", "bytes", "budget"],
  "additionalProperties": false},
-"AsideRecord": {
+"FamilyStep": {
  "type": "object",
- "description": "A record that could not be used when the server started.",
+ "description": "What came of a family at one time-step.",
  "properties": {
-  "type": {"type": "string", "description": "kind of record: rake, surface, bookmark or annotation"},
-  "id": {"type": "string", "description": "id of the record"},
-  "why": {"type": "string", "description": "why it could not be used"},
-  "since": {"type": "integer", "description": "when it was put aside", "x-unit": "s since 1970"}},
- "required": ["type", "id", "why", "since"],
- "additionalProperties": false},
-"KeptAside": {
- "type": "object",
- "description": "Records that could not be used when the server started. None of them is deleted.",
- "properties": {
-  "count": {"type": "integer", "minimum": 0, "description": "number of all such records"},
-  "records": {"type": "array", "description": "the newest 50 of them", "items": {"$ref": "#/components/schemas/AsideRecord"}}},
- "required": ["count", "records"],
- "additionalProperties": false},
-"Units": {
- "type": "object",
- "description": "The units that the people of a session have typed.",
- "properties": {
-  "length": {"type": "string", "description": "unit of lengths; empty: as in dataset.describe"},
-  "time": {"type": "string", "description": "unit of times; empty: as in dataset.describe"}},
- "required": ["length", "time"],
+  "index": {"type": "integer", "minimum": 0, "description": "index of the time-step"},
+  "time": {"type": "number", "description": "its time", "x-unit": "the dataset's unit of time"},
+  "nodes": {"type": "integer", "minimum": 0, "description": "number of nodes"},
+  "reached": {"type": "integer", "minimum": 0, "description": "nodes whose way leads to the source: only these have a value"},
+  "atRest": {"type": "integer", "minimum": 0, "description": "nodes that are at rest, or come to rest"},
+  "obstacle": {"type": "integer", "minimum": 0, "description": "nodes in an obstacle, or whose way ends at one"},
+  "lost": {
+   "type": "integer",
+   "minimum": 0,
+   "description": "nodes that were followed for `length` without an end, as where the flow turns in circles"},
+  "outside": {"type": "integer", "minimum": 0, "description": "nodes whose way leaves the domain beside the source, and nodes without a velocity"},
+  "range": {"type": "array", "minItems": 2, "maxItems": 2, "description": "smallest and largest value", "items": {"type": "number"}}},
+ "required": ["index", "time", "nodes", "reached", "atRest", "obstacle", "lost", "outside", "range"],
  "additionalProperties": false})json";
 
 } // namespace wakesurf::protocol::openrpc

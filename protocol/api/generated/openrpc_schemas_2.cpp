@@ -3,7 +3,81 @@
 
 namespace wakesurf::protocol::openrpc {
 
-const std::string_view schemas_2 = R"json("Snapshot": {
+const std::string_view schemas_2 = R"json("Family": {
+ "type": "object",
+ "description": "A family of stream surfaces of a dataset, with what it was made from.",
+ "properties": {
+  "name": {"type": "string", "minLength": 1, "maxLength": 64, "description": "name of the field: letters, digits, and _ - ."},
+  "from": {
+   "enum": ["inflow", "plane", "curve"],
+   "description": "where the scalar is given; inflow: on the boundary through which the flow enters; plane: on a plane; curve: it is the distance from a curve, in the plane of the curve, so that the level 0 is the stream surface through the curve"},
+  "scalar": {"type": "string", "description": "of inflow and plane: x, y, z or the field that was taken there"},
+  "point": {
+   "type": "array",
+   "minItems": 3,
+   "maxItems": 3,
+   "description": "of a plane: a point of it",
+   "x-unit": "the dataset's unit of length",
+   "items": {"type": "number"}},
+  "normal": {
+   "type": "array",
+   "minItems": 3,
+   "maxItems": 3,
+   "description": "of a plane: its normal",
+   "x-unit": "the dataset's unit of length",
+   "items": {"type": "number"}},
+  "rakeKind": {
+   "enum": ["line", "polyline", "circle", "points"],
+   "description": "of a curve: what the points are, as of a rake: a line, a polyline in one plane, or a circle"},
+  "points": {
+   "type": "array",
+   "minItems": 2,
+   "maxItems": 1024,
+   "description": "of a curve: its points; the ends of a line or a polyline are continued straight",
+   "items": {
+    "type": "array",
+    "minItems": 3,
+    "maxItems": 3,
+    "description": "[x, y, z], finite as 32-bit floats",
+    "x-unit": "the dataset's unit of length",
+    "items": {"type": "number"}}},
+  "accuracy": {"enum": ["fast", "balanced", "exact"], "description": "how accurately particles are traced and vertices inserted"},
+  "length": {"type": "number", "exclusiveMinimum": 0, "description": "how far nodes were followed at most", "x-unit": "the dataset's unit of length"},
+  "version": {"type": "string", "description": "version of the program that made it"},
+  "steps": {
+   "type": "array",
+   "minItems": 1,
+   "description": "the time-steps it was made for; at others it has no value",
+   "items": {"$ref": "#/components/schemas/FamilyStep"}}},
+ "required": ["name", "from", "accuracy", "length", "version", "steps"],
+ "additionalProperties": false},
+"AsideRecord": {
+ "type": "object",
+ "description": "A record that could not be used when the server started.",
+ "properties": {
+  "type": {"type": "string", "description": "kind of record: rake, surface, bookmark or annotation"},
+  "id": {"type": "string", "description": "id of the record"},
+  "why": {"type": "string", "description": "why it could not be used"},
+  "since": {"type": "integer", "description": "when it was put aside", "x-unit": "s since 1970"}},
+ "required": ["type", "id", "why", "since"],
+ "additionalProperties": false},
+"KeptAside": {
+ "type": "object",
+ "description": "Records that could not be used when the server started. None of them is deleted.",
+ "properties": {
+  "count": {"type": "integer", "minimum": 0, "description": "number of all such records"},
+  "records": {"type": "array", "description": "the newest 50 of them", "items": {"$ref": "#/components/schemas/AsideRecord"}}},
+ "required": ["count", "records"],
+ "additionalProperties": false},
+"Units": {
+ "type": "object",
+ "description": "The units that the people of a session have typed.",
+ "properties": {
+  "length": {"type": "string", "description": "unit of lengths; empty: as in dataset.describe"},
+  "time": {"type": "string", "description": "unit of times; empty: as in dataset.describe"}},
+ "required": ["length", "time"],
+ "additionalProperties": false},
+"Snapshot": {
  "type": "object",
  "description": "All records of a session.",
  "properties": {

@@ -8,8 +8,8 @@ import re
 from dataclasses import dataclass, field
 
 FOLDER = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-NOUNS = ("server", "dataset", "session", "share", "presence", "rake", "surface", "subscription", "bookmark", "annotation", "history",
-         "time")
+NOUNS = ("server", "dataset", "family", "session", "share", "presence", "rake", "surface", "subscription", "bookmark", "annotation",
+         "history", "time")
 OTHERS = ("shared", "limits", "errors")
 
 # Words beside a reference that say something of its use and leave the shape what it is.

@@ -14,7 +14,8 @@ core::Result<OpenDataset> CatalogueDatasets::open(const std::string& id) const {
     return catalogue_.find(id).map([](const std::shared_ptr<const LoadedDataset>& loaded) {
         return OpenDataset{loaded->info,  protocol::lattice_over(loaded->info.bounds),
                            loaded->flow,  loaded->cache,
-                           loaded->store, loaded->levels};
+                           loaded->store, loaded->scalars,
+                           loaded->levels};
     });
 }
 

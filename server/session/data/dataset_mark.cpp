@@ -18,7 +18,8 @@ std::string words(const core::DatasetInfo& info) {
     if (info.grid == core::GridKind::Analytic)
         out += " " + info.name;
     for (const core::FieldInfo& each : info.fields)
-        out += fmt::format(";{}:{}", each.name, each.components);
+        if (!each.family) // anybody may make one of the same data
+            out += fmt::format(";{}:{}", each.name, each.components);
     return out;
 }
 

@@ -8,6 +8,7 @@
 #include "core/surface/level/level_source.hpp"
 #include "protocol/wire/lattice.hpp"
 #include "store/store_reader.hpp"
+#include "store/store_scalars.hpp"
 
 #include <memory>
 #include <string>
@@ -19,9 +20,10 @@ struct OpenDataset {
     core::DatasetInfo info;
     protocol::Lattice lattice;
     std::shared_ptr<const core::Flow> flow;
-    std::shared_ptr<core::TimeStepCache> cache{};      ///< null for a built-in flow
-    std::shared_ptr<const store::StoreReader> store{}; ///< null for a built-in flow
-    std::shared_ptr<const core::LevelSource> levels{}; ///< the same
+    std::shared_ptr<core::TimeStepCache> cache{};         ///< null for a built-in flow
+    std::shared_ptr<const store::StoreReader> store{};    ///< null for a built-in flow
+    std::shared_ptr<const store::StoreScalars> scalars{}; ///< of the store; likewise
+    std::shared_ptr<const core::LevelSource> levels{};    ///< the same
 };
 
 /// Loop thread only; nothing here waits for a disk.

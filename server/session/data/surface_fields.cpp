@@ -23,9 +23,8 @@ static_assert(protocol::surface_attributes.size() + limits::fields <= protocol::
 /// Nothing where the name is none of the dataset's and of ours.
 std::optional<SurfaceField> lookup(const OpenDataset& dataset, const std::string& name) {
     using Source = SurfaceField::Source;
-    if (dataset.store != nullptr)
-        if (const auto scalar = store::find_scalar(dataset.store->layout(), name))
-            return SurfaceField{name, Source::Scalar, *scalar};
+    if (dataset.scalars != nullptr && dataset.scalars->find(name))
+        return SurfaceField{name, Source::Scalar};
     if (name == dataset.info.velocity)
         return SurfaceField{name, Source::Speed};
     const auto& components = core::velocity_component_names;
@@ -70,9 +69,8 @@ std::vector<float> component_of(const core::QuadComplex& mesh, std::size_t axis)
 
 std::vector<std::string> field_names(const OpenDataset& dataset) {
     std::vector<std::string> names;
-    if (dataset.store != nullptr)
-        for (const store::StoredScalar& each : dataset.store->layout().scalars)
-            names.push_back(each.name);
+    if (dataset.scalars != nullptr)
+        names = dataset.scalars->names();
     names.push_back(dataset.info.velocity);
     std::vector<std::string_view> derived{core::deformation_name, core::approximated_name,
                                           core::error_name};
@@ -131,7 +129,7 @@ bool asks_for(std::span<const SurfaceField> fields, SurfaceField::Source source)
 
 core::Result<protocol::MeshFields> sample_fields(std::span<const SurfaceField> fields,
                                                  const core::Flow& flow,
-                                                 const store::StoreReader* store,
+                                                 const store::StoreScalars* scalars,
                                                  const core::QuadComplex& mesh,
                                                  const std::function<std::vector<double>()>& times,
                                                  const std::stop_token& stop) {
@@ -163,7 +161,12 @@ core::Result<protocol::MeshFields> sample_fields(std::span<const SurfaceField> f
         } else if (field.source == Source::Gradient) {
             out.push_back(std::move((*gradients)[next++]));
         } else {
-            auto values = core::sample_scalar(flow, *store, field.index, mesh.position, when, stop);
+            const auto scalar = scalars->find(field.name);
+            if (!scalar) {
+                out.push_back(values_of<float>({}, mesh, std::numeric_limits<float>::quiet_NaN()));
+                continue;
+            }
+            auto values = core::sample_scalar(flow, *scalars, *scalar, mesh.position, when, stop);
             if (!values)
                 return tl::unexpected(values.error());
             out.push_back(std::move(*values));

@@ -5,7 +5,7 @@
 #include "core/field/flow.hpp"
 #include "core/surface/quad_complex.hpp"
 #include "protocol/wire/wire_mesh.hpp"
-#include "store/store_reader.hpp"
+#include "store/store_scalars.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -32,12 +32,12 @@ struct SurfaceField {
 
     std::string name;
     Source source = Source::Scalar;
-    std::size_t index = 0; ///< of the scalar in the store, or of the component
+    std::size_t index = 0; ///< of the component
 
     bool operator==(const SurfaceField&) const = default;
 };
 
-/// What a surface's `fields` may name: the stored scalars, the velocity, what the engine derives.
+/// What a surface's `fields` may name: the stored scalars and families, the velocity, what the engine derives.
 std::vector<std::string> field_names(const OpenDataset& dataset);
 
 /// A stored scalar, the velocity for its magnitude, or what the engine derives; a scalar of the dataset goes before what is
@@ -55,12 +55,12 @@ std::vector<SurfaceField> fields_there(const OpenDataset& dataset,
 bool asks_for(std::span<const SurfaceField> fields, SurfaceField::Source source);
 
 /// Each field at each vertex; not finite where a stored field has no value, the velocity no gradient, or the mesh no estimate of its error.
-/// @param store  which the flow is of; null for a built-in flow
+/// @param scalars  of the store that the flow is of; null for a built-in flow. One that is not there any more has no value
 /// @param times  one a vertex: when it is there. Asked for if a field that is sampled is among them
 /// Error: Cancelled, what reading reports.
 core::Result<protocol::MeshFields> sample_fields(std::span<const SurfaceField> fields,
                                                  const core::Flow& flow,
-                                                 const store::StoreReader* store,
+                                                 const store::StoreScalars* scalars,
                                                  const core::QuadComplex& mesh,
                                                  const std::function<std::vector<double>()>& times,
                                                  const std::stop_token& stop);

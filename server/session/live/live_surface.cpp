@@ -167,7 +167,7 @@ std::uint32_t LiveSurface::refuse(core::SurfaceKind kind, core::Error error, boo
     building_ = false;
     held_ = rest;
     wanted_.plan.parameters.kind = kind;
-    renew_data(nullptr, nullptr, nullptr); // of data that may be no more
+    renew_data({}); // of data that may be no more
     error_ = std::move(error);
     services_.loop.post([weak = weak_from_this(), epoch = epoch_] {
         const auto self = weak.lock();
@@ -293,11 +293,9 @@ void LiveSurface::start(Pace pace, const SurfacePass& pass) {
         session_, pace,
         [build = build_, pass, pace, stop = running.stop.get_token(), weak = weak_from_this(),
          services = services_, first = !full_, queued = running.since, wanted = running.wanted,
-         work = running.work, flow = wanted_.plan.flow, store = wanted_.store,
-         levels = wanted_.plan.levels] {
+         work = running.work, wanted_job = wanted_] {
             const auto start = services.clock.now();
-            if (build->job().plan.flow != flow)
-                build->renew_data(flow, store, levels);
+            build->renew_data(wanted_job);
             auto result =
                 std::make_shared<core::Result<Update>>(build->run(pass, stop, work.get()));
             const std::chrono::duration<double> taken = services.clock.now() - start;

@@ -6,6 +6,7 @@
 #include "server/base/loop.hpp"
 #include "server/compute/compute_pool.hpp"
 #include "server/compute/pass_budgets.hpp"
+#include "server/session/data/datasets.hpp"
 #include "server/session/live/build_progress.hpp"
 #include "server/session/live/frame_cursor.hpp"
 #include "server/session/live/surface_build.hpp"
@@ -106,12 +107,11 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
     bool busy() const;
 
     /// The same data, opened again: lets go of the old one's time-steps.
-    void renew_data(std::shared_ptr<const core::Flow> flow,
-                    std::shared_ptr<const store::StoreReader> store,
-                    std::shared_ptr<const core::LevelSource> levels) {
-        wanted_.plan.flow = std::move(flow);
-        wanted_.plan.levels = std::move(levels);
-        wanted_.store = std::move(store);
+    void renew_data(const OpenDataset& data) {
+        wanted_.plan.flow = data.flow;
+        wanted_.plan.levels = data.levels;
+        wanted_.store = data.store;
+        wanted_.scalars = data.scalars;
     }
 
     /// Stops computing and answers everybody who waits with NotFound.

@@ -32,13 +32,14 @@ core::Result<ProbeField> sample_field(const OpenDataset& dataset,
                                       const std::stop_token& stop) {
     if (name == dataset.info.velocity)
         return sample_velocity(dataset, request, times, stop);
-    if (dataset.store == nullptr)
+    if (dataset.scalars == nullptr)
         return fail(Error::Code::NotFound, "there is no field " + name,
                     "a built-in flow has only its velocity");
-    const auto scalar = store::find_scalar(dataset.store->layout(), name);
+    const auto scalar = dataset.scalars->find(name);
     if (!scalar)
         return tl::unexpected(scalar.error());
-    return core::sample_scalar(*dataset.flow, *dataset.store, *scalar, request.points, times, stop)
+    return core::sample_scalar(*dataset.flow, *dataset.scalars, *scalar, request.points, times,
+                               stop)
         .map([&](std::vector<float> values) {
             return ProbeField{name, {}, std::move(values)};
         });

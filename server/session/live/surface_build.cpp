@@ -56,17 +56,18 @@ std::size_t SurfaceBuild::shrink_history(std::size_t bytes) {
     return played_->bytes();
 }
 
-void SurfaceBuild::renew_data(std::shared_ptr<const core::Flow> flow,
-                              std::shared_ptr<const store::StoreReader> store,
-                              std::shared_ptr<const core::LevelSource> levels) {
+void SurfaceBuild::renew_data(const SurfaceJob& job) {
+    job_.scalars = job.scalars;
+    job_.plan.levels = job.plan.levels;
+    if (job_.plan.flow == job.plan.flow)
+        return;
     if (place_) // it follows the old one
         place_->clear();
     played_.reset();
     grown_.reset();
     last_ = Source::Nothing;
-    job_.plan.flow = std::move(flow);
-    job_.plan.levels = std::move(levels);
-    job_.store = std::move(store);
+    job_.plan.flow = job.plan.flow;
+    job_.store = job.store;
 }
 
 core::Result<Update>
@@ -188,7 +189,7 @@ core::Result<protocol::MeshFields> SurfaceBuild::fields_of(const core::Surface& 
     if (auto room = work.takes(sampling_memory(surface.mesh.vertices())); !room)
         return tl::unexpected(room.error());
     return sample_fields(
-        job_.fields, *job_.plan.flow, job_.store.get(), surface.mesh,
+        job_.fields, *job_.plan.flow, job_.scalars.get(), surface.mesh,
         [&] { return core::vertex_times(surface, p); }, stop);
 }
 
@@ -203,7 +204,7 @@ SurfaceBuild::level(double age, const std::stop_token& stop, const Work& work) c
     if (auto room = work.takes(sampling_memory(surface->mesh.vertices())); !room)
         return tl::unexpected(room.error());
     auto fields = sample_fields(
-        job_.fields, *job_.plan.flow, job_.store.get(), surface->mesh,
+        job_.fields, *job_.plan.flow, job_.scalars.get(), surface->mesh,
         [&] { return std::vector<double>(surface->mesh.vertices(), time); }, stop);
     if (!fields)
         return tl::unexpected(fields.error());
@@ -278,7 +279,7 @@ core::Result<SurfaceBuild::Shown> SurfaceBuild::play_within(std::size_t bytes,
     if (auto room = work.takes(sampling_memory(shown->mesh.mesh.vertices())); !room)
         return tl::unexpected(room.error());
     auto fields = sample_fields(
-        job_.fields, *job_.plan.flow, job_.store.get(), shown->mesh.mesh,
+        job_.fields, *job_.plan.flow, job_.scalars.get(), shown->mesh.mesh,
         [&] { return std::vector<double>(shown->mesh.mesh.vertices(), shown->time); }, stop);
     if (!fields)
         return tl::unexpected(fields.error());

@@ -47,10 +47,9 @@ class SurfaceBuild {
 
     const SurfaceJob& job() const { return job_; }
 
-    /// The same data, opened again. Frees what was made from the old: not for the network thread.
-    void renew_data(std::shared_ptr<const core::Flow> flow,
-                    std::shared_ptr<const store::StoreReader> store,
-                    std::shared_ptr<const core::LevelSource> levels);
+    /// The flow and the store of a job of the same data, which were perhaps opened again. Frees what was made from others: not for
+    /// the network thread.
+    void renew_data(const SurfaceJob& job);
 
   private:
     /// Where a mesh comes from: ids last within one source.

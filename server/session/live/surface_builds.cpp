@@ -39,7 +39,8 @@ core::Result<SurfaceJob> SurfaceBuilds::job_for(const protocol::SurfaceRecord& r
         return tl::unexpected(plan.error());
     if (auto there = core::take_levels(*plan, open->levels); !there)
         return tl::unexpected(there.error());
-    return SurfaceJob{0, 0, std::move(*plan), open->store, std::move(fields), open->lattice};
+    return SurfaceJob{
+        0, 0, std::move(*plan), open->store, open->scalars, std::move(fields), open->lattice};
 }
 
 std::uint32_t SurfaceBuilds::build(const protocol::SurfaceRecord& record, SurfaceJob job) {
@@ -198,7 +199,7 @@ void SurfaceBuilds::try_again(const std::string& surface, LiveSurface& live) {
     if (!open)
         return;
     if (outcome.statistics.stopped.empty() && !outcome.error)
-        return live.renew_data(open->flow, open->store, open->levels);
+        return live.renew_data(*open);
     auto job = job_for(*record);
     if (job)
         events_.rebuilt(surface, live.rebuild(std::move(*job), live.resting()));

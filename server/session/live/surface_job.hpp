@@ -15,7 +15,8 @@ struct SurfaceJob {
     std::uint32_t number = 0; ///< of the surface on the wire
     std::uint32_t epoch = 0;
     core::SurfacePlan plan;
-    std::shared_ptr<const store::StoreReader> store; ///< of the flow; null for a built-in one
+    std::shared_ptr<const store::StoreReader> store;    ///< of the flow; null for a built-in one
+    std::shared_ptr<const store::StoreScalars> scalars; ///< of the store
     std::vector<SurfaceField> fields;
     protocol::Lattice lattice;
 };

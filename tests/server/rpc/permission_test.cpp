@@ -46,6 +46,8 @@ const std::map<std::string, Row> rows{
     {"dataset.describe", {Role::Viewer, About::Nothing}},
     {"dataset.suggest", {Role::Viewer, About::Nothing}},
     {"dataset.open", {Role::Viewer, About::Nothing}},
+    {"family.make", {Role::Editor, About::Nothing}},
+    {"family.remove", {Role::Editor, About::Server}}, // other sessions may show it
     {"cache.status", {Role::Viewer, About::Nothing}},
     {"probe.sample", {Role::Viewer, About::Nothing}},
     {"session.create", {Role::Editor, About::Server}},

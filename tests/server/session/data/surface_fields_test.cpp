@@ -66,6 +66,8 @@ class ShearStore {
         dataset_.info.bounds = grid.bounds();
         dataset_.lattice = protocol::lattice_over(grid.bounds());
         dataset_.store = tests::open_layout(layout).value();
+        dataset_.scalars =
+            store::StoreScalars::open(dataset_.store, std::make_shared<core::PosixDisk>());
         dataset_.flow = core::make_stored_flow(
             std::make_shared<core::TimeStepCache>(dataset_.store, core::TimeStepCache::Options{}));
     }
@@ -85,6 +87,7 @@ class ShearStore {
             p.sweep = Vec3(0, 0, 0.5);
         job.plan = core::plan_surface(dataset_.flow, rake, p).value();
         job.store = dataset_.store;
+        job.scalars = dataset_.scalars;
         job.lattice = dataset_.lattice;
         job.fields = fields_there(dataset_, fields);
         return job;
@@ -368,7 +371,7 @@ TEST(SurfaceFields, NamesAreFoundInTheDatasetFirst) {
     using Source = SurfaceField::Source;
     EXPECT_EQ(find_field(store.dataset(), "p").value(), (SurfaceField{"p", Source::Scalar, 0}));
     EXPECT_EQ(find_field(store.dataset(), "holes").value(),
-              (SurfaceField{"holes", Source::Scalar, 1}));
+              (SurfaceField{"holes", Source::Scalar}));
     EXPECT_EQ(find_field(store.dataset(), "U").value().source, Source::Speed);
     EXPECT_EQ(find_field(store.dataset(), "deformation").value().source, Source::Deformation);
     const auto unknown = find_field(store.dataset(), "T");

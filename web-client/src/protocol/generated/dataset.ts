@@ -1,6 +1,7 @@
 // Made by protocol/api/generate from dataset.schema.json: do not edit.
 import { flag, list, members, number, oneOf, optional, orNull, point, text, tuple, whole } from '../checks.ts';
 import type { Vec3 } from '../vec3.ts';
+import { type Family, familyCheck } from './family.ts';
 import { type Lattice, type Problem, latticeCheck, problemCheck } from './shared.ts';
 import { type SurfaceKind, surfaceKindCheck } from './surface.ts';
 
@@ -40,6 +41,8 @@ export interface DatasetEntry {
      * may be
      */
     velocities?: string[];
+    /** names of the families of stream surfaces that are kept with its data; left out if there are none */
+    families?: string[];
     /** why the import failed or ended early */
     error?: Problem;
 }
@@ -53,6 +56,7 @@ export const datasetEntryCheck = members<DatasetEntry>({
     remaining: optional(number),
     values: optional(text),
     velocities: optional(list(text)),
+    families: optional(list(text)),
     error: optional(problemCheck),
 });
 
@@ -68,6 +72,8 @@ export interface Field {
     range: [number | null, number | null];
     /** unit of the values, as stated in the files */
     unit?: string;
+    /** true: a family of stream surfaces, which was made from the velocity by family.make */
+    family?: boolean;
 }
 
 export const fieldCheck = members<Field>({
@@ -76,6 +82,7 @@ export const fieldCheck = members<Field>({
     source: oneOf(['point', 'cell']),
     range: list(orNull(number), 2),
     unit: optional(text),
+    family: optional(flag),
 });
 
 /** The description of a dataset. */
@@ -116,6 +123,8 @@ export interface Dataset {
     smooth: boolean;
     /** names that `fields` of surface.set accepts */
     surfaceFields: string[];
+    /** families of stream surfaces, which are among its fields; left out if there are none */
+    families?: Family[];
     /** a remark about the data, for people */
     note?: string;
     /** unit of lengths and coordinates; left out if the files do not state it */
@@ -149,6 +158,7 @@ export const datasetCheck = members<Dataset>({
     lattice: latticeCheck,
     smooth: flag,
     surfaceFields: list(text),
+    families: optional(list(familyCheck)),
     note: optional(text),
     lengthUnit: optional(text),
     timeUnit: optional(text),

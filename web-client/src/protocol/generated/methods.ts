@@ -26,6 +26,7 @@ import type {
     ProbeSampleParams,
     ProbeSampleResult,
 } from './dataset.ts';
+import type { Family, FamilyMakeParams, FamilyRemoveParams } from './family.ts';
 import type { HistoryRedoParams, HistoryRedoResult, HistoryUndoParams, HistoryUndoResult } from './history.ts';
 import type { PresenceUpdateParams } from './presence.ts';
 import type { RakeDeleteParams, RakeListParams, RakeListResult, RakeSetParams, RakeSetResult } from './rake.ts';
@@ -130,6 +131,14 @@ export interface Methods {
     'cache.status': { params: CacheStatusParams; result: CacheStatus };
     /** Returns the values of fields at points and one time, interpolated as at the vertices of surfaces. */
     'probe.sample': { params: ProbeSampleParams; result: ProbeSampleResult };
+    /**
+     * Carries a scalar along the streamlines of one time-step to all nodes of a dataset, and keeps it there as a
+     * scalar field: surfaces are coloured by it, files and probes have it. Answers once it is kept. $/cancelRequest,
+     * or a lost connection, ends the work, and nothing is kept.
+     */
+    'family.make': { params: FamilyMakeParams; result: Family };
+    /** Removes a family, and its files. Surfaces that show it are shown without it. */
+    'family.remove': { params: FamilyRemoveParams; result: object };
     /**
      * Makes a new, empty session. When there are too many sessions, one without a name that no one has edited or
      * shared and no one is in is removed; no other session ever is.

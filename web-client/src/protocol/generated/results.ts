@@ -26,6 +26,7 @@ import {
     suggestedRakeCheck,
     suggestedSurfaceCheck,
 } from './dataset.ts';
+import { familyCheck } from './family.ts';
 import { type HistoryRedoResult, type HistoryUndoResult, changeCheck, skipCheck } from './history.ts';
 import { limitsCheck } from './limits.ts';
 import type { Methods } from './methods.ts';
@@ -108,6 +109,8 @@ export const resultChecks: { [Name in keyof Methods]: Check<Methods[Name]['resul
     }),
     'cache.status': cacheStatusCheck,
     'probe.sample': members<ProbeSampleResult>({ values: mapOf(list(either([orNull(number), point]))), inside: list(flag) }),
+    'family.make': familyCheck,
+    'family.remove': anyObject,
     'session.create': sessionMadeCheck,
     'session.fork': members<SessionForkResult>({
         session: text,

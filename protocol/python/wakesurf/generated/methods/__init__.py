@@ -11,6 +11,7 @@ from .annotation import AnnotationMethods
 from .bookmark import BookmarkMethods
 from .cache import CacheMethods
 from .dataset import DatasetMethods
+from .family import FamilyMethods
 from .frame import FrameMethods
 from .history import HistoryMethods
 from .presence import PresenceMethods
@@ -32,6 +33,7 @@ class Methods:
         self.dataset = DatasetMethods(call, session)
         self.cache = CacheMethods(call, session)
         self.probe = ProbeMethods(call, session)
+        self.family = FamilyMethods(call, session)
         self.session = SessionMethods(call, session)
         self.presence = PresenceMethods(call, session)
         self.rake = RakeMethods(call, session)

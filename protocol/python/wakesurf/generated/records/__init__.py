@@ -7,6 +7,7 @@ from .server import (Quantiles, CacheStanding, MemoryStanding, Stages, RpcDiscov
                      ServerStatsResult)
 from .dataset import (Steps, DatasetEntry, Field, Dataset, SuggestedSurface, SuggestedRake, CacheStatus,
                       DatasetListResult, DatasetSuggestResult, ProbeSampleResult)
+from .family import FamilyStep, Family
 from .session import (AsideRecord, KeptAside, Units, Snapshot, SessionName, SessionMade, TimesOfDataset, NamedDataset,
                       FileRecords, SessionFile, Visitor, SessionEntry, Patch, Joined, SessionForkResult,
                       SessionListResult, SessionStateResult, SessionDeleteResult, SessionExportResult,
@@ -24,15 +25,15 @@ from .history import Change, Skip, HistoryDepth, HistoryUndoResult, HistoryRedoR
 from .time import ClockRecord, ClockAnswer
 
 __all__ = ["Lattice", "Problem", "Quantiles", "CacheStanding", "MemoryStanding", "Stages", "Steps", "DatasetEntry",
-           "Field", "Dataset", "SuggestedSurface", "SuggestedRake", "CacheStatus", "AsideRecord", "KeptAside", "Units",
-           "Snapshot", "SessionName", "SessionMade", "TimesOfDataset", "NamedDataset", "FileRecords", "SessionFile",
-           "Visitor", "SessionEntry", "Patch", "Joined", "ShareMaker", "Share", "Camera", "DraggedRake", "Presence",
-           "Participant", "RakeRecord", "SurfaceEpoch", "SurfaceRecord", "SurfaceSetResult", "PassSeconds",
-           "Terminations", "BuildSeconds", "Emptiness", "Statistics", "ValueRange", "BookmarkRecord",
-           "AnnotationRecord", "Change", "Skip", "HistoryDepth", "ClockRecord", "ClockAnswer", "RpcDiscoverResult",
-           "ServerInfoResult", "ServerStatsResult", "DatasetListResult", "DatasetSuggestResult", "ProbeSampleResult",
-           "SessionForkResult", "SessionListResult", "SessionStateResult", "SessionDeleteResult", "SessionExportResult",
-           "SessionImportResult", "SessionShareResult", "SessionSharesResult", "SessionUnshareResult",
-           "SessionSetRoleResult", "RakeSetResult", "RakeListResult", "SurfaceStopResult", "SurfaceListResult",
-           "SurfaceSubscribeResult", "BookmarkSetResult", "BookmarkListResult", "AnnotationSetResult",
-           "AnnotationListResult", "HistoryUndoResult", "HistoryRedoResult"]
+           "Field", "Dataset", "SuggestedSurface", "SuggestedRake", "CacheStatus", "FamilyStep", "Family",
+           "AsideRecord", "KeptAside", "Units", "Snapshot", "SessionName", "SessionMade", "TimesOfDataset",
+           "NamedDataset", "FileRecords", "SessionFile", "Visitor", "SessionEntry", "Patch", "Joined", "ShareMaker",
+           "Share", "Camera", "DraggedRake", "Presence", "Participant", "RakeRecord", "SurfaceEpoch", "SurfaceRecord",
+           "SurfaceSetResult", "PassSeconds", "Terminations", "BuildSeconds", "Emptiness", "Statistics", "ValueRange",
+           "BookmarkRecord", "AnnotationRecord", "Change", "Skip", "HistoryDepth", "ClockRecord", "ClockAnswer",
+           "RpcDiscoverResult", "ServerInfoResult", "ServerStatsResult", "DatasetListResult", "DatasetSuggestResult",
+           "ProbeSampleResult", "SessionForkResult", "SessionListResult", "SessionStateResult", "SessionDeleteResult",
+           "SessionExportResult", "SessionImportResult", "SessionShareResult", "SessionSharesResult",
+           "SessionUnshareResult", "SessionSetRoleResult", "RakeSetResult", "RakeListResult", "SurfaceStopResult",
+           "SurfaceListResult", "SurfaceSubscribeResult", "BookmarkSetResult", "BookmarkListResult",
+           "AnnotationSetResult", "AnnotationListResult", "HistoryUndoResult", "HistoryRedoResult"]

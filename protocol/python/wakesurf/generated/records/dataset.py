@@ -8,6 +8,7 @@ from typing import Any, Dict, List, Literal, Optional, TYPE_CHECKING, TypedDict
 
 if TYPE_CHECKING:
     from .shared import Lattice, Problem
+    from .family import Family
 
 
 class Steps(TypedDict, total=False):
@@ -28,6 +29,7 @@ class DatasetEntry(TypedDict, total=False):
     remaining: float  # time that the import still needs (s); may be missing
     values: str  # what the values that are stored are told from others by; left out for a built-in flow; may be missing
     velocities: List[str]  # of a dataset that failed because it is not clear which field is the velocity: what ...
+    families: List[str]  # names of the families of stream surfaces that are kept with its data; left out if there ...
     error: Problem  # why the import failed or ended early; may be missing
 
 
@@ -39,6 +41,7 @@ class Field(TypedDict, total=False):
     source: Literal["point", "cell"]  # whether the files have the values at points or in cells
     range: List[Optional[float]]  # smallest and largest value (for a vector, of its magnitude); null: unknown
     unit: str  # unit of the values, as stated in the files; may be missing
+    family: bool  # true: a family of stream surfaces, which was made from the velocity by family.make; may be missing
 
 
 class Dataset(TypedDict, total=False):
@@ -62,6 +65,7 @@ class Dataset(TypedDict, total=False):
     lattice: Lattice  # lattice of the frames of its surfaces
     smooth: bool  # true: surface.set accepts `interpolation` smooth
     surfaceFields: List[str]  # names that `fields` of surface.set accepts
+    families: List[Family]  # families of stream surfaces, which are among its fields; left out if there are none; ...
     note: str  # a remark about the data, for people; may be missing
     lengthUnit: str  # unit of lengths and coordinates; left out if the files do not state it; may be missing
     timeUnit: str  # unit of times; left out if the files do not state it; may be missing

@@ -1,0 +1,64 @@
+// The scalar fields of a store as those who sample them see them: what was imported, then the families that were made since.
+#pragma once
+
+#include "core/base/disk.hpp"
+#include "core/dataset/scalar_source.hpp"
+#include "core/dataset/scalar_steps.hpp"
+#include "store/store_reader.hpp"
+#include "store/stored_families.hpp"
+
+#include <cstddef>
+#include <memory>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace wakesurf::store {
+
+/// As the families were when it was opened; opening it again costs the reading of one small file. Thread safety: concurrent calls are fine.
+class StoreScalars final : public core::ScalarSource {
+  public:
+    /// Without those whose velocities are not there any more. A families.json that cannot be read counts as none.
+    static std::shared_ptr<const StoreScalars> open(std::shared_ptr<const StoreReader> reader,
+                                                    std::shared_ptr<const core::Disk> disk);
+
+    const std::vector<core::FamilyRecord>& families() const { return records_; }
+
+    /// Changes with the families and their values; empty: there are none.
+    const std::string& mark() const { return mark_; }
+
+    /// Of all, in the order of their numbers.
+    std::vector<std::string> names() const;
+
+    /// Its number. Error: NotFound, listing what there is.
+    core::Result<std::size_t> find(std::string_view name) const;
+
+    const std::vector<double>& times() const override { return reader_->times(); }
+
+    /// Of a family at a time-step that it was not made for: no value at any node; also once it was removed.
+    core::Result<std::shared_ptr<const core::Slab>> scalar_values(
+        std::size_t scalar, std::size_t index, const std::stop_token& stop) const override;
+
+    /// What is kept of families at most.
+    std::size_t family_memory() const;
+
+  private:
+    StoreScalars(std::shared_ptr<const StoreReader> reader,
+                 std::shared_ptr<const core::Disk> disk,
+                 std::vector<StoredFamily> families);
+
+    std::size_t imported() const { return reader_->layout().scalars.size(); }
+
+    core::Result<core::Slab> load(const StoredFamily& family, std::size_t index) const;
+
+    std::shared_ptr<const StoreReader> reader_;
+    std::shared_ptr<const core::Disk> disk_;
+    std::vector<StoredFamily> families_;
+    std::vector<core::FamilyRecord> records_;
+    std::string mark_;
+    std::size_t nodes_;
+    std::unique_ptr<core::ScalarSteps> kept_;
+};
+
+} // namespace wakesurf::store

@@ -1,0 +1,68 @@
+// families.json: which families of stream surfaces are kept beside a store's data, and in which files their values are. It is a file of
+// its own, since store.json is its importer's, which may be writing it.
+#pragma once
+
+#include "core/base/disk.hpp"
+#include "core/base/result.hpp"
+#include "core/surface/family/family_record.hpp"
+#include "store/value_marks.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace wakesurf::store {
+
+inline constexpr std::string_view families_file_name = "families.json";
+
+/// Of a dataset: each takes as much of the disk as a scalar field.
+inline constexpr std::size_t most_families = 16;
+
+struct StoredFamily {
+    struct Sums {
+        std::uint32_t velocity = 0; ///< CRC-32C of what its nodes were traced through
+        std::uint32_t values = 0;   ///< CRC-32C of its own file
+
+        bool operator==(const Sums&) const = default;
+    };
+
+    core::FamilyRecord record;
+    std::string stem;       ///< of its files, which have 32 bits a value: <stem>_000000.f32
+    std::vector<Sums> sums; ///< one a step of the record
+
+    bool operator==(const StoredFamily&) const = default;
+};
+
+/// All that are in the folder; none where the file is not there. Error: Io, Corrupt.
+core::Result<std::vector<StoredFamily>> read_families(const std::filesystem::path& folder,
+                                                      const core::Disk& disk);
+
+/// Those of them, and those of their steps, that were traced through the velocities that are there now.
+std::vector<StoredFamily> current_families(std::vector<StoredFamily> families,
+                                           const ValueMarks& now);
+
+/// Error: Io where the folder cannot be written to, or its disk has less room than `bytes`.
+core::Result<void> check_room_for_family(const std::filesystem::path& folder, std::uint64_t bytes);
+
+/// Writes the values, then families.json with this one more: a reader sees it whole or not at all, and so does the next start after a
+/// power cut. One process at a time. Its stem and sums are chosen here. Those whose velocities are gone go with it.
+/// @param now     of the velocities it was traced through
+/// @param values  of each step
+/// @param taken   whether it may be added to those that are there: asked while no other can be added
+/// Error: what `taken` returns; OverLimit beyond most_families; Io, with nothing changed.
+core::Result<void>
+add_family(const std::filesystem::path& folder,
+           const ValueMarks& now,
+           core::FamilyRecord record,
+           std::span<const std::vector<float>> values,
+           const std::function<core::Result<void>(const std::vector<StoredFamily>&)>& taken);
+
+/// Error: NotFound, Io, Corrupt.
+core::Result<void> remove_family(const std::filesystem::path& folder, std::string_view name);
+
+} // namespace wakesurf::store
