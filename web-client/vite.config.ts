@@ -24,7 +24,8 @@ const pythonClient: Plugin = {
 };
 
 /** Parts of three's shaders that no material of the page has: of physically based and of cartoon-like ones. */
-const unusedShaders = /^(?:var|const) ((?:lights_physical|lights_toon|transmission)_\w+) = ".*";$/gm;
+const unusedShaders =
+    /^(?:var|const) ((?:lights_physical|lights_toon|transmission|iridescence|clearcoat|cube_uv_reflection|envmap_physical)_\w+) = ".*";$/gm;
 
 /** Lines of comments, and comments of several lines, which only those in shaders get as far as the bundle. */
 const comments = /^[ \t]*(?:\/\/.*|\/\*\*[\s\S]*?\*\/[ \t]*)\n/gm;

@@ -14,6 +14,8 @@ export interface FlatFlow {
     /** The velocity's size and direction (radians) at the left end and at the right end. */
     speed: readonly [number, number];
     angle: readonly [number, number];
+    /** Of the camera, onto the middle of the sheet. */
+    zoom?: number;
     /** Of all vertices, see worker/unresolved.ts. */
     unresolved?: readonly [number, number];
 }
@@ -91,7 +93,7 @@ class Picture {
         this.layer.set('s', sheet(flow, time));
         const { camera } = this;
         [camera.left, camera.right, camera.bottom, camera.top] = [-size / 2, size / 2, -height / 2, height / 2];
-        [camera.near, camera.far] = [0, 4 * size];
+        [camera.near, camera.far, camera.zoom] = [0, 4 * size, flow.zoom ?? 1];
         camera.updateProjectionMatrix();
         camera.position.set(x + size / 2, y + height / 2, z + 2 * size);
         camera.updateMatrixWorld();

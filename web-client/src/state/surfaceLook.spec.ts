@@ -11,6 +11,7 @@ const other: SurfaceLook = {
     rangeOf: 'data',
     centre: 0,
     backSide: 'tinted',
+    points: true,
     opacity: 0.4,
     angleOpacity: true,
     smoke: 0.5,

@@ -30,6 +30,8 @@ export interface SurfaceLook {
     /** The colours are symmetric round this value. */
     centre: number | null;
     backSide: BackSide;
+    /** Discs at its vertices instead of its cells. */
+    points: boolean;
     opacity: number;
     /** Thicker where it is seen edge-on, as a layer is. */
     angleOpacity: boolean;
@@ -67,6 +69,7 @@ export const usualLook: SurfaceLook = {
     rangeOf: 'surface',
     centre: null,
     backSide: 'shaded',
+    points: false,
     opacity: 1,
     angleOpacity: false,
     smoke: 0,
@@ -111,6 +114,7 @@ const checks: Record<keyof SurfaceLook, (value: unknown) => boolean> = {
     rangeOf: isOneOf(rangesOf),
     centre: (value) => value === null || isNumber(value),
     backSide: isOneOf(backSides),
+    points: isFlag,
     opacity: isPart,
     angleOpacity: isFlag,
     smoke: isPart,

@@ -6,6 +6,7 @@ import { bodyPush } from './bodyDepth.ts';
 import { ContactShade, shadedLayer } from './contactShade.ts';
 import { grainsPerLength } from './flowTextureShader.ts';
 import { decodeMask } from './maskCode.ts';
+import { Splats } from './splats.ts';
 import { SurfaceMask, type BrushPrint } from './surfaceMask.ts';
 import { SurfaceMesh, type SurfaceVertex } from './surfaceMesh.ts';
 import { noPlanes, sharedUniforms, SurfaceMaterials } from './surfaceMaterial.ts';
@@ -25,6 +26,7 @@ export interface DrawnSurface {
     materials: SurfaceMaterials;
     style: SurfaceStyle;
     mask: SurfaceMask | null;
+    splats: Splats | null;
 }
 
 /** What a surface spans, as it is drawn. */
@@ -109,13 +111,14 @@ export class SurfaceLayer {
         let surface = this.surfaces.get(id);
         if (surface === undefined) {
             const materials = new SurfaceMaterials(this.textures, this.shared);
-            surface = { id, mesh: new SurfaceMesh(materials.opaque), materials, style: plainStyle, mask: null };
+            surface = { id, mesh: new SurfaceMesh(materials.opaque), materials, style: plainStyle, mask: null, splats: null };
             this.surfaces.set(id, surface);
             surface.mesh.mesh.layers.enable(shadedLayer);
             this.object.add(surface.mesh.mesh);
             this.wish(surface);
         }
         surface.mesh.update(change);
+        surface.splats?.update(surface.mesh.mesh.geometry, surface.mesh.vertices);
         this.restyle(surface);
     }
 
@@ -126,6 +129,7 @@ export class SurfaceLayer {
         this.surfaces.delete(id);
         this.object.remove(surface.mesh.mesh);
         this.transparency.hide(surface.mesh.mesh);
+        this.showPoints(surface, false);
         surface.mesh.dispose();
         surface.materials.dispose();
         surface.mask?.dispose();
@@ -225,6 +229,22 @@ export class SurfaceLayer {
         if (style.source === 'scalar') mesh.wantedScalar = style.scalar;
     }
 
+    private showPoints(surface: DrawnSurface, on: boolean): void {
+        if (on === (surface.splats !== null)) return;
+        const { mesh, materials } = surface;
+        if (surface.splats !== null) {
+            this.object.remove(surface.splats.mesh);
+            surface.splats.dispose();
+            surface.splats = null;
+            return;
+        }
+        this.object.remove(mesh.mesh);
+        this.transparency.hide(mesh.mesh);
+        surface.splats = new Splats(materials.splats);
+        surface.splats.update(mesh.mesh.geometry, mesh.vertices);
+        this.object.add(surface.splats.mesh);
+    }
+
     private restyle(surface: DrawnSurface): void {
         this.wish(surface);
         const wanted = this.styles.get(surface.id) ?? plainStyle;
@@ -234,6 +254,8 @@ export class SurfaceLayer {
         surface.style = here ? wanted : { ...wanted, ...coloursOf(surface.style) };
         if (surface.style.painting) this.maskOf(surface);
         materials.apply(surface.style, mesh);
+        this.showPoints(surface, surface.style.points);
+        if (surface.style.points) return;
         const transparent = isTransparent(surface.style);
         const plain = isPlain(surface.style) && !this.clipped;
         if (transparent) {

@@ -116,6 +116,8 @@ export class SurfaceMaterials {
     /** It lets little light through. */
     isDense = true;
     readonly plain: ShaderMaterial;
+    /** Discs at the vertices. */
+    readonly splats: ShaderMaterial;
     readonly opaque: ShaderMaterial;
     readonly blended: ShaderMaterial;
     readonly peeled: ShaderMaterial;
@@ -135,6 +137,7 @@ export class SurfaceMaterials {
         const uniforms = { ...this.own, ...shared };
         const common = { glslVersion: GLSL3, vertexShader, uniforms, side: DoubleSide };
         this.plain = new ShaderMaterial({ ...common, fragmentShader, defines: { PLAIN: 1 } });
+        this.splats = new ShaderMaterial({ ...common, fragmentShader, defines: { SPLATS: 1 } });
         this.opaque = new ShaderMaterial({ ...common, fragmentShader, defines: {} });
         this.blended = new ShaderMaterial({
             ...common,
@@ -190,16 +193,18 @@ export class SurfaceMaterials {
         own.range.value.set(low!, high!);
         this.isDense = style.opacity >= 0.5 && style.smoke === 0;
         own.backSide.value = backSides.indexOf(style.backSide);
-        own.silhouettes.value = style.silhouettes;
+        own.silhouettes.value = style.silhouettes && !style.points;
         own.angleOpacity.value = style.angleOpacity;
         own.smoke.value = style.smoke;
         own.fixedGrid.value = style.fixedGrid;
         own.stretchKnown.value = facts.hasStretch;
         own.areaPerSeed.value = style.areaPerSeed;
         own.ageSpan.value = Math.max(1e-30, ages[1]);
-        own.lines.value = patterns.indexOf(style.lines);
+        // What changes from pixel to pixel on cells does not on a disc.
+        own.lines.value = style.points ? 0 : patterns.indexOf(style.lines);
         own.lineDensity.value = style.density;
-        own.pieces.value = facts.hasUnits && (facts.hasFlow || style.pieces !== 'arrows') ? pieces.indexOf(style.pieces) : 0;
+        own.pieces.value =
+            !style.points && facts.hasUnits && (facts.hasFlow || style.pieces !== 'arrows') ? pieces.indexOf(style.pieces) : 0;
         own.pieceNear.value = nearestApart(style.pieceEvery);
         own.pieceWidth.value = style.pieceWidth;
         own.pieceT.value.copy(pieceT(facts));
@@ -216,7 +221,7 @@ export class SurfaceMaterials {
         this.texture = texture;
         if (texture === 'standing') this.shared.noise.value = this.textures.noise(false);
         if (texture === 'flowing') this.shared.waves.value = this.textures.noise(true);
-        for (const material of [this.plain, this.opaque, this.blended, this.peeled]) {
+        for (const material of [this.plain, this.splats, this.opaque, this.blended, this.peeled]) {
             const { TEXTURED: _textured, FLOWING: _flowing, ...others } = material.defines;
             const added = { none: {}, standing: { TEXTURED: 1 }, flowing: { TEXTURED: 1, FLOWING: 1 } }[texture];
             material.defines = { ...others, ...added };
@@ -225,6 +230,6 @@ export class SurfaceMaterials {
     }
 
     dispose(): void {
-        for (const material of [this.plain, this.opaque, this.blended, this.peeled, this.pick]) material.dispose();
+        for (const material of [this.plain, this.splats, this.opaque, this.blended, this.peeled, this.pick]) material.dispose();
     }
 }

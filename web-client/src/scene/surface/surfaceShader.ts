@@ -10,6 +10,13 @@ import { tableSize } from './colourMap.ts';
 
 export const vertexShader = `
 attribute vec2 seed;
+#ifdef SPLATS
+// Of a disc: its half axes, and a corner of the square round it.
+attribute vec3 axisU;
+attribute vec3 axisV;
+attribute vec2 corner;
+out vec2 onDisc;
+#endif
 attribute float scalar;
 attribute float stretch;
 attribute float cut;
@@ -41,7 +48,13 @@ ${flowVertexGlsl}
 invariant gl_Position;
 
 void main() {
-    vec4 inWorld = modelMatrix * vec4(position, 1.0);
+#ifdef SPLATS
+    vec3 at = position + corner.x * axisU + corner.y * axisV;
+    onDisc = corner;
+#else
+    vec3 at = position;
+#endif
+    vec4 inWorld = modelMatrix * vec4(at, 1.0);
     vec4 inView = viewMatrix * inWorld;
     worldPosition = inWorld.xyz;
     viewPosition = inView.xyz;
@@ -68,6 +81,9 @@ in vec2 place;
 in vec4 values;
 in vec3 flow;
 in vec2 unitLength;
+#ifdef SPLATS
+in vec2 onDisc;
+#endif
 in vec2 hidden;
 in float turned;
 uniform int source;
@@ -82,6 +98,9 @@ uniform sampler2D mask;
 uniform float opacity;
 
 bool isLeftOut() {
+#ifdef SPLATS
+    if (dot(onDisc, onDisc) > 1.0) return true;
+#endif
     return values.w > ${cutLevel}.5;
 }
 

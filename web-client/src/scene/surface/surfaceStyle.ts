@@ -30,6 +30,8 @@ export interface SurfaceStyle {
     tIsRelease: boolean;
     /** Where stripes begin. */
     tOrigin: number;
+    /** Discs at the vertices instead of the cells; nothing is seen through them. */
+    points: boolean;
     opacity: number;
     angleOpacity: boolean;
     /** 0 .. 1: how much stretching and age thin the surface out. */
@@ -74,6 +76,7 @@ export const plainStyle: SurfaceStyle = {
     backSide: 'shaded',
     tIsRelease: false,
     tOrigin: 0,
+    points: false,
     opacity: 1,
     angleOpacity: false,
     smoke: 0,

@@ -127,14 +127,14 @@ export function pieceLengths(
     return { pieceEvery: every, pieceWidth: Math.min(every, pieceWidth ?? usual) };
 }
 
-type Same = 'map' | 'centre' | 'backSide' | 'opacity' | 'angleOpacity' | 'smoke' | 'silhouettes' | 'lines';
+type Same = 'map' | 'points' | 'centre' | 'backSide' | 'opacity' | 'angleOpacity' | 'smoke' | 'silhouettes' | 'lines';
 type AlsoSame = 'density' | 'sWindow' | 'ageWindow' | 'painting' | 'faded';
 
 function pick(look: Pick<SurfaceLook, Same | AlsoSame>): Pick<SurfaceStyle, Same | AlsoSame> {
-    const { map, centre, backSide, opacity, angleOpacity, smoke, silhouettes, lines } = look;
+    const { map, points, centre, backSide, opacity, angleOpacity, smoke, silhouettes, lines } = look;
     const { density, sWindow, ageWindow, painting, faded } = look;
     return {
-        ...{ map, centre, backSide, opacity, angleOpacity, smoke, silhouettes, lines },
+        ...{ map, points, centre, backSide, opacity, angleOpacity, smoke, silhouettes, lines },
         ...{ density, sWindow, ageWindow, painting, faded },
     };
 }

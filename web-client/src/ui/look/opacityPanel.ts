@@ -43,6 +43,7 @@ export class OpacityPanel extends SignalElement {
                 change: (smoke) => this.change({ smoke, ...dimmed(look, smoke > 0, 0.9) }),
             })}
             <p class="quiet">Smoke thins where the surface has been stretched, and with age.</p>
+            ${checkRow('points', 'Points instead of cells', look.points, (points) => this.change({ points }))}
             ${checkRow('silhouettes', 'Outlines', look.silhouettes, (silhouettes) => this.change({ silhouettes }))}
             ${selectRow('back-side', 'Other side', sides, look.backSide, (backSide) => this.change({ backSide }))}
             ${checkRow('exact-order', 'Exact order when still', view.exactWhenStill.value, (on) => {
