@@ -81,9 +81,6 @@ TEST(FamilyMaking, LiesWithinACellOfTheStreamSurfaceOfTheBundledSimulation) {
             farthest = std::max(farthest, level.distance(p));
             ++looked;
         }
-    std::printf("%zu of %zu vertices, %.3f cells; %zu of %zu nodes\n", looked,
-                surface->mesh.vertices(), farthest / cell, std::size_t(counts.reached),
-                std::size_t(counts.nodes));
     EXPECT_GT(looked, 500u);
     EXPECT_LE(farthest, cell);
 }

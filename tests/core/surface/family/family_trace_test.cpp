@@ -123,7 +123,6 @@ TEST(FamilyTrace, HasTheValuesOfTheClosedFormsAndTheirErrorFallsWithTheTolerance
             const auto field = carried(*flow, grid, request);
             ASSERT_TRUE(field) << field.error().message;
             const double error = worst(*field, grid, each.expected);
-            std::printf("%s %d: %g\n", each.flow, int(accuracy), error);
             if (accuracy == Accuracy::Balanced)
                 EXPECT_LE(error, std::max(0.3 * before, 1e-5));
             if (accuracy == Accuracy::Exact)
@@ -133,6 +132,52 @@ TEST(FamilyTrace, HasTheValuesOfTheClosedFormsAndTheirErrorFallsWithTheTolerance
             EXPECT_EQ(n.nodes, n.reached + n.at_rest + n.obstacle + n.lost + n.outside);
         }
     }
+}
+
+// Where the flow turns within the longest step, only error control keeps to the streamline.
+TEST(FamilyTrace, IsAsExactRoundAVortexAsItIsAskedToBe) {
+    const auto flow =
+        make_analytic_flow("lamb-oseen?gamma=6.283185307179586,rc=0.3,w=0.5").value();
+    const Grid grid = nodes_over({{-1, -1, -1}, {1, 1, 1}}, 12);
+    const auto expected = [](const Vec3& p) {
+        const double r2 = p.x * p.x + p.y * p.y;
+        const double turn = std::atan2(p.y, p.x);
+        const double angular = -std::expm1(-r2 / 0.09) / r2;
+        return p.z - 0.5 * (turn < 0.0 ? turn + 2 * pi : turn) / angular;
+    };
+    std::vector<double> errors;
+    for (const Accuracy accuracy : {Accuracy::Fast, Accuracy::Balanced, Accuracy::Exact}) {
+        const FamilyRequest request{FamilyPlane{{0, 0, 0}, {0, 1, 0}}, "z", accuracy};
+        const auto field = carried(*flow, grid, request);
+        ASSERT_TRUE(field) << field.error().message;
+        errors.push_back(worst(*field, grid, expected));
+    }
+    EXPECT_LT(errors[1], 0.5 * errors[0]);
+    EXPECT_LT(errors[2], 0.2 * errors[1]);
+    EXPECT_LT(errors[2], 1e-6);
+}
+
+TEST(FamilyTrace, HasNoValueWhereStreamlinesCloseAndCountsThem) {
+    const auto flow = make_analytic_flow("rotation?omega=1,w=0").value();
+    const Grid grid = nodes_over({Vec3(-10), Vec3(10)}, 15);
+    FamilyRequest request{FamilyInflow{}, "z"};
+    request.length = 100.0; // one and a half turns of the largest circle within the domain
+    const auto field = carried(*flow, grid, request);
+    ASSERT_TRUE(field) << field.error().message;
+    std::uint64_t closed = 0;
+    std::uint64_t still = 0;
+    for (std::size_t i = 0; i < node_count(grid); ++i) {
+        const Vec3 p = node_position(grid, i);
+        const double r = std::hypot(p.x, p.y);
+        still += r == 0.0 ? 1 : 0;
+        closed += r > 0.0 && r < 9.999 ? 1 : 0;
+        if (r < 9.999)
+            EXPECT_TRUE(std::isnan(field->values[i]));
+        if (r > 10.001)
+            EXPECT_NEAR(field->values[i], p.z, 1e-6);
+    }
+    EXPECT_EQ(field->counts.at_rest, still);
+    EXPECT_GE(field->counts.lost, closed);
 }
 
 } // namespace

@@ -76,9 +76,6 @@ TEST(FamilyTwin, TheLevelThroughACurveIsTheStreamSurfaceFromIt) {
         for (const Vec3& p : level)
             if (twin.jump > 1e9 || tests::all_known(grid, field->values, p, twin.jump))
                 from_level = std::max(from_level, near_surface.distance(p));
-        std::printf("%s: %zu of %zu vertices, %zu level points: %.3f and %.3f cells\n", twin.flow,
-                    looked, surface->mesh.vertices(), level.size(), from_surface / cell,
-                    from_level / cell);
         EXPECT_GT(looked, 500u);
         EXPECT_GT(level.size(), 500u);
         EXPECT_LE(from_surface, cell);
