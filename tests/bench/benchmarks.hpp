@@ -48,6 +48,9 @@ void register_decode_benchmark();
 void register_advection_benchmarks();
 void register_sampling_benchmarks();
 
+/// The scalar of a family of stream surfaces at the nodes of 128^3: nodes a second.
+void register_family_benchmarks();
+
 /// Velocity along paths through meshes of cells, and lookups at random, against vtkStaticCellLocator with its
 /// cell cache.
 void register_cells_benchmarks();

@@ -136,8 +136,7 @@ TEST(FamilyTrace, HasTheValuesOfTheClosedFormsAndTheirErrorFallsWithTheTolerance
 
 // Where the flow turns within the longest step, only error control keeps to the streamline.
 TEST(FamilyTrace, IsAsExactRoundAVortexAsItIsAskedToBe) {
-    const auto flow =
-        make_analytic_flow("lamb-oseen?gamma=6.283185307179586,rc=0.3,w=0.5").value();
+    const auto flow = make_analytic_flow("lamb-oseen?gamma=6.283185307179586,rc=0.3,w=0.5").value();
     const Grid grid = nodes_over({{-1, -1, -1}, {1, 1, 1}}, 12);
     const auto expected = [](const Vec3& p) {
         const double r2 = p.x * p.x + p.y * p.y;
