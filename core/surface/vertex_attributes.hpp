@@ -18,6 +18,10 @@ inline constexpr std::string_view error_name = "error";
 inline constexpr std::array<std::string_view, 3> velocity_component_names{
     "velocity_x", "velocity_y", "velocity_z"};
 
+/// Components of the surface's normal, of length 1.
+inline constexpr std::array<std::string_view, 3> normal_component_names{"normal_x", "normal_y",
+                                                                        "normal_z"};
+
 /// Fills velocity, and tangents and deformation when asked for: log2 of the area element |dx/ds x v| over what it was at release.
 /// Error: what sampling reports. Cost: one sample a vertex, two with deformation.
 Result<void> add_attributes(SheetMesh& mesh, const SurfacePlan& plan, std::stop_token stop);

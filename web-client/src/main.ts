@@ -20,6 +20,7 @@ import { Measuring } from './session/tools/measuring.ts';
 import { Noting } from './session/tools/noting.ts';
 import { hideSurfaces } from './session/picture/shownSurfaces.ts';
 import { showLooks } from './session/picture/looksInPicture.ts';
+import { measurePixels } from './session/picture/pixelSize.ts';
 import { ImportWait } from './session/importWait.ts';
 import { OpenDataset } from './session/openDataset.ts';
 import { connectPainting } from './session/tools/painting.ts';
@@ -108,6 +109,7 @@ function start(app: App): void {
     }
     hideSurfaces(state, view);
     showLooks({ state, view, scene, worker });
+    measurePixels(scene.controls, state, view.pixelsPerLength);
     connectPainting(view, scene);
     lookAtFirst({
         ...{ state, controls: scene.controls, surfaces: scene.surfaces },

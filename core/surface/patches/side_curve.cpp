@@ -22,6 +22,15 @@ bool tame(const Vec3& chord, const Vec3& at_a, const Vec3& at_b) {
 
 } // namespace
 
+std::optional<Vec3> unit_normal(const SurfaceTangents& tangents) {
+    const Vec3 across = glm::cross(tangents.s, tangents.t);
+    const double length = glm::length(across);
+    if (!(length > least_angle * glm::length(tangents.s) * glm::length(tangents.t)) ||
+        !std::isfinite(length))
+        return std::nullopt;
+    return across / length;
+}
+
 PatchPoint SideCurve::at(double part) const {
     const double rest = 1.0 - part;
     const PatchPoint chord = b - a;
@@ -54,13 +63,7 @@ bool SideCurves::on_crease(VertexId v) const {
 std::optional<Vec3> SideCurves::normal(VertexId at, VertexId towards) const {
     if (!creases_.empty() && s_between(at, towards) < 0.0 && on_crease(at))
         return std::nullopt;
-    const SurfaceTangents& tangents = mesh_.tangents[at];
-    const Vec3 across = glm::cross(tangents.s, tangents.t);
-    const double length = glm::length(across);
-    if (!(length > least_angle * glm::length(tangents.s) * glm::length(tangents.t)) ||
-        !std::isfinite(length))
-        return std::nullopt;
-    return across / length;
+    return unit_normal(mesh_.tangents[at]);
 }
 
 PatchPoint SideCurves::along(VertexId at, const Vec3& direction) const {

@@ -12,6 +12,9 @@
 
 namespace wakesurf::core {
 
+/// Across the plane that tangents span, of length 1; nothing where they span none.
+std::optional<Vec3> unit_normal(const SurfaceTangents& tangents);
+
 /// A cubic by its ends and its slopes there, by the part of the way. Flat: the straight line.
 struct SideCurve {
     PatchPoint a, b;

@@ -189,7 +189,7 @@ const std::string_view schemas_3 = R"json("SurfaceFields": {
   "fields": {
    "type": "array",
    "maxItems": 16,
-   "description": "additional attributes of the vertices, in frames and exports: scalar fields of the dataset, its velocity (the magnitude), `deformation`, `approximated`, `error`, `vorticity` (its magnitude), `vorticity_x`, `vorticity_y`, `vorticity_z`, `q_criterion`, `velocity_x`, `velocity_y`, `velocity_z`",
+   "description": "additional attributes of the vertices, in frames and exports: scalar fields of the dataset, its velocity (the magnitude), `deformation`, `approximated`, `error`, `vorticity` (its magnitude), `vorticity_x`, `vorticity_y`, `vorticity_z`, `q_criterion`, `velocity_x`, `velocity_y`, `velocity_z`, `normal_x`, `normal_y`, `normal_z` (of the surface)",
    "items": {"type": "string"}}},
  "required": [
   "surface",

@@ -37,7 +37,7 @@ struct SurfaceRecord {
     /// additional attributes of the vertices, in frames and exports: scalar fields of the dataset,
     /// its velocity (the magnitude), `deformation`, `approximated`, `error`, `vorticity` (its
     /// magnitude), `vorticity_x`, `vorticity_y`, `vorticity_z`, `q_criterion`, `velocity_x`,
-    /// `velocity_y`, `velocity_z`
+    /// `velocity_y`, `velocity_z`, `normal_x`, `normal_y`, `normal_z` (of the surface)
     std::vector<std::string> fields;
 
     bool operator==(const SurfaceRecord&) const = default;
@@ -77,7 +77,7 @@ struct SurfaceSetting {
     /// additional attributes of the vertices, in frames and exports: scalar fields of the dataset,
     /// its velocity (the magnitude), `deformation`, `approximated`, `error`, `vorticity` (its
     /// magnitude), `vorticity_x`, `vorticity_y`, `vorticity_z`, `q_criterion`, `velocity_x`,
-    /// `velocity_y`, `velocity_z`
+    /// `velocity_y`, `velocity_z`, `normal_x`, `normal_y`, `normal_z` (of the surface)
     std::vector<std::string> fields;
     /// true: make the record only if no one has edited the session and it has no such record yet;
     /// this does not count as an edit, and undo does not take it back

@@ -2,6 +2,7 @@
 
 #include "core/field/sample_scalar.hpp"
 #include "core/field/velocity_gradient.hpp"
+#include "core/surface/patches/side_curve.hpp"
 #include "core/surface/vertex_attributes.hpp"
 #include "protocol/wire/mesh_frame.hpp"
 #include "server/limits.hpp"
@@ -27,10 +28,11 @@ std::optional<SurfaceField> lookup(const OpenDataset& dataset, const std::string
         return SurfaceField{name, Source::Scalar};
     if (name == dataset.info.velocity)
         return SurfaceField{name, Source::Speed};
-    const auto& components = core::velocity_component_names;
-    if (const auto found = std::ranges::find(components, name); found != components.end())
-        return SurfaceField{name, Source::VelocityComponent,
-                            static_cast<std::size_t>(found - components.begin())};
+    for (const auto& [components, source] :
+         {std::pair(core::velocity_component_names, Source::VelocityComponent),
+          std::pair(core::normal_component_names, Source::NormalComponent)})
+        if (const auto found = std::ranges::find(components, name); found != components.end())
+            return SurfaceField{name, source, static_cast<std::size_t>(found - components.begin())};
     if (name == core::deformation_name)
         return SurfaceField{name, Source::Deformation};
     if (name == core::approximated_name)
@@ -65,6 +67,15 @@ std::vector<float> component_of(const core::QuadComplex& mesh, std::size_t axis)
     return out;
 }
 
+/// Of the transported tangents; no value where they span no plane.
+std::vector<float> normal_of(const core::QuadComplex& mesh, std::size_t axis) {
+    std::vector<float> out(mesh.vertices(), std::numeric_limits<float>::quiet_NaN());
+    for (std::size_t i = 0; i < mesh.tangents.size(); ++i)
+        if (const auto normal = core::unit_normal(mesh.tangents[i]))
+            out[i] = static_cast<float>((*normal)[static_cast<int>(axis)]);
+    return out;
+}
+
 } // namespace
 
 std::vector<std::string> field_names(const OpenDataset& dataset) {
@@ -75,7 +86,8 @@ std::vector<std::string> field_names(const OpenDataset& dataset) {
     std::vector<std::string_view> derived{core::deformation_name, core::approximated_name,
                                           core::error_name};
     for (const auto& more : {std::span<const std::string_view>(core::gradient_field_names),
-                             std::span<const std::string_view>(core::velocity_component_names)})
+                             std::span<const std::string_view>(core::velocity_component_names),
+                             std::span<const std::string_view>(core::normal_component_names)})
         derived.insert(derived.end(), more.begin(), more.end());
     for (const std::string_view each : derived)
         if (std::ranges::find(names, each) == names.end())
@@ -152,6 +164,8 @@ core::Result<protocol::MeshFields> sample_fields(std::span<const SurfaceField> f
             out.push_back(speeds_of(mesh));
         } else if (field.source == Source::VelocityComponent) {
             out.push_back(component_of(mesh, field.index));
+        } else if (field.source == Source::NormalComponent) {
+            out.push_back(normal_of(mesh, field.index));
         } else if (field.source == Source::Deformation) {
             out.push_back(values_of(mesh.deformation, mesh));
         } else if (field.source == Source::Approximated) {

@@ -24,6 +24,7 @@ struct SurfaceField {
         Scalar,
         Speed,
         VelocityComponent,
+        NormalComponent,
         Deformation,
         Approximated,
         Error,

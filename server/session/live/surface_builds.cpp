@@ -34,6 +34,7 @@ core::Result<SurfaceJob> SurfaceBuilds::job_for(const protocol::SurfaceRecord& r
         p.rake2 = rakes.at(*record.rake2).shape;
     auto fields = fields_there(*open, record.fields);
     p.deformation = asks_for(fields, SurfaceField::Source::Deformation);
+    p.tangents = asks_for(fields, SurfaceField::Source::NormalComponent);
     auto plan = core::plan_surface(open->flow, rakes.at(record.rake).shape, std::move(p));
     if (!plan)
         return tl::unexpected(plan.error());

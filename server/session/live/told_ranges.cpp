@@ -71,6 +71,7 @@ bool plays_on(const SurfaceJob& before, const SurfaceJob& now) {
         p.to = now.plan.parameters.to;
     }
     p.deformation = now.plan.parameters.deformation;
+    p.tangents = now.plan.parameters.tangents;
     return before.plan.flow == now.plan.flow && before.plan.rake == now.plan.rake &&
            p == now.plan.parameters;
 }

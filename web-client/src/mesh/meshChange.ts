@@ -41,6 +41,9 @@ export interface ScalarChange {
     values: Float32Array;
 }
 
+/** Of the surface's normal, which curved cells are made from. */
+export const normalNames = ['normal_x', 'normal_y', 'normal_z'] as const;
+
 /** Nothing is drawn where levels, between vertices as they come, are higher. */
 export const cutLevel = 63;
 /** Of what is not drawn at all. */

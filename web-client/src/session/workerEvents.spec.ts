@@ -27,6 +27,7 @@ const frame: WorkerEvent = {
         time: 0,
         stateSum: 1,
         cells: 1,
+        meshVertices: 4,
         keys: 1,
         deltas: 0,
         withheld: [],

@@ -27,6 +27,7 @@ const other: SurfaceLook = {
     ageWindow: [1, 3],
     hiddenParts: [[0.5, 2]],
     trimmed: false,
+    curved: true,
     painting: true,
     faded: 0.1,
 };

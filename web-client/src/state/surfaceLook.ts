@@ -54,6 +54,8 @@ export interface SurfaceLook {
     hiddenParts: readonly Pair[];
     /** Smooth borders where it is torn. */
     trimmed: boolean;
+    /** Cells are curved in pictures that stand still. */
+    curved: boolean;
     /** Only what the brush has revealed is shown; the rest has opacity `faded`. */
     painting: boolean;
     faded: number;
@@ -85,6 +87,7 @@ export const usualLook: SurfaceLook = {
     ageWindow: null,
     hiddenParts: [],
     trimmed: true,
+    curved: false,
     painting: false,
     faded: 0,
 };
@@ -130,6 +133,7 @@ const checks: Record<keyof SurfaceLook, (value: unknown) => boolean> = {
     ageWindow: isSpan,
     hiddenParts: (value) => Array.isArray(value) && value.length <= partsAtMost && value.every(isPair),
     trimmed: isFlag,
+    curved: isFlag,
     painting: isFlag,
     faded: isPart,
 };

@@ -1,7 +1,7 @@
 // The state of a surface as the GPU takes it: float32 positions, normals, s and t, the attributes that are shown, triangles.
 // Keeps what it has made, so that a surface that only grows costs what has grown.
 import { cellStride } from '../protocol/cell.ts';
-import type { Cut, MeshChange, ScalarChange, SurfacePart } from '../mesh/meshChange.ts';
+import { type Cut, type MeshChange, normalNames, type ScalarChange, type SurfacePart } from '../mesh/meshChange.ts';
 import { dequantise, type Lattice } from '../protocol/lattice.ts';
 import type { AppliedUpdate } from '../protocol/meshDecoder.ts';
 import { triangleCount, triangulate } from '../protocol/triangulate.ts';
@@ -13,6 +13,9 @@ import { unitLengths } from './unitLengths.ts';
 import { unresolved } from './unresolved.ts';
 import type { ShowWish } from './workerMessages.ts';
 
+/** See curvedCells.ts, which is loaded when first needed. */
+export type CurveCells = (change: MeshChange, cells: Int32Array, pixels: number) => MeshChange;
+
 export class DisplayArrays {
     private readonly lattice: Lattice;
     private attributes: readonly string[];
@@ -23,6 +26,8 @@ export class DisplayArrays {
     private cutAsked = false;
     private unitsAsked = false;
     private unresolvedAsked = false;
+    /** What was given away last is of curved cells: nothing of it stays. */
+    private curved = false;
     private positions = new Float32Array(0);
     private indices = new Uint32Array(0);
     private triangles = 0;
@@ -59,7 +64,7 @@ export class DisplayArrays {
         this.unitsAsked ||= measured;
         const thinned = wish.unresolved !== before.unresolved;
         this.unresolvedAsked ||= thinned && wish.unresolved === true;
-        return added || parted || trimmed !== before.trimmed || measured || thinned;
+        return added || parted || trimmed !== before.trimmed || measured || thinned || (this.curved && wish.curved === undefined);
     }
 
     /** The frames carry other attributes from the next KEY on. */
@@ -92,8 +97,32 @@ export class DisplayArrays {
         this.unresolvedAsked ||= this.wish.unresolved === true && news;
     }
 
-    /** All that has been noted, in arrays to give away. */
-    take(mesh: WireMesh): MeshChange {
+    /** Curved cells are wanted. */
+    get wantsCurves(): boolean {
+        return this.wish.curved !== undefined;
+    }
+
+    /** All that has been noted, in arrays to give away. @param curve makes them of curved cells, where those are wanted: all is new then, and the next time */
+    take(mesh: WireMesh, curve: CurveCells | null = null): MeshChange {
+        const { curved: pixels } = this.wish;
+        const curved = pixels !== undefined && curve !== null;
+        if (curved || this.curved) this.takeAll();
+        this.curved = curved;
+        const news = this.takeNews(mesh);
+        const change = curved ? curve(news, mesh.cells, pixels) : news;
+        const scalars = change.scalars.filter(({ name }) => !(normalNames as readonly string[]).includes(name));
+        return { ...change, scalars };
+    }
+
+    private takeAll(): void {
+        this.fromVertex = this.fromNormal = this.fromSeed = this.fromCell = this.cellsCut = 0;
+        for (const name of this.shown.keys()) this.shown.set(name, 0);
+        this.cutAsked ||= this.wish.parts !== null || this.wish.trimmed;
+        this.unitsAsked ||= this.wish.units !== undefined;
+        this.unresolvedAsked ||= this.wish.unresolved === true;
+    }
+
+    private takeNews(mesh: WireMesh): MeshChange {
         const { fromVertex, fromNormal, fromSeed } = this;
         const { vertices } = mesh;
         this.positions = grown(this.positions, 3 * vertices);

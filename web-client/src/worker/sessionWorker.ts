@@ -9,7 +9,6 @@ import { encodeNotification, parseIncoming, RpcError } from '../protocol/jsonRpc
 import { type MethodName, type ParamsOf, readNotification, type ResultOf } from '../protocol/messages.ts';
 import { UnreadableAnswer } from '../protocol/unreadable.ts';
 import { keepDracoSmall, loadDraco } from './draco.ts';
-import { fetchObstacle } from './obstacle.ts';
 import { SurfaceFolder } from './surfaceFolder.ts';
 import type { CallFailure, FromWorker, MessageOf, SurfaceState, ToWorker } from './workerMessages.ts';
 
@@ -70,7 +69,9 @@ class SessionWorker {
             const { dataset, lattice } = message;
             this.answer(
                 message.id,
-                fetchObstacle({ baseUrl: this.baseUrl, login: this.shown.login }, dataset, this.draco, lattice),
+                import('./obstacle.ts').then(({ fetchObstacle }) =>
+                    fetchObstacle({ baseUrl: this.baseUrl, login: this.shown.login }, dataset, this.draco, lattice),
+                ),
             );
         } else if (message.type === 'notify') {
             this.socket.send(encodeNotification(message.method, message.params));

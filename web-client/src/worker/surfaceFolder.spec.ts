@@ -1,4 +1,4 @@
-import { beforeAll, beforeEach, describe, expect, it } from 'vitest';
+import { beforeAll, beforeEach, describe, expect, it, vi } from 'vitest';
 import type { DracoPoints } from '../protocol/dracoPoints.ts';
 import { dracoPoints } from '../protocol/testing/golden.ts';
 import { lattice, randomUpdates } from '../protocol/testing/randomUpdates.ts';
@@ -120,6 +120,35 @@ describe('SurfaceFolder', () => {
         bench.subscribe(9);
         bench.receive(0, 9);
         expect(bench.states.at(-1)!.scalars.map(({ name }) => name)).toEqual(['t']);
+    });
+
+    it('curves the cells of a state that stands still, and sends all of the next one, flat', async () => {
+        vi.useFakeTimers();
+        const wish = { attributes: ['speed'], parts: null, trimmed: true };
+        bench.folder.show('s1', { ...wish, curved: 1e6 });
+        bench.receive(0);
+        bench.folder.taken('s1');
+        vi.advanceTimersByTime(200);
+        bench.receive(1);
+        bench.folder.taken('s1');
+        vi.advanceTimersByTime(200);
+        expect(bench.states).toHaveLength(2);
+        vi.advanceTimersByTime(100);
+        await vi.dynamicImportSettled();
+        const [, flat, curved] = bench.states;
+        expect(curved!.meshVertices).toBe(flat!.meshVertices);
+        expect(curved!.cells).toBe(flat!.cells);
+        expect(curved!.vertices).toBeGreaterThan(flat!.vertices);
+        expect(curved!.positions).toHaveLength(3 * curved!.vertices);
+        expect(curved!.scalars[0]!.values).toHaveLength(curved!.vertices);
+        vi.advanceTimersByTime(10_000);
+        expect(bench.states).toHaveLength(3);
+        bench.folder.taken('s1');
+        bench.folder.show('s1', wish);
+        const again = bench.states.at(-1)!;
+        expect([again.fromVertex, again.fromIndex, again.vertices]).toEqual([0, 0, flat!.vertices]);
+        expect(again.indices).toHaveLength(3 * again.triangles);
+        vi.useRealTimers();
     });
 
     it('names attributes by the fields that the surface had at the epoch of the frames', () => {

@@ -5,11 +5,14 @@ import type { DracoPoints } from '../protocol/dracoPoints.ts';
 import { MeshDecoder } from '../protocol/meshDecoder.ts';
 import { surfaceOf } from '../protocol/meshFrame.ts';
 import { AttributeNames, everySurface } from './attributeNames.ts';
-import { DisplayArrays } from './displayArrays.ts';
+import { type CurveCells, DisplayArrays } from './displayArrays.ts';
 import type { ShowWish, SurfaceState } from './workerMessages.ts';
 
 /** One on its way to the screen, and one to be there at once afterwards. */
 const statesUntaken = 2;
+
+/** After which a state without a successor stands still. */
+const restMs = 250;
 
 const firstWish: ShowWish = { attributes: ['speed'], parts: null, trimmed: true };
 
@@ -36,6 +39,8 @@ interface Followed {
     decodeMs: number;
     news: boolean;
     troubled: boolean;
+    /** Until cells are curved. */
+    rest: ReturnType<typeof setTimeout> | undefined;
 }
 
 export class SurfaceFolder {
@@ -79,6 +84,7 @@ export class SurfaceFolder {
             decodeMs: 0,
             news: false,
             troubled: false,
+            rest: undefined,
         };
         this.followed.set(surface, followed);
         this.bySubscription.set(subscription, followed);
@@ -93,9 +99,11 @@ export class SurfaceFolder {
     show(surface: string, wish: ShowWish): void {
         this.wishes.set(surface, wish);
         const followed = this.followed.get(surface);
-        if (followed === undefined || !followed.display.show(wish)) return;
-        followed.news = true;
-        this.offer(followed);
+        if (followed === undefined) return;
+        if (followed.display.show(wish)) {
+            followed.news = true;
+            this.offer(followed);
+        } else if (wish.curved !== undefined) this.curveAtRest(followed);
     }
 
     forget(surface: string): void {
@@ -156,7 +164,27 @@ export class SurfaceFolder {
         this.offer(followed);
     }
 
-    private offer(followed: Followed): void {
+    /** What moves stays flat: curved cells take as long as many states. */
+    private curveAtRest(followed: Followed): void {
+        clearTimeout(followed.rest);
+        if (!followed.display.wantsCurves) return;
+        followed.rest = setTimeout(() => {
+            // A chunk of its own: few need it.
+            import('./curvedCells.ts').then(
+                ({ curvedChange }) => this.curve(followed, curvedChange),
+                () => undefined,
+            );
+        }, restMs);
+    }
+
+    private curve(followed: Followed, curve: CurveCells): void {
+        if (this.followed.get(followed.surface) !== followed || followed.news) return;
+        if (followed.untaken >= statesUntaken) return this.curveAtRest(followed);
+        followed.news = true;
+        this.offer(followed, curve);
+    }
+
+    private offer(followed: Followed, curve: CurveCells | null = null): void {
         const { newest: header, mesh } = followed.decoder;
         if (!followed.news || followed.untaken >= statesUntaken) return;
         if (header === undefined || mesh === undefined) return;
@@ -166,12 +194,14 @@ export class SurfaceFolder {
         const { surface, keys, deltas, display } = followed;
         const { withheld } = display;
         const start = performance.now();
-        const arrays = display.take(mesh);
+        const arrays = display.take(mesh, curve);
         const decodeMs = followed.decodeMs + performance.now() - start;
         followed.decodeMs = 0;
         this.options.onState({
-            ...{ surface, epoch, phase, time, stateSum, cells: mesh.cellCount, keys, deltas, withheld, decodeMs },
+            ...{ surface, epoch, phase, time, stateSum, cells: mesh.cellCount, meshVertices: mesh.vertices },
+            ...{ keys, deltas, withheld, decodeMs },
             ...arrays,
         });
+        if (curve === null) this.curveAtRest(followed);
     }
 }

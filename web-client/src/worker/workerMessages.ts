@@ -62,6 +62,8 @@ export interface SurfaceState extends TimedMeshChange {
     phase: Phase;
     stateSum: number;
     cells: number;
+    /** Of the mesh: those of the arrays are more where cells are curved. */
+    meshVertices: number;
     /** Updates applied so far: whole states, and changes of the state before. */
     keys: number;
     deltas: number;
@@ -77,6 +79,8 @@ export interface ShowWish {
     parts: PartsWish | null;
     /** Smooth borders where it is torn. */
     trimmed: boolean;
+    /** Cells of states that stand still are curved: pixels that a unit of length has in the picture. Left out: flat. */
+    curved?: number;
     /** How long units of s and t are, on a surface whose rake is open or closed; left out: no one needs to know. */
     units?: 'open' | 'closed';
     /** What a fixed grid cannot resolve, which smoke hides. */

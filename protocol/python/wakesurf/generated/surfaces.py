@@ -80,7 +80,8 @@ class SurfaceMaker(Generic[Made]):
             above 0.
         `fields`: additional attributes of the vertices, in frames and exports: scalar fields of the dataset, its
             velocity (the magnitude), `deformation`, `approximated`, `error`, `vorticity` (its magnitude),
-            `vorticity_x`, `vorticity_y`, `vorticity_z`, `q_criterion`, `velocity_x`, `velocity_y`, `velocity_z`.
+            `vorticity_x`, `vorticity_y`, `vorticity_z`, `q_criterion`, `velocity_x`, `velocity_y`, `velocity_z`,
+            `normal_x`, `normal_y`, `normal_z` (of the surface).
 
         >>> surface = session.surface(rake, "stream", dataset="tornado", to=2, separation=0.05)
         >>> surface.wait()["complete"]

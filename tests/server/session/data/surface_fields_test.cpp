@@ -338,6 +338,22 @@ TEST(SurfaceFields, ComponentsOfTheVelocityHaveTheSpeedForTheirLength) {
     }
 }
 
+TEST(SurfaceFields, NormalsAreOfLengthOneAndAreThereInEveryKind) {
+    const core::SteadyClock clock;
+    const ShearStore store;
+    for (const SurfaceKind kind : kinds) {
+        SurfaceJob job = store.job(kind, {"normal_x", "normal_y", "normal_z"});
+        job.plan.parameters.tangents = true;
+        SurfaceBuild build(std::move(job), clock);
+        const Update update = update_of(build, {Phase::Final, 0, {}, 0.0});
+        const WireMesh& state = *update.wire.state;
+        ASSERT_GT(state.vertices(), 0u);
+        for (std::size_t v = 0; v < state.vertices(); ++v)
+            ASSERT_NEAR(std::hypot(value(state, 3, v), value(state, 4, v), value(state, 5, v)), 1.0,
+                        1e-4);
+    }
+}
+
 TEST(SurfaceFields, AMeshIsTheSameWithFieldsAndWithout) {
     const core::SteadyClock clock;
     const ShearStore store;
@@ -379,7 +395,7 @@ TEST(SurfaceFields, NamesAreFoundInTheDatasetFirst) {
     EXPECT_EQ(unknown.error().hint,
               "there is p, holes, U, deformation, approximated, error, vorticity, "
               "vorticity_x, vorticity_y, vorticity_z, q_criterion, velocity_x, velocity_y, "
-              "velocity_z");
+              "velocity_z, normal_x, normal_y, normal_z");
     const auto vector = find_field(store.dataset(), "heat flux");
     EXPECT_NE(vector.error().message.find("a store holds one vector"), std::string::npos);
     const auto names = [&](const std::vector<std::string>& asked) {

@@ -164,12 +164,12 @@ TEST_F(FieldsOnTheWire, WhatCannotBeSentIsRefusedInWords) {
     EXPECT_EQ(error({"q"})["data"]["hint"],
               "there is p, heat flux magnitude, U, deformation, approximated, error, vorticity, "
               "vorticity_x, vorticity_y, vorticity_z, q_criterion, velocity_x, velocity_y, "
-              "velocity_z");
+              "velocity_z, normal_x, normal_y, normal_z");
     EXPECT_EQ(client.result("server.info")["limits"]["fields"], 4);
     EXPECT_EQ(client.result("dataset.describe", {{"dataset", "box"}})["surfaceFields"],
               (json{"p", "heat flux magnitude", "U", "deformation", "approximated", "error",
                     "vorticity", "vorticity_x", "vorticity_y", "vorticity_z", "q_criterion",
-                    "velocity_x", "velocity_y", "velocity_z"}));
+                    "velocity_x", "velocity_y", "velocity_z", "normal_x", "normal_y", "normal_z"}));
 }
 
 TEST_F(FieldsOnTheWire, ProgressSaysWhatEachPassTook) {

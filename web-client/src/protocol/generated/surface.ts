@@ -121,7 +121,8 @@ export interface SurfaceRecord {
     /**
      * additional attributes of the vertices, in frames and exports: scalar fields of the dataset, its velocity (the
      * magnitude), `deformation`, `approximated`, `error`, `vorticity` (its magnitude), `vorticity_x`, `vorticity_y`,
-     * `vorticity_z`, `q_criterion`, `velocity_x`, `velocity_y`, `velocity_z`
+     * `vorticity_z`, `q_criterion`, `velocity_x`, `velocity_y`, `velocity_z`, `normal_x`, `normal_y`, `normal_z` (of
+     * the surface)
      */
     fields: string[];
 }
@@ -251,7 +252,8 @@ export interface SurfaceSetParams {
     /**
      * additional attributes of the vertices, in frames and exports: scalar fields of the dataset, its velocity (the
      * magnitude), `deformation`, `approximated`, `error`, `vorticity` (its magnitude), `vorticity_x`, `vorticity_y`,
-     * `vorticity_z`, `q_criterion`, `velocity_x`, `velocity_y`, `velocity_z`
+     * `vorticity_z`, `q_criterion`, `velocity_x`, `velocity_y`, `velocity_z`, `normal_x`, `normal_y`, `normal_z` (of
+     * the surface)
      */
     fields?: string[];
     /**

@@ -1,5 +1,5 @@
 // Pictures to a film: the browser's own encoder (WebCodecs), one picture after the other, none left out.
-import { type EncodedFrame, type Film, webmFile } from './webm.ts';
+import type { EncodedFrame, Film } from './webm.ts';
 
 const keyEverySeconds = 2;
 const queueAtMost = 3;
@@ -88,7 +88,7 @@ export class VideoEncoding {
         this.encoder.close();
         const { width, height, fps } = this.setting;
         const duration = (1000 * this.count) / fps;
-        return webmFile({ codec: this.codec, width, height, duration, frames: this.frames });
+        return (await import('./webm.ts')).webmFile({ codec: this.codec, width, height, duration, frames: this.frames });
     }
 
     abandon(): void {

@@ -49,7 +49,8 @@ export function showLooks({ state, view, scene, worker }: LooksOptions): void {
             const closed = state.rakes.value.get(record.rake)?.kind === 'circle';
             const units = look.pieces === 'whole' ? {} : { units: closed ? ('closed' as const) : ('open' as const) };
             const fixed = look.smoke > 0 && record.refine === 'off' ? { unresolved: true as const } : {};
-            const wish = { attributes: attributesOf(look), parts, trimmed: look.trimmed, ...units, ...fixed };
+            const curved = look.curved ? { curved: view.pixelsPerLength.value } : {};
+            const wish = { attributes: attributesOf(look), parts, trimmed: look.trimmed, ...units, ...fixed, ...curved };
             const text = JSON.stringify(wish);
             if (told.get(id) === text) continue;
             told.set(id, text);

@@ -3,6 +3,7 @@ import type { DatasetDescription, FieldDescription, RakeRecord, SurfaceRecord, V
 import type { ColourSource, SurfaceStyle } from '../../scene/surface/surfaceStyle.ts';
 import { niceStep } from '../../scene/base/ticks.ts';
 import { steadyRange } from '../../scene/surface/steadyRange.ts';
+import { normalNames } from '../../mesh/meshChange.ts';
 import { flowNames } from '../../scene/surface/surfaceMesh.ts';
 import type { SurfaceLook } from '../../state/surfaceLook.ts';
 import { type AutomaticRange, type AutomaticRanges, meaningOf } from '../../state/automaticRange.ts';
@@ -77,7 +78,12 @@ export function attributeOf(colourBy: string): string | null {
 
 /** All attributes that a look needs, those that it can do without last. */
 export function attributesOf(look: SurfaceLook): string[] {
-    const names = [attributeOf(look.colourBy), ...(needsFlow(look) ? flowNames : []), look.smoke > 0 ? deformation : null];
+    const names = [
+        attributeOf(look.colourBy),
+        ...(needsFlow(look) ? flowNames : []),
+        look.smoke > 0 ? deformation : null,
+        ...(look.curved ? normalNames : []),
+    ];
     return [...new Set(names.filter((name) => name !== null))];
 }
 

@@ -8,7 +8,17 @@ import { SurfaceFeed } from './surfaceFeed.ts';
 
 function stateOfEpoch(epoch: number, change: Partial<SurfaceState> = {}): SurfaceState {
     return {
-        ...{ surface: 's1', epoch, phase: 'final', time: 0, stateSum: epoch, cells: 1, vertices: 4, triangles: 2 },
+        ...{
+            surface: 's1',
+            epoch,
+            phase: 'final',
+            time: 0,
+            stateSum: epoch,
+            cells: 1,
+            vertices: 4,
+            meshVertices: 4,
+            triangles: 2,
+        },
         ...{ keys: 1, deltas: 0, withheld: [], decodeMs: 2 },
         ...{ fromVertex: 0, positions: new Float32Array(12), normals: new Float32Array(12) },
         ...{

@@ -126,7 +126,18 @@ export class SurfaceFeed {
                 if (change.cut !== null) state.trimmed.value = withEntry(state.trimmed.value, surface, change.cut.trimmedCells);
                 worker.taken(surface);
             }
-            const { epoch, vertices, cells, triangles, stateSum, phase, time, keys, deltas, withheld } = arrived.at(-1)!;
+            const {
+                epoch,
+                meshVertices: vertices,
+                cells,
+                triangles,
+                stateSum,
+                phase,
+                time,
+                keys,
+                deltas,
+                withheld,
+            } = arrived.at(-1)!;
             const decodeMs = arrived.reduce((sum, each) => sum + each.decodeMs, 0);
             scene.whenDrawn((at) => {
                 const drawn = { decodeMs, drawMs: at - applied, roundTripMs: state.roundTripMs.value };

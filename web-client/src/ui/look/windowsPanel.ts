@@ -2,6 +2,8 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { placeNumber, resolutionOf } from '../../scene/base/numbers.ts';
 import type { FlowScene } from '../../scene/scene.ts';
+import type { Edits } from '../../session/edits/edits.ts';
+import { fieldsWith } from '../../session/picture/surfaceStyleOf.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { ageName } from './colourNames.ts';
@@ -14,9 +16,10 @@ type Window = 'sWindow' | 'ageWindow';
 type Span = readonly [number, number];
 
 export interface WindowsModel {
-    state: Pick<AppState, 'activeSurface' | 'displayed' | 'surface' | 'trimmed'>;
+    state: Pick<AppState, 'activeSurface' | 'displayed' | 'role' | 'surface' | 'trimmed'>;
     view: Pick<ViewState, 'changeLook' | 'lookOf'>;
     scene: Pick<FlowScene, 'surfaces'>;
+    edits: Pick<Edits, 'changeSurface'>;
 }
 
 export class WindowsPanel extends SignalElement {
@@ -42,11 +45,24 @@ export class WindowsPanel extends SignalElement {
                     : nothing
             }
             ${checkRow('trimmed', 'Trim torn borders', look.trimmed, (on) => view.changeLook(id, { trimmed: on }))}
+            ${checkRow('curved', 'Curved cells when still', look.curved, (on) => this.curved(id, on))}
             <p class="quiet">
                 ${trimmed === 0 ? 'Nothing is trimmed.' : `Of ${countWords(trimmed)} ${trimmed === 1 ? 'quad' : 'quads'} at torn borders a part is not drawn.`}
                 Meshes, lines and numbers always have all of it.
             </p>
         `;
+    }
+
+    /** The normals travel with the surface from then on, for everyone; who may only look has those of the picture. */
+    private curved(id: string, on: boolean): void {
+        const { state, view, edits } = this.model;
+        const fields = state.surface.value?.fields;
+        const look = { ...view.lookOf(id), curved: on };
+        if (on && fields !== undefined && state.role.value !== 'viewer') {
+            const wanted = fieldsWith(fields, look);
+            if (wanted.join() !== fields.join()) edits.changeSurface({ fields: wanted });
+        }
+        view.changeLook(id, { curved: on });
     }
 
     private window(name: Window, id: string, words: string, window: Span | null, whole: Span): TemplateResult {

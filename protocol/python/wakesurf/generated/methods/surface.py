@@ -71,7 +71,8 @@ class SurfaceMethods(Noun):
             above 0.
         `fields`: additional attributes of the vertices, in frames and exports: scalar fields of the dataset, its
             velocity (the magnitude), `deformation`, `approximated`, `error`, `vorticity` (its magnitude),
-            `vorticity_x`, `vorticity_y`, `vorticity_z`, `q_criterion`, `velocity_x`, `velocity_y`, `velocity_z`.
+            `vorticity_x`, `vorticity_y`, `vorticity_z`, `q_criterion`, `velocity_x`, `velocity_y`, `velocity_z`,
+            `normal_x`, `normal_y`, `normal_z` (of the surface).
         `default`: true: make the record only if no one has edited the session and it has no such record yet; this does
             not count as an edit, and undo does not take it back; default False.
         `gesture`: a name for what the user is doing; consecutive edits with the same name are one step of undo.
