@@ -92,6 +92,26 @@ describe('a level set', () => {
         expect(await offLevel(0.6)).toBeLessThan(0.01);
     });
 
+    it('of a family that is made from the rake goes through the rake, and says how many nodes have no value', async () => {
+        await edited(() => page.getByRole('radio', { name: 'Level set' }).check());
+        await page.getByText('Make a family…').click();
+        const family = await edited(() => page.getByRole('button', { name: 'Make it' }).click());
+        expect(family).toMatchObject({ kind: 'level', field: 'rake_family', level: 0 });
+        await page.getByText(/^rake_family: \d+ of \d+ nodes have no value\.$/).waitFor();
+        const [start, end] = await ask(page, (hook) => hook.rakePoints);
+        const middle = start!.map((value, k) => (value + end![k]!) / 2);
+        const away = (await ask(page, (hook) => hook.vertices(1))).map(({ point }) =>
+            Math.hypot(...point.map((value, k) => value - middle[k]!)),
+        );
+        expect(Math.min(...away)).toBeLessThan(0.17);
+        const { fields } = (await stand.server.call('dataset.describe', { dataset: family.dataset })) as {
+            fields: { name: string }[];
+        };
+        expect(fields.map(({ name }) => name)).toContain('rake_family');
+        // The data are those of other tests as well.
+        await stand.server.call('family.remove', { dataset: family.dataset, name: 'rake_family' });
+    });
+
     it('outside the range says the range, and another kind follows particles again', async () => {
         await edited(() => page.getByRole('radio', { name: 'Level set' }).check());
         await edited(() => page.getByRole('combobox', { name: 'Field' }).selectOption('q_criterion'));

@@ -26,6 +26,7 @@ import { OpenDataset } from './session/openDataset.ts';
 import { connectPainting } from './session/tools/painting.ts';
 import { People } from './session/people/people.ts';
 import { showPeople } from './session/people/peopleInPicture.ts';
+import { Families } from './session/surface/families.ts';
 import { chooseKind } from './session/time/kindChoice.ts';
 import { Playback } from './session/time/playback.ts';
 import { Suggestions } from './session/sessions/suggestions.ts';
@@ -141,10 +142,11 @@ function start(app: App): void {
         thumbnails,
         url,
     });
-    const news = new ServerNews({ state, feed, outcomes, people, progress, dataset, controller });
     const shelf = new SessionShelf({ state, worker, server, restored: (session) => controller.restored(session) });
     const clock = new ClockControl({ state, worker, requestFrame });
     const playback = new Playback({ state, edits, clock });
+    const families = new Families({ state, worker, edits, clock, time: () => playback.time.value });
+    const news = new ServerNews({ state, feed, outcomes, people, progress, families, dataset, controller });
     const findBar = (): HTMLElement | null => labels.parentElement?.querySelector<HTMLElement>('wakesurf-scalar-bar') ?? null;
     const figure = new Figure(scene, findBar);
     const film = new FilmMaker({ state, view, worker, edits, playback, figure });
@@ -197,7 +199,7 @@ function start(app: App): void {
             sessionHead: { state, view, shelf },
             datasetHead: { state, shelf },
             rakeList: { state, view, edits },
-            surface: { state, view, edits, chooseKind: (kind) => chooseKind({ state, edits, clock, playback }, kind) },
+            surface: { state, view, edits, families, chooseKind: (kind) => chooseKind({ state, edits, clock, playback }, kind) },
             rake: { state, view, edits, scene },
             look: { state, view, edits, scene, ownCopy },
             bookmarks: { state, views, calls, clock },

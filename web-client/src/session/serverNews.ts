@@ -5,6 +5,7 @@ import type { AppState } from '../state/appState.ts';
 import type { OpenDataset } from './openDataset.ts';
 import type { People } from './people/people.ts';
 import type { SessionController } from './sessionController.ts';
+import type { Families } from './surface/families.ts';
 import type { SurfaceProgress } from './surface/surfaceProgress.ts';
 import type { SurfaceFeed } from './surface/surfaceFeed.ts';
 import type { SurfaceOutcomes } from './surface/surfaceOutcomes.ts';
@@ -23,6 +24,7 @@ export interface ServerNewsOptions {
     outcomes: Pick<SurfaceOutcomes, 'done'>;
     people: Pick<People, 'patched'>;
     progress: Pick<SurfaceProgress, 'progressed'>;
+    families: Pick<Families, 'progressed'>;
     dataset: Pick<OpenDataset, 'patched' | 'stepsPatched'>;
     controller: Pick<SessionController, 'patched' | 'deleted'>;
 }
@@ -36,7 +38,7 @@ export class ServerNews {
     }
 
     take(notification: Notification): void {
-        const { feed, outcomes, dataset, people, progress, controller } = this.options;
+        const { feed, outcomes, dataset, people, progress, families, controller } = this.options;
         switch (notification.method) {
             case 'session.patched':
                 controller.patched(notification.session, notification.patches);
@@ -67,6 +69,7 @@ export class ServerNews {
                 break;
             case '$/progress': {
                 const { percentage, message = '', time, quadsSoFar, remaining, seconds } = notification.value;
+                families.progressed(notification.token, percentage ?? 0);
                 progress.progressed(notification.token, {
                     ...{ fraction: percentage === undefined ? null : percentage / 100, message },
                     ...{ time: time ?? null, quads: quadsSoFar ?? null },

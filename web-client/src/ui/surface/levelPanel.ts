@@ -1,55 +1,39 @@
 // What a level surface is a level set of: a field, and a value by a slider over the field's range, or typed.
-import { css, html, nothing, type TemplateResult } from 'lit';
+import { signal } from '@preact/signals-core';
+import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import type { DatasetDescription } from '../../protocol/messages.ts';
 import { fieldNumber, resolutionOf, shortNumber } from '../../scene/base/numbers.ts';
 import type { Edits } from '../../session/edits/edits.ts';
 import { describedRange, levelFields, levelOf } from '../../session/edits/levelFields.ts';
 import type { AppState } from '../../state/appState.ts';
-import { sharedStyles } from '../base/sharedStyles.ts';
-import { SignalElement } from '../base/signalElement.ts';
+import type { Families, FamilyChoice } from '../../session/surface/families.ts';
 
 const sliderSteps = 500;
+
+const sources: readonly [FamilyChoice, string][] = [
+    ['rake', 'This rake'],
+    ['x', 'Inflow: x'],
+    ['y', 'Inflow: y'],
+    ['z', 'Inflow: z'],
+];
 
 export interface LevelModel {
     state: Pick<AppState, 'dataset' | 'outcomes' | 'surface'>;
     edits: Pick<Edits, 'changeSurface' | 'intent' | 'remark'>;
+    families: Families;
 }
 
-export class LevelPanel extends SignalElement {
-    static override properties = { model: { attribute: false } };
-    declare model: LevelModel;
+/** Rows of the surface's panel. */
+export class LevelRows {
+    private readonly model: LevelModel;
+    private readonly source = signal<FamilyChoice>('rake');
 
-    static override styles = [
-        sharedStyles,
-        css`
-            :host {
-                display: block;
-            }
-            .row {
-                display: flex;
-                justify-content: space-between;
-                align-items: center;
-                gap: 8px;
-                margin-top: 6px;
-            }
-            select {
-                max-width: 190px;
-            }
-            input[type='number'] {
-                width: 8em;
-                text-align: right;
-                font-variant-numeric: tabular-nums;
-            }
-            .quiet {
-                margin: 4px 0 0;
-                color: var(--quiet);
-                font-size: 12px;
-            }
-        `,
-    ];
+    constructor(model: LevelModel) {
+        this.model = model;
+    }
 
-    override render(): TemplateResult {
+    rows(): TemplateResult {
         const { state, edits } = this.model;
         const dataset = state.dataset.value;
         const intent = edits.intent.value;
@@ -85,8 +69,30 @@ export class LevelPanel extends SignalElement {
                           />
                           <p class="quiet" id="level-range">${shortNumber(range[0])} to ${shortNumber(range[1])} in the data.</p>`
             }
-            <p class="quiet" id="surface-remark" role="status" ?hidden=${edits.remark.value === null}>${edits.remark.value}</p>
+            ${this.family()}
         `;
+    }
+
+    /** A scalar that the flow carries, whose level sets are stream surfaces. */
+    private family(): TemplateResult {
+        const { families } = this.model;
+        const standing = families.standing.value;
+        const making = standing?.making === true;
+        const choose = (event: Event): void => {
+            this.source.value = (event.target as HTMLSelectElement).value as FamilyChoice;
+        };
+        return html`<details id="family">
+            <summary>Make a family…</summary>
+            <label class="row" for="family-from">
+                <select id="family-from" ?disabled=${making} @change=${choose}>
+                    ${sources.map(([value, words]) => html`<option value=${value}>${words}</option>`)}
+                </select>
+                <button type="button" @click=${() => (making ? families.cancel() : void families.make(this.source.value))}>
+                    ${making ? 'Cancel' : 'Make it'}
+                </button>
+            </label>
+            <p class="quiet" role="status">${standing?.words}</p>
+        </details>`;
     }
 
     /** What the server has seen at the time that is shown; else what is known of the field. */
@@ -114,9 +120,10 @@ export class LevelPanel extends SignalElement {
 
     /** What is no number is put back. */
     private readonly levelTyped = (event: Event): void => {
-        const level = (event.target as HTMLInputElement).valueAsNumber;
+        const input = event.target as HTMLInputElement;
+        const level = input.valueAsNumber;
         if (Number.isFinite(level)) this.model.edits.changeSurface({ level });
-        else this.requestUpdate();
+        else input.value = String(this.model.edits.intent.value?.level);
     };
 }
 
@@ -125,5 +132,3 @@ function fieldWords(name: string, { velocity }: DatasetDescription): string {
     if (name === 'q_criterion') return 'Vortices (Q)';
     return name === 'vorticity' ? 'Vorticity (magnitude)' : name;
 }
-
-customElements.define('wakesurf-level', LevelPanel);

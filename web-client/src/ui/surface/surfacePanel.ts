@@ -17,11 +17,12 @@ import type { SurfaceIntent } from '../../session/edits/surfaceIntent.ts';
 import { cutBackAt, directionsOf, followed, longestLength } from '../../session/edits/surfaceTimes.ts';
 import { withUnit } from '../../session/picture/unitsInPicture.ts';
 import type { Edits } from '../../session/edits/edits.ts';
+import type { Families } from '../../session/surface/families.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { toggled } from '../../state/visibility.ts';
 import './meshRules.ts';
-import './levelPanel.ts';
+import { LevelRows } from './levelPanel.ts';
 import './releasePanel.ts';
 import './timeEnds.ts';
 import { sharedStyles } from '../base/sharedStyles.ts';
@@ -69,12 +70,14 @@ export interface SurfaceModel {
     state: AppState;
     view: Pick<ViewState, 'units' | 'visibility' | 'changeVisibility'>;
     edits: Pick<Edits, 'actions' | 'changeSurface' | 'chooseSurface' | 'intent' | 'remark'>;
+    families: Families;
     chooseKind: (kind: SurfaceKind) => void;
 }
 
 export class SurfacePanel extends SignalElement {
     static override properties = { model: { attribute: false } };
     declare model: SurfaceModel;
+    private level: LevelRows | null = null;
 
     static override styles = [
         sharedStyles,
@@ -179,7 +182,8 @@ export class SurfacePanel extends SignalElement {
                     ${this.kindChoice('time', 'Time', dataset)}
                     ${this.kindChoice('level', 'Level set', dataset)}
                 </fieldset>
-                ${intent.kind === 'level' ? html`<wakesurf-level .model=${this.model}></wakesurf-level>` : this.followedRows(intent, dataset)}
+                ${intent.kind === 'level' ? (this.level ??= new LevelRows(this.model)).rows() : this.followedRows(intent, dataset)}
+                <p class="quiet" id="surface-remark" role="status" ?hidden=${edits.remark.value === null}>${edits.remark.value}</p>
                 <wakesurf-mesh-rules .model=${this.model}></wakesurf-mesh-rules>
             </fieldset>
             ${this.several()}
@@ -188,7 +192,7 @@ export class SurfacePanel extends SignalElement {
 
     /** Of surfaces that follow particles. */
     private followedRows(intent: SurfaceIntent, dataset: DatasetDescription): TemplateResult {
-        const { state, edits } = this.model;
+        const { state } = this.model;
         const shown = followed(intent, state.times.value, dataset.steady);
         const { longest, dataEnd } = this.longest(intent, dataset);
         const step = longest / lengthSteps;
@@ -218,7 +222,6 @@ export class SurfacePanel extends SignalElement {
                 </label>
                 ${this.choice('direction', 'Direction', directionChoices(intent), intent.direction, (direction) => ({ direction }))}
                 ${this.cutBack(intent, dataset)}
-                <p class="quiet" id="surface-remark" role="status" ?hidden=${edits.remark.value === null}>${edits.remark.value}</p>
                 ${this.choice('accuracy', 'Accuracy', accuracies, intent.accuracy, (accuracy) => ({ accuracy }))}
                 ${dataset.smooth ? this.interpolation(intent) : nothing}
         `;

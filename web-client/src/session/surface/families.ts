@@ -1,0 +1,94 @@
+// Makes a family of stream surfaces from the page: a scalar that the flow carries, from the chosen rake or from the inflow, as a field of the
+// dataset. The chosen surface then shows a level set of it.
+import { signal } from '@preact/signals-core';
+import type { FamilyMakeParams } from '../../protocol/generated/family.ts';
+import type { AppState } from '../../state/appState.ts';
+import type { WorkerClient } from '../../worker/workerClient.ts';
+import type { Edits } from '../edits/edits.ts';
+import type { ClockControl } from '../time/clockControl.ts';
+
+/** The rake, or which coordinate of the inflow. */
+export type FamilyChoice = 'rake' | 'x' | 'y' | 'z';
+
+export interface FamilyStanding {
+    making: boolean;
+    words: string;
+}
+
+export interface FamiliesOptions {
+    state: Pick<AppState, 'dataset' | 'rakeShape'>;
+    worker: Pick<WorkerClient, 'call'>;
+    edits: Pick<Edits, 'changeSurface'>;
+    clock: Pick<ClockControl, 'set'>;
+    /** Of the picture. */
+    time: () => number;
+}
+
+export class Families {
+    readonly standing = signal<FamilyStanding | null>(null);
+    private readonly options: FamiliesOptions;
+    private tokens = 0;
+    private token = '';
+    private under: AbortController | null = null;
+
+    constructor(options: FamiliesOptions) {
+        this.options = options;
+    }
+
+    /** From the notification $/progress. */
+    progressed(token: string | number, percentage: number): void {
+        if (token !== this.token || this.standing.value?.making !== true) return;
+        this.tell(true, `${Math.round(percentage)} %`);
+    }
+
+    async make(choice: FamilyChoice): Promise<void> {
+        const { state, worker, edits, clock } = this.options;
+        const wanted = this.wanted(choice);
+        if (wanted === null || this.under !== null) return;
+        this.under = new AbortController();
+        this.token = wanted.workDoneToken as string;
+        this.tell(true);
+        try {
+            const { name, steps } = await worker.call('family.make', wanted, this.under.signal);
+            const { time, range, nodes, reached } = steps[0]!;
+            if (state.dataset.value!.times.length > 1) clock.set(time);
+            // The level of a curve's own surface is 0.
+            const level = choice === 'rake' ? 0 : Number(((range[0] + range[1]) / 2).toPrecision(4));
+            edits.changeSurface({ kind: 'level', field: name, level });
+            this.tell(false, `${name}: ${nodes - reached} of ${nodes} nodes have no value.`);
+        } catch (error) {
+            this.tell(false, String((error as Error).message));
+        } finally {
+            this.under = null;
+        }
+    }
+
+    private tell(making: boolean, words = ''): void {
+        this.standing.value = { making, words };
+    }
+
+    cancel(): void {
+        this.under?.abort();
+    }
+
+    private wanted(choice: FamilyChoice): FamilyMakeParams | null {
+        const { state, time } = this.options;
+        const dataset = state.dataset.value;
+        if (dataset === null) return null;
+        const common = {
+            dataset: dataset.dataset,
+            name: freeName(dataset.surfaceFields, choice === 'rake' ? 'rake_family' : `${choice}_family`),
+            workDoneToken: `family ${++this.tokens}`,
+            time: time(),
+        };
+        if (choice !== 'rake') return { ...common, from: 'inflow', scalar: choice };
+        const { kind, points } = state.rakeShape.value;
+        return { ...common, from: 'curve', rakeKind: kind, points: points.map((point) => [...point] as typeof point) };
+    }
+}
+
+function freeName(taken: readonly string[], name: string): string {
+    let free = name;
+    for (let i = 2; taken.includes(free); ++i) free = `${name}_${i}`;
+    return free;
+}
