@@ -1,6 +1,10 @@
 #include "core/surface/vertex_attributes.hpp"
 
+#include "core/surface/patches/side_curve.hpp"
+
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace wakesurf::core {
 
@@ -21,7 +25,43 @@ std::vector<float> deformation_of(const SheetMesh& mesh,
     return result;
 }
 
+/// Which of the names it is; their number where it is none.
+template <std::size_t Count>
+std::size_t place_in(const std::array<std::string_view, Count>& names, std::string_view name) {
+    return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+std::optional<Vec3> normal_of(const QuadComplex& mesh, std::size_t v) {
+    if (!mesh.normal.empty())
+        return Vec3(mesh.normal[v]);
+    return v < mesh.tangents.size() ? unit_normal(mesh.tangents[v]) : std::nullopt;
+}
+
 } // namespace
+
+bool is_normal_component(std::string_view name) {
+    return place_in(normal_component_names, name) < normal_component_names.size();
+}
+
+bool is_vertex_component(std::string_view name) {
+    return is_normal_component(name) ||
+           place_in(velocity_component_names, name) < velocity_component_names.size();
+}
+
+std::optional<std::vector<float>> vertex_component(const QuadComplex& mesh, std::string_view name) {
+    if (!is_vertex_component(name))
+        return std::nullopt;
+    const bool of_normal = is_normal_component(name);
+    const auto axis = static_cast<int>(of_normal ? place_in(normal_component_names, name)
+                                                 : place_in(velocity_component_names, name));
+    std::vector<float> out(mesh.vertices(), std::numeric_limits<float>::quiet_NaN());
+    for (std::size_t v = 0; v < out.size(); ++v)
+        if (!of_normal)
+            out[v] = mesh.velocity[v][axis];
+        else if (const auto normal = normal_of(mesh, v))
+            out[v] = static_cast<float>((*normal)[axis]);
+    return out;
+}
 
 Result<void> add_attributes(SheetMesh& mesh, const SurfacePlan& plan, std::stop_token stop) {
     const Flow& flow = *plan.flow;

@@ -5,8 +5,10 @@
 #include "core/surface/request/surface_plan.hpp"
 
 #include <array>
+#include <optional>
 #include <stop_token>
 #include <string_view>
+#include <vector>
 
 namespace wakesurf::core {
 
@@ -21,6 +23,16 @@ inline constexpr std::array<std::string_view, 3> velocity_component_names{
 /// Components of the surface's normal, of length 1.
 inline constexpr std::array<std::string_view, 3> normal_component_names{"normal_x", "normal_y",
                                                                         "normal_z"};
+
+/// A component of the velocity or of the normal, by one of the names above: one number a vertex, NaN where there is no normal. Nothing for other
+/// names. Normals are those of the mesh, or else of its tangents. Cost: O(vertices).
+std::optional<std::vector<float>> vertex_component(const QuadComplex& mesh, std::string_view name);
+
+/// Whether it is such a name.
+bool is_vertex_component(std::string_view name);
+
+/// Whether it is such a name and needs tangents.
+bool is_normal_component(std::string_view name);
 
 /// Fills velocity, and tangents and deformation when asked for: log2 of the area element |dx/ds x v| over what it was at release.
 /// Error: what sampling reports. Cost: one sample a vertex, two with deformation.

@@ -25,12 +25,18 @@ std::optional<core::GradientField> derived_here(const LoadedDataset& dataset,
     return stored(dataset, name) ? std::nullopt : core::find_gradient_field(name);
 }
 
+/// Of the velocity and the normal: a stored field of that name goes before it.
+bool component_here(const LoadedDataset& dataset, const std::string& name) {
+    return core::is_vertex_component(name) && !stored(dataset, name);
+}
+
 } // namespace
 
 core::Result<void> check_fields(const LoadedDataset& dataset,
                                 const std::vector<std::string>& fields) {
     for (const std::string& name : fields) {
-        if (written_anyhow(dataset, name) || derived_here(dataset, name))
+        if (written_anyhow(dataset, name) || component_here(dataset, name) ||
+            derived_here(dataset, name))
             continue;
         if (dataset.scalars == nullptr)
             return core::fail(core::Error::Code::Unsupported,
@@ -56,6 +62,10 @@ core::Result<protocol::MeshScalars> surface_scalars(const LoadedDataset& dataset
     for (const std::string& name : fields) {
         if (written_anyhow(dataset, name))
             continue;
+        if (component_here(dataset, name)) {
+            scalars[name] = *core::vertex_component(mesh, name);
+            continue;
+        }
         if (const auto field = derived_here(dataset, name)) {
             derived.push_back(*field);
             derived_names.push_back(name);

@@ -1,5 +1,6 @@
 #include "server/cli/surface_request.hpp"
 
+#include "core/surface/vertex_attributes.hpp"
 #include "protocol/api/generated/surface.hpp"
 #include "protocol/api/generated/surface_options.hpp"
 #include "protocol/api/point_json.hpp"
@@ -8,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -163,7 +165,8 @@ core::Result<SurfaceRequest> check_surface_options(const SurfaceOptions& options
     }
     request.parameters.max_quads = options.max_quads;
     request.parameters.deformation = true;
-    request.parameters.tangents = options.tessellate > 1;
+    request.parameters.tangents =
+        options.tessellate > 1 || std::ranges::any_of(options.fields, core::is_normal_component);
     return request;
 }
 

@@ -4,6 +4,7 @@
 #include "core/surface/obstacle_surface.hpp"
 #include "core/surface/patches/tessellation.hpp"
 #include "core/surface/playback/surface_at.hpp"
+#include "core/surface/vertex_attributes.hpp"
 #include "protocol/api/json_text.hpp"
 #include "protocol/files/lines_file.hpp"
 #include "protocol/files/mesh_file.hpp"
@@ -19,6 +20,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <utility>
@@ -301,7 +303,8 @@ core::Result<void> Downloads::offer(const HttpRequest& request,
         job.plan = early_plan(std::move(job.plan), *early);
     else // which a fast surface would be another one for
         job.plan.parameters.deformation = true;
-    job.plan.parameters.tangents = wanted->tessellate > 1;
+    job.plan.parameters.tangents =
+        wanted->tessellate > 1 || std::ranges::any_of(record->fields, core::is_normal_component);
     std::optional<protocol::LinesWanted> lines;
     if (!wanted->lines.empty()) {
         const auto read = protocol::read_lines(wanted->lines, job.plan.parameters.kind);

@@ -264,6 +264,14 @@ class ClientTest(unittest.TestCase):
         mesh = surface.mesh()
         self.assertEqual(mesh["deformation"].shape, (len(mesh.points),))
         self.assertGreater(np.abs(mesh["deformation"]).max(), 0)
+        surface.set(fields=["velocity_x", "velocity_z", "normal_y", "vorticity"])  # what the page's texture and curved cells ask for
+        mesh = surface.mesh()
+        self.assertTrue(np.array_equal(mesh["velocity_x"], mesh["velocity"][:, 0].astype("f4")))
+        self.assertTrue(np.array_equal(mesh["velocity_z"], mesh["velocity"][:, 2].astype("f4")))
+        self.assertLessEqual(np.nanmax(np.abs(mesh["normal_y"])), 1 + 1e-6)
+        self.assertGreater(np.isfinite(mesh["normal_y"]).mean(), 0.9)
+        for format in ("ply", "glb", "obj", "drc"):
+            self.assertGreater(len(surface.download(format)), 1000)
         self.assertEqual(surface.stats()["pass"].keys(), {"queue", "load", "compute", "encode"})
         with self.assertRaises(wakesurf.InvalidParameters):
             surface.set(fields=["nothing"])

@@ -2,7 +2,6 @@
 
 #include "core/field/sample_scalar.hpp"
 #include "core/field/velocity_gradient.hpp"
-#include "core/surface/patches/side_curve.hpp"
 #include "core/surface/vertex_attributes.hpp"
 #include "protocol/wire/mesh_frame.hpp"
 #include "server/limits.hpp"
@@ -28,11 +27,9 @@ std::optional<SurfaceField> lookup(const OpenDataset& dataset, const std::string
         return SurfaceField{name, Source::Scalar};
     if (name == dataset.info.velocity)
         return SurfaceField{name, Source::Speed};
-    for (const auto& [components, source] :
-         {std::pair(core::velocity_component_names, Source::VelocityComponent),
-          std::pair(core::normal_component_names, Source::NormalComponent)})
-        if (const auto found = std::ranges::find(components, name); found != components.end())
-            return SurfaceField{name, source, static_cast<std::size_t>(found - components.begin())};
+    if (core::is_vertex_component(name))
+        return SurfaceField{name, core::is_normal_component(name) ? Source::NormalComponent
+                                                                  : Source::VelocityComponent};
     if (name == core::deformation_name)
         return SurfaceField{name, Source::Deformation};
     if (name == core::approximated_name)
@@ -57,22 +54,6 @@ std::vector<float> speeds_of(const core::QuadComplex& mesh) {
     std::vector<float> out(mesh.vertices());
     for (std::size_t i = 0; i < out.size(); ++i)
         out[i] = static_cast<float>(mesh.speed(static_cast<core::VertexId>(i)));
-    return out;
-}
-
-std::vector<float> component_of(const core::QuadComplex& mesh, std::size_t axis) {
-    std::vector<float> out(mesh.vertices());
-    for (std::size_t i = 0; i < out.size(); ++i)
-        out[i] = mesh.velocity[i][static_cast<int>(axis)];
-    return out;
-}
-
-/// Of the transported tangents; no value where they span no plane.
-std::vector<float> normal_of(const core::QuadComplex& mesh, std::size_t axis) {
-    std::vector<float> out(mesh.vertices(), std::numeric_limits<float>::quiet_NaN());
-    for (std::size_t i = 0; i < mesh.tangents.size(); ++i)
-        if (const auto normal = core::unit_normal(mesh.tangents[i]))
-            out[i] = static_cast<float>((*normal)[static_cast<int>(axis)]);
     return out;
 }
 
@@ -162,10 +143,9 @@ core::Result<protocol::MeshFields> sample_fields(std::span<const SurfaceField> f
     for (const SurfaceField& field : fields) {
         if (field.source == Source::Speed) {
             out.push_back(speeds_of(mesh));
-        } else if (field.source == Source::VelocityComponent) {
-            out.push_back(component_of(mesh, field.index));
-        } else if (field.source == Source::NormalComponent) {
-            out.push_back(normal_of(mesh, field.index));
+        } else if (field.source == Source::VelocityComponent ||
+                   field.source == Source::NormalComponent) {
+            out.push_back(*core::vertex_component(mesh, field.name));
         } else if (field.source == Source::Deformation) {
             out.push_back(values_of(mesh.deformation, mesh));
         } else if (field.source == Source::Approximated) {

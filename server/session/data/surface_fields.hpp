@@ -33,7 +33,6 @@ struct SurfaceField {
 
     std::string name;
     Source source = Source::Scalar;
-    std::size_t index = 0; ///< of the component
 
     bool operator==(const SurfaceField&) const = default;
 };

@@ -401,4 +401,11 @@ TEST_F(SurfaceCommand, StopsAtASignalAndLeavesNothingHalfWritten) {
     EXPECT_EQ(files(), 0u);
 }
 
+TEST_F(SurfaceCommand, WritesComponentsOfTheVelocityAndTheNormalByName) {
+    ASSERT_EQ(run({"--fields", "velocity_x,normal_z"}).exit_status, 0);
+    const std::string written = bytes("out.vtp");
+    EXPECT_NE(written.find("Name=\"velocity_x\""), std::string::npos);
+    EXPECT_NE(written.find("Name=\"normal_z\""), std::string::npos);
+}
+
 } // namespace wakesurf::server::surface_command_test

@@ -385,7 +385,7 @@ TEST(SurfaceFields, AMeshIsTheSameWithFieldsAndWithout) {
 TEST(SurfaceFields, NamesAreFoundInTheDatasetFirst) {
     const ShearStore store;
     using Source = SurfaceField::Source;
-    EXPECT_EQ(find_field(store.dataset(), "p").value(), (SurfaceField{"p", Source::Scalar, 0}));
+    EXPECT_EQ(find_field(store.dataset(), "p").value(), (SurfaceField{"p", Source::Scalar}));
     EXPECT_EQ(find_field(store.dataset(), "holes").value(),
               (SurfaceField{"holes", Source::Scalar}));
     EXPECT_EQ(find_field(store.dataset(), "U").value().source, Source::Speed);
