@@ -113,6 +113,8 @@ std::string manual_page(const CLI::App& program, const ManualPage& page) {
                        std::string(page.version) + "\" \"User Commands\"\n.SH NAME\n" +
                        roff_of(name) + " \\- " + roff_of(about) + "\n.SH SYNOPSIS\n" +
                        usage_of(program, name) + "\n";
+    if (const std::string more = program.get_footer(); !more.empty())
+        text += ".PP\n" + roff_of(more) + "\n";
     text += ".SH OPTIONS\n" + arguments_and_options(program);
     if (const auto commands = commands_of(program); !commands.empty()) {
         text += ".SH COMMANDS\n";

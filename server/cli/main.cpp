@@ -3,9 +3,11 @@
 #include "server/base/memory_size.hpp"
 #include "server/cli/bench_command.hpp"
 #include "server/cli/built_commit.hpp"
+#include "server/cli/environment.hpp"
 #include "server/cli/failure.hpp"
 #include "server/cli/family_command.hpp"
 #include "server/cli/generate_command.hpp"
+#include "server/cli/implied_command.hpp"
 #include "server/cli/import_command.hpp"
 #include "server/cli/info_command.hpp"
 #include "server/cli/manual_chapters.hpp"
@@ -19,6 +21,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <functional>
@@ -70,7 +73,8 @@ int run(int argc, char** argv) {
     add_hidden(app, "--man-page", [&] {
         return manual_page(app, {version_number(), manual_chapters()});
     });
-    add_hidden(app, "--bash-completion", [&] { return bash_completion(app); });
+    add_hidden(app, "--bash-completion",
+               [&] { return bash_completion(app, app.get_subcommand("serve")); });
     std::function<int()> chosen;
     const auto command = [&](const char* name, const char* about, std::function<int()> action) {
         CLI::App* added = app.add_subcommand(name, about);
@@ -79,9 +83,9 @@ int run(int argc, char** argv) {
     };
 
     ServeOptions serve;
-    add_serve_options(*command("serve", "Serve datasets to browsers and scripts",
-                               [&] { return run_serve(serve); }),
-                      serve);
+    CLI::App& serve_command = *command("serve", "Serve datasets to browsers and scripts",
+                                       [&] { return run_serve(serve); });
+    add_serve_options(serve_command, serve);
     SessionsOptions sessions;
     add_sessions_options(*command("sessions",
                                   "List, rename, save and delete the sessions of a server",
@@ -129,8 +133,20 @@ int run(int argc, char** argv) {
                                [&] { return run_bench(bench); }),
                       bench);
 
+    // Last of all, for each command would take it from the program.
+    app.footer("Without a subcommand, `wakesurf [DATASET ...]` serves the data, or the bundled "
+               "simulation, and opens\nthe page in the browser; options are those of serve.");
+    auto given = with_command(app, {argv + 1, argv + argc});
+    if (!given) {
+        report_failure(given.error());
+        return wrong_usage;
+    }
+    serve.open = given->implied;
+    std::reverse(given->words.begin(), given->words.end()); // as this parser takes them
     try {
-        app.parse(argc, argv);
+        app.parse(std::move(given->words));
+        serve.port_by_chance = given->implied && serve_command.count("--listen") == 0 &&
+                               from_environment("WAKESURF_LISTEN").empty();
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0)
             return app.exit(error); // --help, --version

@@ -10,6 +10,9 @@ Defaults of what \fBwakesurf serve\fR takes by the option of that name.
 .TP
 \fBWAKESURF_URL\fR
 Address of the server that \fBwakesurf sessions\fR and scripts talk to.
+.TP
+\fBBROWSER\fR
+What opens the page, several with colons between them, \fI%s\fR for its address; else \fBxdg\-open\fR(1).
 .SH FILES
 .TP
 \fI~/.cache/wakesurf\fR
@@ -24,8 +27,11 @@ The client for scripts.
 0 done, 1 failed, 2 wrong usage. What was wrong is on standard error, with what to do about it.
 .SH EXAMPLES
 .TP
-The bundled simulation, in the browser: open the address that it prints
-\fBwakesurf serve\fR
+The bundled simulation, in the browser
+\fBwakesurf\fR
+.TP
+Own data, in the browser; by ssh it says what to type on your own machine
+\fBwakesurf case.foam\fR
 .TP
 Own data, with sessions that outlive the server
 \fBwakesurf serve case.foam \-\-state ~/.local/state/wakesurf\fR

@@ -8,12 +8,15 @@
 #include "server/cli/environment.hpp"
 #include "server/cli/failure.hpp"
 #include "server/cli/log_lines.hpp"
+#include "server/cli/opened_page.hpp"
 #include "server/cli/tell.hpp"
 #include "server/cli/writable_folder.hpp"
 #include "server/net/gate.hpp"
 #include "server/net/token_file.hpp"
 
 #include <CLI/CLI.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
 #include <fmt/core.h>
 #include <spdlog/spdlog.h>
 #include <sys/stat.h>
@@ -50,6 +53,25 @@ core::Result<Address> parse_address(const std::string& text) {
     }
     return fail(Error::Code::InvalidArgument, "--listen is `" + text + "`",
                 "write HOST:PORT, for example 127.0.0.1:8080");
+}
+
+/// The address's port, or 0, which stands for any free one, where another program has it: of someone else on the same machine, perhaps.
+std::uint16_t free_port(const Address& address) {
+    boost::asio::io_context context;
+    boost::system::error_code error;
+    const auto host = boost::asio::ip::make_address(address.host, error);
+    if (error)
+        return address.port; // a name: the server says what is wrong with it
+    const boost::asio::ip::tcp::endpoint endpoint(host, address.port);
+    boost::asio::ip::tcp::acceptor door(context);
+    door.open(endpoint.protocol(), error);
+    door.set_option(boost::asio::socket_base::reuse_address(true), error);
+    door.bind(endpoint, error);
+    if (error != boost::asio::error::address_in_use)
+        return address.port;
+    spdlog::info("event=port_taken message=\"port {} is taken: this server has another one\"",
+                 address.port);
+    return 0;
 }
 
 /// What a server is started with, and the token's file, if it has one.
@@ -189,7 +211,7 @@ core::Result<Prepared> prepare(const ServeOptions& options) {
     server.datasets = datasets_to_serve(options);
     server.taken = options.taken;
     server.host = address->host;
-    server.port = address->port;
+    server.port = options.port_by_chance ? free_port(*address) : address->port;
     server.state = options.state;
     server.memory = options.memory;
     server.threads = options.threads;
@@ -203,10 +225,14 @@ core::Result<Prepared> prepare(const ServeOptions& options) {
     return out;
 }
 
+std::string link_of(const std::string& address, const std::string& token) {
+    return address + (token.empty() ? "" : "#token=" + token);
+}
+
 /// Where the link goes: to the file, if there is one, and to standard output without the token then.
 core::Result<void>
 tell_link(const std::string& address, const std::string& token, const std::filesystem::path& file) {
-    const std::string link = address + (token.empty() ? "" : "#token=" + token);
+    const std::string link = link_of(address, token);
     if (!file.empty())
         if (auto written = write_private_file(file, link + "\n"); !written)
             return fail(Error::Code::Io, "--url-file: " + written.error().message,
@@ -229,24 +255,46 @@ core::Result<void> keep_new_token(Server& server, TokenFile& file) {
     return {};
 }
 
-core::Result<void>
-serve(Prepared& prepared, bool new_token, const std::filesystem::path& url_file) {
+/// Opens the page, or says how to come to it. What fails here is no failure of the server: the link has been told.
+std::optional<OpenedPage>
+open_page(const std::string& link, const std::string& host, std::uint16_t port) {
+    if (const auto tunnel = tunnel_command(host, port))
+        tell("wakesurf: to open the link on your own machine, type this there first: {}\n",
+             *tunnel);
+    auto page = OpenedPage::open(link);
+    if (page) {
+        tell("wakesurf: opening the page in your browser; should it not come up, open the link "
+             "(--no-open: never)\n");
+        std::fflush(stdout);
+        return std::move(*page);
+    }
+    std::fflush(stdout);
+    spdlog::info("event=page_not_opened message=\"{}\" hint=\"{}\"", page.error().message,
+                 page.error().hint);
+    return std::nullopt;
+}
+
+core::Result<void> serve(Prepared& prepared, const ServeOptions& asked) {
     const ServerOptions& options = prepared.server;
+    const std::filesystem::path url_file = asked.url_file;
     std::error_code ignored;
     if (!url_file.empty()) // one that waits for the link must not read that of an earlier server
         std::filesystem::remove(url_file, ignored);
     auto running = Server::open(options);
     if (!running)
         return tl::unexpected(running.error());
-    if (new_token)
+    if (asked.new_token)
         if (auto kept = keep_new_token(**running, *prepared.token_file); !kept)
             return kept;
     const bool tls = !options.certificate.empty();
-    if (auto told = tell_link(fmt::format("{}://{}:{}/", tls ? "https" : "http",
-                                          shown_host(options.host), (*running)->port()),
-                              options.token, url_file);
-        !told)
+    const std::string host = shown_host(options.host);
+    const std::string address =
+        fmt::format("{}://{}:{}/", tls ? "https" : "http", host, (*running)->port());
+    if (auto told = tell_link(address, options.token, url_file); !told)
         return told;
+    const auto page = asked.open
+                          ? open_page(link_of(address, options.token), host, (*running)->port())
+                          : std::nullopt;
     if (!tls && in_container()) // which cannot know where its port is published
         spdlog::info("event=no_tls message=\"this port speaks plain HTTP\" hint=\"publish it on "
                      "127.0.0.1 only, or put TLS in front of it\"");
@@ -315,6 +363,9 @@ void add_serve_options(CLI::App& command, ServeOptions& options) {
     auto* const key = command.add_option("--tls-key", options.key, "PEM key of the certificate");
     certificate->needs(key);
     key->needs(certificate);
+    command.add_flag("--open,!--no-open", options.open,
+                     "open the page in the browser of this display (`wakesurf DATASET`, without "
+                     "`serve`, does it unless --no-open says not to)");
     command.add_option("--web", options.web, "folder of the built web client")
         ->check(CLI::ExistingDirectory);
     command.add_option("--log-level", options.log_level, "what to log on standard error")
@@ -331,7 +382,7 @@ int run_serve(const ServeOptions& options) {
         const int status = report_failure(prepared.error());
         return prepared.error().code == Error::Code::InvalidArgument ? wrong_usage : status;
     }
-    const auto served = serve(*prepared, options.new_token, options.url_file);
+    const auto served = serve(*prepared, options);
     return served ? 0 : report_failure(served.error());
 }
 

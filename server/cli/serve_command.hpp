@@ -32,6 +32,8 @@ struct ServeOptions {
     std::string key;
     std::string web;
     std::string log_level = "info";
+    bool open = false;           ///< the page, in a browser
+    bool port_by_chance = false; ///< where the one of `listen` is taken
 };
 
 void add_serve_options(CLI::App& command, ServeOptions& options);

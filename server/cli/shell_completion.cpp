@@ -27,15 +27,8 @@ struct Branches {
     std::string taken;   ///< by path and option: the words it takes
 };
 
-void add_branches(const CLI::App& command, const std::string& path, Branches& branches) {
-    std::string commands;
-    for (const CLI::App* each :
-         command.get_subcommands([](const CLI::App* one) { return !one->get_name().empty(); })) {
-        const std::string below = path + " " + each->get_name();
-        commands += each->get_name() + " ";
-        branches.known += (branches.known.empty() ? "'" : " | '") + below + "'";
-        add_branches(*each, below, branches);
-    }
+/// Its options, each after a space; what they take goes to the branches.
+std::string options_of(const CLI::App& command, const std::string& path, Branches& branches) {
     std::string options;
     for (const CLI::Option* each :
          command.get_options([](const CLI::Option* one) { return !one->get_group().empty(); })) {
@@ -47,15 +40,34 @@ void add_branches(const CLI::App& command, const std::string& path, Branches& br
         for (const std::string& name : each->get_snames())
             options += "-" + name + " ";
     }
+    return options;
+}
+
+/// @param implied  the command whose options may be given without it, or null
+void add_branches(const CLI::App& command,
+                  const std::string& path,
+                  const CLI::App* implied,
+                  Branches& branches) {
+    std::string commands;
+    for (const CLI::App* each :
+         command.get_subcommands([](const CLI::App* one) { return !one->get_name().empty(); })) {
+        const std::string below = path + " " + each->get_name();
+        commands += each->get_name() + " ";
+        branches.known += (branches.known.empty() ? "'" : " | '") + below + "'";
+        add_branches(*each, below, nullptr, branches);
+    }
+    std::string options = options_of(command, path, branches);
+    if (implied != nullptr)
+        options += options_of(*implied, path, branches);
     branches.offered +=
         "    '" + path + "') commands='" + commands + "' options='" + options + "' ;;\n";
 }
 
 } // namespace
 
-std::string bash_completion(const CLI::App& program) {
+std::string bash_completion(const CLI::App& program, const CLI::App* implied) {
     Branches branches;
-    add_branches(program, "", branches);
+    add_branches(program, "", implied, branches);
     return R"bash(# bash completion of wakesurf, made by `wakesurf --bash-completion`.
 _wakesurf() {
     local current=${COMP_WORDS[COMP_CWORD]} path='' previous='' commands='' options='' words='' i

@@ -10,6 +10,6 @@ class App;
 namespace wakesurf::server {
 
 /// A script for bash-completion's folder: commands, options, the words that an option takes, else files.
-std::string bash_completion(const CLI::App& program);
+std::string bash_completion(const CLI::App& program, const CLI::App* implied = nullptr);
 
 } // namespace wakesurf::server

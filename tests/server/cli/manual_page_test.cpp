@@ -96,6 +96,9 @@ TEST(BashCompletion, OffersCommandsOptionsAndTheWordsOfAnOption) {
     EXPECT_EQ(completed("wakesurf serve --log-level w", 3), "warn\n");
     EXPECT_EQ(completed("wakesurf sessions list --", 3), "--help --trash --json\n");
     EXPECT_EQ(completed("wakesurf serve ca", 2), "\n") << "files, as bash offers them";
+    EXPECT_EQ(completed("wakesurf case.foam --no-o", 2), "--no-open\n") << "those of serve";
+    EXPECT_EQ(completed("wakesurf --log-level w", 2), "warn\n");
+    EXPECT_EQ(completed("wakesurf ca", 1), "\n");
 }
 
 } // namespace wakesurf::tests::manual_page_test
