@@ -15,4 +15,7 @@ std::filesystem::path this_program();
 /// Error: NotFound.
 core::Result<std::filesystem::path> bundled_simulation();
 
+/// The folder with the client for Python, found in the same way. Error: NotFound.
+core::Result<std::filesystem::path> python_client();
+
 } // namespace wakesurf::server

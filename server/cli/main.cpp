@@ -11,6 +11,7 @@
 #include "server/cli/import_command.hpp"
 #include "server/cli/info_command.hpp"
 #include "server/cli/manual_chapters.hpp"
+#include "server/cli/mcp_command.hpp"
 #include "server/cli/serve_command.hpp"
 #include "server/cli/sessions_command.hpp"
 #include "server/cli/shell_completion.hpp"
@@ -123,6 +124,10 @@ int run(int argc, char** argv) {
     add_generate_options(*command("generate", "Sample a built-in flow into a store",
                                   [&] { return run_generate(generate); }),
                          generate);
+    McpOptions mcp;
+    add_mcp_options(*command("mcp", "Offer tools to AI agents over the Model Context Protocol",
+                             [&] { return run_mcp(mcp); }),
+                    mcp);
     StateCommandOptions state;
     add_state_commands(*app.add_subcommand("state",
                                            "Check, back up or restore the sessions a "

@@ -9,10 +9,13 @@ std::string_view manual_chapters() {
 Defaults of what \fBwakesurf serve\fR takes by the option of that name.
 .TP
 \fBWAKESURF_URL\fR
-Address of the server that \fBwakesurf sessions\fR and scripts talk to.
+Address of the server that \fBwakesurf sessions\fR, \fBwakesurf mcp\fR and scripts talk to.
 .TP
 \fBBROWSER\fR
 What opens the page, several with colons between them, \fI%s\fR for its address; else \fBxdg\-open\fR(1).
+.TP
+\fBWAKESURF_PYTHON\fR
+The Python of \fBwakesurf mcp\fR, with numpy; else the system's.
 .SH FILES
 .TP
 \fI~/.cache/wakesurf\fR

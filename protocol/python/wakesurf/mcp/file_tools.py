@@ -1,0 +1,95 @@
+"""Tools that make pictures and files: picture, film, export."""
+from __future__ import annotations
+
+import os
+import typing
+from typing import Any, Dict, List, Optional, cast
+
+from ..errors import InvalidParameters
+from ..plain import Json
+from ..progress import Progress
+from ..view import Look, SurfaceLook
+from .tool import POINT, SURFACE as SURFACE_ID, TIME, Answer, Call, tool
+from .work import Work, short
+
+_MOST_FRAMES = 600
+_LARGEST_SHOWN = 2 << 20  # bytes of a picture in a message, where there is a file of it as well
+_PATH: Json = {"type": "string", "description": "where to write it, below the folder that this program was given"}
+_OVERWRITE: Json = {"type": "boolean", "description": "true: a file of someone else may be replaced"}
+_CAMERA: Json = {"type": "object", "description": "left out: as the page begins, with everything in view", "properties": {
+    "position": {**POINT, "description": "of the eye"}, "target": {**POINT, "description": "the middle of the picture"},
+    "orthographic": {"type": "boolean"}}}
+_LOOK_TYPES: Dict[Any, Json] = {str: {"type": "string"}, float: {"type": "number"}, bool: {"type": "boolean"}}
+_LOOK: Json = {"type": "object", "description": "how surfaces look; colour_by is speed, age, s, constant, vorticity, q_criterion, deformation, error or "
+               "field:NAME; map is viridis, cividis, inferno, plasma, coolToWarm, grey or turbo", "properties": {
+                   name: _LOOK_TYPES.get(hint, {"type": "array", "items": {"type": "number"}, "minItems": 2, "maxItems": 2})
+                   for name, hint in typing.get_type_hints(SurfaceLook).items()}}
+
+
+def _size(name: str, usual: int) -> Json:
+    return {"type": "integer", "minimum": 64, "maximum": 4096, "description": f"{name} in pixels; {usual}"}
+
+
+def _view(given: Json) -> Optional[Look]:
+    view = {name: given[name] for name in ("camera", "look") if name in given}
+    if "camera" in view and not {"position", "target"} <= view["camera"].keys():
+        raise InvalidParameters("a camera needs `position` and `target`", -32602, "invalidParameters", "three numbers each")
+    return cast(Look, view) if view else None
+
+
+def _picture(work: Work, given: Json, call: Call) -> Answer:
+    size = given.get("width", 1200), given.get("height", 800)
+    path = work.place.file(given["path"], (".png",), given.get("overwrite", False)) if "path" in given else None
+    drawn = work.session.picture(path, size, time=given.get("time"), view=_view(given), caption=given.get("caption"),
+                                 rakes=given.get("rakes", False), background=given.get("background", "shown"))
+    call.check()
+    numbers: Json = {"width": size[0], "height": size[1], "bytes": len(drawn.data)}
+    if path is not None:
+        numbers["path"] = work.place.wrote(path)
+    where = f" in {numbers['path']}" if path is not None else ""
+    if path is not None and len(drawn.data) > _LARGEST_SHOWN:
+        return Answer(f"A picture of {size[0]} x {size[1]} pixels{where}, too large to be sent along.", numbers)
+    return Answer(f"A picture of {size[0]} x {size[1]} pixels{where}.", numbers, drawn.data)
+
+
+def _film(work: Work, given: Json, call: Call) -> Answer:
+    size = given.get("width", 1280), given.get("height", 720)
+    first, last, count = given["from"], given["to"], given.get("frames", 50)
+    times = [first + (last - first) * i / max(1, count - 1) for i in range(count)]
+    path = work.place.file(given["path"], ("", ".mp4", ".webm"), given.get("overwrite", False))
+
+    def told(progress: Progress) -> None:
+        call.progress(progress.share, progress.message)
+
+    made = work.session.film(path, times, size, fps=given.get("fps", 25.0), view=_view(given), progress=told)
+    shown = work.place.wrote(path)
+    files: List[str] = [work.place.wrote(each) for each in made]
+    return Answer(f"{count} pictures from {first:g} to {last:g} in {shown}.",
+                  {"path": shown, "frames": count, "files": len(files), "times": short([first, last])})
+
+
+def _export(work: Work, given: Json, call: Call) -> Answer:
+    surface = work.surface(given.get("surface"))
+    path = work.place.file(given["path"], (".vtp", ".glb", ".ply", ".obj", ".drc"), given.get("overwrite", False))
+    call.check()
+    surface.export(path, time=given.get("time"), lines=given.get("lines"), tessellate=given.get("tessellate", 1))
+    shown, size = work.place.wrote(path), os.path.getsize(path)
+    return Answer(f"{surface.id} is in {shown}.", {"surface": surface.id, "path": shown, "bytes": size})
+
+
+_VIEW = {"camera": _CAMERA, "look": _LOOK}
+PICTURE = tool("picture", "Draw a picture", "A picture of the session as people see it on the page. It needs Chromium where this program runs. Ask for numbers first: "
+               "they say more, and cost less.",
+               {"path": {**_PATH, "description": "a .png to write as well, below the folder that this program was given"}, "width": _size("width", 1200),
+                "height": _size("height", 800), "time": TIME, **_VIEW, "rakes": {"type": "boolean", "description": "true: rakes are shown"},
+                "background": {"type": "string", "enum": ["shown", "white", "clear"]}, "caption": {"type": "string"}, "overwrite": _OVERWRITE})(_picture)
+FILM = tool("film", "Draw a film", "Pictures at evenly spaced times, as a folder of .png, or as .mp4 or .webm where ffmpeg is. No one's clock moves.",
+            {"path": _PATH, "from": {"type": "number", "description": "first time"}, "to": {"type": "number", "description": "last time"},
+             "frames": {"type": "integer", "minimum": 1, "maximum": _MOST_FRAMES, "description": "50"}, "width": _size("width", 1280),
+             "height": _size("height", 720), "fps": {"type": "number", "minimum": 1, "maximum": 120, "description": "frames a second; 25"}, **_VIEW,
+             "overwrite": _OVERWRITE}, ["path", "from", "to"])(_film)
+EXPORT = tool("export", "Write a surface to a file", "A surface as .vtp (ParaView), .glb, .ply, .obj or .drc.",
+              {"surface": SURFACE_ID, "path": _PATH, "time": TIME,
+               "lines": {"type": "string", "description": "lines instead of the mesh, as timelines:8 or arrows:every=0.5,width=0.1"},
+               "tessellate": {"type": "integer", "minimum": 1, "maximum": 16, "description": "each cell cut into so many quads each way"},
+               "overwrite": _OVERWRITE}, ["path"])(_export)

@@ -1,0 +1,143 @@
+"""Tools that measure: wait, numbers, compare, explain."""
+from __future__ import annotations
+
+from typing import Any, Dict, List, Mapping, cast
+
+from ..errors import WaitTimeout
+from ..plain import Json
+from ..progress import Progress
+from ..surface import Surface
+from .numbers import change_of, distance, mesh_numbers, ratio
+from .tool import SURFACE as SURFACE_ID, TIME, Answer, Call, tool
+from .work import Work, short
+
+_ENDS = {"time": "reached the end of the time that was asked for", "domain": "left the domain", "obstacle": "reached an obstacle",
+         "stagnation": "came to rest", "budget": "used up the steps allowed: raise max_quads, or shorten the time"}
+_KINDS = {"stream": "all streamlines of one frozen moment, from the rake on: the structure of the field then. Do not read motion from it in an "
+                    "unsteady flow.",
+          "path": "the ways of particles that leave the rake together: where does what passes here end up?",
+          "streak": "all particles released from the rake since a time, as they lie now: smoke or dye. It shows roll-up and shedding best.",
+          "time": "a patch of particles released together, as it lies now: how does this piece of fluid stretch and fold?",
+          "level": "where a scalar field has one value. No particle is released for it."}
+_KEPT = ("surface", "complete", "kind", "quads", "vertices", "separation", "requestedSeparation", "coarsened", "maxEdge", "approximated",
+         "error99", "uncertain", "terminated", "torn", "dataEnd", "fieldRange", "stopped", "empty", "error")
+
+
+def _statistics(stats: Mapping[str, Any]) -> Json:
+    return cast(Json, short({name: stats[name] for name in _KEPT if name in stats}))
+
+
+def _wait(work: Work, given: Json, call: Call) -> Answer:
+    surface = work.surface(given.get("surface"))
+
+    def told(progress: Progress) -> None:
+        call.progress(progress.share, progress.message or "computing")
+
+    try:
+        stats: Mapping[str, Any] = surface.wait(given.get("seconds", 60), told)
+    except WaitTimeout:
+        stats = surface.stats()
+        if not stats["complete"]:
+            return Answer(f"{surface.id} is still being computed: {stats['quads']} quads so far. Wait again, or change it: a larger "
+                          "separation takes less time.", _statistics(stats))
+    return Answer(f"{surface.id} is complete: {_size(stats)}{_error(stats)}.{_empty(stats)}", _statistics(stats))
+
+
+def _size(stats: Mapping[str, Any]) -> str:
+    return f"{stats['quads']} quads, {stats['vertices']} vertices"
+
+
+def _error(stats: Mapping[str, Any]) -> str:
+    if "error99" not in stats:
+        return ""
+    return f", 99 % of them within {stats['error99']:.2g} of the true surface, {stats.get('uncertain', 0)} uncertain"
+
+
+def _empty(stats: Mapping[str, Any]) -> str:
+    empty = stats.get("empty")
+    return f" There is nothing to see: {empty['message']} ({empty['hint']})." if empty else ""
+
+
+def _numbers(work: Work, given: Json, call: Call) -> Answer:
+    surface = work.surface(given.get("surface"))
+    call.check()
+    mesh = surface.mesh(time=given.get("time"))
+    numbers: Json = {"surface": surface.id, **{name: mesh.about[name] for name in ("kind", "dataset", "time") if name in mesh.about},
+               **mesh_numbers(mesh)}
+    if not len(mesh.points):
+        return Answer(f"{surface.id} has no vertices{_at(numbers)}: ask explain why.", numbers)
+    fields: Dict[str, Json] = numbers["fields"]
+    speed = fields.get("speed", {})
+    size = numbers["bounds"]
+    box = " x ".join(f"{size[2 * i + 1] - size[2 * i]:.4g}" for i in range(3))
+    return Answer(f"{surface.id}{_at(numbers)}: area {numbers['area']:.5g} in a box of {box}, {numbers['vertices']} vertices"
+                  + (f", speed {speed['min']:.3g} to {speed['max']:.3g}, {speed['mean']:.3g} in the mean" if "mean" in speed else "") + ".",
+                  numbers)
+
+
+def _at(numbers: Mapping[str, Any]) -> str:
+    return f" at time {numbers['time']:g}" if isinstance(numbers.get("time"), (int, float)) else ""
+
+
+def _compare(work: Work, given: Json, call: Call) -> Answer:
+    one, other = work.surface(given["a"]), work.surface(given.get("b", given["a"]))
+    meshes = []
+    for surface, time in ((one, given.get("time_a")), (other, given.get("time_b"))):
+        call.check()
+        meshes.append(surface.mesh(time=time))
+    a, b = (mesh_numbers(each) for each in meshes)
+    call.check()
+    away: Json = {"a_from_b": distance(*meshes), "b_from_a": distance(meshes[1], meshes[0])}
+    fields = {name: {"a": first, "b": second} for name, first, second in change_of(a["fields"], b["fields"])}
+    numbers: Json = {"a": {"surface": one.id, "time": given.get("time_a")}, "b": {"surface": other.id, "time": given.get("time_b")},
+                     "area": {"a": a["area"], "b": b["area"], "ratio": ratio(a["area"], b["area"])},
+                     "vertices": {"a": a["vertices"], "b": b["vertices"]}, "bounds": {"a": a["bounds"], "b": b["bounds"]},
+                     "means": fields, "distance": away}
+    far = max((each.get("max", 0.0) for each in away.values()), default=0.0)
+    mean = max((each.get("mean", 0.0) for each in away.values()), default=0.0)
+    grown = "" if numbers["area"]["ratio"] is None else f"{numbers['area']['ratio']:.4g} times the area of"
+    return Answer(f"b has {grown or 'another area than'} a; they are {mean:.3g} apart in the mean, {far:.3g} where they are farthest.", numbers)
+
+
+def _explain(work: Work, given: Json, call: Call) -> Answer:
+    surface = work.surface(given.get("surface"))
+    stats: Mapping[str, Any] = surface.stats()
+    return Answer(" ".join(_sentences(surface, stats)), {**_statistics(stats), "parameters": short(surface.record())})
+
+
+def _sentences(surface: Surface, stats: Mapping[str, Any]) -> List[str]:
+    said = [f"{surface.id} is a {stats['kind']} surface: {_KINDS[stats['kind']]}"]
+    if not stats["complete"]:
+        said.append("It is still being computed.")
+    if stats.get("error"):
+        said.append(f"It cannot be computed: {stats['error'].get('message', '')} {stats['error'].get('hint', '')}".strip() + ".")
+    ended = {name: count for name, count in stats.get("terminated", {}).items() if count}
+    if ended:
+        said.append("Of its particles " + "; ".join(f"{count} {_ENDS.get(name, name)}" for name, count in ended.items()) + ".")
+    if stats.get("coarsened"):
+        said.append(f"A separation of {stats['requestedSeparation']:.4g} needs more quads than allowed, so it is {stats['separation']:.4g}: "
+                    "raise max_quads, or release fewer.")
+    if stats.get("torn"):
+        said.append(f"{stats['torn']} cells were torn where neighbours went apart.")
+    if stats.get("uncertain"):
+        said.append(f"{stats['uncertain']} of {stats['vertices']} vertices may be farther than the separation from the true surface: accuracy "
+                    "exact places them better.")
+    if stats.get("stopped"):
+        said.append(f"It ends early: {stats['stopped']}.")
+    if "dataEnd" in stats:
+        said.append(f"Backward it ends at {stats['dataEnd']:g}, where the data begin.")
+    return [*said, _empty(stats).strip()] if stats.get("empty") else said
+
+
+WAIT = tool("wait", "Wait for a surface", "Waits until a surface is complete, and tells its size and its estimated error. Tells how far it is.",
+            {"surface": SURFACE_ID, "seconds": {"type": "number", "minimum": 0, "maximum": 3600, "description": "at most so long; 60"}},
+            reads_only=True)(_wait)
+NUMBERS = tool("numbers", "Measure a surface", "Area, bounds, and the least, greatest and mean value (by area) of each field on a surface: speed, t (age), s "
+               "(place on the rake), deformation, and the fields that it was made with.", {"surface": SURFACE_ID, "time": TIME},
+               reads_only=True)(_numbers)
+COMPARE = tool("compare", "Compare two surfaces", "Areas, bounds, means of fields, and how far two surfaces are apart; or one at two times.",
+               {"a": {"type": "string", "description": "id of a surface"}, "b": {"type": "string", "description": "id of another; left out, `a` itself"},
+                "time_a": {**TIME, "description": "time at which a is taken"}, "time_b": {**TIME, "description": "time at which b is taken"}},
+               ["a"], reads_only=True)(_compare)
+EXPLAIN = tool("explain", "Why it is as it is", "In words: what this kind of surface means, why its particles ended, whether it is coarser than asked for, "
+               "how exact it is, and what to do about it.", {"surface": SURFACE_ID}, reads_only=True)(_explain)

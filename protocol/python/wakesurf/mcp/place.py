@@ -1,0 +1,47 @@
+"""The folder that files are written to: nothing is written outside of it, nor over what someone else has made."""
+from __future__ import annotations
+
+import os
+from typing import Sequence, Set
+
+from ..errors import InvalidParameters, NotPermitted
+
+
+class Place:
+    """A folder. Links are followed before it is decided whether something lies in it."""
+
+    def __init__(self, folder: str) -> None:
+        self.folder = os.path.realpath(folder)
+        self._made: Set[str] = set()
+
+    def file(self, path: str, extensions: Sequence[str], overwrite: bool = False) -> str:
+        """Where to write it; folders on the way are made. An extension of "" allows a folder. Error: NotPermitted,
+        InvalidParameters."""
+        if "\0" in path or not path.strip():
+            raise _wrong(f"{path!r} is no name of a file", "give a path below the folder")
+        ending = os.path.splitext(path)[1].lower()
+        if ending not in extensions:
+            raise _wrong(f"`path` ends in {ending or 'nothing'}", "one of " + ", ".join(each or "a folder" for each in extensions))
+        full = os.path.realpath(os.path.join(self.folder, path))
+        if os.path.commonpath([self.folder, full]) != self.folder or full == self.folder:
+            raise NotPermitted(f"{path!r} is not below the folder for files", 0, "notPermitted",
+                               "give a path relative to it; the folder is chosen by --folder where this program is started")
+        there = os.listdir(full) if os.path.isdir(full) and ending == "" else os.path.lexists(full)
+        if there and full not in self._made and not overwrite:
+            raise NotPermitted(f"{self.shown(full)} is there already, and not from here", 0, "notPermitted",
+                               "give another name, or overwrite=true if its owner agrees")
+        os.makedirs(os.path.dirname(full), exist_ok=True)
+        return full
+
+    def wrote(self, full: str) -> str:
+        """From now on it may be written again. Returns the path as it is told."""
+        self._made.add(full)
+        return self.shown(full)
+
+    def shown(self, full: str) -> str:
+        """Below the folder, as people would write it."""
+        return os.path.relpath(full, self.folder)
+
+
+def _wrong(message: str, hint: str) -> InvalidParameters:
+    return InvalidParameters(message, -32602, "invalidParameters", hint)

@@ -1,0 +1,103 @@
+"""The session that the tools work in: found, or started with a server of its own, when the first tool needs it."""
+from __future__ import annotations
+
+import threading
+import time as clock
+from typing import TYPE_CHECKING, Any, Optional, Sequence
+
+from ..client import Client
+from ..errors import InvalidParameters, NotFound, WakesurfError
+from ..plain import Json
+from ..serve import serve
+from ..surface import Surface
+
+if TYPE_CHECKING:
+    from ..session import Session
+    from .place import Place
+    from .tool import Call
+
+
+class Work:
+    """One at a time uses it, but `close`, which any thread may call."""
+
+    def __init__(self, datasets: Sequence[str], url: Optional[str], session: Optional[str], place: Place) -> None:
+        self._datasets, self._url, self._wanted = list(datasets), url, session
+        self.place = place
+        self._client: Optional[Client] = None
+        self._session: Optional[Session] = None
+        self._newest: Optional[str] = None
+        self._lock, self._closed = threading.Lock(), False
+
+    def close(self) -> None:
+        """Ends the server, if it is one of ours."""
+        with self._lock:
+            self._closed = True
+            if self._client is not None and self._client.server is not None:
+                self._client.server.stop()
+
+    @property
+    def client(self) -> Client:
+        with self._lock:
+            if self._closed:
+                raise WakesurfError("this program is ending")
+            if self._client is None:
+                self._client = Client(self._url) if self._url else serve(*self._datasets, wait=False).client
+        return self._client
+
+    @property
+    def session(self) -> Session:
+        if self._session is None:
+            self._session = self.client.session(self._wanted)
+        return self._session
+
+    def enter(self, session: str) -> None:
+        """Another session from now on; "new": an empty one of its own. Error: NotFound, NotPermitted."""
+        self._session = self.client.create_session("agent") if session == "new" else self.client.session(session)
+        self._newest = None
+
+    def dataset(self, named: Optional[str]) -> str:
+        """The one that is named, else the only one there is."""
+        ids = [each["dataset"] for each in self.client.datasets()]
+        if named is None and len(ids) == 1:
+            return ids[0]
+        if named in ids:
+            return str(named)
+        message = f"there is no dataset {named!r}" if named else f"there are {len(ids)} datasets"
+        kind = NotFound if named else InvalidParameters
+        raise kind(message, 0, "notFound" if named else "invalidParameters", "name one: " + ", ".join(ids))
+
+    def ready(self, dataset: str, seconds: float, call: Call) -> Json:
+        """The dataset's entry, once it is imported, or as it is after so many seconds."""
+        end = clock.monotonic() + seconds
+        while True:
+            entry: Json = next(dict(each) for each in self.client.datasets() if each["dataset"] == dataset)
+            left = end - clock.monotonic()
+            if entry["state"] != "importing" or left <= 0:
+                return entry
+            call.progress(entry.get("progress"), f"importing {entry['name']}")
+            self.client.api.dataset.open(dataset=dataset, timeout_ms=int(1000 * min(0.5, left)))
+
+    def made(self, surface: str) -> None:
+        """It is the newest from now on."""
+        self._newest = surface
+
+    def surface(self, named: Optional[str]) -> Surface:
+        """The one that is named, else the one that was made last. Error: NotFound."""
+        ids = [each.id for each in self.session.surfaces()]
+        wanted = named or (self._newest if self._newest in ids else None) or (ids[-1] if ids else None)
+        if wanted in ids:
+            return Surface(self.session, str(wanted))
+        if not ids:
+            raise NotFound("the session has no surface", 0, "notFound", "make one with the tool `surface`")
+        raise NotFound(f"there is no surface {named!r}", 0, "notFound", "there are " + ", ".join(ids))
+
+
+def short(value: Any) -> Any:
+    """Six digits of each number: more would say nothing."""
+    if isinstance(value, float):
+        return float(f"{value:.6g}")
+    if isinstance(value, dict):
+        return {name: short(each) for name, each in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [short(each) for each in value]
+    return value

@@ -1,0 +1,26 @@
+// `wakesurf mcp`: the tools for programs that are driven by a language model, over standard input and output. They are part of the client
+// for Python (protocol/python/wakesurf/mcp), which this starts in its own place, and end with it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace wakesurf::server {
+
+struct McpOptions {
+    std::vector<std::string> datasets;
+    std::string url;
+    std::string session;
+    std::string folder;
+};
+
+void add_mcp_options(CLI::App& command, McpOptions& options);
+
+/// Does not return where it could start them. Exit status.
+int run_mcp(const McpOptions& options);
+
+} // namespace wakesurf::server
