@@ -40,7 +40,8 @@ def notebook_origins() -> List[str]:
 def in_notebook() -> bool:
     """Whether what is shown goes to a notebook's page."""
     shell = getattr(sys.modules.get("IPython"), "get_ipython", lambda: None)()
-    return shell is not None and hasattr(shell, "kernel")
+    in_marimo = getattr(sys.modules.get("marimo"), "running_in_notebook", lambda: False)()
+    return in_marimo or (shell is not None and hasattr(shell, "kernel"))
 
 
 def _runtime_folders() -> List[str]:

@@ -7,8 +7,10 @@ storage that browsers part by site, so the frame takes the name by which the not
 Behind jupyter-server-proxy the page has the notebook's own origin: `session.show(proxy=True)`, or $WAKESURF_PROXY=1. On JupyterHub, which
 sets $JUPYTERHUB_SERVICE_PREFIX, that is the default.
 
-Tested in Debian's notebook 6.4 and tried by hand in JupyterLab 4.0. VS Code and jupyter-server-proxy are served by their documented
-interfaces and untested.
+Where anywidget is installed the page is one (widget.py), else a frame among the cell's outputs, else a picture.
+
+Tested in Debian's notebook 6.4 and tried by hand in JupyterLab 4.0, as a frame. anywidget, VS Code, Colab, marimo and jupyter-server-proxy are
+served by their documented interfaces and untested.
 """
 from __future__ import annotations
 
@@ -23,6 +25,7 @@ from typing import TYPE_CHECKING, Any, Dict, Optional, Union
 from .errors import WakesurfError
 from .frame_origin import in_notebook, notebook_address, notebook_origins
 from .picture import Picture
+from .widget import page_widget
 
 if TYPE_CHECKING:
     from .session import Session
@@ -40,13 +43,20 @@ class Shown:
     height: int
     picture: Optional[Picture] = None
     why: str = ""  # there is no frame
+    widget: Optional[Any] = None  # the same as an anywidget, where that is installed
 
-    def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> Dict[str, Any]:
+    def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> Any:
+        if self.widget is not None:
+            return self.widget._repr_mimebundle_(include=include, exclude=exclude)
         bundle: Dict[str, Any] = {"text/plain": repr(self), "text/html": self._repr_html_()}
         if self.picture is not None:
             bundle["image/png"] = base64.b64encode(self.picture.data).decode()
             del bundle["text/html"]
         return bundle
+
+    def _display_(self) -> Any:
+        """What marimo shows."""
+        return self.widget or self.picture or _Html(self._repr_html_())
 
     def __repr__(self) -> str:
         return "wakesurf in a frame" if self.frame else f"wakesurf, not in a frame: {self.why}"
@@ -66,6 +76,14 @@ class Shown:
                 f"document.getElementById(\"{name}\").src = address.href;}}</script>")
 
 
+@dataclass(frozen=True)
+class _Html:
+    text: str
+
+    def _repr_html_(self) -> str:
+        return self.text
+
+
 def _script(text: str) -> str:
     return json.dumps(text).replace("<", "\\u003c")
 
@@ -83,7 +101,7 @@ def show(session: Session, width: Union[int, str], height: int, *, proxy: Option
     elif not static:
         why = _why_no_frame(session)
     if not why:
-        return Shown(address, True, str(width), height)
+        return Shown(address, True, str(width), height, widget=page_widget(address, str(width), height))
     pixels = int(width) if isinstance(width, int) else 960
     try:
         return Shown(address, False, str(width), height, session.picture(size=(pixels, height)), why)
