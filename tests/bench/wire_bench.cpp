@@ -125,6 +125,14 @@ double bytes_a_vertex(const protocol::EncodedUpdate& update) {
     return static_cast<double>(update.bytes) / static_cast<double>(update.state->vertices());
 }
 
+/// How much of a KEY says how its vertices make cells; the rest are the vertices. That is what points without cells would spare.
+double cells_percent(const protocol::EncodedUpdate& key) {
+    const auto frame = protocol::read_frame(*key.frames.front());
+    std::size_t at = 0;
+    const auto packed = protocol::take_varint(frame.value().body, at);
+    return 100.0 * packed.value() / static_cast<double>(key.bytes);
+}
+
 /// Follows the updates of one stream.
 struct Measured {
     protocol::MeshStream stream;
@@ -220,6 +228,7 @@ void measure_moves(benchmark::State& state, const std::function<Scene()>& make) 
             if (!late)
                 throw std::runtime_error(late.error().message);
             state.counters["late_key_bytes_per_vertex"] = bytes_a_vertex(*late);
+            state.counters["late_key_percent_for_cells"] = cells_percent(*late);
             state.counters["lossless_percent_of_raw"] =
                 100.0 * exact.bytes / exact.vertices / raw_bytes;
             state.counters["lossless_percent_of_draco_mesh"] =

@@ -31,6 +31,7 @@ const frame: WorkerEvent = {
         keys: 1,
         deltas: 0,
         withheld: [],
+        curved: false,
     },
     ...{ decodeMs: 1, vertices: 0, triangles: 0, fromVertex: 0, fromNormal: 0, fromSeed: 0, tFrom: 0, fromIndex: 0 },
     ...{ positions: new Float32Array(), normals: new Float32Array(), seeds: new Float32Array() },

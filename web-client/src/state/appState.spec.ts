@@ -12,6 +12,7 @@ const displayed: DisplayedSurface = {
     keys: 1,
     deltas: 0,
     withheld: [],
+    curved: false,
     phase: 'final' as const,
     time: 0,
 };

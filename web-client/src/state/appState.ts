@@ -41,6 +41,8 @@ export interface DisplayedSurface {
     deltas: number;
     /** Attributes that came with it and are not here; those that a look needs follow when the worker knows of it. */
     withheld: readonly string[];
+    /** Drawn of curved cells. */
+    curved: boolean;
 }
 
 export interface ShownRake {

@@ -64,6 +64,7 @@ export function displayedOf(surface: string, change: Partial<DisplayedSurface> =
             keys: 1,
             deltas: 0,
             withheld: [],
+            curved: false,
         },
         ...change,
     };

@@ -26,8 +26,8 @@ export class DisplayArrays {
     private cutAsked = false;
     private unitsAsked = false;
     private unresolvedAsked = false;
-    /** What was given away last is of curved cells: nothing of it stays. */
-    private curved = false;
+    /** What was given away last is of curved cells: nothing of it stays. Only take() changes it. */
+    curved = false;
     private positions = new Float32Array(0);
     private indices = new Uint32Array(0);
     private triangles = 0;

@@ -136,6 +136,7 @@ describe('SurfaceFolder', () => {
         vi.advanceTimersByTime(100);
         await vi.dynamicImportSettled();
         const [, flat, curved] = bench.states;
+        expect([flat!.curved, curved!.curved]).toEqual([false, true]);
         expect(curved!.meshVertices).toBe(flat!.meshVertices);
         expect(curved!.cells).toBe(flat!.cells);
         expect(curved!.vertices).toBeGreaterThan(flat!.vertices);

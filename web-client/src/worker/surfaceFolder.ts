@@ -199,7 +199,7 @@ export class SurfaceFolder {
         followed.decodeMs = 0;
         this.options.onState({
             ...{ surface, epoch, phase, time, stateSum, cells: mesh.cellCount, meshVertices: mesh.vertices },
-            ...{ keys, deltas, withheld, decodeMs },
+            ...{ keys, deltas, withheld, curved: display.curved, decodeMs },
             ...arrays,
         });
         if (curve === null) this.curveAtRest(followed);

@@ -69,6 +69,8 @@ export interface SurfaceState extends TimedMeshChange {
     deltas: number;
     /** Attributes that came with it and stayed in the worker: until then the page had not said that it wants them. */
     withheld: readonly string[];
+    /** The arrays are of curved cells. */
+    curved: boolean;
     /** Time it took here to decode what is new and to make the arrays. */
     decodeMs: number;
 }

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { framesAtMost, frameTimes, isShownAt } from './film.ts';
+import { framesAtMost, frameTimes } from './film.ts';
 
 describe('the frames of a film', () => {
     it('begin and end with the playback, at even distances', () => {
@@ -12,17 +12,5 @@ describe('the frames of a film', () => {
     it('are at least two and not too many', () => {
         expect(frameTimes([0, 1], { fps: 12, seconds: 0.01 })).toEqual([0, 1]);
         expect(frameTimes([0, 1], { fps: 60, seconds: 1e6 })).toHaveLength(framesAtMost);
-    });
-});
-
-describe('a frame of a film', () => {
-    it('waits for a surface at its time, or at the nearer end of what it covers, whichever way it runs', () => {
-        for (const ends of [
-            { from: 1, to: 5 },
-            { from: 5, to: 1 },
-        ]) {
-            expect([2, 2 + 1e-7, 2.1].map((shown) => isShownAt(ends, shown, 2))).toEqual([true, true, false]);
-            expect([isShownAt(ends, 5, 7), isShownAt(ends, 1, 7), isShownAt(ends, 1, 0)]).toEqual([true, false, true]);
-        }
     });
 });

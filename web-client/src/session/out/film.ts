@@ -1,7 +1,7 @@
 // A film of a playback: for every frame the time is set, the surfaces of that time are waited for, and the picture is drawn. It
 // takes as long as it takes; no frame is left out. Afterwards the time is what it was.
 import { effect, signal } from '@preact/signals-core';
-import type { ClockRecord } from '../../protocol/messages.ts';
+import type { ClockRecord, SurfaceRecord } from '../../protocol/messages.ts';
 import { timeText } from '../picture/writtenNumbers.ts';
 import type { ScreenSize } from '../../scene/base/view.ts';
 import type { AppState } from '../../state/appState.ts';
@@ -9,11 +9,11 @@ import type { WorkerClient } from '../../worker/workerClient.ts';
 import type { Edits } from '../edits/edits.ts';
 import type { Figure } from './figure.ts';
 import type { Playback } from '../time/playback.ts';
-import { clampTo, type Span } from '../time/timeSteps.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { automaticRanges } from '../picture/colourRanges.ts';
 import { withUnit } from '../picture/unitsInPicture.ts';
 import { canEncode, VideoEncoding } from './videoEncoding.ts';
+import { unfinishedSurface } from './wholeSurface.ts';
 
 const patienceMs = 60_000;
 const askAgainMs = 5000;
@@ -60,12 +60,6 @@ export function frameTimes([from, to]: readonly [number, number], { fps, seconds
 export function spread(times: readonly number[], most: number): number[] {
     if (times.length <= most) return [...times];
     return Array.from({ length: most }, (_, i) => times[Math.round((i * (times.length - 1)) / (most - 1))]!);
-}
-
-/** Whether a surface that moves is drawn as it is at a time, or at its end that is nearer; backward ones end before `from`. */
-export function isShownAt({ from, to }: { from: number; to: number }, shown: number, time: number): boolean {
-    const span: Span = [Math.min(from, to), Math.max(from, to)];
-    return Math.abs(shown - clampTo(span, time)) <= 1e-6 * (span[1] - span[0]);
 }
 
 class Cancelled extends Error {}
@@ -166,15 +160,10 @@ export class FilmMaker {
 
     /** All that move are drawn as they are at this time, within their own. */
     private surfacesAt(time: number): boolean {
-        const { state } = this.options;
-        return [...state.surfaces.value.values()].every(({ surface, kind, from, to }) => {
-            if (state.hiddenSurfaces.value.has(surface)) return true;
-            const displayed = state.displayed.value.get(surface);
-            if (state.surfaceErrors.value.has(surface)) return true;
-            if (displayed === undefined || displayed.phase !== 'final') return false;
-            if (displayed.epoch < (state.requestedEpochs.value.get(surface) ?? 0)) return false;
-            return kind === 'stream' || isShownAt({ from, to }, displayed.time, time);
-        });
+        const { state, view } = this.options;
+        const done = (record: SurfaceRecord): boolean =>
+            state.surfaceErrors.value.has(record.surface) || unfinishedSurface(state, view, record, time) === '';
+        return [...state.surfaces.value.values()].every(done);
     }
 
     private until(met: () => boolean): Promise<void> {

@@ -42,6 +42,13 @@ describe('a picture for a program', () => {
         expect(why()).toBe('s1 has no speed yet');
     });
 
+    it('is not whole while cells are flat that its look curves', () => {
+        look = { ...usualLook, curved: true };
+        expect(why()).toBe('the cells of s1 are not curved yet');
+        drawn({ curved: true });
+        expect(why()).toBe('');
+    });
+
     it('waits for no surface that is hidden, and for none that failed', () => {
         drawn({ phase: 'coarse' });
         state.hiddenSurfaces.value = new Set(['s1']);

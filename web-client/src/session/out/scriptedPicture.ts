@@ -4,8 +4,7 @@ import type { FigureBackground } from '../../scene/capture.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { Figure } from './figure.ts';
 import type { ViewState } from '../../state/viewState.ts';
-import { attributesOf } from '../picture/surfaceStyleOf.ts';
-import { isShownAt } from './film.ts';
+import { unfinishedSurface } from './wholeSurface.ts';
 
 export interface ScriptedSetting {
     width: number;
@@ -23,21 +22,11 @@ export function unfinished(state: AppState, view: Pick<ViewState, 'lookOf'>, tim
     if (stage !== 'running') {
         return stage === 'failed' || stage === 'gone' || stage === 'ended' ? `!the page has ${stage}` : stage;
     }
-    for (const { surface, kind, from, to } of state.surfaces.value.values()) {
-        const failure = state.surfaceErrors.value.get(surface);
-        if (failure !== undefined) return `!${surface}: ${failure.text}`;
-        if (state.hiddenSurfaces.value.has(surface)) continue;
-        const displayed = state.displayed.value.get(surface);
-        if (displayed === undefined || displayed.epoch < (state.requestedEpochs.value.get(surface) ?? 0)) {
-            return `${surface} is not there`;
-        }
-        if (displayed.phase !== 'final') return `${surface} is ${displayed.phase}`;
-        // Without them it is drawn as if they never came: colours of before, smoke as the picture guesses it.
-        const missing = attributesOf(view.lookOf(surface)).filter((name) => displayed.withheld.includes(name));
-        if (missing.length > 0) return `${surface} has no ${missing.join(', ')} yet`;
-        if (time !== null && kind !== 'stream' && !isShownAt({ from, to }, displayed.time, time)) {
-            return `${surface} is shown at ${displayed.time}`;
-        }
+    for (const record of state.surfaces.value.values()) {
+        const failure = state.surfaceErrors.value.get(record.surface);
+        if (failure !== undefined) return `!${record.surface}: ${failure.text}`;
+        const why = unfinishedSurface(state, view, record, time);
+        if (why !== '') return why;
     }
     return '';
 }

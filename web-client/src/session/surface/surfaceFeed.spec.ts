@@ -19,7 +19,7 @@ function stateOfEpoch(epoch: number, change: Partial<SurfaceState> = {}): Surfac
             meshVertices: 4,
             triangles: 2,
         },
-        ...{ keys: 1, deltas: 0, withheld: [], decodeMs: 2 },
+        ...{ keys: 1, deltas: 0, withheld: [], curved: false, decodeMs: 2 },
         ...{ fromVertex: 0, positions: new Float32Array(12), normals: new Float32Array(12) },
         ...{
             fromNormal: 0,

@@ -137,6 +137,7 @@ export class SurfaceFeed {
                 keys,
                 deltas,
                 withheld,
+                curved,
             } = arrived.at(-1)!;
             const decodeMs = arrived.reduce((sum, each) => sum + each.decodeMs, 0);
             scene.whenDrawn((at) => {
@@ -146,6 +147,7 @@ export class SurfaceFeed {
             });
             const shown = {
                 ...{ surface, epoch, vertices, cells, triangles, stateSum, phase, time, keys, deltas, withheld },
+                curved,
             };
             state.displayed.value = withEntry(state.displayed.value, surface, shown);
             this.requested(surface, epoch);

@@ -3,11 +3,11 @@ import { describe, expect, it } from 'vitest';
 import { sampleStatistics } from '../../protocol/testing/sampleRecords.ts';
 import type { SurfaceRecord, SurfaceStats } from '../../protocol/messages.ts';
 import type { DisplayedSurface, Stage } from '../../state/appState.ts';
+import { displayedOf } from '../../testing/records.ts';
 import { SurfaceOutcomes } from './surfaceOutcomes.ts';
 
 function displayed(stateSum: number, phase: DisplayedSurface['phase'] = 'final'): ReadonlyMap<string, DisplayedSurface> {
-    const sizes = { vertices: 8, cells: 3, triangles: 6, keys: 1, deltas: 0, withheld: [] };
-    return new Map([['s1', { surface: 's1', epoch: 1, stateSum, phase, time: 0, ...sizes }]]);
+    return new Map([['s1', displayedOf('s1', { stateSum, phase })]]);
 }
 
 function bench() {
