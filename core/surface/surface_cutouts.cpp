@@ -307,8 +307,8 @@ Result<Cutouts> arrows(const QuadComplex& mesh,
                 area += add(out, piece, shaft, line.value);
                 area += add(out, std::move(piece), head, line.value);
             }
-            // One that reaches over a border is left out.
-            if (!options.along_lines && area < 0.97 * arrow_area)
+            // One that reaches over a border is left out. In the surface none is smaller than flat, whichever way that bends.
+            if (!options.along_lines && area < (1.0 - 1e-5) * arrow_area)
                 take_back(out, before);
         }
     return out;

@@ -35,10 +35,14 @@ def option(name):
     return "--" + re.sub(r"[A-Z]", lambda match: "-" + match.group().lower(), name)
 
 
-def command(scene):
-    """`wakesurf surface ...`, of the scene's surface."""
+def commands(scene):
+    """`wakesurf surface ...`, of the scene's surface, and before it that of the family it is a level set of."""
     surface = scene["surface"]
-    words = ["wakesurf surface", f"\"{scene['data']}\"" if "?" in scene["data"] else scene["data"], "--kind", surface["kind"]]
+    data = f"\"{scene['data']}\"" if "?" in scene["data"] else scene["data"]
+    family = scene.get("family")
+    first = [] if family is None else [
+        f"wakesurf family {data} --name {family['name']} --from {family['from']}={family['scalar']} --time {plain(family['time'])}"]
+    words = ["wakesurf surface", data, "--kind", surface["kind"]]
     for name in ("rake", "rake2"):
         if name in surface:
             words += ["--" + name, '"' + " ".join(map(point, surface[name])) + '"']
@@ -51,7 +55,7 @@ def command(scene):
             words += [option(name), plain(value)]
     if "fields" in surface:
         words += ["--fields", ",".join(surface["fields"])]
-    return " ".join([*words, "-o", scene["name"] + ".vtp"])
+    return [*first, " ".join([*words, "-o", scene["name"] + ".vtp"])]
 
 
 def text():
@@ -61,5 +65,5 @@ def text():
         for scene in scenes():
             if scene["section"] == section:
                 parts.append(f"### {scene['title']}\n\n![{scene['title']}](pictures/{scene['name']}.webp)\n\n{scene['words']}\n\n"
-                             f"```sh run\n{command(scene)}\n```\n\n")
+                             "```sh run\n" + "\n".join(commands(scene)) + "\n```\n\n")
     return "".join(parts).rstrip() + "\n"

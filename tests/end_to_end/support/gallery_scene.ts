@@ -16,6 +16,8 @@ export interface Scene {
     data: string;
     /** As surface.set takes it; rakes are their points. */
     surface: { kind: string; rake: Vec3[]; rake2?: Vec3[]; seeds?: number; to: number } & Record<string, unknown>;
+    /** Made first, as family.make takes it, for the surface to be a level set of. */
+    family?: Record<string, unknown>;
     look: Partial<SurfaceLook>;
     camera: { position: Vec3; target: Vec3 };
     /** The rake is in the picture, and the box of the domain with its numbers. */
@@ -57,6 +59,7 @@ export async function linkTo(server: ServerProcess, scene: Scene): Promise<strin
     const rake = await rakeOf(points);
     const more = second === undefined ? {} : { rake2: await rakeOf(second) };
     const dataset = datasetOf(scene);
+    if (scene.family !== undefined) await server.call('family.make', { dataset, ...scene.family });
     const { surface } = await server.call('surface.set', { session, rake, dataset, ...more, ...parameters });
     await server.call('surface.wait', { session, surface, timeoutMs: 120_000 });
     const view: PageView = {

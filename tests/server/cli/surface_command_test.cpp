@@ -404,20 +404,24 @@ TEST_F(SurfaceCommand, StopsAtASignalAndLeavesNothingHalfWritten) {
 }
 
 TEST_F(SurfaceCommand, WritesComponentsOfTheVelocityAndTheNormalByName) {
-    ASSERT_EQ(run({"--fields", "velocity_x,normal_z"}).exit_status, 0);
+    ASSERT_EQ(run({"--fields", "velocity_x,normal_x,normal_y,normal_z"}).exit_status, 0);
     const std::string written = bytes("out.vtp");
     const auto values = [&](const std::string& name) {
         return tests::array_of<float>(written, "Float32", name);
     };
-    const auto points = values("Points"), speed = values("speed"),
-               velocity_x = values("velocity_x"), normal_z = values("normal_z");
-    ASSERT_EQ(velocity_x.size(), speed.size());
-    ASSERT_EQ(normal_z.size(), speed.size());
-    // Round the axis of the vortex, in a plane across it.
+    const auto velocity = values("velocity"), velocity_x = values("velocity_x"),
+               speed = values("speed");
+    const auto x = values("normal_x"), y = values("normal_y"), z = values("normal_z");
+    ASSERT_EQ(velocity.size(), 3 * speed.size());
+    for (const auto& component : {velocity_x, x, y, z})
+        ASSERT_EQ(component.size(), speed.size());
+    // The velocity lies in a stream surface.
     for (std::size_t v = 0; v < speed.size(); ++v) {
-        const double x = points[3 * v], y = points[3 * v + 1];
-        EXPECT_NEAR(velocity_x[v], -speed[v] * y / std::hypot(x, y), 1e-5 * speed[v]);
-        EXPECT_NEAR(std::abs(normal_z[v]), 1.0, 1e-5);
+        EXPECT_EQ(velocity_x[v], velocity[3 * v]);
+        EXPECT_NEAR(std::hypot(x[v], y[v], z[v]), 1.0, 1e-5);
+        EXPECT_NEAR(x[v] * velocity[3 * v] + y[v] * velocity[3 * v + 1] +
+                        z[v] * velocity[3 * v + 2],
+                    0.0, 1e-5 * speed[v]);
     }
 }
 
