@@ -130,6 +130,9 @@ core::Result<SurfaceRequest> check_surface_options(const SurfaceOptions& options
     request.from = asked->from;
     if (given(options, "to"))
         request.to = request.parameters.to;
+    if (!options.rake.empty() && request.parameters.kind == core::SurfaceKind::Level)
+        return core::fail(Code::InvalidArgument, "a level surface begins at no rake",
+                          "leave --rake out");
     if (options.rake.empty() && !options.rake_kind.empty())
         return core::fail(Code::InvalidArgument, "--rake-kind is of --rake, which is left out",
                           "give both or neither");

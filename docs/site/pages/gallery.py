@@ -44,7 +44,7 @@ def commands(scene):
         f"wakesurf family {data} --name {family['name']} --from {family['from']}={family['scalar']} --time {plain(family['time'])}"]
     words = ["wakesurf surface", data, "--kind", surface["kind"]]
     for name in ("rake", "rake2"):
-        if name in surface:
+        if name in surface and surface["kind"] != "level":
             words += ["--" + name, '"' + " ".join(map(point, surface[name])) + '"']
     if "seeds" in surface:
         words += ["--seeds", plain(surface["seeds"])]

@@ -132,4 +132,13 @@ TEST(SurfaceRequest, RefusesWhatSurfaceSetRefusesUnderTheNameOfTheOption) {
     EXPECT_EQ(complaint("kind", "time"), "a time surface takes one of --rake2 and --sweep");
 }
 
+TEST(SurfaceRequest, OfALevelSurfaceTakesNoRake) {
+    SurfaceOptions asked;
+    asked.output = "out.vtp";
+    asked.asked = {{"kind", "level"}, {"field", "p"}, {"level", "0.3"}};
+    EXPECT_TRUE(check_surface_options(asked));
+    asked.rake = "0,0,0 1,1,1";
+    EXPECT_EQ(check_surface_options(asked).error().message, "a level surface begins at no rake");
+}
+
 } // namespace wakesurf::server::surface_request_test
