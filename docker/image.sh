@@ -18,7 +18,7 @@ debian_image() {
         buildah commit --quiet --rm "$container" "$tag" >/dev/null
         rm -rf "$work/debian"
     fi
-    say "$tag"
+    printf '%s\n' "$tag"
 }
 
 # build_image NAME BASE CA CCACHE COMMIT: empty where not given. BASE: an image, or debootstrap[:SUITE], a Debian made here.
