@@ -16,7 +16,7 @@ struct Turned {
 
 // Between neighbours 3.75 degrees: the chord lies 0.05 % of the radius inside the body, half a pixel of a sphere that fills the screen.
 constexpr std::uint32_t around = 96;
-constexpr int along = 48;
+constexpr int pieces_along = 48;
 
 /// @param outline  upwards; its first and last corner are on the axis
 WallGeometry turned(const std::vector<Turned>& outline, const Box& box) {
@@ -56,8 +56,8 @@ WallGeometry sphere_wall(double radius, const Box& box) {
     if (r == 0.0)
         return {};
     std::vector<Turned> outline{{0.0, -r}};
-    for (int i = 1; i < along; ++i) {
-        const double angle = std::numbers::pi * i / along;
+    for (int i = 1; i < pieces_along; ++i) {
+        const double angle = std::numbers::pi * i / pieces_along;
         outline.push_back({r * std::sin(angle), -r * std::cos(angle)});
     }
     outline.push_back({0.0, r});

@@ -7,8 +7,20 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace wakesurf::core {
+
+/// A form is a velocity(position, time). One with a body says what is solid, and has a wall(box) where its shape can be looked at.
+template <class Form>
+concept HasBody = requires(const Form& form, const Vec3& p) {
+    form.solid(p);
+};
+
+template <class Form>
+concept HasWall = requires(const Form& form, const Box& box) {
+    form.wall(box);
+};
 
 template <class Form>
 struct BoundedForm {
@@ -31,7 +43,14 @@ struct BoundedForm {
     PointStatus status(const Vec3& p) const {
         if (!box.contains(p))
             return PointStatus::OutsideDomain;
-        return form.solid(p) ? PointStatus::InObstacle : PointStatus::Inside;
+        return solid(p) ? PointStatus::InObstacle : PointStatus::Inside;
+    }
+
+    bool solid(const Vec3& p) const {
+        if constexpr (HasBody<Form>)
+            return form.solid(p);
+        else
+            return false;
     }
 
     double finest_spacing() const {
@@ -41,9 +60,11 @@ struct BoundedForm {
 
     /// True where one of the 26 points round `p`, a part of the finest spacing away on each axis, lies in the body.
     bool at_wall(const Vec3& p) const {
+        if constexpr (!HasBody<Form>)
+            return false;
         const double near = near_wall * finest_spacing();
         for (int i = 0; i < 27; ++i)
-            if (form.solid(p + near * (Vec3(i % 3, i / 3 % 3, i / 9) - 1.0)))
+            if (solid(p + near * (Vec3(i % 3, i / 3 % 3, i / 9) - 1.0)))
                 return true;
         return false;
     }
@@ -52,8 +73,14 @@ struct BoundedForm {
 template <class Form>
 class AnalyticFlow final : public Flow {
   public:
-    AnalyticFlow(Form form, Box box)
-        : field_{form, box}, obstacle_(!form.wall(box).triangles.empty()) {}
+    AnalyticFlow(Form form, Box box) : field_{std::move(form), box} {
+        if constexpr (HasWall<Form>) // a cylinder of no radius is none
+            obstacle_ = !field_.form.wall(box).triangles.empty();
+    }
+
+    /// @param obstacle  there is one, whether its wall can be looked at or not
+    AnalyticFlow(Form form, Box box, bool obstacle)
+        : field_{std::move(form), box}, obstacle_(obstacle) {}
 
     Box domain() const override { return field_.box; }
 
@@ -92,7 +119,12 @@ class AnalyticFlow final : public Flow {
 
     bool obstacle() const override { return obstacle_; }
 
-    WallGeometry walls() const override { return field_.form.wall(field_.box); }
+    WallGeometry walls() const override {
+        if constexpr (HasWall<Form>)
+            return field_.form.wall(field_.box);
+        else
+            return {};
+    }
 
     Result<void> sample(std::span<const Vec3> positions,
                         std::span<const double> times,
@@ -106,7 +138,7 @@ class AnalyticFlow final : public Flow {
 
   private:
     BoundedForm<Form> field_;
-    bool obstacle_;
+    bool obstacle_ = HasBody<Form>;
 };
 
 } // namespace wakesurf::core

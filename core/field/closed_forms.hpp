@@ -12,44 +12,37 @@
 
 namespace wakesurf::core {
 
-/// Forms without an obstacle inherit this.
-struct NoObstacle {
-    bool solid(const Vec3&) const { return false; }
-
-    WallGeometry wall(const Box&) const { return {}; }
-};
-
-struct UniformFlow : NoObstacle {
+struct UniformFlow {
     double u, v, w;
 
     Vec3 velocity(const Vec3&, double) const { return {u, v, w}; }
 };
 
-struct OscillatingFlow : NoObstacle {
+struct OscillatingFlow {
     double u, a, omega;
 
     Vec3 velocity(const Vec3&, double t) const { return {u, a * std::sin(omega * t), 0.0}; }
 };
 
-struct RotationFlow : NoObstacle {
+struct RotationFlow {
     double omega, w;
 
     Vec3 velocity(const Vec3& p, double) const { return {-omega * p.y, omega * p.x, w}; }
 };
 
-struct ShearFlow : NoObstacle {
+struct ShearFlow {
     double u, g;
 
     Vec3 velocity(const Vec3& p, double) const { return {u + g * p.z, 0.0, 0.0}; }
 };
 
-struct StrainFlow : NoObstacle {
+struct StrainFlow {
     double a, b, c;
 
     Vec3 velocity(const Vec3& p, double) const { return {a * p.x, b * p.y, c * p.z}; }
 };
 
-struct RotatingStrainFlow : NoObstacle {
+struct RotatingStrainFlow {
     double s, omega, w;
 
     Vec3 velocity(const Vec3& p, double t) const {
@@ -59,7 +52,7 @@ struct RotatingStrainFlow : NoObstacle {
     }
 };
 
-struct LambOseenFlow : NoObstacle {
+struct LambOseenFlow {
     double gamma, rc, w;
 
     Vec3 velocity(const Vec3& p, double) const {
@@ -98,7 +91,7 @@ struct CylinderFlow {
     WallGeometry wall(const Box& box) const { return cylinder_wall(a, box); }
 };
 
-struct HillFlow : NoObstacle {
+struct HillFlow {
     double u, a;
 
     Vec3 velocity(const Vec3& p, double) const {
@@ -115,7 +108,7 @@ struct HillFlow : NoObstacle {
     }
 };
 
-struct AbcFlow : NoObstacle {
+struct AbcFlow {
     double a, b, c;
 
     Vec3 velocity(const Vec3& p, double) const {
@@ -124,7 +117,7 @@ struct AbcFlow : NoObstacle {
     }
 };
 
-struct DoubleGyreFlow : NoObstacle {
+struct DoubleGyreFlow {
     double amplitude, eps, period, w;
 
     Vec3 velocity(const Vec3& p, double t) const {
@@ -137,7 +130,7 @@ struct DoubleGyreFlow : NoObstacle {
     }
 };
 
-struct TornadoFlow : NoObstacle {
+struct TornadoFlow {
     Vec3 velocity(const Vec3& p, double t) const {
         const double xc = 0.5 + 0.1 * std::sin(0.04 * t + 10.0 * p.z);
         const double yc = 0.5 + 0.1 * std::cos(0.03 * t + 3.0 * p.z);
@@ -155,7 +148,7 @@ struct TornadoFlow : NoObstacle {
     }
 };
 
-struct StagnationFlow : NoObstacle {
+struct StagnationFlow {
     double a;
 
     Vec3 velocity(const Vec3& p, double) const { return {a * p.x, a * p.y, -2.0 * a * p.z}; }

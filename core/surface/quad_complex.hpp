@@ -42,7 +42,7 @@ Cell mirror(const Cell& cell);
 struct QuadComplex {
     std::vector<Vec3> position;
     std::vector<double> s; ///< seed parameter along the rake, 0..1
-    std::vector<double> t; ///< time since release
+    std::vector<double> t; ///< time since release; streak: of the release; time: place in the patch
     std::vector<Vec3f> velocity;
     std::vector<float> deformation; ///< log2 of area now / area at birth; empty when not asked for
     std::vector<std::uint32_t> component;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <memory>
 #include <optional>
 #include <span>
 #include <type_traits>
@@ -16,6 +17,9 @@ static_assert(std::endian::native == std::endian::little,
               "numbers are copied as they lie in memory");
 
 using Bytes = std::vector<std::byte>;
+
+/// The frames of an update, which many connections send.
+using SharedFrames = std::vector<std::shared_ptr<const Bytes>>;
 
 template <class T>
 requires std::is_arithmetic_v<T>

@@ -4,10 +4,10 @@
 
 #include "core/base/result.hpp"
 #include "core/surface/keyed_mesh.hpp"
+#include "protocol/wire/bytes.hpp"
 #include "protocol/wire/lattice.hpp"
 #include "protocol/wire/mesh_frame.hpp"
 #include "protocol/wire/wire_mesh.hpp"
-#include "protocol/wire/wire_update.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -3,18 +3,15 @@
 #pragma once
 
 #include "core/base/result.hpp"
+#include "protocol/wire/bytes.hpp"
 #include "protocol/wire/mesh_frame.hpp"
 #include "protocol/wire/wire_residuals.hpp"
 
-#include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
 namespace wakesurf::protocol {
-
-using SharedFrames = std::vector<std::shared_ptr<const std::vector<std::byte>>>;
 
 /// @param header   of the update; what differs from frame to frame is filled in
 /// @param numbers  the ranges of a KEY, and the topology

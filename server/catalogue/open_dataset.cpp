@@ -3,6 +3,7 @@
 #include "core/field/analytic_flow.hpp"
 #include "core/field/stored_flow.hpp"
 #include "server/catalogue/import_process.hpp"
+#include "store/open_store.hpp"
 #include "store/store_manifest.hpp"
 
 #include <fmt/format.h>
@@ -97,30 +98,27 @@ core::Result<LoadedDataset> open_flow(const DatasetArgument& argument) {
 
 core::Result<LoadedDataset> open_store(const std::filesystem::path& folder,
                                        const core::TimeStepCache::Options& options) {
-    const auto disk = std::make_shared<core::PosixDisk>();
-    auto manifest = store::read_store_manifest(folder, *disk);
-    if (!manifest)
-        return tl::unexpected(manifest.error());
-    auto reader = store::StoreReader::open(store::store_layout(*manifest, folder), disk);
-    if (!reader)
-        return tl::unexpected(reader.error());
+    auto opened = store::open_store(folder);
+    if (!opened)
+        return tl::unexpected(opened.error());
+    const auto& reader = opened->reader;
     core::TimeStepCache::Options cached = options;
     std::shared_ptr<core::MemoryAccount::Share> memory;
     if (options.account) {
-        auto share = counted(**reader, *options.account);
+        auto share = counted(*reader, *options.account);
         if (!share)
             return tl::unexpected(share.error());
         memory = std::move(*share);
-    } else if (const auto budget = cache_budget(**reader, options.budget_bytes)) {
+    } else if (const auto budget = cache_budget(*reader, options.budget_bytes)) {
         cached.budget_bytes = *budget;
     } else {
         return tl::unexpected(budget.error());
     }
-    auto cache = std::make_shared<core::TimeStepCache>(*reader, std::move(cached));
+    auto cache = std::make_shared<core::TimeStepCache>(reader, std::move(cached));
     const std::shared_ptr<const core::Flow> flow =
         core::make_stored_flow(cache, std::make_shared<core::SteadyClock>(), simd_wanted());
     return with_families(
-        LoadedDataset{std::move(manifest->info), flow, cache, *reader, std::move(memory)}, options);
+        LoadedDataset{std::move(opened->info), flow, cache, reader, std::move(memory)}, options);
 }
 
 void list_families(core::DatasetInfo& info, const store::StoreScalars& scalars) {

@@ -1,11 +1,16 @@
 // A streak or time surface at any time of a clock: its history.
 #pragma once
 
-#include "core/surface/moving/surface_history.hpp"
+#include "core/base/clock.hpp"
+#include "core/base/result.hpp"
+#include "core/base/work_done.hpp"
+#include "core/surface/keyed_mesh.hpp"
+#include "core/surface/request/surface_plan.hpp"
+#include "core/surface/surface_statistics.hpp"
 
-#include <limits>
+#include <cstddef>
+#include <memory>
 #include <stop_token>
-#include <string>
 
 namespace wakesurf::core {
 
@@ -14,12 +19,16 @@ class PlayedSurface {
   public:
     /// @param clock         outlives it
     /// @param budget_bytes  of what is kept to step back to
-    /// Error: what MovingSurface::start reports.
+    /// Error: OverLimit, Cancelled, and what loading a time-step reports. REQUIRES: a streak or a time surface.
     static Result<PlayedSurface> start(const SurfacePlan& plan,
                                        std::size_t budget_bytes,
                                        const Clock& clock,
                                        const std::stop_token& stop,
                                        const WorkPart& work = {});
+
+    ~PlayedSurface();
+    PlayedSurface(PlayedSurface&&) noexcept;
+    PlayedSurface& operator=(PlayedSurface&&) noexcept;
 
     struct Shown {
         KeyedMesh mesh; ///< ids last as long as this surface
@@ -40,17 +49,10 @@ class PlayedSurface {
     std::size_t bytes() const;
 
   private:
-    explicit PlayedSurface(SurfaceHistory history);
+    struct State;
+    explicit PlayedSurface(std::unique_ptr<State> state);
 
-    const SurfacePlan& plan() const { return history_.surface().state().plan->request.plan; }
-
-    Result<KeyedMesh> mesh_at(double age, const std::stop_token& stop, const WorkPart& work);
-
-    SurfaceHistory history_;
-    double from_;
-    double sign_;                                           ///< which way time runs
-    double most_ = std::numeric_limits<double>::infinity(); ///< readable age
-    std::string stopped_;
+    std::unique_ptr<State> state_;
 };
 
 } // namespace wakesurf::core

@@ -53,9 +53,7 @@ double phase(double time, double interval) {
 SampledFlow sample_abc(double interval, bool rectilinear = false) {
     const auto velocity = [interval](const Vec3& p, double t) {
         const double phi = phase(t, interval);
-        const core::AbcFlow flow{{},
-                                 1.0 + 0.3 * std::sin(phi),
-                                 0.8 + 0.3 * std::cos(phi),
+        const core::AbcFlow flow{1.0 + 0.3 * std::sin(phi), 0.8 + 0.3 * std::cos(phi),
                                  0.6 + 0.2 * std::sin(phi + 1.0)};
         return flow.velocity(p, t);
     };

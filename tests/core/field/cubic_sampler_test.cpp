@@ -201,7 +201,7 @@ TEST(CubicSampler, IsTrilinearInCellsWhoseNeighboursTouchAnObstacle) {
 
 TEST(SmoothSampling, ErrorsOfPathsFallWithThePower2OfTheSpacingWhenTrilinearAnd3HalfWhenTricubic) {
     // docs/measurements.md, Order of the field's interpolation: slopes 2.0 and 3.5 to 3.6.
-    const AbcFlow abc{{}, std::sqrt(3.0), std::sqrt(2.0), 1.0};
+    const AbcFlow abc{std::sqrt(3.0), std::sqrt(2.0), 1.0};
     const auto velocity = [&](const Vec3& p, double t) { return abc.velocity(p, t); };
     std::vector<Vec3> seeds;
     std::mt19937 random(4);
@@ -230,7 +230,7 @@ TEST(SmoothSampling, ErrorsOfPathsFallWithThePower2OfTheSpacingWhenTrilinearAnd3
 }
 
 TEST(SmoothSampling, CubicInTimeIsTenTimesBetterThanLinearAtThirtyTwoTimeStepsAPeriod) {
-    const DoubleGyreFlow gyre{{}, 0.1, 0.25, 10.0, 0.0};
+    const DoubleGyreFlow gyre{0.1, 0.25, 10.0, 0.0};
     const UniformGrid sheet{Vec3(0.0), Vec3(1.0 / 32, 1.0 / 32, 1.0), {65, 33, 2}};
     const auto velocity = [&](const Vec3& p, double t) { return gyre.velocity(p, t); };
     std::vector<Vec3> seeds;

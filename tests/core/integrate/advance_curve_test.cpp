@@ -50,7 +50,7 @@ Curve traced(
     return curve;
 }
 
-const AbcFlow abc{{}, 1.0, 1.0, 0.0};
+const AbcFlow abc{1.0, 1.0, 0.0};
 
 /// With C = 0, H = B sin x + A cos z is constant and y = y0 + H t exactly.
 double abc_error(const Curve& curve) {
@@ -83,7 +83,7 @@ TEST(AdvanceCurve, TheErrorFollowsTheToleranceOfDopri5) {
 }
 
 TEST(AdvanceCurve, DenseOutputIsAsAccurateAsTheSteps) {
-    const LambOseenFlow swirl{{}, 2.0 * std::numbers::pi, 0.3, 0.5};
+    const LambOseenFlow swirl{2.0 * std::numbers::pi, 0.3, 0.5};
     const Curve curve = traced(Unbounded<LambOseenFlow>{swirl}, {0.7, 0, 0}, 4.0,
                                {.tolerance = 1e-9, .longest_step = 1.0});
     const double rate = (1.0 - std::exp(-0.49 / 0.09)) / 0.49;
@@ -99,8 +99,8 @@ TEST(AdvanceCurve, DenseOutputIsAsAccurateAsTheSteps) {
 TEST(AdvanceCurve, UpstreamReturnsToTheSeed) {
     const TraceOptions options{.tolerance = 1e-10, .longest_step = 1.0};
     const Curve there =
-        traced(Unbounded<OscillatingFlow>{{{}, 1.0, 1.0, 2.0}}, {0, 0, 0}, 3.0, options);
-    const Curve back = traced(Unbounded<OscillatingFlow>{{{}, 1.0, 1.0, 2.0}}, there.last.position,
+        traced(Unbounded<OscillatingFlow>{{1.0, 1.0, 2.0}}, {0, 0, 0}, 3.0, options);
+    const Curve back = traced(Unbounded<OscillatingFlow>{{1.0, 1.0, 2.0}}, there.last.position,
                               -3.0, options, 3.0);
     EXPECT_LT(glm::length(back.last.position), 1e-8);
     EXPECT_NEAR(back.last.arc, there.last.arc, 1e-8);
@@ -108,7 +108,7 @@ TEST(AdvanceCurve, UpstreamReturnsToTheSeed) {
 
 TEST(AdvanceCurve, AFrozenFieldStaysAtTheReleaseTime) {
     const double release = 0.4;
-    const Curve curve = traced(Unbounded<OscillatingFlow>{{{}, 1.0, 1.0, 2.0}}, {0, 0, 0}, 2.0,
+    const Curve curve = traced(Unbounded<OscillatingFlow>{{1.0, 1.0, 2.0}}, {0, 0, 0}, 2.0,
                                {.frozen = true, .tolerance = 1e-9, .longest_step = 1.0}, release);
     EXPECT_NEAR(curve.last.position.y, 2.0 * std::sin(2.0 * release), 1e-9);
 }
@@ -132,7 +132,7 @@ TEST(AdvanceCurve, ASeedInsideAnObstacleOrOutsideGoesNowhere) {
 }
 
 TEST(AdvanceCurve, StandingStillEndsTheCurve) {
-    const Curve curve = traced(Unbounded<StagnationFlow>{{{}, 1.0}}, {0, 0, 1}, 100.0,
+    const Curve curve = traced(Unbounded<StagnationFlow>{{1.0}}, {0, 0, 1}, 100.0,
                                {.longest_step = 0.1, .stagnation_speed = 1e-3});
     EXPECT_EQ(curve.end, CurveEnd::Stagnation);
     EXPECT_NEAR(curve.last.position.z, 0.5e-3, 2e-4);
@@ -151,7 +151,7 @@ TEST(AdvanceCurve, AStopRequestEndsTheWork) {
 }
 
 TEST(AdvanceCurve, TheTransportedTangentIsTheDerivativeBySeed) {
-    const Unbounded<StrainFlow> strain{{{}, 0.5, -0.5, 0.0}};
+    const Unbounded<StrainFlow> strain{{0.5, -0.5, 0.0}};
     Curve curve;
     curve.seed = Vec3(1, 1, 0);
     curve.seed_tangent = Vec3(1, 1, 0);

@@ -23,7 +23,7 @@ std::shared_ptr<const Flow> in_a_cube(const Form& form, double half) {
 }
 
 /// Shear until the time 6, then over half a unit of time into strain that presses together along x.
-struct ShearThenStrain : NoObstacle {
+struct ShearThenStrain {
     double shear, strain;
     double along_z; ///< part of the strain that goes there, the rest goes across the sheet
 
@@ -36,7 +36,7 @@ struct ShearThenStrain : NoObstacle {
 };
 
 /// Both axes of the sheet are pressed together.
-struct ShearThenPress : NoObstacle {
+struct ShearThenPress {
     double shear, strain;
 
     Vec3 velocity(const Vec3& p, double t) const {
@@ -48,7 +48,7 @@ struct ShearThenPress : NoObstacle {
 };
 
 /// Along x and y turned by an angle about z.
-struct TurnedStrain : NoObstacle {
+struct TurnedStrain {
     double strain, angle;
 
     Vec3 velocity(const Vec3& p, double) const {
@@ -87,21 +87,21 @@ SurfaceParameters released_until(double release_until, SurfaceParameters p) {
 } // namespace
 
 TEST(ObliqueStrain, ASheetThatWasShearedIsPressedTogetherWithoutSlivers) {
-    const auto flow = in_a_cube(ShearThenStrain{{}, 1.0, 0.8, 1.0}, 20.0);
+    const auto flow = in_a_cube(ShearThenStrain{1.0, 0.8, 1.0}, 20.0);
     const Rake rake = line_rake({-6, 0, -0.5}, {-6, 0, 1.0});
     expect_well_shaped_all_the_way({flow, rake, released_until(6.0, streak(8.5, 0.2)), "streak"});
     expect_well_shaped_all_the_way({flow, rake, swept({4.0, 0.0, 0.0}, 8.5, 0.2), "time"});
 }
 
 TEST(ObliqueStrain, ASheetThatWasShearedAndShrinksBothWaysIsJoinedWithoutSlivers) {
-    const auto flow = in_a_cube(ShearThenPress{{}, 1.0, 0.5}, 20.0);
+    const auto flow = in_a_cube(ShearThenPress{1.0, 0.5}, 20.0);
     const Rake rake = line_rake({-6, 0, -1.0}, {-6, 0, 2.0});
     expect_well_shaped_all_the_way({flow, rake, released_until(6.0, streak(9.0, 0.2)), "streak"});
     expect_well_shaped_all_the_way({flow, rake, swept({4.0, 0.0, 0.0}, 9.0, 0.2), "time"});
 }
 
 TEST(ObliqueStrain, StrainWhoseAxesTurnFasterThanItStrainsLeavesNoSlivers) {
-    RotatingStrainFlow turning{{}, 0.5, 1.0, 0.3};
+    RotatingStrainFlow turning{0.5, 1.0, 0.3};
     const auto flow = in_a_cube(turning, 20.0);
     expect_well_shaped_all_the_way(
         {flow, line_rake({0.3, 0, -2}, {2, 0.4, -2}), streak(7, 0.12), "streak"});
@@ -111,8 +111,7 @@ TEST(ObliqueStrain, StrainWhoseAxesTurnFasterThanItStrainsLeavesNoSlivers) {
 
 TEST(ObliqueStrain, StrainFromAnySideMakesAsManyQuadsAsStrainAlongTheRake) {
     const auto quads_at = [](double degrees) {
-        const auto flow =
-            in_a_cube(TurnedStrain{{}, 0.5, degrees * std::numbers::pi / 180.0}, 20.0);
+        const auto flow = in_a_cube(TurnedStrain{0.5, degrees * std::numbers::pi / 180.0}, 20.0);
         const Rake rake = line_rake({-2.013, -2.007, 0}, {1.987, -2.007, 0});
         const MeshShape shape = final_shape({flow, rake, swept({0, 4, 0}, 1.6, 0.12), "time"});
         EXPECT_LE(shape.slivers, most_slivers) << degrees << " degrees: " << shape;
@@ -128,8 +127,7 @@ TEST(ObliqueStrain, StrainFromAnySideMakesAsManyQuadsAsStrainAlongTheRake) {
 
 TEST(ObliqueStrain, PressesAPatchTogetherFromAnySideWithoutSlivers) {
     for (const double degrees : {0.0, 22.5, 45.0, 67.5}) {
-        const auto flow =
-            in_a_cube(TurnedStrain{{}, 0.5, degrees * std::numbers::pi / 180.0}, 20.0);
+        const auto flow = in_a_cube(TurnedStrain{0.5, degrees * std::numbers::pi / 180.0}, 20.0);
         const Rake rake = line_rake({-1.513, -1.507, 0}, {1.487, -1.507, 0});
         expect_well_shaped_all_the_way(
             {flow, rake, swept({0, 3, 0}, 3.0, 0.2), std::to_string(degrees) + " degrees"});

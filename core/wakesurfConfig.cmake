@@ -1,6 +1,0 @@
-include(CMakeFindDependencyMacro)
-find_dependency(glm)
-find_dependency(TBB)
-find_dependency(tl-expected)
-find_dependency(Threads)
-include(${CMAKE_CURRENT_LIST_DIR}/wakesurfTargets.cmake)

@@ -1,0 +1,25 @@
+// A store by its folder: what it is, and its reader, from which a cache and a flow are made.
+#pragma once
+
+#include "core/base/disk.hpp"
+#include "core/base/result.hpp"
+#include "core/dataset/dataset_info.hpp"
+#include "store/store_reader.hpp"
+
+#include <filesystem>
+#include <memory>
+
+namespace wakesurf::store {
+
+struct OpenStore {
+    core::DatasetInfo info;
+    std::shared_ptr<const StoreReader> reader; ///< never null
+};
+
+/// Opens a store, whole or still being written.
+/// Error: as read_store_manifest and StoreReader::open.
+core::Result<OpenStore>
+open_store(const std::filesystem::path& folder,
+           std::shared_ptr<const core::Disk> disk = std::make_shared<core::PosixDisk>());
+
+} // namespace wakesurf::store
