@@ -55,6 +55,11 @@ class InstallTest(unittest.TestCase):
         self.assertIn("complete -o default -F _wakesurf wakesurf", self.text_of("share/bash-completion/completions/wakesurf"))
         self.assertIn(f"\nExecStart={self.prefix}/bin/wakesurf serve ", self.text_of("lib/systemd/system/wakesurf.service"))
 
+    def test_it_has_the_plugin_for_paraview_and_the_client_that_it_finds(self):
+        plugin = self.text_of("share/wakesurf/paraview/wakesurf_source.py")
+        self.assertIn('os.path.join(_above, "python")', plugin)
+        self.assertTrue(os.path.exists(os.path.join(self.prefix, "share/wakesurf/python/wakesurf/link.py")))
+
     def test_without_arguments_it_serves_the_bundled_simulation_and_its_page(self):
         page = os.path.join(self.prefix, "share/wakesurf/web")
         if not os.path.exists(os.path.join(page, "index.html")):  # the web client was not built yet

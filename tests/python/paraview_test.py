@@ -1,5 +1,5 @@
-"""What we write opens in ParaView itself, where that is installed: Debian's reads no appended data, no Draco, and of a .ply only
-colours, normals and texture coordinates."""
+"""What we write opens in ParaView itself, where that is installed, and the plugin shows a session there. Debian's reads no appended data, no
+Draco, and of a .ply only colours, normals and texture coordinates."""
 import json
 import os
 import shutil
@@ -8,7 +8,8 @@ import tempfile
 import textwrap
 import unittest
 
-from real_server import BINARY
+from real_server import BINARY, ROOT, RealServer
+import wakesurf
 
 SCRIPT = textwrap.dedent("""
     import json, sys
@@ -19,6 +20,28 @@ SCRIPT = textwrap.dedent("""
         data = reader.GetDataInformation()
         arrays = {name: reader.PointData[name].GetRange(0) for name in reader.PointData.keys()}
         print("found", json.dumps([data.GetNumberOfPoints(), data.GetNumberOfCells(), data.GetBounds(), arrays]))
+""")
+
+
+# In its own process: what the test does to the session meanwhile comes by standard input, a time a line.
+LIVE = textwrap.dedent("""
+    import inspect, json, os, sys
+    if not hasattr(inspect, "getargspec"):
+        inspect.getargspec = inspect.getfullargspec
+    from paraview import servermanager
+    from paraview.simple import *
+    plugin, address, session = sys.argv[1:]
+    LoadPlugin(plugin, remote=False, ns=globals())
+    source = WakesurfSurface(Address=address, Session=session, Kind="Path", FromTo=[0, 2], Separation=0.1, Fields="vorticity",
+                             RakePoint1=[0.4, 0.4, 0.1], RakePoint2=[0.6, 0.6, 0.1])
+    for line in iter(os.fdopen(0).readline, ""):  # ParaView replaces sys.stdin
+        changed = bool(source.GetClientSideObject().GetNeedsUpdate())
+        source.UpdatePipelineInformation()
+        source.UpdatePipeline(float(line))
+        data = servermanager.Fetch(source)
+        points = [list(data.GetPoint(i)) for i in range(data.GetNumberOfPoints())]
+        found = [changed, list(source.TimestepValues), list(source.PointData.keys()), points]
+        os.write(1, ("found " + json.dumps(found) + "\\n").encode())
 """)
 
 
@@ -54,6 +77,48 @@ class ParaViewTest(unittest.TestCase):
         self.assertLess(vtp["speed"][0], vtp["speed"][1])
         self.assertLessEqual({"RGB", "Normals", "TCoords"}, set(ply))
         self.assertIn("TCoords", obj)
+
+    def test_the_plugin_shows_a_surface_of_a_session_and_follows_it(self):
+        server = RealServer("flow:tornado")
+        self.addCleanup(server.stop)
+        session = wakesurf.Client(server.url).create_session("from ParaView")
+        with tempfile.TemporaryDirectory() as folder:
+            script = os.path.join(folder, "live.py")
+            with open(script, "w", encoding="utf-8") as file:
+                file.write(LIVE)
+            plugin = os.path.join(ROOT, "protocol/python/paraview/wakesurf_source.py")
+            paraview = subprocess.Popen(["pvpython", script, plugin, server.url, session.id], stdin=subprocess.PIPE,
+                                        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+
+            def shown_at(time):
+                paraview.stdin.write(f"{time}\n")
+                paraview.stdin.flush()
+                said = []
+                for line in paraview.stdout:
+                    if line.startswith("found "):
+                        return json.loads(line[6:])
+                    said.append(line)
+                self.fail("".join(said))
+
+            try:
+                changed, times, arrays, points = shown_at(1.0)
+                (surface,), (rake,) = session.surfaces(), session.rakes()
+                self.assertFalse(changed)
+                self.assertEqual(times, [0.0, 0.5, 1.0, 1.5, 2.0])
+                self.assertLessEqual({"s", "t", "speed", "velocity", "vorticity"}, set(arrays))
+                self.assertEqual(rake.points.tolist(), [[0.4, 0.4, 0.1], [0.6, 0.6, 0.1]])
+                self.assertEqual(points, surface.mesh(time=1.0).points.tolist())
+
+                rake.set(line=[(0.3, 0.5, 0.2), (0.7, 0.5, 0.2)])  # somebody drags it on the page
+                changed, _, _, moved = shown_at(2.0)
+                self.assertTrue(changed)
+                self.assertEqual(moved, surface.mesh(time=2.0).points.tolist())
+                self.assertNotEqual(moved, points)
+                self.assertFalse(shown_at(2.0)[0])
+            finally:
+                paraview.stdin.close()
+                paraview.wait(timeout=60)
+                paraview.stdout.close()
 
 
 if __name__ == "__main__":
