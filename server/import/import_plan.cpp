@@ -101,10 +101,15 @@ std::string ImportPlan::step_name(std::size_t index) const {
 }
 
 core::Result<ImportPlan> make_plan(const ImportRequest& request, const UnclearVelocity& unclear) {
-    auto source = open_source(request.source, request.taken);
-    if (!source)
-        return tl::unexpected(source.error());
-    const SourceDescription& description = (*source)->description();
+    return open_source(request.source, request.taken).and_then([&](std::unique_ptr<Source> source) {
+        return plan_of(std::move(source), request, unclear);
+    });
+}
+
+core::Result<ImportPlan> plan_of(std::unique_ptr<Source> source,
+                                 const ImportRequest& request,
+                                 const UnclearVelocity& unclear) {
+    const SourceDescription& description = source->description();
     auto times = times_of(description, request.taken);
     if (!times)
         return tl::unexpected(times.error());
@@ -114,7 +119,7 @@ core::Result<ImportPlan> make_plan(const ImportRequest& request, const UnclearVe
     auto steps = select_times(times->values, request.times);
     if (!steps)
         return tl::unexpected(steps.error());
-    auto files = files_of(**source, *steps);
+    auto files = files_of(*source, *steps);
     if (!files)
         return tl::unexpected(files.error());
     ImportPlan plan;
@@ -127,7 +132,7 @@ core::Result<ImportPlan> make_plan(const ImportRequest& request, const UnclearVe
     for (const std::size_t step : plan.steps)
         plan.times.push_back(times->values[step]);
     plan.time_note = std::move(times->note);
-    plan.source = std::move(*source);
+    plan.source = std::move(source);
     FieldWish wish{request.fields, request.taken.velocity};
     do {
         const auto& fields = plan.source->description().fields;

@@ -56,6 +56,11 @@ using UnclearVelocity = std::function<void(std::vector<std::string>)>;
 core::Result<ImportPlan> make_plan(const ImportRequest& request,
                                    const UnclearVelocity& unclear = {});
 
+/// The same of a source that is open.
+core::Result<ImportPlan> plan_of(std::unique_ptr<Source> source,
+                                 const ImportRequest& request,
+                                 const UnclearVelocity& unclear = {});
+
 /// An error about a time-step that was not told which. @param error  to be read after the name
 core::Error about_step(const ImportPlan& plan, std::size_t index, core::Error error);
 
