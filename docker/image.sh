@@ -27,7 +27,12 @@ build_image() {
     mkdir -p "$context"
     # What a clone would have, with what is not committed yet.
     (cd "$root" && git ls-files -z --cached --others --exclude-standard | tar --null -T - -c) | tar -x -C "$context"
-    [ -z "$ca" ] || cp "$ca" "$context/docker/ca/extra.crt"
+    # What this machine was told to trust beside Debian's own, its image needs too while it is built.
+    if [ -n "$ca" ]; then
+        cp "$ca" "$context/docker/ca/extra.crt"
+    else
+        find /usr/local/share/ca-certificates -name '*.crt' -exec cp -t "$context/docker/ca" {} + 2>/dev/null || true
+    fi
     case $base in
     debootstrap*)
         base=${base#debootstrap} base=${base#:}
