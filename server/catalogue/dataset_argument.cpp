@@ -41,6 +41,9 @@ DatasetArgument resolve_path(const fs::path& path) {
 } // namespace
 
 core::Result<DatasetArgument> resolve_dataset(const std::string& argument) {
+    if (argument.empty())
+        return core::fail(Error::Code::InvalidArgument, "the name of the dataset is empty",
+                          "give a file, a folder or flow:NAME");
     if (argument.starts_with(flow_prefix)) {
         DatasetArgument out;
         out.kind = DatasetArgument::Kind::Flow;

@@ -303,6 +303,9 @@ core::Result<void> serve(Prepared& prepared, const ServeOptions& asked) {
             "event=no_tls message=\"anyone on the network path can read the token and the data\" "
             "hint=\"give --tls-cert and --tls-key\"");
     (*running)->run();
+    // A second signal must not cut short what is left to clear up, the page with the token among it.
+    for (const int each : {SIGINT, SIGTERM, SIGHUP})
+        std::signal(each, SIG_IGN);
     return {};
 }
 

@@ -3,6 +3,7 @@ import base64
 import json
 import os
 import re
+import signal
 import tempfile
 import unittest
 
@@ -168,6 +169,14 @@ class ToolsTest(McpCase):
             with self.subTest(tool, **arguments):
                 self.assertIn(words, agent.refusal(tool, **arguments))
         self.assertEqual(agent.ask("ping")["result"], {})
+        self.assertEqual(self.person.rakes(), [], "none is left of a surface that was refused")
+
+    def test_deletes_and_takes_back_only_what_is_named_or_was_done_by_its_link(self):
+        surface = self.person.surface(self.person.rake(line=LINE), "stream", dataset="tornado", to=1, separation=0.1)
+        agent = self.agent("--url", self.person.share("editor"))
+        self.assertIn("delete needs `surface`", agent.refusal("surface", delete=True))
+        self.assertEqual(agent.numbers("undo")["changes"], [])
+        self.assertEqual([each.id for each in self.person.surfaces()], [surface.id])
 
     def test_writes_below_its_folder_only_and_not_over_what_others_made(self):
         agent = self.on_server()
@@ -187,6 +196,19 @@ class ToolsTest(McpCase):
         self.assertIn("there already", agent.refusal("export", path="kept.obj"))
         self.assertEqual(os.path.getsize(kept), 4)
         agent.numbers("export", path="kept.obj", overwrite=True)
+
+    def test_writes_no_file_that_a_link_beside_it_names(self):
+        agent = self.on_server()
+        agent.numbers("surface", kind="stream", to=1, separation=0.1)
+        with tempfile.TemporaryDirectory() as elsewhere:
+            victim = os.path.join(elsewhere, "victim")
+            with open(victim, "w", encoding="utf-8") as file:
+                file.write("mine")
+            os.symlink(victim, os.path.join(self.folder, "a.vtp.part"))
+            agent.numbers("export", path="a.vtp")
+            self.assertEqual(os.path.getsize(victim), 4)
+            self.assertTrue(os.path.isfile(os.path.join(self.folder, "a.vtp")))
+            self.assertFalse(os.path.islink(os.path.join(self.folder, "a.vtp")))
 
     def test_may_do_what_its_link_may(self):
         self.person.surface(self.person.rake(line=LINE), "stream", dataset="tornado", to=1, separation=0.1)
@@ -221,7 +243,8 @@ class ToolsTest(McpCase):
             self.assertEqual(file.read(), data)
         self.assertTrue(data.startswith(b"\x89PNG"))
         agent.numbers("film", path="film", frames=2, width=320, height=200, **{"from": 0.5, "to": 1})
-        self.assertEqual(len(os.listdir(os.path.join(self.folder, "film"))), 2)
+        agent.numbers("film", path="film", frames=1, width=320, height=200, **{"from": 0.5, "to": 1})
+        self.assertEqual(os.listdir(os.path.join(self.folder, "film")), ["frame_0000.png"], "nothing of the longer film is left")
         agent = self.agent(environment={"WAKESURF_URL": self.url, "WAKESURF_CHROMIUM": "/nowhere"})
         self.assertIn("is no program", agent.refusal("picture"))
 
@@ -260,16 +283,16 @@ class TranscriptTest(McpCase):
 
 class EndTest(McpCase):
     def test_ends_with_its_input_and_ends_its_server(self):
-        for way in ("closed", "terminated"):
+        for way, sent in (("closed", None), ("terminated", signal.SIGTERM), ("hung up", signal.SIGHUP)):
             agent = self.agent("flow:tornado")
             agent.numbers("surface", kind="streak", to=12, separation=0.004, max_quads=4_000_000)
             agent.start("tools/call", name="wait", arguments={"seconds": 600})
             server = self.child(agent.process.pid)
-            if way == "closed":
+            if sent is None:
                 agent.process.stdin.close()
             else:
-                agent.process.terminate()
-            self.assertEqual(agent.process.wait(timeout=60), 0)
+                agent.process.send_signal(sent)
+            self.assertEqual(agent.process.wait(timeout=60), 0, way)
             self.assertFalse(os.path.exists(f"/proc/{server}"))
 
     def child(self, process):

@@ -5,6 +5,7 @@ import re
 import socket
 import subprocess
 import tempfile
+import time
 import unittest
 
 from real_server import BINARY, ROOT
@@ -53,11 +54,18 @@ class OpenCase(unittest.TestCase):
             process.terminate()
             process.wait(timeout=30)
 
+    def until(self, met, process):
+        """Fails where that takes a minute, or the program ends."""
+        end = time.monotonic() + 60
+        while not met():
+            self.assertIsNone(process.poll())
+            self.assertLess(time.monotonic(), end)
+            time.sleep(0.02)
+
     def noted(self, process):
         """What the browser noted. It is started before the server says so."""
         self.assertIn("opening the page", process.stdout.readline())
-        while not os.path.exists(self.note):
-            self.assertIsNone(process.poll())
+        self.until(lambda: os.path.exists(self.note), process)
         with open(self.note, encoding="utf-8") as file:
             return file.read()
 
@@ -113,8 +121,7 @@ class BrowserTest(OpenCase):
         session = wakesurf.Client(link).session()
         chrome = Chrome(page, (800, 600))
         self.addCleanup(chrome.close)
-        while not any(each["connected"] for each in session.state()["participants"]):
-            self.assertIsNone(process.poll())
+        self.until(lambda: any(each["connected"] for each in session.state()["participants"]), process)
         self.assertTrue(chrome.value("location.href").startswith(link.split("#")[0]))
         self.assertNotIn("token", chrome.value("location.href"))
 

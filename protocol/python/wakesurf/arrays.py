@@ -15,6 +15,7 @@ from xml.sax.saxutils import quoteattr
 import numpy as np
 
 from .mesh import Array
+from .whole_file import write_whole
 
 _BLOCK = 1 << 20
 Values = Union[Sequence[Any], Array, Callable[[int], Any]]
@@ -50,23 +51,16 @@ def write_series(path: Union[str, os.PathLike[str]], times: Sequence[float], vel
             if len(shape) != 3 or min(shape) < 2 or values.shape not in wanted:
                 raise ValueError(f"`{name}` at time {i} has the shape {values.shape}, not " + " or ".join(map(str, wanted)))
         file = f"{stem}_{i:04}.vti"
-        _write(file, _vti(arrays, shape, origin, spacing))
+        write_whole(file, _vti(arrays, shape, origin, spacing))
         files.append(file)
     rows = "".join(f"<DataSet timestep={quoteattr(repr(float(time)))} file={quoteattr(os.path.basename(file))}/>\n"
                    for time, file in zip(times, files))
-    _write(path, [f'<?xml version="1.0"?>\n<VTKFile type="Collection" version="1.0">\n<Collection>\n{rows}</Collection>\n</VTKFile>\n'.encode()])
+    write_whole(path, [f'<?xml version="1.0"?>\n<VTKFile type="Collection" version="1.0">\n<Collection>\n{rows}</Collection>\n</VTKFile>\n'.encode()])
     return [path, *files]
 
 
 def _at(values: Values, i: int) -> Array:
     return np.asarray(values(i) if callable(values) else values[i])
-
-
-def _write(path: str, parts: Sequence[bytes]) -> None:
-    """Whole, by a rename: a server may be watching."""
-    with open(path + ".part", "wb") as file:
-        file.writelines(parts)
-    os.replace(path + ".part", path)
 
 
 def _vti(arrays: Mapping[str, Array], shape: Sequence[int], origin: Sequence[float], spacing: Sequence[float]) -> List[bytes]:

@@ -1,6 +1,7 @@
 """A server, over HTTP with the standard library."""
 from __future__ import annotations
 
+import http.client
 import itertools
 import json
 import os
@@ -49,7 +50,9 @@ class Client(Helpful):
         words = urllib.parse.parse_qs(parts.fragment)
         self.url = urllib.parse.urlunsplit((parts.scheme, parts.netloc, parts.path.rstrip("/"), "", ""))
         self.timeout = timeout
-        self._token = token or words.get("token", [""])[0] or os.environ.get("WAKESURF_TOKEN", "")
+        self._token = (token or words.get("token", [""])[0] or os.environ.get("WAKESURF_TOKEN", "")).strip()
+        if not all("!" <= letter <= "~" for letter in self._token):
+            raise ValueError("the token has a space or another character that no token has: is the address whole?")
         self._session = words.get("session", ["main"])[0]
         self._tls = tls
         handlers: List[urllib.request.BaseHandler] = [urllib.request.HTTPSHandler(context=tls)] if tls else []
@@ -83,7 +86,7 @@ class Client(Helpful):
         except urllib.error.HTTPError as refusal:
             with refusal:
                 return refusal.code, dict(refusal.headers), refusal.read()
-        except (OSError, urllib.error.URLError) as problem:
+        except (OSError, http.client.HTTPException) as problem:
             reason = getattr(problem, "reason", problem)
             raise Unreachable(f"no answer from {self.url}: {reason}", hint="is the server running?") from None
 

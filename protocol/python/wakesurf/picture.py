@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, Optional, Tuple, Union
 from .chrome import Chrome
 from .errors import NotPermitted, PictureFailed, WaitTimeout, WakesurfError
 from .view import Look, page_state
+from .whole_file import write_whole
 
 if TYPE_CHECKING:
     from .session import Background, Session
@@ -42,14 +43,7 @@ class Picture:
     def write(self, path: Union[str, os.PathLike[str]]) -> str:
         """Writes it whole, or not at all."""
         path = os.fspath(path)
-        part = path + ".part"
-        try:
-            with open(part, "wb") as file:
-                file.write(self.data)
-            os.replace(part, path)
-        finally:
-            if os.path.exists(part):
-                os.remove(part)
+        write_whole(path, [self.data])
         return path
 
 

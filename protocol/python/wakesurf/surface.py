@@ -16,6 +16,7 @@ from .mesh import Array, Mesh
 from .plain import Json, plain
 from .progress import Report, Told, Waiting
 from .record import Record
+from .whole_file import write_whole
 
 if TYPE_CHECKING:
     from .session import Session
@@ -114,14 +115,7 @@ class Surface(SurfaceChanger, Record):
             raise ValueError(f"{path!r} has no known extension: one of {', '.join(_FORMATS)}")
         body = self.download(extension[1:].lower(), timeout, time=time, draco=draco, lines=lines,
                              tessellate=tessellate)
-        part = path + ".part"
-        try:
-            with open(part, "wb") as file:
-                file.write(body)
-            os.replace(part, path)
-        finally:
-            if os.path.exists(part):
-                os.remove(part)
+        write_whole(path, [body])
 
     def mesh(self, timeout: float = 600.0, *, time: Union[float, str, None] = None, tessellate: int = 1) -> Mesh:
         """The whole mesh as numpy arrays, once it is computed: as the session shows it, at the time of its clock, or at

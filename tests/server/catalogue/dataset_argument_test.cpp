@@ -56,6 +56,7 @@ TEST(DatasetArgument, FoldersAndPatternsAreLeftToTheImporter) {
 }
 
 TEST(DatasetArgument, NamesNoFolderWhenNothingIsThere) {
+    EXPECT_EQ(resolve_dataset("").error().message, "the name of the dataset is empty");
     const auto error = resolve_dataset("/no/such/place.pvd").error();
     EXPECT_EQ(error.code, core::Error::Code::NotFound);
     EXPECT_EQ(error.message.find("/no"), std::string::npos) << error.message;

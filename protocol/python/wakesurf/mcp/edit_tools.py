@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Dict, List, Mapping, cast
 
-from ..errors import InvalidParameters
+from ..errors import InvalidParameters, WakesurfError
 from ..generated.methods.rake import RakeMethods
 from ..generated.methods.surface import SurfaceMethods
 from ..plain import Json
@@ -112,7 +112,9 @@ def _rake(work: Work, given: Json, call: Call) -> Answer:
 def _surface(work: Work, given: Json, call: Call) -> Answer:
     session = work.session
     if given.get("delete"):
-        surface = work.surface(given.get("surface"))
+        if "surface" not in given:
+            raise InvalidParameters("delete needs `surface`", -32602, "invalidParameters", "the id of the one to delete")
+        surface = work.surface(given["surface"])
         surface.delete()
         return Answer(f"Surface {surface.id} is deleted.", {"surface": surface.id, "deleted": True})
     setting = {name: value for name, value in given.items() if name not in ("surface", "delete")}
@@ -141,8 +143,14 @@ def _new(work: Work, session: Session, setting: Json) -> Surface:
     merged: Json = {**usual, **setting, "dataset": dataset}
     if "to" not in merged:
         merged["to"] = _last_time(work, dataset)
-    rake = merged.pop("rake", None) or session.api.rake.set(**found["rake"])["rake"]
-    return session.surface(rake, **{"from_" if name == "from" else name: value for name, value in merged.items()})
+    merged.pop("rake", None)
+    rake = setting["rake"] if "rake" in setting else session.api.rake.set(**found["rake"])["rake"]
+    try:
+        return session.surface(rake, **{"from_" if name == "from" else name: value for name, value in merged.items()})
+    except WakesurfError:
+        if "rake" not in setting:
+            session.api.rake.delete(rake=rake)  # nobody asked for it alone
+        raise
 
 
 def _last_time(work: Work, dataset: str) -> float:
@@ -179,5 +187,6 @@ SURFACE = tool("surface", "Make or change a surface", "Makes a surface and start
                "deletes it. Of a new one only `kind` must be given: dataset, rake, times and separation are then chosen by the data.",
                {**properties_of(SurfaceMethods.set, _OWN, sweep=POINT),
                 "delete": {"type": "boolean", "description": "true: deletes the surface"}})(_surface)
-UNDO = tool("undo", "Take back an edit", "Takes back the newest edit that was made with this link, or repeats it. The edits of others stay.",
+UNDO = tool("undo", "Take back an edit", "Takes back the newest edit that was made with this link, or repeats it. Edits by other links stay; a person or script "
+            "that came by the same link has the same edits.",
             {"redo": {"type": "boolean", "description": "true: repeats what was taken back last"}})(_undo)

@@ -2,8 +2,9 @@
 from __future__ import annotations
 
 import os
+import re
 import typing
-from typing import Any, Dict, List, Optional, cast
+from typing import Any, Dict, Optional, cast
 
 from ..errors import InvalidParameters
 from ..plain import Json
@@ -13,6 +14,7 @@ from .tool import POINT, SURFACE as SURFACE_ID, TIME, Answer, Call, tool
 from .work import Work, short
 
 _MOST_FRAMES = 600
+_FRAME = re.compile(r"frame_\d{4,}\.png")
 _LARGEST_SHOWN = 2 << 20  # bytes of a picture in a message, where there is a file of it as well
 _PATH: Json = {"type": "string", "description": "where to write it, below the folder that this program was given"}
 _OVERWRITE: Json = {"type": "boolean", "description": "true: a file of someone else may be replaced"}
@@ -39,13 +41,13 @@ def _view(given: Json) -> Optional[Look]:
 
 def _picture(work: Work, given: Json, call: Call) -> Answer:
     size = given.get("width", 1200), given.get("height", 800)
-    path = work.place.file(given["path"], (".png",), given.get("overwrite", False)) if "path" in given else None
+    path = work.place.take(given["path"], (".png",), given.get("overwrite", False)) if "path" in given else None
     drawn = work.session.picture(path, size, time=given.get("time"), view=_view(given), caption=given.get("caption"),
                                  rakes=given.get("rakes", False), background=given.get("background", "shown"))
     call.check()
     numbers: Json = {"width": size[0], "height": size[1], "bytes": len(drawn.data)}
     if path is not None:
-        numbers["path"] = work.place.wrote(path)
+        numbers["path"] = work.place.shown(path)
     where = f" in {numbers['path']}" if path is not None else ""
     if path is not None and len(drawn.data) > _LARGEST_SHOWN:
         return Answer(f"A picture of {size[0]} x {size[1]} pixels{where}, too large to be sent along.", numbers)
@@ -56,24 +58,26 @@ def _film(work: Work, given: Json, call: Call) -> Answer:
     size = given.get("width", 1280), given.get("height", 720)
     first, last, count = given["from"], given["to"], given.get("frames", 50)
     times = [first + (last - first) * i / max(1, count - 1) for i in range(count)]
-    path = work.place.file(given["path"], ("", ".mp4", ".webm"), given.get("overwrite", False))
+    path = work.place.take(given["path"], ("", ".mp4", ".webm"), given.get("overwrite", False))
+    if os.path.isdir(path):
+        for each in filter(_FRAME.fullmatch, os.listdir(path)):
+            os.remove(os.path.join(path, each))  # of an earlier film, which may have been longer
 
     def told(progress: Progress) -> None:
         call.progress(progress.share, progress.message)
 
     made = work.session.film(path, times, size, fps=given.get("fps", 25.0), view=_view(given), progress=told)
-    shown = work.place.wrote(path)
-    files: List[str] = [work.place.wrote(each) for each in made]
+    shown = work.place.shown(path)
     return Answer(f"{count} pictures from {first:g} to {last:g} in {shown}.",
-                  {"path": shown, "frames": count, "files": len(files), "times": short([first, last])})
+                  {"path": shown, "frames": count, "files": len(made), "times": short([first, last])})
 
 
 def _export(work: Work, given: Json, call: Call) -> Answer:
     surface = work.surface(given.get("surface"))
-    path = work.place.file(given["path"], (".vtp", ".glb", ".ply", ".obj", ".drc"), given.get("overwrite", False))
+    path = work.place.take(given["path"], (".vtp", ".glb", ".ply", ".obj", ".drc"), given.get("overwrite", False))
     call.check()
     surface.export(path, time=given.get("time"), lines=given.get("lines"), tessellate=given.get("tessellate", 1))
-    shown, size = work.place.wrote(path), os.path.getsize(path)
+    shown, size = work.place.shown(path), os.path.getsize(path)
     return Answer(f"{surface.id} is in {shown}.", {"surface": surface.id, "path": shown, "bytes": size})
 
 

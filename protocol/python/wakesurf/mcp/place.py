@@ -14,9 +14,9 @@ class Place:
         self.folder = os.path.realpath(folder)
         self._made: Set[str] = set()
 
-    def file(self, path: str, extensions: Sequence[str], overwrite: bool = False) -> str:
-        """Where to write it; folders on the way are made. An extension of "" allows a folder. Error: NotPermitted,
-        InvalidParameters."""
+    def take(self, path: str, extensions: Sequence[str], overwrite: bool = False) -> str:
+        """Where to write it; folders on the way are made. From now on it may be written again, also where this time fails. An extension
+        of "" allows a folder. Error: NotPermitted, InvalidParameters."""
         if "\0" in path or not path.strip():
             raise _wrong(f"{path!r} is no name of a file", "give a path below the folder")
         ending = os.path.splitext(path)[1].lower()
@@ -31,12 +31,8 @@ class Place:
             raise NotPermitted(f"{self.shown(full)} is there already, and not from here", 0, "notPermitted",
                                "give another name, or overwrite=true if its owner agrees")
         os.makedirs(os.path.dirname(full), exist_ok=True)
-        return full
-
-    def wrote(self, full: str) -> str:
-        """From now on it may be written again. Returns the path as it is told."""
         self._made.add(full)
-        return self.shown(full)
+        return full
 
     def shown(self, full: str) -> str:
         """Below the folder, as people would write it."""

@@ -37,7 +37,9 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
     given = _options(arguments)
     out = Out(sys.stdout.buffer)
     sys.stdout = sys.stderr  # what a library prints must not come between the messages
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit(0))
+    for name in ("SIGTERM", "SIGHUP"):  # the second where there is one: the server has a session of its own, and would go on
+        if hasattr(signal, name):
+            signal.signal(getattr(signal, name), lambda *_: sys.exit(0))
     work = Work(given.datasets, given.url or (None if given.datasets else os.environ.get("WAKESURF_URL")), given.session,
                 Place(given.folder))
     server = Server(work, sys.stdin.buffer, out)

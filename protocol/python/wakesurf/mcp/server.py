@@ -31,7 +31,7 @@ INSTRUCTIONS = (
     "wakesurf computes integral surfaces of simulated flow: sheets of particles released from a line, the rake. Begin with open, which says what "
     "data there are, and suggest. Make a surface (kind streak is smoke or dye, stream one frozen moment, path the ways of particles, time a "
     "drifting patch), wait for it, and read numbers before you ask for a picture. People may be in the same session: they see every edit, and "
-    "undo takes back yours only. explain says why a surface ends where it does.")
+    "undo takes back only what was done by the same link. explain says why a surface ends where it does.")
 
 Job = Tuple[Id, Tool, Json, Call, Reply]
 
@@ -118,7 +118,7 @@ class Server:
             return
         with self._lock:
             number = given.get("requestId")
-            call = self._calls.get(number) if isinstance(number, (str, int)) else None
+            call = self._calls.get(number) if isinstance(number, (str, int)) and not isinstance(number, bool) else None
             if call is not None:
                 call.cancelled.set()
 
