@@ -16,7 +16,7 @@ using nlohmann::json;
 namespace {
 
 constexpr std::size_t told = 50;
-constexpr std::size_t named = 3; ///< in the sentence; all that are told are in `keptAside`
+constexpr std::size_t most_named = 3; ///< in the sentence; all that are told are in `keptAside`
 
 std::span<const KeptAside> newest(const Session& session, std::size_t most) {
     const std::span all(session.kept_aside());
@@ -38,14 +38,14 @@ std::optional<std::string> kept_aside_notice(const Session& session) {
     if (count == 0)
         return std::nullopt;
     std::string whys;
-    for (const KeptAside& each : newest(session, std::min(count, named)))
+    for (const KeptAside& each : newest(session, std::min(count, most_named)))
         whys += (whys.empty() ? "" : "; ") + each.why;
     const std::string text = fmt::format(
         "{} of this session could not be used when the server started and {} kept "
         "aside: {}{}. Nothing was deleted: `wakesurf state aside STATE_DIR` prints {} as "
         "JSON, to be corrected and set again",
         count == 1 ? "a record" : fmt::format("{} records", count), count == 1 ? "is" : "are", whys,
-        count > named ? "; ..." : "", count == 1 ? "it" : "them");
+        count > most_named ? "; ..." : "", count == 1 ? "it" : "them");
     return protocol::rpc_notification(
         "server.notice", {{"kind", "recordsKeptAside"}, {"level", "warning"}, {"text", text}});
 }
