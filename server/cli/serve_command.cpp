@@ -12,6 +12,7 @@
 #include "server/cli/tell.hpp"
 #include "server/cli/writable_folder.hpp"
 #include "server/net/gate.hpp"
+#include "server/net/static_files.hpp"
 #include "server/net/token_file.hpp"
 
 #include <CLI/CLI.hpp>
@@ -257,11 +258,14 @@ core::Result<void> keep_new_token(Server& server, TokenFile& file) {
 
 /// Opens the page, or says how to come to it. What fails here is no failure of the server: the link has been told.
 std::optional<OpenedPage>
-open_page(const std::string& link, const std::string& host, std::uint16_t port) {
+open_page(const std::string& link, const std::string& host, std::uint16_t port, bool has_page) {
     if (const auto tunnel = tunnel_command(host, port))
         tell("wakesurf: to open the link on your own machine, type this there first: {}\n",
              *tunnel);
-    auto page = OpenedPage::open(link);
+    auto page = has_page ? OpenedPage::open(link)
+                         : core::Result<OpenedPage>(fail(Error::Code::NotFound,
+                                                         "the page is not beside this program",
+                                                         "give its folder with --web"));
     if (page) {
         tell("wakesurf: opening the page in your browser; should it not come up, open the link "
              "(--no-open: never)\n");
@@ -292,9 +296,10 @@ core::Result<void> serve(Prepared& prepared, const ServeOptions& asked) {
         fmt::format("{}://{}:{}/", tls ? "https" : "http", host, (*running)->port());
     if (auto told = tell_link(address, options.token, url_file); !told)
         return told;
-    const auto page = asked.open
-                          ? open_page(link_of(address, options.token), host, (*running)->port())
-                          : std::nullopt;
+    const bool has_page = !options.web.empty() || !find_web_client().empty();
+    const auto page =
+        asked.open ? open_page(link_of(address, options.token), host, (*running)->port(), has_page)
+                   : std::nullopt;
     if (!tls && in_container()) // which cannot know where its port is published
         spdlog::info("event=no_tls message=\"this port speaks plain HTTP\" hint=\"publish it on "
                      "127.0.0.1 only, or put TLS in front of it\"");
