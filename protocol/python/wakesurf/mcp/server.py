@@ -130,8 +130,8 @@ class Server:
             raise Refused(INVALID_PARAMETERS, "`arguments` is an object")
         meta = given.get("_meta")
         token = meta.get("progressToken") if isinstance(meta, dict) else None
-        call = Call(None if token is None else lambda share, words: self._out.notify(
-            "notifications/progress", {"progressToken": token, "progress": round(100 * share, 1), "total": 100, "message": words}))
+        call = Call(None if token is None else lambda percent, words: self._out.notify(
+            "notifications/progress", {"progressToken": token, "progress": percent, "total": 100, "message": words}))
         with self._lock:
             if number in self._calls:
                 raise Refused(INVALID_REQUEST, f"the id {number!r} is that of a call that still runs")
@@ -147,10 +147,10 @@ class Server:
             made = _made(tool, self._work, arguments, call)
             with self._lock:
                 del self._calls[number]
-            if call.cancelled.is_set():
-                reply(fault(number, Refused(INTERNAL, "the call was cancelled"))) if reply != self._out.send else None
-            elif made is not None:
+            if made is not None and not call.cancelled.is_set():
                 reply(result(number, made))
+            elif reply != self._out.send:  # the others of its batch wait for it; alone it has no answer
+                reply(fault(number, Refused(INTERNAL, "the call was cancelled")))
 
 
 def _made(tool: Tool, work: Work, arguments: Json, call: Call) -> Optional[Json]:

@@ -33,7 +33,7 @@ class Call:
 
     def __init__(self, tell: Optional[Callable[[float, str], None]] = None) -> None:
         self.cancelled = threading.Event()
-        self._tell, self._share = tell, -1.0
+        self._tell, self._percent = tell, -1.0
 
     def check(self) -> None:
         """Error: Stopped."""
@@ -43,9 +43,10 @@ class Call:
     def progress(self, share: Optional[float], words: str) -> None:
         """Error: Stopped. Only what grows is told, as the protocol wants it."""
         self.check()
-        if self._tell is not None and share is not None and share > self._share:
-            self._share = share
-            self._tell(share, words)
+        percent = -1.0 if share is None else round(100 * share, 1)
+        if self._tell is not None and percent > self._percent:
+            self._percent = percent
+            self._tell(percent, words)
 
 
 @dataclass
