@@ -1,40 +1,12 @@
 #include "server/cli/mcp_command.hpp"
 
-#include "server/catalogue/shipped_files.hpp"
-#include "server/cli/environment.hpp"
-#include "server/cli/failure.hpp"
+#include "server/cli/python_program.hpp"
 
 #include <CLI/CLI.hpp>
-#include <stdlib.h>
-#include <unistd.h>
 
-#include <cerrno>
-#include <system_error>
+#include <utility>
 
 namespace wakesurf::server {
-
-namespace {
-
-/// What lies in the folder that it is started in must not be taken for a part of it, as `python -m` would.
-constexpr const char* beginning = R"python(
-import sys
-sys.path[0] = sys.argv.pop(1)
-try:
-    import numpy
-except ImportError:
-    sys.exit("wakesurf: this needs numpy (Debian: python3-numpy; another Python that has it: $WAKESURF_PYTHON)")
-from wakesurf.mcp import main
-sys.exit(main())
-)python";
-
-/// The system's own, which has the packages that were installed with this program, before one that happens to come first in PATH.
-std::string python() {
-    constexpr const char* of_the_system = "/usr/bin/python3";
-    return from_environment("WAKESURF_PYTHON",
-                            ::access(of_the_system, X_OK) == 0 ? of_the_system : "python3");
-}
-
-} // namespace
 
 void add_mcp_options(CLI::App& command, McpOptions& options) {
     auto* const datasets = command.add_option(
@@ -55,11 +27,7 @@ void add_mcp_options(CLI::App& command, McpOptions& options) {
 }
 
 int run_mcp(const McpOptions& options) {
-    const auto client = python_client();
-    if (!client)
-        return report_failure(client.error());
-    ::setenv("WAKESURF", this_program().c_str(), 0);
-    std::vector<std::string> words{python(), "-c", beginning, client->string()};
+    std::vector<std::string> words;
     for (const auto& [name, value] : {std::pair{"--url=", &options.url},
                                       {"--session=", &options.session},
                                       {"--folder=", &options.folder}})
@@ -67,16 +35,7 @@ int run_mcp(const McpOptions& options) {
             words.push_back(name + *value);
     words.emplace_back("--");
     words.insert(words.end(), options.datasets.begin(), options.datasets.end());
-    std::vector<char*> arguments;
-    for (std::string& word : words)
-        arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    ::execvp(arguments.front(), arguments.data());
-    return report_failure(
-        {core::Error::Code::Io,
-         "cannot start " + words.front() + ": " + std::generic_category().message(errno),
-         "it needs Python 3.9 or newer with numpy: Debian, python3-numpy; else "
-         "name one in $WAKESURF_PYTHON"});
+    return become_python("mcp", words);
 }
 
 } // namespace wakesurf::server

@@ -20,6 +20,7 @@
 #include "server/cli/failure.hpp"
 #include "server/cli/stop_on_signal.hpp"
 #include "server/cli/surface_passes.hpp"
+#include "server/cli/surface_picture.hpp"
 #include "server/cli/surface_request.hpp"
 #include "server/cli/tell.hpp"
 #include "server/cli/time_limit.hpp"
@@ -362,8 +363,23 @@ void add_surface_options(CLI::App& command, SurfaceOptions& options) {
                        "Folder for imported data (default: ~/.cache/wakesurf)");
     add_source_options(command, options.taken);
     command
-        .add_option("-o,--output", options.output, "File to write: .vtp, .glb, .ply, .obj or .drc")
+        .add_option("-o,--output", options.output,
+                    "File to write: .vtp, .glb, .ply, .obj or .drc, or .png for a picture of it, "
+                    "which needs "
+                    "Python with numpy, and Chromium")
         ->required();
+    command.add_option("--size", options.size, "WIDTHxHEIGHT of a picture, in pixels")
+        ->capture_default_str()
+        ->check([](const std::string& text) -> std::string {
+            unsigned width = 0;
+            unsigned height = 0;
+            char more = 0;
+            const bool two = std::sscanf(text.c_str(), "%5ux%5u%c", &width, &height, &more) == 2;
+            const auto fits = [](unsigned pixels) { return pixels >= 64 && pixels <= 8192; };
+            return two && fits(width) && fits(height)
+                       ? std::string()
+                       : text + " is not WIDTHxHEIGHT, each from 64 to 8192";
+        });
     command.add_flag(
         "--draco,!--no-draco", options.draco,
         "Compress .glb files with Draco; --no-draco is for readers without it, such as ParaView");
@@ -388,6 +404,8 @@ int run_surface(const SurfaceOptions& options) {
         const int status = report_failure(request.error());
         return request.error().code == core::Error::Code::InvalidArgument ? wrong_usage : status;
     }
+    if (request->picture)
+        return draw_surface(options, *request);
     const StopOnSignal signals;
     const TimeLimit limit(options.seconds, signals.token());
     const auto made = make(options, *std::move(request), limit, signals.token());

@@ -34,6 +34,7 @@ struct SurfaceOptions {
     std::uint32_t tessellate = 1; ///< quads a cell becomes, each way
     std::string lines;            ///< which lines are written instead of the mesh; empty: the mesh
     std::string stats;
+    std::string size = "1600x1000"; ///< of a picture, in pixels
     std::string store;
     SourceOptions taken;
 };

@@ -6,6 +6,7 @@
 #include "protocol/api/point_json.hpp"
 #include "protocol/files/mesh_file.hpp"
 #include "server/cli/rake_text.hpp"
+#include "server/cli/surface_picture.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -69,11 +70,9 @@ core::Result<nlohmann::json> asked_json(const SurfaceOptions& options) {
 }
 
 /// Checked by the description of surface.set.
-core::Result<protocol::SurfaceSetting> read_asked(const SurfaceOptions& options) {
-    const auto asked = asked_json(options);
-    if (!asked)
-        return tl::unexpected(asked.error());
-    protocol::CheckedJson in(*asked);
+core::Result<protocol::SurfaceSetting> read_asked(const SurfaceOptions& options,
+                                                  const nlohmann::json& asked) {
+    protocol::CheckedJson in(asked);
     protocol::SurfaceSetting setting;
     read(in, setting);
     if (auto sound = in.verdict(); !sound)
@@ -94,7 +93,7 @@ core::Result<void> check_output(const std::string& output, const char* option, b
     if (mesh && (extension.empty() || !protocol::mesh_format(extension.substr(1))))
         return core::fail(Code::InvalidArgument,
                           std::string(option) + ": '" + output + "' has no known extension",
-                          "write " + protocol::mesh_extensions());
+                          "write " + protocol::mesh_extensions() + ", or .png for a picture");
     std::error_code ignored;
     const auto folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
     if (!std::filesystem::is_directory(folder, ignored))
@@ -122,7 +121,10 @@ core::Result<std::optional<protocol::LinesWanted>> read_lines(const SurfaceOptio
 } // namespace
 
 core::Result<SurfaceRequest> check_surface_options(const SurfaceOptions& options) {
-    auto asked = read_asked(options);
+    auto texts = asked_json(options);
+    if (!texts)
+        return tl::unexpected(texts.error());
+    auto asked = read_asked(options, *texts);
     if (!asked)
         return tl::unexpected(asked.error());
     SurfaceRequest request;
@@ -152,8 +154,17 @@ core::Result<SurfaceRequest> check_surface_options(const SurfaceOptions& options
             return tl::unexpected(second.error());
         request.parameters.rake2 = *std::move(second);
     }
-    if (auto checked = check_output(options.output, "-o", true); !checked)
+    request.picture = std::filesystem::path(options.output).extension() == ".png";
+    if (auto checked = check_output(options.output, "-o", !request.picture); !checked)
         return tl::unexpected(checked.error());
+    if (request.picture)
+        if (auto checked = check_picture_options(options); !checked)
+            return tl::unexpected(checked.error());
+    for (const char* told_apart : {"rake", "rake2", "dataset"})
+        texts->erase(told_apart);
+    if (!request.to)
+        texts->erase("to");
+    request.asked = texts->dump();
     auto lines = read_lines(options, request.parameters.kind);
     if (!lines)
         return tl::unexpected(lines.error());

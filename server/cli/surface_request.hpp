@@ -8,6 +8,7 @@
 #include "server/cli/surface_command.hpp"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace wakesurf::server {
@@ -18,6 +19,8 @@ struct SurfaceRequest {
         parameters; ///< `from`, `to` to be filled in where the options leave them open
     std::optional<double> from, to;
     std::optional<protocol::LinesWanted> lines; ///< instead of the mesh
+    std::string asked;    ///< JSON: of surface.set, what was given; without rakes and dataset
+    bool picture = false; ///< instead of the mesh
 };
 
 /// Error: InvalidArgument for what can never be right (wrong usage), Unsupported for what wakesurf cannot do,

@@ -2,6 +2,7 @@
 import os
 import pwd
 import re
+import shutil
 import socket
 import subprocess
 import tempfile
@@ -39,10 +40,10 @@ class OpenCase(unittest.TestCase):
                 if name not in ("DISPLAY", "WAYLAND_DISPLAY", "BROWSER", "SSH_CONNECTION", "WAKESURF_LISTEN", "WAKESURF_DATASET", "container")}
         return {**kept, "PATH": self.folder + ":/usr/bin:/bin", "TMPDIR": self.folder, "XDG_RUNTIME_DIR": "", **more}
 
-    def start(self, *arguments, **environment):
+    def start(self, *arguments, program=BINARY, **environment):
         """The program while it runs, and what it prints until nothing more is said before it waits."""
         arguments = arguments if "--listen" in arguments else (*arguments, "--listen", "127.0.0.1:0")
-        process = subprocess.Popen([BINARY, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=self.folder,
+        process = subprocess.Popen([program, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=self.folder,
                                    env=self.environment(**environment))
         self.addCleanup(process.stderr.close)
         self.addCleanup(process.stdout.close)
@@ -98,11 +99,19 @@ class BrowserTest(OpenCase):
                                      (("flow:tornado",), {"DISPLAY": ":0", "container": "docker"}),
                                      (("flow:tornado",), {"DISPLAY": ":0", "BROWSER": "nowhere"})):
             with self.subTest(options=options, **environment):
-                process, _ = self.start(*options, **environment)
+                process, link = self.start(*options, **environment)
+                wakesurf.Client(link).info()  # it answers after it would have opened a page
                 self.end(process)
                 self.assertNotIn("opening", process.stdout.read())
                 self.assertFalse(os.path.exists(self.note))
                 self.assertEqual([each for each in os.listdir(self.folder) if each.startswith("wakesurf-")], [])
+
+    def test_is_not_started_where_the_program_has_no_page(self):
+        self.browser("xdg-open")
+        alone = shutil.copy(BINARY, self.folder)
+        process, _ = self.start("flow:tornado", program=alone, DISPLAY=":0")
+        self.assertTrue(any("the page is not beside this program" in line for line in process.stderr), "it has ended without saying so")
+        self.assertFalse(os.path.exists(self.note))
 
     def test_is_started_where_ssh_forwards_a_display_and_by_serve_where_it_is_asked_to(self):
         self.browser("xdg-open")

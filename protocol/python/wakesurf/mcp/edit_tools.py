@@ -1,9 +1,10 @@
 """Tools that say what there is, and that change it: open, suggest, rake, surface, undo."""
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Dict, List, Mapping, cast
+from typing import TYPE_CHECKING, Any, List, Mapping, cast
 
-from ..errors import InvalidParameters, WakesurfError
+from ..beginning import begin
+from ..errors import InvalidParameters
 from ..generated.methods.rake import RakeMethods
 from ..generated.methods.surface import SurfaceMethods
 from ..plain import Json
@@ -130,34 +131,9 @@ def _surface(work: Work, given: Json, call: Call) -> Answer:
 
 
 def _new(work: Work, session: Session, setting: Json) -> Surface:
-    """What is left open is as the server suggests it for the data."""
-    dataset, kind = work.dataset(setting.get("dataset")), setting.get("kind", "")
-    if not kind:
+    if "kind" not in setting:
         raise InvalidParameters("a new surface needs `kind`", -32602, "invalidParameters", "one of " + ", ".join(_KINDS))
-    found: Mapping[str, Any] = work.client.suggest(dataset) if not {"rake", "to", "separation"} <= setting.keys() else {"surfaces": []}
-    usual: Dict[str, Any] = dict(next((each for each in found["surfaces"] if each["kind"] == kind), {}))
-    if setting.keys() & {"from", "to", "direction"}:
-        usual = {name: value for name, value in usual.items() if name not in ("from", "to")}
-    if setting.keys() & {"sweep", "rake2"}:
-        usual.pop("sweep", None)
-    merged: Json = {**usual, **setting, "dataset": dataset}
-    if "to" not in merged:
-        merged["to"] = _last_time(work, dataset)
-    merged.pop("rake", None)
-    rake = setting["rake"] if "rake" in setting else session.api.rake.set(**found["rake"])["rake"]
-    try:
-        return session.surface(rake, **{"from_" if name == "from" else name: value for name, value in merged.items()})
-    except WakesurfError:
-        if "rake" not in setting:
-            session.api.rake.delete(rake=rake)  # nobody asked for it alone
-        raise
-
-
-def _last_time(work: Work, dataset: str) -> float:
-    times = work.client.describe(dataset)["times"]
-    if not times:
-        raise InvalidParameters("surface needs `to`", -32602, "invalidParameters", "the time at which it ends")
-    return float(times[-1])
+    return begin(session, work.dataset(setting.get("dataset")), setting)
 
 
 def _undo(work: Work, given: Json, call: Call) -> Answer:

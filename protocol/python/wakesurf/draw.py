@@ -1,0 +1,71 @@
+"""`wakesurf surface DATA -o a.png`: what the program has read from its command line, drawn by a server that is there as long as that takes."""
+from __future__ import annotations
+
+import json
+import re
+import signal
+import sys
+from typing import Any, Optional, Sequence
+
+from .beginning import begin, last_time
+from .chrome import find_browser
+from .errors import PictureFailed, WakesurfError
+from .names import snake
+from .plain import Json
+from .progress import Progress
+from .serve import serve
+
+
+def main(arguments: Optional[Sequence[str]] = None) -> int:
+    """The one argument is the work, as server/cli/surface_picture.cpp writes it. Exit status."""
+    words = sys.argv[1:] if arguments is None else arguments
+    for each in (signal.SIGTERM, signal.SIGHUP):
+        signal.signal(each, signal.default_int_handler)
+    try:
+        draw(json.loads(words[0]))
+    except WakesurfError as problem:
+        print("wakesurf: " + as_options(str(problem)), file=sys.stderr)
+        return 1
+    except OSError as problem:
+        print(f"wakesurf: {problem}", file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        print("wakesurf: stopped, nothing was written", file=sys.stderr)
+        return 1
+    return 0
+
+
+def draw(job: Json) -> None:
+    """Error: WakesurfError, OSError."""
+    find_browser()  # before anything is computed
+    width, _, height = job["size"].partition("x")
+    with serve(job["dataset"], options=job["server"], progress=_line) as session:
+        if session.client._request("/")[0] != 200:
+            raise PictureFailed("the page is not beside this program", hint="install all of it, or build it: npm --prefix web-client run build")
+        setting = {snake(name): value for name, value in job["surface"].items()}
+        if "rake" in job:
+            setting["rake"] = session.api.rake.set(**job["rake"])["rake"]
+            setting.setdefault("to", last_time(session, {"dataset": session.dataset, **setting}))
+        else:
+            found = session.client.suggest(session.dataset)
+            setting["rake"] = session.api.rake.set(**{**found["rake"], "seeds": job["seeds"]})["rake"]
+            ends = " ".join(",".join(f"{each:g}" for each in point) for point in found["rake"]["points"])
+            print(f"wakesurf: without --rake: {found['why']} It is --rake \"{ends}\"", file=sys.stderr)
+        if "rake2" in job:
+            setting["rake2"] = session.api.rake.set(**job["rake2"])["rake"]
+        stats: Any = begin(session, session.dataset, setting).wait(progress=_line)
+        if "empty" in stats:
+            raise PictureFailed("the surface is empty: " + stats["empty"]["message"], hint=stats["empty"]["hint"])
+        session.picture(job["output"], (int(width), int(height)))
+        print(f"{job['output']}: {width} x {height} pixels of {stats['quads']} quads, separation {stats['separation']:.4g}")
+
+
+def as_options(text: str) -> str:
+    """Parameters of the API as the command line spells them."""
+    return re.sub(r"`([a-z][A-Za-z0-9]*)`", lambda found: "--" + snake(found[1]).replace("_", "-"), text)
+
+
+def _line(progress: Progress) -> None:
+    if sys.stderr.isatty():
+        share = "" if progress.share is None else f"{100 * progress.share:3.0f} % "
+        print(f"\r{share}{progress.message:60.60}", end="\r" if progress.share != 1.0 else "\r\033[K", file=sys.stderr)

@@ -1,0 +1,13 @@
+// Parts of the client for Python that are commands of this program.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace wakesurf::server {
+
+/// Becomes Python with `main` of a module of the client, and ends with it; $WAKESURF is this program there. Returns the exit status where
+/// it cannot be started, and says why.
+int become_python(const std::string& module, const std::vector<std::string>& arguments);
+
+} // namespace wakesurf::server

@@ -1,0 +1,64 @@
+#include "server/cli/surface_picture.hpp"
+
+#include "protocol/api/generated/names.hpp"
+#include "protocol/api/point_json.hpp"
+#include "server/cli/python_program.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace wakesurf::server {
+
+namespace {
+
+nlohmann::json rake_json(const core::Rake& rake) {
+    return {{"kind", protocol::name(rake.kind)},
+            {"points", protocol::points_json(rake.points)},
+            {"seeds", rake.seeds}};
+}
+
+/// What the server that draws it is started with.
+std::vector<std::string> server_words(const SurfaceOptions& options) {
+    std::vector<std::string> words = arguments_of(options.taken);
+    if (!options.store.empty())
+        words.push_back("--store=" + options.store);
+    if (options.memory > 0)
+        words.push_back("--memory=" + std::to_string(options.memory));
+    if (options.threads > 0)
+        words.push_back("--threads=" + std::to_string(options.threads));
+    return words;
+}
+
+} // namespace
+
+core::Result<void> check_picture_options(const SurfaceOptions& options) {
+    const std::pair<bool, const char*> others[] = {{!options.lines.empty(), "--lines"},
+                                                   {options.tessellate > 1, "--tessellate"},
+                                                   {!options.draco, "--no-draco"},
+                                                   {!options.stats.empty(), "--stats"},
+                                                   {options.seconds > 0.0, "--seconds"}};
+    for (const auto& [given, option] : others)
+        if (given)
+            return core::fail(core::Error::Code::InvalidArgument,
+                              std::string(option) + " is for meshes, and -o names a picture",
+                              "leave it out, or write .vtp, .glb, .ply, .obj or .drc");
+    return {};
+}
+
+int draw_surface(const SurfaceOptions& options, const SurfaceRequest& request) {
+    nlohmann::json job{
+        {"dataset", options.dataset}, {"output", options.output},
+        {"size", options.size},       {"server", server_words(options)},
+        {"seeds", options.seeds},     {"surface", nlohmann::json::parse(request.asked)}};
+    job["surface"]["maxQuads"] = options.max_quads;
+    job["surface"]["fields"] = options.fields;
+    if (!options.rake.empty())
+        job["rake"] = rake_json(request.rake);
+    if (request.parameters.rake2)
+        job["rake2"] = rake_json(*request.parameters.rake2);
+    return become_python("draw", {job.dump()});
+}
+
+} // namespace wakesurf::server
