@@ -106,8 +106,11 @@ class Session(SurfaceMaker[Surface], HasId, Helpful):
         raise problem
 
     def fork(self, name: str = "") -> Session:
-        """A new session with copies of the records."""
-        return Session(self.client, self.api.session.fork(name=name)["session"])
+        """A new session with copies of the records. Who came by a share link, of any role, is an editor in it."""
+        made = self.api.session.fork(name=name)
+        key = made.get("key")
+        client = self.client if key is None else type(self.client)(self.client.url, key, self.client.timeout, self.client._tls)
+        return Session(client, made["session"])
 
     @named
     def share(self, role: Role = "viewer", expires_in: Union[int, None, LeftOut] = LEFT_OUT) -> str:
