@@ -13,8 +13,10 @@ struct EncodeOptions {
     std::uint32_t surface = 0; ///< number in the header of each frame
     std::uint32_t epoch = 0;
     std::uint32_t seq = 0;
-    bool final = false;     ///< else coarse
-    bool attributes = true; ///< speed, s and t; without, the mesh needs only positions and cells
+    bool final = false; ///< else coarse
+    bool attributes =
+        true; ///< speed, s and t, and fields; without, the mesh needs only positions and cells
+    double time = 0.0;
 };
 
 struct EncodedState {
@@ -24,7 +26,9 @@ struct EncodedState {
 
 /// Encodes a mesh as update `seq`. A mesh without cells becomes a state without vertices.
 /// Error, thread safety: as MeshStream::next.
-core::Result<EncodedState>
-encode_state(const core::QuadComplex& mesh, const Lattice& lattice, const EncodeOptions& options);
+core::Result<EncodedState> encode_state(const core::QuadComplex& mesh,
+                                        const Lattice& lattice,
+                                        const EncodeOptions& options,
+                                        const MeshFields& fields = {});
 
 } // namespace wakesurf::protocol

@@ -109,6 +109,22 @@ core::Result<DownloadRequest> read_download(std::string_view file,
     return out;
 }
 
+core::Result<std::optional<double>>
+read_obstacle_time(const std::map<std::string, std::string>& query) {
+    std::optional<double> time;
+    for (const auto& [name, value] : query) {
+        time = name == "time" ? finite_number(value) : std::nullopt;
+        if (!time)
+            return fail(Error::Code::InvalidArgument,
+                        name == "time"
+                            ? "`time` is not a finite number"
+                            : "an obstacle has no parameter `" + name.substr(0, 64) + "`",
+                        "?time=2.5 adds the velocity along it at that time; there is no other "
+                        "parameter");
+    }
+    return time;
+}
+
 core::Result<std::optional<double>> shown_at(const DownloadRequest& request,
                                              const core::SurfaceParameters& p,
                                              std::optional<double> clock) {

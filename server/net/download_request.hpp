@@ -33,4 +33,8 @@ core::Result<std::optional<double>> shown_at(const DownloadRequest& request,
                                              const core::SurfaceParameters& parameters,
                                              std::optional<double> clock);
 
+/// The time at which the flow along a dataset's obstacle is wanted, as in obstacle.bin?time=2.5; nothing: its shape alone. Error: InvalidArgument.
+core::Result<std::optional<double>>
+read_obstacle_time(const std::map<std::string, std::string>& query);
+
 } // namespace wakesurf::server

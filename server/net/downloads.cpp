@@ -1,19 +1,17 @@
 #include "server/net/downloads.hpp"
 
 #include "core/base/crc32c.hpp"
-#include "core/surface/obstacle_surface.hpp"
 #include "core/surface/patches/tessellation.hpp"
 #include "core/surface/playback/surface_at.hpp"
 #include "core/surface/vertex_attributes.hpp"
 #include "protocol/api/json_text.hpp"
 #include "protocol/files/lines_file.hpp"
 #include "protocol/files/mesh_file.hpp"
-#include "protocol/wire/bytes.hpp"
-#include "protocol/wire/mesh_encoder.hpp"
 #include "server/catalogue/surface_scalars.hpp"
 #include "server/limits.hpp"
 #include "server/net/download_request.hpp"
 #include "server/net/http_error.hpp"
+#include "server/net/obstacle_file.hpp"
 #include "server/net/url_query.hpp"
 #include "server/session/live/early_plan.hpp"
 
@@ -43,55 +41,9 @@ std::vector<std::string> split(std::string_view path) {
     return parts;
 }
 
-/// What of a dataset particles stop at, to look at: the surface of the solid nodes, or the
-/// walls of the store or of a built-in flow.
-core::Result<core::QuadComplex> obstacle_of(const LoadedDataset& dataset) {
-    const auto none = fail(Error::Code::NotFound, "the dataset has no obstacle",
-                           "dataset.describe says whether it has one");
-    const store::StoreReader* store = dataset.store.get();
-    if (store != nullptr && !store->mask().empty())
-        return core::obstacle_surface(store->grid(), store->mask());
-    const auto walls = store != nullptr ? store->load_walls() : dataset.flow->walls();
-    if (!walls)
-        return tl::unexpected(walls.error());
-    if (walls->triangles.empty())
-        return none;
-    return core::wall_surface(*walls);
-}
-
 /// Whose turn it is in the pool: one file of each link and session at a time, beside what is computed to be looked at.
 std::string turns_of(const std::string& session, const Identity& identity) {
     return "\n" + session + "\n" + identity.grant; // no session is called like that
-}
-
-/// The mesh, its frames and what is made on the way to them, a vertex.
-constexpr std::size_t obstacle_bytes = 400;
-
-/// Frames, each preceded by its length.
-core::Result<std::string> obstacle_frames(const LoadedDataset& dataset,
-                                          const core::MemoryAccount& account,
-                                          core::MemoryAccount::Share& share) {
-    const auto mesh = obstacle_of(dataset);
-    if (!mesh)
-        return tl::unexpected(mesh.error());
-    const std::size_t needed = mesh->vertices() * obstacle_bytes;
-    if (!share.grow_to(needed))
-        return tl::unexpected(account.refusal("the file of this obstacle", needed));
-    protocol::EncodeOptions options;
-    options.final = true;
-    options.attributes = false;
-    const auto state =
-        protocol::encode_state(*mesh, protocol::lattice_over(dataset.info.bounds), options);
-    if (!state)
-        return tl::unexpected(state.error());
-    std::string out;
-    for (const auto& frame : state->frames) {
-        protocol::Bytes length;
-        protocol::append(length, static_cast<std::uint32_t>(frame->size()));
-        out.append(reinterpret_cast<const char*>(length.data()), length.size());
-        out.append(reinterpret_cast<const char*>(frame->data()), frame->size());
-    }
-    return out;
 }
 
 /// What of a surface's file is not the mesh itself.
@@ -253,11 +205,22 @@ void Downloads::obstacle(const HttpRequest& request,
     const auto dataset = catalogue_.find(id);
     if (!dataset)
         return respond(http_error(dataset.error()));
+    const auto asked = url_query(request.query).and_then(read_obstacle_time);
+    if (!asked)
+        return respond(http_error(asked.error()));
+    std::optional<double> time;
+    if (*asked) {
+        const auto there = time_in_data(**dataset, **asked);
+        if (!there)
+            return respond(http_error(there.error()));
+        time = *there;
+    }
+    const std::string when = time ? fmt::format(" at {}", *time) : "";
     files_.get(
-        "obstacle " + id + " " + values_of(**dataset), turns_of("", identity),
-        [loaded = *dataset, &account = account_](const std::stop_token&,
-                                                 core::MemoryAccount::Share& share) {
-            return obstacle_frames(*loaded, account, share);
+        "obstacle " + id + " " + values_of(**dataset) + when, turns_of("", identity),
+        [loaded = *dataset, time, &account = account_](const std::stop_token& stop,
+                                                       core::MemoryAccount::Share& share) {
+            return obstacle_frames(*loaded, time, account, share, stop);
         },
         request.gone,
         [this, respond, request, identity, id, data = *dataset](const core::Result<File>& file) {

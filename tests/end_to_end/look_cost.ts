@@ -1,5 +1,5 @@
 // What looks cost in the software renderer, where a surface fills the picture: processor time of the process that draws, medians in
-// milliseconds of pictures drawn in turns, and how many times the plain look's that is. Prints one line of JSON.
+// milliseconds of pictures drawn in turns, and how many times that of the plain look, or of the plain body, that is. Prints one line of JSON.
 import { launchBrowser } from './support/browser_page.ts';
 import { openBundledPage } from './support/bundled_page.ts';
 import type { FlatFlow } from './support/looks_page.ts';
@@ -10,6 +10,8 @@ const looks = {
     texture: { source: 'scalar' as const, texture: true },
     moving: { source: 'scalar' as const, texture: true, textureMoves: 'withTime' as const },
 };
+const bodies = { body: 'none', bodyTexture: 'standing', bodyMoving: 'flowing' } as const;
+const names = [...Object.keys(looks), ...Object.keys(bodies)];
 const [rounds, together] = [9, 8];
 
 const browser = await launchBrowser();
@@ -22,11 +24,14 @@ try {
     };
     const [width, height] = [1300, 900];
     await page.waitForFunction(() => window.lookBench !== undefined);
-    const pictures = await Promise.all(
-        Object.values(looks).map((look) =>
+    const pictures = await Promise.all([
+        ...Object.values(looks).map((look) =>
             page.evaluateHandle(([where, style]) => window.lookBench!.ready(where, style), [flow, look] as const),
         ),
-    );
+        ...Object.values(bodies).map((texture) =>
+            page.evaluateHandle(([where, of]) => window.lookBench!.readyBody(where, of), [flow, texture] as const),
+        ),
+    ]);
     const draw = async (picture: (typeof pictures)[number], times: number): Promise<number> => {
         const before = await spentMs();
         await picture.evaluate((drawn, count) => drawn(count), times);
@@ -40,8 +45,9 @@ try {
     await close();
     const medians = spent.map((each) => each.sort((a, b) => a - b)[rounds >> 1]!);
     const byLook = (figures: number[], digits: number): Record<string, number> =>
-        Object.fromEntries(Object.keys(looks).map((name, i) => [name, Number(figures[i]!.toFixed(digits))] as const));
-    const times = medians.map((each) => each / medians[0]!);
+        Object.fromEntries(names.map((name, i) => [name, Number(figures[i]!.toFixed(digits))] as const));
+    const plainBody = names.indexOf('body');
+    const times = medians.map((each, i) => each / medians[i < plainBody ? 0 : plainBody]!);
     console.log(
         JSON.stringify({ name: 'browser-looks', width, height, processorMs: byLook(medians, 1), times: byLook(times, 2) }),
     );

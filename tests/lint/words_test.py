@@ -17,7 +17,7 @@ THEIR_NAMES = {"Color", "SrcColorFactor", "setClearColor", "getClearColor", "SRG
                "backgroundColor", "borderColor", "borderTopColor", "borderLeftColor", "currentColor", "gl_FragColor",
                "colorspace_fragment", "colorspace"}
 THEIR_CONTEXT = re.compile(
-    r"type=.color|\[type=.color|\bmaterial\.color\b|\bstyle\.color\b|state\.buffers|\bcolor\.set(Mask|Locked)\b|setAttribute\('color'|"
+    r"type=.color|\[type=.color|\bmaterial\.color\b|Lights\[i\]\.color\b|\bstyle\.color\b|state\.buffers|\bcolor\.set(Mask|Locked)\b|setAttribute\('color'|"
     r"[\w-]+-color\b|\bcolor-|\bcolor: (0x|colour\b|var\(|light-dark|rgb|#|inherit|transparent)|color: rgb")
 COLOR = re.compile(r"\b\w*[cC]olor\w*\b")
 

@@ -19,6 +19,7 @@ import { showMarks } from './session/picture/marksInPicture.ts';
 import { Measuring } from './session/tools/measuring.ts';
 import { Noting } from './session/tools/noting.ts';
 import { hideSurfaces } from './session/picture/shownSurfaces.ts';
+import { BodyFlow } from './session/picture/bodyFlow.ts';
 import { showLooks } from './session/picture/looksInPicture.ts';
 import { measurePixels } from './session/picture/pixelSize.ts';
 import { ImportWait } from './session/importWait.ts';
@@ -145,11 +146,16 @@ function start(app: App): void {
     const shelf = new SessionShelf({ state, worker, server, restored: (session) => controller.restored(session) });
     const clock = new ClockControl({ state, worker, requestFrame });
     const playback = new Playback({ state, edits, clock });
+    const bodyFlow = new BodyFlow({
+        ...{ state, view, scene, worker },
+        time: () => playback.time.value,
+        moves: () => playback.mode.value === 'clock',
+    });
     const families = new Families({ state, worker, edits, clock, time: () => playback.time.value });
     const news = new ServerNews({ state, feed, outcomes, people, progress, families, dataset, controller });
     const findBar = (): HTMLElement | null => labels.parentElement?.querySelector<HTMLElement>('wakesurf-scalar-bar') ?? null;
     const figure = new Figure(scene, findBar);
-    const film = new FilmMaker({ state, view, worker, edits, playback, figure });
+    const film = new FilmMaker({ state, view, worker, edits, playback, bodyFlow, figure });
     const mesh = new MeshDownload(server);
     scene.loop.beforeFrame(() => edits.flush());
     scene.loop.beforeFrame(() => clock.flush());
@@ -157,7 +163,7 @@ function start(app: App): void {
     scene.loop.beforeFrame(() => pointing.flush());
     scene.loop.beforeFrame(() => feed.apply());
     showRakes(state, view, scene);
-    installTestHook({ state, view, scene, latency, canvas, figure });
+    installTestHook({ state, view, scene, bodyFlow, latency, canvas, figure });
     recallPanel(view);
     listenForViewKeys({ view, scene, people });
     listenForPresses(edits.gestures, () => state.notices.passed('press'));
@@ -201,7 +207,7 @@ function start(app: App): void {
             rakeList: { state, view, edits },
             surface: { state, view, edits, families, chooseKind: (kind) => chooseKind({ state, edits, clock, playback }, kind) },
             rake: { state, view, edits, scene },
-            look: { state, view, edits, scene, ownCopy },
+            look: { state, view, edits, scene, bodyFlow, ownCopy },
             bookmarks: { state, views, calls, clock },
             probe: { state, view, probing },
             surroundings: { state, view, typeUnits: (change) => void typeUnits(state, calls, change) },

@@ -3,11 +3,13 @@
 import type { Vec3 } from './protocol/messages.ts';
 import type { FlowScene } from './scene/scene.ts';
 import type { ScreenPoint, ScreenSize } from './scene/base/view.ts';
+import type { BodyVertex } from './scene/surface/drawnBody.ts';
 import type { PickGrid, PickHit } from './scene/surface/pickHit.ts';
 import type { SurfaceVertex } from './scene/surface/surfaceMesh.ts';
 import type { Handle } from './scene/rake/rakeHandles.ts';
 import type { DrawnRake } from './scene/rake/drawnRake.ts';
 import type { Figure } from './session/out/figure.ts';
+import type { BodyFlow } from './session/picture/bodyFlow.ts';
 import { type ScriptedSetting, scriptedPicture, unfinished } from './session/out/scriptedPicture.ts';
 import type { AppState, DisplayedSurface } from './state/appState.ts';
 import type { ViewState } from './state/viewState.ts';
@@ -45,6 +47,8 @@ export interface TestHook {
     arrowOnScreen(axis: 0 | 1 | 2): ScreenPoint | null;
     /** Every n-th vertex of the surface shown, with its scalar. */
     vertices(every: number): SurfaceVertex[];
+    /** Every n-th vertex of the body, with the velocity off it where its texture is shown. */
+    bodyVertices(every: number): BodyVertex[];
     /** What is seen at a position in the window. */
     pick(at: ScreenPoint): PickHit | null;
     /** What is seen round a position in the window, by pixels. */
@@ -75,12 +79,13 @@ export interface TestHookParts {
     state: AppState;
     view: Pick<ViewState, 'lookOf'>;
     scene: FlowScene;
+    bodyFlow: Pick<BodyFlow, 'standing'>;
     latency: LatencyLog;
     canvas: HTMLCanvasElement;
     figure: Figure;
 }
 
-export function installTestHook({ state, view, scene, latency, canvas, figure }: TestHookParts): void {
+export function installTestHook({ state, view, scene, bodyFlow, latency, canvas, figure }: TestHookParts): void {
     const active = (): string => state.activeSurface.value ?? '';
     const displayed = (): DisplayedSurface | undefined => state.displayed.value.get(active());
     const requested = (): number => state.requestedEpochs.value.get(active()) ?? 0;
@@ -164,6 +169,7 @@ export function installTestHook({ state, view, scene, latency, canvas, figure }:
             }
             return found;
         },
+        bodyVertices: (every) => scene.body.vertices(every),
         pick: ({ x, y }) => {
             const box = canvas.getBoundingClientRect();
             return scene.pick({ x: x - box.left, y: y - box.top });
@@ -191,7 +197,7 @@ export function installTestHook({ state, view, scene, latency, canvas, figure }:
             const drawn = figure.draw({ width, height }, 'Caption', undefined, tileSide);
             return drawn.getContext('2d')!.getImageData(0, 0, width, height).data;
         },
-        unfinished: (time) => unfinished(state, view, time),
+        unfinished: (time) => unfinished(state, view, bodyFlow, time),
         picture: (setting) => scriptedPicture(figure, setting),
         loseContext: () => {
             contextLoss = scene.renderer.getContext().getExtension('WEBGL_lose_context');

@@ -22,6 +22,8 @@ export interface Scene {
     camera: { position: Vec3; target: Vec3 };
     /** The rake is in the picture, and the box of the domain with its numbers. */
     rake?: boolean;
+    /** The flow along the body is shown on it. */
+    bodyTexture?: true;
     axes?: boolean;
     size?: [number, number];
 }
@@ -66,6 +68,7 @@ export async function linkTo(server: ServerProcess, scene: Scene): Promise<strin
         camera: { ...scene.camera, orthographic: false },
         surface: String(surface),
         looks: { [String(surface)]: scene.look },
+        ...(scene.bodyTexture === undefined ? {} : { bodyTexture: scene.bodyTexture }),
     };
     const state = encodeLinkState({ view, rakes: [], surfaces: [] });
     return `${server.link}&session=${session}&dataset=${encodeURIComponent(dataset)}&state=${state}`;

@@ -1,7 +1,12 @@
 // Runs in a page: draws sheets of known shape and velocity with the scene's surfaces, to measure what looks cost and to look at
 // their pixels. The GPU finishes each picture before it is measured.
 import { Color, OrthographicCamera, Scene, WebGLRenderer } from 'three';
+import type { BodyMesh } from '../../../web-client/src/mesh/bodyMesh.ts';
 import type { TimedMeshChange } from '../../../web-client/src/mesh/meshChange.ts';
+import { View } from '../../../web-client/src/scene/base/view.ts';
+import { Lights } from '../../../web-client/src/scene/lights.ts';
+import { DrawnBody } from '../../../web-client/src/scene/surface/drawnBody.ts';
+import type { FlowTexture } from '../../../web-client/src/scene/surface/surfaceMaterial.ts';
 import { SurfaceLayer } from '../../../web-client/src/scene/surface/surfaceLayer.ts';
 import { plainStyle, type SurfaceStyle } from '../../../web-client/src/scene/surface/surfaceStyle.ts';
 
@@ -23,6 +28,8 @@ export interface FlatFlow {
 export interface LookBench {
     /** Makes a picture ready; returns how to draw it so often, each time to its end. */
     ready(flow: FlatFlow, look: Partial<SurfaceStyle>): (times: number) => void;
+    /** The same of a body of that shape, with its texture or without. */
+    readyBody(flow: FlatFlow, texture: FlowTexture): (times: number) => void;
     /** Brightness by pixels, rows from the bottom. */
     light(flow: FlatFlow, look: Partial<SurfaceStyle>, time: number): number[];
 }
@@ -72,6 +79,14 @@ function sheet({ corner, size, waves, speed, angle, unresolved }: FlatFlow, time
     };
 }
 
+/** The same sheet as a body, and the flow along it. */
+function bodyOf(flow: FlatFlow): { body: BodyMesh; flow: Float32Array } {
+    const { positions, normals, indices, scalars } = sheet(flow, 0);
+    const [x, y, z] = scalars.map(({ values }) => values);
+    const along = Float32Array.from({ length: positions.length }, (_, i) => [x!, y!, z!][i % 3]![Math.floor(i / 3)]!);
+    return { body: { positions, normals, indices }, flow: along };
+}
+
 class Picture {
     private readonly layer = new SurfaceLayer();
     private readonly scene = new Scene();
@@ -85,15 +100,29 @@ class Picture {
     }
 
     show(flow: FlatFlow, look: Partial<SurfaceStyle>, time: number): void {
-        const { size } = flow;
-        const [x, y, z] = flow.corner;
-        const height = (size * innerHeight) / innerWidth;
-        this.layer.setBounds([x, x + size, y, y + height, z - size, z + size]);
+        this.place(flow);
         this.layer.setStyle('s', { ...plainStyle, source: 'constant', ...look });
         this.layer.set('s', sheet(flow, time));
+    }
+
+    showBody(flow: FlatFlow, texture: FlowTexture): void {
+        this.place(flow);
+        const [drawn, lights] = [new DrawnBody(this.layer), new Lights()];
+        const { body, flow: along } = bodyOf(flow);
+        drawn.set(body);
+        drawn.setTime(texture === 'flowing' ? 0 : null);
+        drawn.setFlow(texture === 'none' ? null : along);
+        this.scene.add(drawn.object, lights.object);
+        const size = { width: innerWidth, height: innerHeight };
+        lights.update(new View(this.camera, size, size, 1));
+    }
+
+    private place({ size, corner: [x, y, z], zoom }: FlatFlow): void {
+        const height = (size * innerHeight) / innerWidth;
+        this.layer.setBounds([x, x + size, y, y + height, z - size, z + size]);
         const { camera } = this;
         [camera.left, camera.right, camera.bottom, camera.top] = [-size / 2, size / 2, -height / 2, height / 2];
-        [camera.near, camera.far, camera.zoom] = [0, 4 * size, flow.zoom ?? 1];
+        [camera.near, camera.far, camera.zoom] = [0, 4 * size, zoom ?? 1];
         camera.updateProjectionMatrix();
         camera.position.set(x + size / 2, y + height / 2, z + 2 * size);
         camera.updateMatrixWorld();
@@ -114,6 +143,13 @@ window.lookBench = {
     ready: (flow, look) => {
         const picture = new Picture();
         picture.show(flow, look, 0);
+        return (times) => {
+            for (let i = 0; i < times; ++i) picture.draw(1, 1);
+        };
+    },
+    readyBody: (flow, texture) => {
+        const picture = new Picture();
+        picture.showBody(flow, texture);
         return (times) => {
             for (let i = 0; i < times; ++i) picture.draw(1, 1);
         };

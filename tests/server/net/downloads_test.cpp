@@ -1,10 +1,12 @@
 // Whole meshes over HTTP, in every format, from the real program.
 #include "protocol/wire/lattice.hpp"
 #include "protocol/wire/mesh_decoder.hpp"
+#include "store/store_generation.hpp"
 #include "tests/support/dequantise.hpp"
 #include "tests/support/mesh_readers.hpp"
 #include "tests/support/server/server_process.hpp"
 #include "tests/support/server/websocket_client.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -290,6 +292,40 @@ TEST(ObstacleDownload, OfABuiltInFlowIsTheBodyThatItIsSolidIn) {
     for (const protocol::LatticePoint& node : mesh.position)
         EXPECT_NEAR(glm::length(dequantise(lattice, node)), 2.0, lattice.step);
     EXPECT_EQ(obstacle("tornado").status, 404);
+}
+
+TEST(ObstacleDownload, AtATimeHasTheVelocityOffTheBody) {
+    const TemporaryFolder folder;
+    store::GenerateRequest ball;
+    ball.flow = "sphere?a=2";
+    ball.grid = {{-4, -4, -4}, {0.25, 0.25, 0.25}, {33, 33, 33}};
+    ball.times = {0.0, 2.0};
+    ASSERT_TRUE(
+        store::generate_store(ball, folder / "ball", [](const store::ImportProgress&) {}, {}));
+    const ServerProcess server({"flow:sphere?a=2", "flow:tornado", folder / "ball"});
+    const auto at = [&](const std::string& dataset, const std::string& query) {
+        return http(server.port(), "GET", "/api/v1/datasets/" + dataset + "/obstacle.bin" + query,
+                    server.bearer());
+    };
+    for (const std::string dataset : {"sphere", "ball"}) {
+        const HttpReply reply = at(dataset, "?time=1.5");
+        ASSERT_EQ(reply.status, 200) << reply.body;
+        const protocol::WireMesh mesh = decoded(reply.body);
+        EXPECT_EQ(mesh.position, decoded(at(dataset, "").body).position);
+        ASSERT_EQ(mesh.codes.size(), 6u); // speed, s, t, and the velocity
+        std::size_t forward = 0;
+        for (std::size_t i = 0; i < mesh.vertices(); ++i)
+            forward += mesh.ranges[3].value(mesh.codes[3][i]) > 0.0 ? 1 : 0;
+        EXPECT_GT(forward, mesh.vertices() * 9 / 10) << dataset;
+        EXPECT_EQ(at(dataset, "?time=soon").status, 400);
+        EXPECT_NE(at(dataset, "?step=1").body.find("no parameter `step`"), std::string::npos);
+    }
+    EXPECT_EQ(at("sphere", "?time=7").body, at("sphere", "?time=1.5").body) << "it stands still";
+    const HttpReply late = at("ball", "?time=2.5");
+    EXPECT_EQ(late.status, 400);
+    EXPECT_NE(late.body.find("time 2.5 is outside the data's 0 to 2"), std::string::npos)
+        << late.body;
+    EXPECT_EQ(at("tornado", "?time=0").status, 404);
 }
 
 } // namespace wakesurf::tests::downloads_test

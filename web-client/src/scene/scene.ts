@@ -7,7 +7,6 @@ import type { Vec3 } from '../protocol/messages.ts';
 import { CameraControls } from './camera/cameraControls.ts';
 import type { Bounds } from './domain/domainAxes.ts';
 import { DomainOutline } from './domain/domainOutline.ts';
-import { createObstacleMesh } from './domain/obstacleMesh.ts';
 import { FrameLoop } from './frameLoop.ts';
 import { whenDrawn } from './gpuFence.ts';
 import type { Graphics } from './graphics.ts';
@@ -20,9 +19,8 @@ import { RakeInteraction } from './rake/rakeInteraction.ts';
 import { RakeLayer } from './rake/rakeLayer.ts';
 import { SampledPicture, samplePlaces } from './sampledPicture.ts';
 import { Stillness } from './stillness.ts';
-import { pushBack } from './surface/bodyDepth.ts';
-import { clipMaterial } from './surface/bodyClip.ts';
-import { pairs, shadedLayer } from './surface/contactShade.ts';
+import { pairs } from './surface/contactShade.ts';
+import { DrawnBody } from './surface/drawnBody.ts';
 import { SurfaceLayer } from './surface/surfaceLayer.ts';
 import type { PickGrid, PickHit, PickOptions } from './surface/pickHit.ts';
 import { SurfacePick } from './surface/surfacePick.ts';
@@ -53,6 +51,7 @@ export class FlowScene {
         onTurn: () => this.movement.stir(performance.now()),
     });
     readonly surfaces = new SurfaceLayer();
+    readonly body = new DrawnBody(this.surfaces);
     readonly rakes: RakeLayer;
     readonly aim: RakeAim;
     readonly interaction: RakeInteraction;
@@ -92,10 +91,8 @@ export class FlowScene {
     /** While a figure is drawn, which has another size than the canvas. */
     private figureSize: ScreenSize | null = null;
     private outline: DomainOutline | null = null;
-    private obstacle: ReturnType<typeof createObstacleMesh> | null = null;
     /** What lies over the picture, over that of a figure too. */
     private cover: Cover | null = null;
-    private bodyPlanes: readonly [number, number, number, number][] = [];
 
     constructor(options: FlowSceneOptions) {
         this.canvas = options.canvas;
@@ -125,6 +122,7 @@ export class FlowScene {
         this.controls.connect(this.canvas);
         this.setTheme('dark');
         this.surfaces.attach(this.scene);
+        this.scene.add(this.body.object);
         this.add(new Lights());
         this.add(this.rakes);
         this.add(this.aim);
@@ -229,29 +227,30 @@ export class FlowScene {
     }
 
     setObstacle(body: BodyMesh): void {
-        this.removeObstacle();
-        this.obstacle = createObstacleMesh(body);
-        this.obstacle.layers.enable(shadedLayer);
-        pushBack(this.obstacle.material, this.surfaces.bodyPush);
-        clipMaterial(this.obstacle.material, this.bodyPlanes);
-        this.scene.add(this.obstacle);
+        this.body.set(body);
         this.loop.request();
     }
 
     removeObstacle(): void {
-        if (this.obstacle === null) return;
-        this.scene.remove(this.obstacle);
-        this.obstacle.geometry.dispose();
-        this.obstacle.material.dispose();
-        this.obstacle = null;
+        this.body.remove();
         this.loop.request();
+    }
+
+    /** See DrawnBody. */
+    setBodyFlow(flow: Float32Array | null): void {
+        this.body.setFlow(flow);
+        this.loop.request();
+    }
+
+    setBodyTime(time: number | null): void {
+        this.body.setTime(time);
+        if (this.body.textured) this.loop.request();
     }
 
     /** Planes (n, w) that cut surfaces, and the body too if asked: nothing is left where n . point > w. */
     setClip(planes: readonly [number, number, number, number][], body: boolean): void {
         this.surfaces.setClip(planes, body);
-        this.bodyPlanes = body ? planes : [];
-        if (this.obstacle !== null) clipMaterial(this.obstacle.material, this.bodyPlanes);
+        this.body.setClip(body ? planes : []);
         this.loop.request();
     }
 
@@ -280,11 +279,11 @@ export class FlowScene {
 
     /** What of surfaces and body is seen at a canvas position. */
     pick(at: ScreenPoint): PickHit | null {
-        return this.picker.at(this.view(), this.obstacle?.geometry ?? null, at);
+        return this.picker.at(this.view(), this.body.geometry, at);
     }
 
     pickGrid(at: ScreenPoint, radiusPx: number, options: PickOptions): PickGrid {
-        return this.picker.grid(this.view(), this.obstacle?.geometry ?? null, at, radiusPx, options);
+        return this.picker.grid(this.view(), this.body.geometry, at, radiusPx, options);
     }
 
     /** Draws at once, at full resolution, and returns the picture's pixels, RGBA from the bottom left. */

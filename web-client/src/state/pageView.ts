@@ -12,6 +12,8 @@ export interface PageView {
     /** By surface, what differs from the usual look. */
     looks?: Record<string, Partial<SurfaceLook>>;
     clip?: ClipPlanes;
+    /** The flow along the body is shown on it. */
+    bodyTexture?: true;
     /** By surface, what the painter has revealed, as the scene encodes it. */
     masks?: Record<string, string>;
     /** What is hidden or locked, as visibility.ts encodes it; not there: nothing. */
@@ -24,7 +26,7 @@ const maskText = /^[\w-]{1,800}$/;
 export function readPageView(value: unknown): PageView {
     const view: PageView = {};
     if (typeof value !== 'object' || value === null) return view;
-    const { camera, surface, looks, clip, masks, shown } = value as Record<string, unknown>;
+    const { camera, surface, looks, clip, bodyTexture, masks, shown } = value as Record<string, unknown>;
     const pose = camera as Record<string, unknown> | null | undefined;
     const [position, target] = [pose?.['position'], pose?.['target']];
     if (isVec3(position) && isVec3(target) && String(position) !== String(target)) {
@@ -41,6 +43,7 @@ export function readPageView(value: unknown): PageView {
         view.masks = Object.fromEntries(Object.entries(masks).filter(isText).slice(0, looksAtMost));
     }
     if (clip !== undefined) view.clip = decodeClip(clip);
+    if (bodyTexture === true) view.bodyTexture = true;
     const kept = encodeVisibility(decodeVisibility(shown));
     if (kept !== undefined) view.shown = kept;
     return view;

@@ -67,6 +67,8 @@ export class ViewState {
     readonly fixedRanges = signal<AutomaticRanges | null>(null);
     readonly visibility = signal<Visibility>(allShown);
     readonly clip = signal<ClipPlanes>(noClip);
+    /** The flow along the body is shown on it. */
+    readonly bodyTexture = signal(false);
     /** Of a unit of length where the camera looks, once it rests. */
     readonly pixelsPerLength = signal(1);
     /** The parts of the selected surface are listed. */

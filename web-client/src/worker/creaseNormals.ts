@@ -6,8 +6,13 @@ import type { BodyMesh } from '../mesh/bodyMesh.ts';
 /** At which a body begins to have an edge. */
 export const creaseAngle = Math.PI / 6;
 
+export interface DividedBody extends BodyMesh {
+    /** Of each vertex, that of before which is at its place. */
+    from: Uint32Array;
+}
+
 /** Works for triangles that are turned either way, and for vertices that are at one place several times. */
-export function creaseNormals(positions: Float32Array, indices: Uint32Array, angle = creaseAngle): BodyMesh {
+export function creaseNormals(positions: Float32Array, indices: Uint32Array, angle = creaseAngle): DividedBody {
     const faces = faceNormals(positions, indices);
     const groups = joinedCorners(indices, placesOf(positions), faces, Math.cos(angle));
     const sums = sumsOf(groups, positions, indices, faces);
@@ -20,7 +25,12 @@ export function creaseNormals(positions: Float32Array, indices: Uint32Array, ang
         const root = groups.root(corner);
         out[corner] = made.vertexFor(indices[corner]!, root, groups.sign, sums);
     }
-    return { positions: Float32Array.from(made.positions), normals: Float32Array.from(made.normals), indices: out };
+    return {
+        positions: Float32Array.from(made.positions),
+        normals: Float32Array.from(made.normals),
+        indices: out,
+        from: Uint32Array.from(made.from),
+    };
 }
 
 /** Of length 1; 0 of a face without area. */
@@ -161,6 +171,7 @@ function sumsOf(groups: CornerGroups, positions: Float32Array, indices: Uint32Ar
 class Vertices {
     readonly positions: number[];
     readonly normals: number[];
+    readonly from: number[];
     /** Of a vertex: the group and side that it has been taken for, and the next vertex at its place; 0: none. */
     private readonly takenFor: number[];
     private readonly next: number[];
@@ -168,6 +179,7 @@ class Vertices {
     constructor(positions: Float32Array) {
         this.positions = Array.from(positions);
         this.normals = new Array<number>(positions.length).fill(0);
+        this.from = Array.from({ length: positions.length / 3 }, (_, i) => i);
         this.takenFor = new Array<number>(positions.length / 3).fill(0);
         this.next = new Array<number>(positions.length / 3).fill(0);
     }
@@ -189,6 +201,7 @@ class Vertices {
         this.next[last] = made;
         this.next.push(0);
         this.takenFor.push(0);
+        this.from.push(vertex);
         for (let k = 0; k < 3; ++k) {
             this.positions.push(this.positions[3 * vertex + k]!);
             this.normals.push(0);

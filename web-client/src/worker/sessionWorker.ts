@@ -65,13 +65,14 @@ class SessionWorker {
             this.answer(message.id, this.call(message.id, message.method as MethodName, message.params));
         } else if (message.type === 'cancel') {
             this.cancels.get(message.id)?.abort();
-        } else if (message.type === 'obstacle') {
-            const { dataset, lattice } = message;
+        } else if (message.type === 'obstacle' || message.type === 'obstacleFlow') {
+            const from = { baseUrl: this.baseUrl, login: this.shown.login };
+            const read = import('./obstacle.ts');
             this.answer(
                 message.id,
-                import('./obstacle.ts').then(({ fetchObstacle }) =>
-                    fetchObstacle({ baseUrl: this.baseUrl, login: this.shown.login }, dataset, this.draco, lattice),
-                ),
+                message.type === 'obstacle'
+                    ? read.then(({ fetchObstacle }) => fetchObstacle(from, message, this.draco))
+                    : read.then(({ fetchObstacleFlow }) => fetchObstacleFlow(from, message, this.draco)),
             );
         } else if (message.type === 'notify') {
             this.socket.send(encodeNotification(message.method, message.params));

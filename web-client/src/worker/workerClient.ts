@@ -145,6 +145,11 @@ export class WorkerClient {
         return this.ask((id) => ({ type: 'obstacle', id, dataset, lattice }));
     }
 
+    /** xyz of the velocity off it, by its vertices; null where there is none. */
+    obstacleFlow(dataset: string, lattice: Lattice, time: number): Promise<Float32Array | null> {
+        return this.ask((id) => ({ type: 'obstacleFlow', id, dataset, lattice, time }));
+    }
+
     private ask<Result>(message: (id: number) => MessageOf<ToWorker>): Promise<Result> {
         const id = this.nextId++;
         return new Promise((resolve, reject) => {

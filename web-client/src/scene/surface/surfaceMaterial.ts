@@ -23,7 +23,10 @@ import { steadyRange } from './steadyRange.ts';
 import type { SurfaceStyle } from './surfaceStyle.ts';
 import type { SurfaceTextures } from './surfaceTextures.ts';
 
-type FlowTexture = 'none' | 'standing' | 'flowing';
+export type FlowTexture = 'none' | 'standing' | 'flowing';
+
+/** Of programs with it: a software renderer computes what no pixel takes. */
+export const textureDefines = { none: {}, standing: { TEXTURED: 1 }, flowing: { TEXTURED: 1, FLOWING: 1 } } as const;
 
 /** A number that nothing on a surface reaches. */
 const far = 1e30;
@@ -91,6 +94,12 @@ function ownUniforms(textures: SurfaceTextures) {
         flowTime: { value: 0 },
         patternT: { value: new Vector2(0, 1) },
     };
+}
+
+/** What programs of that texture look up. */
+export function makeNoise(texture: FlowTexture, shared: SharedUniforms, textures: SurfaceTextures): void {
+    if (texture === 'standing') shared.noise.value = textures.noise(false);
+    if (texture === 'flowing') shared.waves.value = textures.noise(true);
 }
 
 /** What a style needs to know of the mesh. */
@@ -219,12 +228,10 @@ export class SurfaceMaterials {
     private setTexture(texture: FlowTexture): void {
         if (texture === this.texture) return;
         this.texture = texture;
-        if (texture === 'standing') this.shared.noise.value = this.textures.noise(false);
-        if (texture === 'flowing') this.shared.waves.value = this.textures.noise(true);
+        makeNoise(texture, this.shared, this.textures);
         for (const material of [this.plain, this.splats, this.opaque, this.blended, this.peeled]) {
             const { TEXTURED: _textured, FLOWING: _flowing, ...others } = material.defines;
-            const added = { none: {}, standing: { TEXTURED: 1 }, flowing: { TEXTURED: 1, FLOWING: 1 } }[texture];
-            material.defines = { ...others, ...added };
+            material.defines = { ...others, ...textureDefines[texture] };
             material.needsUpdate = true;
         }
     }

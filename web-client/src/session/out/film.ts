@@ -2,6 +2,7 @@
 // takes as long as it takes; no frame is left out. Afterwards the time is what it was.
 import { effect, signal } from '@preact/signals-core';
 import type { ClockRecord, SurfaceRecord } from '../../protocol/messages.ts';
+import type { BodyFlow } from '../picture/bodyFlow.ts';
 import { timeText } from '../picture/writtenNumbers.ts';
 import type { ScreenSize } from '../../scene/base/view.ts';
 import type { AppState } from '../../state/appState.ts';
@@ -47,6 +48,7 @@ export interface FilmOptions {
     worker: Pick<WorkerClient, 'call'>;
     edits: Pick<Edits, 'intent' | 'gestures'>;
     playback: Playback;
+    bodyFlow: Pick<BodyFlow, 'standing'>;
     figure: Figure;
 }
 
@@ -143,7 +145,7 @@ export class FilmMaker {
     }
 
     private async show(time: number): Promise<void> {
-        const { playback, worker, state } = this.options;
+        const { playback, worker, state, bodyFlow } = this.options;
         const moving = playback.mode.value === 'clock';
         if (moving) await worker.call('time.set', { time });
         else playback.release(time, this.options.edits.gestures.current);
@@ -152,7 +154,10 @@ export class FilmMaker {
             ? setInterval(() => void worker.call('time.set', { time }).catch(() => undefined), askAgainMs)
             : undefined;
         try {
-            await this.until(() => (moving ? this.surfacesAt(time) : ['final', 'empty', 'hidden'].includes(state.phase.value)));
+            await this.until(() => {
+                const surfaces = moving ? this.surfacesAt(time) : ['final', 'empty', 'hidden'].includes(state.phase.value);
+                return bodyFlow.standing.value !== 'waiting' && surfaces;
+            });
         } finally {
             clearInterval(again);
         }

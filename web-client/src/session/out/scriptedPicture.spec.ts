@@ -1,3 +1,4 @@
+import { signal } from '@preact/signals-core';
 import { beforeEach, describe, expect, it } from 'vitest';
 import { AppState, type DisplayedSurface } from '../../state/appState.ts';
 import { usualLook, type SurfaceLook } from '../../state/surfaceLook.ts';
@@ -7,6 +8,7 @@ import { unfinished } from './scriptedPicture.ts';
 describe('a picture for a program', () => {
     let state: AppState;
     let look: SurfaceLook;
+    const standing = signal<'off' | 'waiting' | 'shown'>('off');
 
     beforeEach(() => {
         state = new AppState();
@@ -19,7 +21,7 @@ describe('a picture for a program', () => {
     const drawn = (change: Partial<DisplayedSurface>): void => {
         state.displayed.value = new Map([['s1', displayedOf('s1', { time: 4, ...change })]]);
     };
-    const why = (time: number | null = null): string => unfinished(state, { lookOf: () => look }, time);
+    const why = (time: number | null = null): string => unfinished(state, { lookOf: () => look }, { standing }, time);
 
     it('is whole when the newest surface is drawn at its finest, at the time that is asked for', () => {
         expect(why()).toBe('');
@@ -30,6 +32,13 @@ describe('a picture for a program', () => {
         drawn({});
         state.requestedEpochs.value = new Map([['s1', 2]]);
         expect(why()).toBe('s1 is not there');
+    });
+
+    it('is not whole while the flow along the body is on its way', () => {
+        standing.value = 'waiting';
+        expect(why()).toBe('the flow along the body is not there');
+        standing.value = 'shown';
+        expect(why()).toBe('');
     });
 
     it('is not whole without an attribute that its look needs and that has come', () => {

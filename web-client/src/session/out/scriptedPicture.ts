@@ -4,6 +4,7 @@ import type { FigureBackground } from '../../scene/capture.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { Figure } from './figure.ts';
 import type { ViewState } from '../../state/viewState.ts';
+import type { BodyFlow } from '../picture/bodyFlow.ts';
 import { unfinishedSurface } from './wholeSurface.ts';
 
 export interface ScriptedSetting {
@@ -17,7 +18,12 @@ export interface ScriptedSetting {
 }
 
 /** Why the picture is not whole; empty where it is. Begins with `!` where it never will be. `time`: of the clock, null: as it is. */
-export function unfinished(state: AppState, view: Pick<ViewState, 'lookOf'>, time: number | null): string {
+export function unfinished(
+    state: AppState,
+    view: Pick<ViewState, 'lookOf'>,
+    bodyFlow: Pick<BodyFlow, 'standing'>,
+    time: number | null,
+): string {
     const stage = state.stage.value;
     if (stage !== 'running') {
         return stage === 'failed' || stage === 'gone' || stage === 'ended' ? `!the page has ${stage}` : stage;
@@ -28,7 +34,7 @@ export function unfinished(state: AppState, view: Pick<ViewState, 'lookOf'>, tim
         const why = unfinishedSurface(state, view, record, time);
         if (why !== '') return why;
     }
-    return '';
+    return bodyFlow.standing.value === 'waiting' ? 'the flow along the body is not there' : '';
 }
 
 /** As an address of data. Error: in words. */

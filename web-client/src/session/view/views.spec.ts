@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { readPageView } from '../../state/pageView.ts';
 import { AppState } from '../../state/appState.ts';
 import { usualLook } from '../../state/surfaceLook.ts';
 import { ViewState } from '../../state/viewState.ts';
@@ -74,6 +75,21 @@ describe('the view of a session that is made again', () => {
             ['s4', painted],
         ]);
         expect([...masks]).toEqual([['s4', 'ofseven']]);
+    });
+});
+
+describe('the flow along the body', () => {
+    it('is in the view while it is shown, and goes with a view that does not have it', () => {
+        const [state, view] = [new AppState(), new ViewState()];
+        const url = { token: null, session: null, dataset: null, state: null };
+        const views = new Views({ state, view, scene: sceneWith({}), url });
+        expect(views.current()).not.toHaveProperty('bodyTexture');
+        view.bodyTexture.value = true;
+        const kept = readPageView(JSON.parse(JSON.stringify(views.current())));
+        views.show({ looks: {} });
+        expect(view.bodyTexture.value).toBe(false);
+        views.show(kept);
+        expect(view.bodyTexture.value).toBe(true);
     });
 });
 

@@ -49,7 +49,7 @@ export class Views {
         effect(() => {
             // Whatever of these changes, the address does.
             void [state.session.value, state.rakes.value, state.surfaces.value, state.activeSurface.value];
-            void [view.looks.value, view.clip.value, view.visibility.value];
+            void [view.looks.value, view.clip.value, view.bodyTexture.value, view.visibility.value];
             this.changed();
         });
     }
@@ -72,12 +72,13 @@ export class Views {
             ...(surface === null ? {} : { surface }),
             looks: Object.fromEntries(looks) as Record<string, Partial<SurfaceLook>>,
             ...(clip === noClip ? {} : { clip }),
+            ...(view.bodyTexture.value ? { bodyTexture: true as const } : {}),
             ...(shown === undefined ? {} : { shown }),
             ...(masks.length === 0 ? {} : { masks: Object.fromEntries(masks) }),
         };
     }
 
-    show({ camera, surface, looks, clip, masks = {}, shown }: PageView): void {
+    show({ camera, surface, looks, clip, bodyTexture, masks = {}, shown }: PageView): void {
         const { state, view, scene } = this.options;
         if (camera !== undefined) {
             view.orthographic.value = camera.orthographic;
@@ -87,6 +88,7 @@ export class Views {
         if (looks !== undefined) {
             view.looks.value = new Map(Object.entries(looks).map(([id, look]) => [id, decodeLook(look)]));
             view.clip.value = clip ?? noClip;
+            view.bodyTexture.value = bodyTexture === true;
             view.visibility.value = decodeVisibility(shown);
         }
         for (const [id, code] of Object.entries(masks)) scene.surfaces.setMask(id, code);

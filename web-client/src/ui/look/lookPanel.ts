@@ -1,5 +1,7 @@
 // How the selected surface looks: the colours first, everything else in groups that open.
 import { css, html, type TemplateResult } from 'lit';
+import './bodyPanel.ts';
+import type { BodyModel } from './bodyPanel.ts';
 import './clipPanel.ts';
 import type { ClipModel } from './clipPanel.ts';
 import './colourPanel.ts';
@@ -17,7 +19,7 @@ import './windowsPanel.ts';
 import type { WindowsModel } from './windowsPanel.ts';
 
 /** What its groups take: all of them are about the same surface. */
-export type LookModel = ColourModel & OpacityModel & LinesModel & WindowsModel & ClipModel & PaintModel;
+export type LookModel = ColourModel & OpacityModel & LinesModel & WindowsModel & ClipModel & BodyModel & PaintModel;
 
 export class LookPanel extends SignalElement {
     static override properties = { model: { attribute: false } };
@@ -72,6 +74,10 @@ export class LookPanel extends SignalElement {
             <details id="clip-group">
                 <summary>Cutting planes</summary>
                 <wakesurf-clip .model=${model}></wakesurf-clip>
+            </details>
+            <details id="body-group">
+                <summary>Body</summary>
+                <wakesurf-body .model=${model}></wakesurf-body>
             </details>
             <details id="paint-group" @toggle=${this.listParts}>
                 <summary>Painting and connected parts</summary>

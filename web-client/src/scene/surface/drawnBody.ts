@@ -1,0 +1,122 @@
+// The solid body in the picture: a little further away in depth than it is, cut where surfaces are, with the flow along it as a texture.
+import { BufferAttribute, type BufferGeometry, Group } from 'three';
+import type { BodyMesh } from '../../mesh/bodyMesh.ts';
+import type { Vec3 } from '../../protocol/messages.ts';
+import { createObstacleMesh } from '../domain/obstacleMesh.ts';
+import { clipMaterial } from './bodyClip.ts';
+import { pushBack } from './bodyDepth.ts';
+import { giveTexture, showTexture } from './bodyTexture.ts';
+import { shadedLayer } from './contactShade.ts';
+import { type FlowTexture, makeNoise } from './surfaceMaterial.ts';
+import type { SurfaceLayer } from './surfaceLayer.ts';
+
+type Planes = readonly (readonly [number, number, number, number])[];
+
+export interface BodyVertex {
+    point: Vec3;
+    normal: Vec3;
+    /** The velocity off it, where its texture is shown. */
+    flow: Vec3 | null;
+}
+
+export class DrawnBody {
+    readonly object = new Group();
+    private readonly surfaces: Pick<SurfaceLayer, 'shared' | 'textures' | 'bodyPush'>;
+    private readonly flowTime = { value: 0 };
+    private mesh: ReturnType<typeof createObstacleMesh> | null = null;
+    private planes: Planes = [];
+    /** It may come before the body does. */
+    private flow: Float32Array | null = null;
+    private moving = false;
+    /** That its programs have. */
+    private texture: FlowTexture = 'none';
+
+    constructor(surfaces: Pick<SurfaceLayer, 'shared' | 'textures' | 'bodyPush'>) {
+        this.surfaces = surfaces;
+    }
+
+    get geometry(): BufferGeometry | null {
+        return this.mesh?.geometry ?? null;
+    }
+
+    /** Whether the flow along it is seen. */
+    get textured(): boolean {
+        return this.mesh?.geometry.hasAttribute('flow') === true;
+    }
+
+    /** Every n-th of them. */
+    vertices(every: number): BodyVertex[] {
+        const { position, normal, flow } = this.geometry?.attributes ?? {};
+        const found: BodyVertex[] = [];
+        const at = (of: NonNullable<typeof position>, i: number): Vec3 => [of.getX(i), of.getY(i), of.getZ(i)];
+        for (let i = 0; i < (position?.count ?? 0); i += every) {
+            found.push({ point: at(position!, i), normal: at(normal!, i), flow: flow === undefined ? null : at(flow, i) });
+        }
+        return found;
+    }
+
+    set(body: BodyMesh): void {
+        this.clear();
+        this.mesh = createObstacleMesh(body);
+        this.mesh.layers.enable(shadedLayer);
+        pushBack(this.mesh.material, this.surfaces.bodyPush);
+        giveTexture(this.mesh.material, this.surfaces.shared, this.flowTime);
+        clipMaterial(this.mesh.material, this.planes);
+        this.object.add(this.mesh);
+        this.applyFlow();
+    }
+
+    /** With the flow along it: what comes next may be another body of as many vertices. */
+    remove(): void {
+        this.clear();
+        this.flow = null;
+    }
+
+    private clear(): void {
+        this.texture = 'none';
+        if (this.mesh === null) return;
+        this.object.remove(this.mesh);
+        this.mesh.geometry.dispose();
+        this.mesh.material.dispose();
+        this.mesh = null;
+    }
+
+    setClip(planes: Planes): void {
+        this.planes = planes;
+        if (this.mesh !== null) clipMaterial(this.mesh.material, planes);
+    }
+
+    /** xyz of the velocity off it, by vertices; null: its texture is not wanted. */
+    setFlow(flow: Float32Array | null): void {
+        this.flow = flow;
+        this.applyFlow();
+    }
+
+    /** For how much simulation time the flow has gone; null: no clock moves it. */
+    setTime(time: number | null): void {
+        this.flowTime.value = time ?? 0;
+        this.moving = time !== null;
+        this.showTexture();
+    }
+
+    private applyFlow(): void {
+        if (this.mesh === null) return;
+        const { geometry } = this.mesh;
+        const known = geometry.attributes['flow'] as BufferAttribute | undefined;
+        // That of another body, whose own is on its way.
+        const fits = this.flow?.length === geometry.attributes['position']!.array.length;
+        if (this.flow !== null && fits) {
+            if (known === undefined) geometry.setAttribute('flow', new BufferAttribute(this.flow, 3));
+            else known.copyArray(this.flow).needsUpdate = true;
+        } else geometry.deleteAttribute('flow');
+        this.showTexture();
+    }
+
+    private showTexture(): void {
+        const texture = !this.textured ? 'none' : this.moving ? 'flowing' : 'standing';
+        if (this.mesh === null || texture === this.texture) return;
+        this.texture = texture;
+        makeNoise(texture, this.surfaces.shared, this.surfaces.textures);
+        showTexture(this.mesh.material, texture);
+    }
+}
