@@ -18,7 +18,7 @@ inline constexpr std::size_t max_frame_bytes = 4u << 20;
 inline constexpr std::uint32_t max_block_vertices = 1u << 16;
 inline constexpr std::uint32_t max_mesh_vertices = 1u << 24;
 inline constexpr std::uint32_t max_mesh_cells = 1u << 24;
-inline constexpr std::uint8_t max_attributes = 7;
+inline constexpr std::uint8_t max_attributes = 8; ///< as many as `gaps` has bits
 
 /// How good a state is: what the client shows, and whether more is to come.
 enum class Phase : std::uint8_t { Coarse, Refined, Final, Live };

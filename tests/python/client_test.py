@@ -275,8 +275,8 @@ class ClientTest(unittest.TestCase):
         self.assertEqual(surface.stats()["pass"].keys(), {"queue", "load", "compute", "encode"})
         with self.assertRaises(wakesurf.InvalidParameters):
             surface.set(fields=["nothing"])
-        with self.assertRaisesRegex(wakesurf.InvalidParameters, "at most 4"):
-            surface.set(fields=["a", "b", "c", "d", "e"])
+        with self.assertRaisesRegex(wakesurf.InvalidParameters, "at most 5"):
+            surface.set(fields=["a", "b", "c", "d", "e", "f"])
 
     def test_refusals_are_exceptions_of_their_own(self):
         rake = self.session.rake(line=LINE)

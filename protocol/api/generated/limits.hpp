@@ -36,7 +36,7 @@ inline constexpr std::size_t probes = 4;           ///< unanswered probe.sample 
 inline constexpr std::size_t sockets = 64;         ///< WebSockets of one person
 inline constexpr std::size_t downloads = 8;        ///< unfinished downloads of one person
 inline constexpr std::uint64_t quads_most = 4000000; ///< quads of a surface
-inline constexpr std::size_t fields = 4;         ///< additional attributes of a surface's vertices
+inline constexpr std::size_t fields = 5;         ///< additional attributes of a surface's vertices
 inline constexpr std::uint64_t wait_ms = 600000; ///< time that a call may wait (ms)
 inline constexpr std::size_t name_bytes = 120;   ///< length of a name (bytes)
 inline constexpr std::size_t unit_bytes = 32;    ///< length of the name of a unit (bytes)
@@ -72,7 +72,7 @@ inline constexpr ToldLimit told[]{
     {"seeds", 4096},           {"surfaces", 64},        {"bookmarks", 256}, {"annotations", 512},
     {"sessionBytes", 1048576}, {"undo", 100},           {"shareLinks", 32}, {"subscriptions", 1024},
     {"waiters", 64},           {"pendingCalls", 256},   {"probes", 4},      {"sockets", 64},
-    {"downloads", 8},          {"quads", 4000000},      {"fields", 4},      {"waitMs", 600000},
+    {"downloads", 8},          {"quads", 4000000},      {"fields", 5},      {"waitMs", 600000},
 };
 
 } // namespace wakesurf::protocol::limits

@@ -109,7 +109,7 @@ const std::string_view methods_1 = R"json({
       "depth": 32,
       "downloads": 8,
       "editsPerSecond": 200,
-      "fields": 4,
+      "fields": 5,
       "messageBytes": 65536,
       "participants": 1536,
       "pendingCalls": 256,

@@ -204,7 +204,7 @@ const std::string_view methods_7 = R"json({
    "description": "additional attributes of the vertices, in frames and exports: scalar fields of the dataset, its velocity (the magnitude), `deformation`, `approximated`, `error`, `vorticity` (its magnitude), `vorticity_x`, `vorticity_y`, `vorticity_z`, `q_criterion`, `velocity_x`, `velocity_y`, `velocity_z`, `normal_x`, `normal_y`, `normal_z` (of the surface)",
    "schema": {
     "type": "array",
-    "maxItems": 4,
+    "maxItems": 5,
     "default": [],
     "description": "additional attributes of the vertices, in frames and exports: scalar fields of the dataset, its velocity (the magnitude), `deformation`, `approximated`, `error`, `vorticity` (its magnitude), `vorticity_x`, `vorticity_y`, `vorticity_z`, `q_criterion`, `velocity_x`, `velocity_y`, `velocity_z`, `normal_x`, `normal_y`, `normal_z` (of the surface)",
     "items": {"type": "string"}}},

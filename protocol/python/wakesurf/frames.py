@@ -73,7 +73,7 @@ def read_header(frame: bytes) -> Header:
         _HEADER.unpack_from(frame)
     if zlib.crc32(frame[_HEADER.size:], zlib.crc32(frame[:44])) != crc:
         raise FrameError("a mesh frame does not match its checksum")
-    if flags > 3 or phase > 3 or gaps >> attributes or index >= count or not 1 <= bits <= 20 or attributes > 7 or \
+    if flags > 3 or phase > 3 or gaps >> attributes or index >= count or not 1 <= bits <= 20 or attributes > 8 or \
             not np.isfinite(when) or max(vertices, cells) > _MOST or (not flags & 1 and seq == 0):
         raise FrameError("a mesh frame's header contradicts itself")
     return Header(bool(flags & 1), bool(flags & 2), surface, epoch, seq, index, count, PHASES[phase], bits, attributes,

@@ -88,8 +88,8 @@ TEST(SurfaceParameters, TheRecordSaysAllThatWasAskedForAndNothingElse) {
 
 TEST(SurfaceParameters, NamesTheParameterThatIsWrong) {
     const std::vector<std::pair<json, std::string>> cases{
-        {asked("stream", {{"fields", {"a", "b", "c", "d", "e"}}}),
-         "`fields` must be a list of at most 4 names"},
+        {asked("stream", {{"fields", {"a", "b", "c", "d", "e", "f"}}}),
+         "`fields` must be a list of at most 5 names"},
         {asked("sheet"), "`kind`"},
         {asked("streak", {{"releaseUntil", "2"}}), "`releaseUntil`"},
         {asked("streak", {{"releaseUntil", 1e300}}), "`releaseUntil`"},

@@ -119,7 +119,7 @@ TEST(MeshFrame, IsRefusedWhenItsHeaderCannotBeTrue) {
     EXPECT_EQ(refusal(with(good, 20, 4, 1)), unknown) << "phase";
     EXPECT_EQ(refusal(with(good, 21, 0, 1)), contradiction) << "lattice bits";
     EXPECT_EQ(refusal(with(good, 21, 21, 1)), contradiction) << "lattice bits";
-    EXPECT_EQ(read_frame(with(good, 22, 8, 1)).error().code, core::Error::Code::OverLimit)
+    EXPECT_EQ(read_frame(with(good, 22, 9, 1)).error().code, core::Error::Code::OverLimit)
         << "attributes";
     EXPECT_EQ(refusal(with(good, 23, 3, 1)), "") << "both have gaps";
     EXPECT_EQ(refusal(with(good, 23, 4, 1)), contradiction) << "gaps of a third attribute";

@@ -261,11 +261,11 @@ TEST(MeshStream, RefusesFieldsThatDoNotFit) {
     MeshStream stream(1, 1, lattice);
     const std::vector<float> whole(30, 1.0f), torn(29, 1.0f);
     EXPECT_EQ(stream.next(mesh, {}, {whole, torn}).error().code, core::Error::Code::Corrupt);
-    EXPECT_EQ(stream.next(mesh, {}, MeshFields(5, whole)).error().code,
+    EXPECT_EQ(stream.next(mesh, {}, MeshFields(6, whole)).error().code,
               core::Error::Code::OverLimit);
-    ASSERT_TRUE(stream.next(mesh, {}, MeshFields(4, whole)));
+    ASSERT_TRUE(stream.next(mesh, {}, MeshFields(5, whole)));
     EXPECT_EQ(stream.next(mesh, {}, {whole}).error().code, core::Error::Code::Corrupt);
-    EXPECT_TRUE(stream.next(mesh, {}, MeshFields(4, whole)));
+    EXPECT_TRUE(stream.next(mesh, {}, MeshFields(5, whole)));
 }
 
 TEST(MeshStream, StartsFromNothingAndEndsWithNothing) {

@@ -57,6 +57,7 @@ test('refuses a frame cut off or followed by more', () => {
 
 test('refuses a header that cannot be true', () => {
     expect(readFrame(changed(4, 8)).header.surface).toBe(8);
+    expect(readFrame(changed(22, 8, 1)).header.attributeCount).toBe(8);
     for (const bad of [
         changed(2, 3, 1), // version
         changed(3, 4 + 1, 1), // unknown flag
@@ -66,7 +67,7 @@ test('refuses a header that cannot be true', () => {
         changed(20, 4, 1), // phase
         changed(21, 0, 1), // lattice bits
         changed(21, 21, 1),
-        changed(22, 8, 1), // attributes
+        changed(22, 9, 1), // attributes
         changed(23, 8, 1), // gaps of a fourth attribute
         changed(24, (1 << 24) + 1), // vertices
         changed(28, 0xffffffff), // cells

@@ -12,7 +12,7 @@ export const frameCrcAt = 44;
 export const maxFrameBytes = 4 << 20;
 export const maxMeshVertices = 1 << 24;
 export const maxMeshCells = 1 << 24;
-export const maxAttributes = 7;
+export const maxAttributes = 8;
 export const maxBlockVertices = 1 << 16;
 
 export const flag = { key: 1, lossless: 2 } as const;

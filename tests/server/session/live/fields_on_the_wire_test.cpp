@@ -146,6 +146,19 @@ TEST_F(FieldsOnTheWire, FilesHaveEachFieldOnce) {
     }
 }
 
+TEST_F(FieldsOnTheWire, FramesHaveRoomForAFlowTextureItsColourAndTheColourOfSomeoneElse) {
+    const ServerProcess server(arguments());
+    WebSocketClient client(server);
+    const std::string rake = make_rake(client);
+    const json fields{"velocity_x", "velocity_y", "velocity_z", "deformation", "p"};
+    const std::string surface = client.result("surface.set", surface_on(rake, fields))["surface"];
+    const json subscribed = client.result("surface.subscribe", {{"surface", surface}});
+    protocol::MeshDecoder decoder;
+    const auto state = final_state(client, decoder, subscribed["epoch"]);
+    EXPECT_EQ(state.header.attribute_count, 8);
+    expect_pressure(state, subscribed["lattice"], 7);
+}
+
 TEST_F(FieldsOnTheWire, WhatCannotBeSentIsRefusedInWords) {
     const ServerProcess server(arguments());
     WebSocketClient client(server);
@@ -153,9 +166,9 @@ TEST_F(FieldsOnTheWire, WhatCannotBeSentIsRefusedInWords) {
     const auto error = [&](const json& fields) {
         return client.call("surface.set", surface_on(rake, fields))["error"];
     };
-    EXPECT_NE(error({"p", "U", "deformation", "approximated", "speed"})["message"]
+    EXPECT_NE(error({"p", "U", "deformation", "approximated", "error", "speed"})["message"]
                   .get<std::string>()
-                  .find("at most 4"),
+                  .find("at most 5"),
               std::string::npos);
     const json vector = error({"heat flux"});
     EXPECT_NE(vector["message"].get<std::string>().find("a store holds one vector: heat flux"),
@@ -165,7 +178,7 @@ TEST_F(FieldsOnTheWire, WhatCannotBeSentIsRefusedInWords) {
               "there is p, heat flux magnitude, U, deformation, approximated, error, vorticity, "
               "vorticity_x, vorticity_y, vorticity_z, q_criterion, velocity_x, velocity_y, "
               "velocity_z, normal_x, normal_y, normal_z");
-    EXPECT_EQ(client.result("server.info")["limits"]["fields"], 4);
+    EXPECT_EQ(client.result("server.info")["limits"]["fields"], 5);
     EXPECT_EQ(client.result("dataset.describe", {{"dataset", "box"}})["surfaceFields"],
               (json{"p", "heat flux magnitude", "U", "deformation", "approximated", "error",
                     "vorticity", "vorticity_x", "vorticity_y", "vorticity_z", "q_criterion",

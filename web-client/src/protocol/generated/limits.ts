@@ -56,7 +56,7 @@ export const limits = {
     /** quads of a surface */
     quads: 4_000_000,
     /** additional attributes of a surface's vertices */
-    fields: 4,
+    fields: 5,
     /** time that a call may wait (ms) */
     waitMs: 600_000,
     /** length of a name (bytes) */

@@ -30,9 +30,6 @@ export interface StyleFacts {
     fixed: boolean;
 }
 
-/** As many further attributes as a surface may have (limits::fields of the server). */
-const fieldsAtMost = 4;
-
 /** Whether the server can send it with a surface; one that does not say what it can is asked for anything. */
 export function canCome(dataset: DatasetDescription | null, field: string): boolean {
     return dataset?.surfaceFields?.includes(field) ?? true;
@@ -41,14 +38,6 @@ export function canCome(dataset: DatasetDescription | null, field: string): bool
 /** Fields that a surface can be coloured by: one number each. */
 export function colourFields(dataset: DatasetDescription | null): FieldDescription[] {
     return dataset?.fields.filter(({ name, components }) => components === 1 && canCome(dataset, name)) ?? [];
-}
-
-/** A surface's fields with all that a look needs; where there is no room, those longest there go that it does not need. */
-export function fieldsWith(fields: readonly string[], look: SurfaceLook): string[] {
-    const needed = attributesOf(look).filter((name) => name !== 'speed');
-    const others = fields.filter((name) => !needed.includes(name));
-    // Smoke can do without what comes last.
-    return [...others, ...needed.slice(0, fieldsAtMost)].slice(-fieldsAtMost);
 }
 
 export function colourByField(name: string): string {

@@ -1,7 +1,8 @@
 // What the selected surface is coloured by, with which colours, over which range.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { colourTable, tableSize } from '../../scene/surface/colourMap.ts';
-import { attributeOf, fieldOf, isLogarithmic, isSigned, knownRange, fieldsWith } from '../../session/picture/surfaceStyleOf.ts';
+import { askForFields } from '../../session/picture/surfaceFields.ts';
+import { attributeOf, fieldOf, isLogarithmic, isSigned, knownRange } from '../../session/picture/surfaceStyleOf.ts';
 import { colourMaps, type SurfaceLook } from '../../state/surfaceLook.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { Edits } from '../../session/edits/edits.ts';
@@ -120,9 +121,10 @@ export class ColourPanel extends SignalElement {
         const { state, view, edits } = this.model;
         const before = view.lookOf(state.activeSurface.value);
         const field = fieldOf(colourBy);
-        const fields = state.surface.value?.fields ?? [];
-        const wanted = { ...before, colourBy };
-        if (field !== null && !fields.includes(field)) edits.changeSurface({ fields: fieldsWith(fields, wanted) });
+        const record = state.surface.value;
+        if (field !== null && record !== undefined && !record.fields.includes(field)) {
+            askForFields({ edits, state }, record, { ...before, colourBy });
+        }
         const signed = isSigned(colourBy);
         const wasSigned = before.map === 'coolToWarm' && before.centre !== null;
         const map = signed ? 'coolToWarm' : wasSigned ? 'viridis' : before.map;

@@ -2,7 +2,8 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import type { LineKind, SurfaceLook } from '../../state/surfaceLook.ts';
 import type { Edits } from '../../session/edits/edits.ts';
-import { fieldsWith, hasFlow } from '../../session/picture/surfaceStyleOf.ts';
+import { askForFields } from '../../session/picture/surfaceFields.ts';
+import { hasFlow } from '../../session/picture/surfaceStyleOf.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import '../share/ownCopy.ts';
@@ -20,7 +21,7 @@ const kinds: readonly Choice<LineKind>[] = [
 ];
 
 export interface LinesModel {
-    state: Pick<AppState, 'activeSurface' | 'dataset' | 'surface' | 'role'>;
+    state: Pick<AppState, 'activeSurface' | 'dataset' | 'notices' | 'surface' | 'role'>;
     view: ViewState;
     edits: Pick<Edits, 'changeSurface'>;
     ownCopy: OwnCopyButton['model'];
@@ -59,7 +60,7 @@ export class LinesPanel extends SignalElement {
         const look = view.lookOf(state.activeSurface.value);
         const record = state.surface.value;
         if (on && record !== undefined && !hasFlow(record)) {
-            edits.changeSurface({ fields: fieldsWith(record.fields, { ...look, texture: true }) });
+            askForFields({ edits, state }, record, { ...look, texture: true });
         }
         this.change({ texture: on, animated: on && look.animated });
     }

@@ -2,7 +2,8 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import type { PieceKind, SurfaceLook } from '../../state/surfaceLook.ts';
 import { seedLinesOf } from '../../session/out/pieceText.ts';
-import { fieldsWith, hasFlow, pieceLengths } from '../../session/picture/surfaceStyleOf.ts';
+import { askForFields } from '../../session/picture/surfaceFields.ts';
+import { hasFlow, pieceLengths } from '../../session/picture/surfaceStyleOf.ts';
 import type { SurfaceRecord } from '../../protocol/messages.ts';
 import type { LinesModel } from './linesPanel.ts';
 import { type Choice, lookStyles, selectRow } from './lookStyles.ts';
@@ -63,7 +64,7 @@ export class PiecesPanel extends SignalElement {
         const look = view.lookOf(state.activeSurface.value);
         const record = state.surface.value;
         if (pieces === 'arrows' && record !== undefined && !hasFlow(record) && state.role.value !== 'viewer') {
-            edits.changeSurface({ fields: fieldsWith(record.fields, { ...look, pieces }) });
+            askForFields({ edits, state }, record, { ...look, pieces });
         }
         this.change({ pieces });
     }

@@ -3,7 +3,7 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { placeNumber, resolutionOf } from '../../scene/base/numbers.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { Edits } from '../../session/edits/edits.ts';
-import { fieldsWith } from '../../session/picture/surfaceStyleOf.ts';
+import { askForFields } from '../../session/picture/surfaceFields.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { ageName } from './colourNames.ts';
@@ -16,7 +16,7 @@ type Window = 'sWindow' | 'ageWindow';
 type Span = readonly [number, number];
 
 export interface WindowsModel {
-    state: Pick<AppState, 'activeSurface' | 'displayed' | 'role' | 'surface' | 'trimmed'>;
+    state: Pick<AppState, 'activeSurface' | 'notices' | 'displayed' | 'role' | 'surface' | 'trimmed'>;
     view: Pick<ViewState, 'changeLook' | 'lookOf'>;
     scene: Pick<FlowScene, 'surfaces'>;
     edits: Pick<Edits, 'changeSurface'>;
@@ -56,12 +56,9 @@ export class WindowsPanel extends SignalElement {
     /** The normals travel with the surface from then on, for everyone; who may only look has those of the picture. */
     private curved(id: string, on: boolean): void {
         const { state, view, edits } = this.model;
-        const fields = state.surface.value?.fields;
+        const record = state.surface.value;
         const look = { ...view.lookOf(id), curved: on };
-        if (on && fields !== undefined && state.role.value !== 'viewer') {
-            const wanted = fieldsWith(fields, look);
-            if (wanted.join() !== fields.join()) edits.changeSurface({ fields: wanted });
-        }
+        if (on && record !== undefined && state.role.value !== 'viewer') askForFields({ edits, state }, record, look);
         view.changeLook(id, { curved: on });
     }
 

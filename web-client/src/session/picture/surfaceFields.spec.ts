@@ -1,0 +1,58 @@
+import { describe, expect, it } from 'vitest';
+import { limits } from '../../protocol/generated/limits.ts';
+import { Announcements } from '../../state/announcements.ts';
+import { type SurfaceLook, usualLook } from '../../state/surfaceLook.ts';
+import { surfaceOf } from '../../testing/records.ts';
+import { askForFields, fieldsWith } from './surfaceFields.ts';
+
+const velocity = ['velocity_x', 'velocity_y', 'velocity_z'];
+const normals = ['normal_x', 'normal_y', 'normal_z'];
+const byPressure: SurfaceLook = { ...usualLook, colourBy: 'field:p' };
+
+/** What is asked for, and what is said, when someone with this look comes to a surface with these fields. */
+function asked(fields: string[], look: SurfaceLook) {
+    const changes: string[][] = [];
+    const notices = new Announcements();
+    const edits = { changeSurface: (change: { fields: string[] }) => void changes.push(change.fields) };
+    askForFields({ edits, state: { notices } }, surfaceOf('s1', { fields }), look);
+    return { changes, said: notices.all.value.get('fields') ?? '' };
+}
+
+describe('the fields of a surface', () => {
+    it('have room for a flow texture, its colour and the colour of someone else', () => {
+        const { changes, said } = asked(['vorticity'], { ...byPressure, texture: true });
+        expect([changes, said]).toEqual([[['vorticity', 'p', ...velocity]], '']);
+        expect(changes[0]).toHaveLength(limits.fields);
+    });
+
+    it('are not asked for again where they are', () => {
+        expect(asked(['p'], byPressure)).toEqual({ changes: [], said: '' });
+        expect(asked([...velocity, 'vorticity'], { ...usualLook, texture: true })).toEqual({ changes: [], said: '' });
+    });
+
+    it('leave out what the look can do without, before the colours of someone else go, and say so', () => {
+        const texture = { ...byPressure, texture: true };
+        const smoke = asked(['vorticity'], { ...texture, smoke: 1 });
+        expect(smoke.changes).toEqual([['vorticity', 'p', ...velocity]]);
+        expect(smoke.said).toBe('A surface carries 5 fields for everybody: deformation has no room.');
+        const curved = asked(['a', 'b', 'c'], { ...usualLook, curved: true });
+        expect(curved.changes).toEqual([]);
+        expect(curved.said).toContain('normal_x, normal_y, normal_z have no room.');
+        expect(fieldsWith(['a', 'b'], { ...usualLook, curved: true }).fields).toEqual(['a', 'b', ...normals]);
+    });
+
+    it('give up normals together, since curved cells need all three', () => {
+        const { changes, said } = asked(['vorticity', ...normals], { ...byPressure, texture: true, curved: true });
+        expect(changes).toEqual([['vorticity', 'p', ...velocity]]);
+        expect(said).toBe(
+            'A surface carries 5 fields for everybody: normal_x, normal_y, normal_z are no longer sent with this one.',
+        );
+    });
+
+    it('give up the flow texture of someone else before colours, and the oldest colour last, in words', () => {
+        expect(fieldsWith(['a', ...velocity, 'b'], byPressure)).toMatchObject({ fields: ['a', 'b', 'p'], gone: velocity });
+        const { changes, said } = asked(['a', 'b', 'c', 'd', 'e'], byPressure);
+        expect(changes).toEqual([['b', 'c', 'd', 'e', 'p']]);
+        expect(said).toBe('A surface carries 5 fields for everybody: a is no longer sent with this one.');
+    });
+});

@@ -1,0 +1,64 @@
+// What is sent with a surface for a look, to everybody. There is room for few fields, and other people's looks use them too: what a look
+// can do without takes nobody's place, and what has to go is said.
+import { limits } from '../../protocol/generated/limits.ts';
+import type { SurfaceRecord } from '../../protocol/messages.ts';
+import { normalNames } from '../../mesh/meshChange.ts';
+import { flowNames } from '../../scene/surface/surfaceMesh.ts';
+import type { Announcements } from '../../state/announcements.ts';
+import type { SurfaceLook } from '../../state/surfaceLook.ts';
+import { attributeOf, deformation, needsFlow } from './surfaceStyleOf.ts';
+
+export interface FieldsWanted {
+    fields: string[];
+    /** Those of before that have no room any more. */
+    gone: string[];
+    /** Those that the look would have used, and does without. */
+    missing: string[];
+}
+
+/** What goes first where there is no room: of one of these, nothing is left without the others. */
+const dispensable: readonly (readonly string[])[] = [normalNames, [deformation], flowNames];
+
+/** A surface's fields with those that a look needs. */
+export function fieldsWith(fields: readonly string[], look: SurfaceLook): FieldsWanted {
+    const colour = attributeOf(look.colourBy);
+    const needed = [...(colour === null || colour === 'speed' ? [] : [colour]), ...(needsFlow(look) ? flowNames : [])];
+    const wanted = [...new Set(needed)];
+    let others = fields.filter((name) => !wanted.includes(name));
+    const tooMany = (): boolean => others.length + wanted.length > limits.fields;
+    for (const group of dispensable) if (tooMany()) others = others.filter((name) => !group.includes(name));
+    while (tooMany()) others.shift();
+    const all = [...others, ...wanted];
+    const gone = fields.filter((name) => !all.includes(name));
+    const missing: string[] = [];
+    for (const group of [look.smoke > 0 ? [deformation] : [], look.curved ? normalNames : []]) {
+        const more = group.filter((name) => !all.includes(name));
+        if (all.length + more.length <= limits.fields) all.push(...more);
+        else missing.push(...more.filter((name) => !fields.includes(name)));
+    }
+    return { fields: all, gone, missing };
+}
+
+export interface FieldsOptions {
+    edits: { changeSurface: (change: { fields: string[] }) => void };
+    state: { notices: Pick<Announcements, 'sayUntil' | 'solved'> };
+}
+
+/** Asks for what a look needs, where that is not there, and says what there is no room for. */
+export function askForFields({ edits, state }: FieldsOptions, record: SurfaceRecord, look: SurfaceLook): void {
+    const { fields, gone, missing } = fieldsWith(record.fields, look);
+    const added = fields.some((name) => !record.fields.includes(name));
+    // What has nothing to make room for stays.
+    if (added) edits.changeSurface({ fields });
+    const room = `A surface carries ${limits.fields} fields for everybody`;
+    const words = [
+        ...(added && gone.length > 0
+            ? [`${gone.join(', ')} ${gone.length > 1 ? 'are' : 'is'} no longer sent with this one.`]
+            : []),
+        ...(missing.length > 0 ? [`${missing.join(', ')} ${missing.length > 1 ? 'have' : 'has'} no room.`] : []),
+    ];
+    if (words.length === 0) state.notices.solved(about);
+    else state.notices.sayUntil('press', about, `${room}: ${words.join(' ')}`);
+}
+
+const about = 'fields';
