@@ -25,8 +25,7 @@ Result<void> check_both(const SurfaceParameters& p) {
                                        : p.kind == SurfaceKind::Time ? "time"
                                                                      : "level") +
                            " surface is there at one time",
-                       "make two surfaces: one with " + span_text(p.from, p.to) + ", one with " +
-                           span_text(p.from, back));
+                       "make two surfaces, one in each direction");
     if (p.to > p.from)
         return {};
     return refused("`to` " + time_text(p.to) + " is before `from` " + time_text(p.from) +

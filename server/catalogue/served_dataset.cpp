@@ -1,5 +1,9 @@
 #include "server/catalogue/served_dataset.hpp"
 
+#include "server/base/log_text.hpp"
+
+#include <spdlog/spdlog.h>
+
 #include <utility>
 
 namespace wakesurf::server {
@@ -59,6 +63,15 @@ core::Result<LoadedDataset> ServedDataset::reopened(const std::filesystem::path&
     return open_store(folder, cache_);
 }
 
+// The log has each once: a source that failed is looked at again and again.
+void ServedDataset::keep_error(const core::Error& error) {
+    if (!status.error || status.error->message != error.message)
+        spdlog::error("event=dataset_failed dataset={} message={} hint={}",
+                      log_value(status.dataset), log_value(without_paths(error.message)),
+                      log_value(without_paths(error.hint)));
+    status.error = error;
+}
+
 // Time-steps before the one that could not be imported stay usable.
 void ServedDataset::give_up(const std::filesystem::path& folder, const core::Error& error) {
     auto left = open ? reopened(folder) : tl::unexpected(error);
@@ -66,7 +79,7 @@ void ServedDataset::give_up(const std::filesystem::path& folder, const core::Err
         return finish(tl::unexpected(error));
     finish(std::move(left));
     const std::scoped_lock lock(guard_);
-    status.error = error;
+    keep_error(error);
     if (status.error->hint.empty())
         status.error->hint = "the other time-steps can be used; once the cause is fixed, the "
                              "import resumes by itself";
@@ -133,8 +146,7 @@ void ServedDataset::finish(core::Result<LoadedDataset> opened, Ending how) {
     }
     if (!opened) {
         status.state = DatasetState::Failed;
-        status.error = opened.error();
-        return;
+        return keep_error(opened.error());
     }
     status.velocities.clear();
     if (how == Ending::Whole) {

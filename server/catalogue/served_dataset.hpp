@@ -78,6 +78,8 @@ class ServedDataset {
 
   private:
     void notice_replacement();
+    /// REQUIRES: the lock.
+    void keep_error(const core::Error& error);
 
     std::mutex& guard_;
     core::TimeStepCache::Options cache_;

@@ -136,7 +136,9 @@ class ArraysTest(unittest.TestCase):
         field = np.zeros((4, 4, 4, 3))
         for bad, words in ((dict(times=[0, 0], velocity=[field] * 2), "rise"), (dict(times=[0], velocity=[field[..., :2]]), "shape"),
                            (dict(times=[0, 1], velocity=[field, field[:3]]), "time 1"),
-                           (dict(times=[0], velocity=[field], fields={"p": [np.zeros(3)]}), "`p`")):
+                           (dict(times=[0], velocity=[field], fields={"p": [np.zeros(3)]}), "`p`"),
+                           (dict(times=[0], velocity=[field], spacing=(0, 1, 1)), "spacings are greater than 0"),
+                           (dict(times=[0], velocity=[field], spacing=0.1), "three numbers"), (dict(times=[0, 1], velocity=[field]), "1 arrays for 2 times")):
             with self.assertRaisesRegex(ValueError, words):
                 wakesurf.write_series(self.path, **bad)
         with self.assertRaisesRegex(ValueError, "pvd"):

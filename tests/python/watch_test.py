@@ -108,6 +108,10 @@ class StudyTest(unittest.TestCase):
         self.assertEqual([(row["seeds"], row["separation"]) for row in rows],
                          [(8, 0.1), (8, 0.05), (8, 0.025), (16, 0.1), (16, 0.05), (16, 0.025)])
         self.assertTrue(rows[0]["quads"] < rows[1]["quads"] < rows[2]["quads"])
+        (coarse,) = self.session.study({"line": LINE}, {"max_quads": [500]}, kind="path", dataset="tornado", to=1, separation=0.02)
+        row = coarse.row()
+        self.assertEqual((row["separation"], row["requestedSeparation"], row["max_quads"]), (coarse.statistics["separation"], 0.02, 500))
+        self.assertGreater(row["separation"], 0.02)
         self.assertEqual(told[-1].share, 1.0)
         self.assertEqual(self.everything(), before)
         self.assertFalse(self.session.undo()["skipped"])

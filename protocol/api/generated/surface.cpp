@@ -39,7 +39,7 @@ void read(CheckedJson& in, SurfaceRecord& out) {
     out.parameters.to = in.number("to", -3.4028234663852886e+38, 3.4028234663852886e+38);
     out.parameters.release_until =
         in.number_if("releaseUntil", -3.4028234663852886e+38, 3.4028234663852886e+38);
-    out.parameters.life = in.number_if("life", 0.0, any_number);
+    out.parameters.life = in.number_if("life", -any_number, any_number);
     if (out.parameters.life && !(*out.parameters.life > 0.0))
         in.fault("life", "must be a number greater than 0");
     out.parameters.sweep = in.point_if("sweep");
@@ -139,7 +139,7 @@ void read(CheckedJson& in, SurfaceSetting& out) {
         in.fault("refine", "must be on or off");
     out.parameters.release_until =
         in.number_if("releaseUntil", -3.4028234663852886e+38, 3.4028234663852886e+38);
-    out.parameters.life = in.number_if("life", 0.0, any_number);
+    out.parameters.life = in.number_if("life", -any_number, any_number);
     if (out.parameters.life && !(*out.parameters.life > 0.0))
         in.fault("life", "must be a number greater than 0");
     out.parameters.sweep = in.point_if("sweep");
@@ -153,7 +153,7 @@ void read(CheckedJson& in, SurfaceSetting& out) {
     out.parameters.stagnation_speed = in.number_or("stagnationSpeed", 0.0, 0.1, 1e-06);
     out.parameters.max_quads =
         in.count_or("maxQuads", 1, limits::quads_most, limits::quads_default);
-    out.parameters.separation = in.number_or("separation", 0.0, any_number, 0.0);
+    out.parameters.separation = in.number_or("separation", -any_number, any_number, 0.0);
     if (in.has("separation") && !(out.parameters.separation > 0.0))
         in.fault("separation", "must be a number greater than 0");
     out.fields = in.texts_or_none("fields", limits::fields);

@@ -150,7 +150,9 @@ class Cpp:
         return self.read_plain(each, to, record)
 
     def range(self, node):
-        lo = self.bound(node, "minimum", self.bound(node, "exclusiveMinimum", "-any_number" if node.kind == "number" else "0"))
+        # One that is excluded is compared by itself, in words of its own.
+        least = "exclusiveMinimum" if node.get("maximum") is not None else "minimum"
+        lo = self.bound(node, "minimum", self.bound(node, least, "-any_number" if node.kind == "number" else "0"))
         hi = self.bound(node, "maximum", "any_number" if node.kind == "number" else "most_whole")
         return f"{lo}, {hi}"
 

@@ -40,6 +40,10 @@ def write_series(path: Union[str, os.PathLike[str]], times: Sequence[float], vel
         raise ValueError(f"{path!r} must end in .pvd")
     if len(times) == 0 or any(not b > a for a, b in zip(times, times[1:])):
         raise ValueError("the times must rise")
+    if np.shape(origin) != (3,) or np.shape(spacing) != (3,) or not all(each > 0 for each in spacing):
+        raise ValueError("`origin` and `spacing` are three numbers each, and spacings are greater than 0")
+    if not callable(velocity) and len(velocity) != len(times):
+        raise ValueError(f"`velocity` has {len(velocity)} arrays for {len(times)} times")
     stem = os.path.splitext(path)[0]
     files: List[str] = []
     shape: Optional[Sequence[int]] = None

@@ -31,9 +31,9 @@ class Case:
         return self.surface.mesh()
 
     def row(self) -> Dict[str, Any]:
-        """Parameters and numbers of the statistics, for a table."""
+        """Parameters and numbers of the statistics, for a table. `separation` is that of the mesh, `requestedSeparation` what was asked for."""
         numbers = {name: value for name, value in self.statistics.items() if isinstance(value, (int, float, str))}
-        return {**numbers, "seconds": self.statistics["seconds"]["total"], **self.parameters}
+        return {**self.parameters, **numbers, "seconds": self.statistics["seconds"]["total"]}
 
 
 def study(client: Client, rake: Mapping[str, Any], vary: Mapping[str, Sequence[Any]], surface: Mapping[str, Any],

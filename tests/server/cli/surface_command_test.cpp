@@ -383,6 +383,17 @@ TEST_F(SurfaceCommand, NothingThereWhenTheTimeIsOverIsAnError) {
             "--seconds: nothing was there yet after 1e-06 s");
 }
 
+TEST_F(SurfaceCommand, SaysThatDataOfOneTimeHaveStreamSurfacesOnly) {
+    std::ofstream(file("one.vti")) << grid_file("ImageData");
+    dataset_ = file("one.vti");
+    const auto refused =
+        run({"--kind", "streak", "--rake", "0.5,1,1 0.5,2,1", "--store", file("store")});
+    EXPECT_EQ(refused.exit_status, 1);
+    EXPECT_NE(refused.errors.find("the data have one time, 0"), std::string::npos)
+        << refused.errors;
+    EXPECT_NE(refused.errors.find("choose --kind stream"), std::string::npos) << refused.errors;
+}
+
 TEST_F(SurfaceCommand, KeepsTheOldFileWhenTheNewOneCannotBeMade) {
     ASSERT_EQ(run({}).exit_status, 0);
     const auto before = bytes("out.vtp");

@@ -124,6 +124,7 @@ TEST(SurfaceRequest, RefusesWhatSurfaceSetRefusesUnderTheNameOfTheOption) {
     EXPECT_EQ(complaint("merge", "0.6"), "--merge must be a number between 0 and 0.5");
     EXPECT_EQ(complaint("merge", "much"), "--merge: 'much' is not a number");
     EXPECT_EQ(complaint("separation", "0"), "--separation must be a number greater than 0");
+    EXPECT_EQ(complaint("separation", "-1"), "--separation must be a number greater than 0");
     EXPECT_EQ(complaint("kind", "sheet"), "--kind must be stream, path, streak, time or level");
     EXPECT_EQ(complaint("sweep", "0,1,0"), "--sweep belongs to time surfaces");
     EXPECT_EQ(complaint("releaseUntil", "1"), "--release-until belongs to streak surfaces");
