@@ -11,8 +11,9 @@
 
 namespace wakesurf::store {
 
+/// A store's description and its reader.
 struct OpenStore {
-    core::DatasetInfo info;
+    core::DatasetInfo info;                    ///< as its manifest has it
     std::shared_ptr<const StoreReader> reader; ///< never null
 };
 

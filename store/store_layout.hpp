@@ -22,32 +22,33 @@ inline constexpr std::string_view velocity_stem = "velocity";
 
 /// The grid without its big arrays, which have files of their own.
 struct StoredGrid {
-    core::GridKind kind = core::GridKind::Uniform;
+    core::GridKind kind = core::GridKind::Uniform;    ///< which of the members below count
     core::UniformGrid uniform;                        ///< of Uniform
     std::array<std::uint32_t, 3> dimensions{0, 0, 0}; ///< nodes an axis, of Rectilinear
     std::uint64_t points = 0;                         ///< of Curvilinear and Unstructured
-    std::uint64_t cells = 0;
+    std::uint64_t cells = 0;                          ///< of Curvilinear and Unstructured
 
     /// Nodes; 0 where they are too many to be counted.
     std::uint64_t nodes() const;
 };
 
-/// A scalar field: one float a node and time-step, in files <stem>_000000.f32 and so on.
+/// A scalar field: one float a node and time-step, in files STEM_000000.f32 and so on.
 struct StoredScalar {
     std::string name; ///< as the source calls it
-    std::string stem;
+    std::string stem; ///< of its files' names
 
     bool operator==(const StoredScalar&) const = default;
 };
 
+/// What files a store has.
 struct StoreLayout {
-    std::filesystem::path folder;
-    StoredGrid grid;
-    std::vector<double> times;
-    core::Precision precision = core::Precision::Single;
-    std::vector<StoredScalar> scalars;
-    bool mask = false;  ///< mask.u8 is there
-    bool walls = false; ///< walls.f32 and walls.u32 are there
+    std::filesystem::path folder;                        ///< of the files
+    StoredGrid grid;                                     ///< what all time-steps share
+    std::vector<double> times;                           ///< strictly increasing
+    core::Precision precision = core::Precision::Single; ///< of velocity and scalars
+    std::vector<StoredScalar> scalars;                   ///< in the order of the columns
+    bool mask = false;                                   ///< mask.u8 is there
+    bool walls = false;                                  ///< walls.f32 and walls.u32 are there
     std::map<std::string, std::uint32_t>
         checksums; ///< CRC-32C of the files that all time-steps share
 };

@@ -33,12 +33,14 @@ class StoreReader final : public core::TimeStepSource, public core::ScalarSource
     static core::Result<std::shared_ptr<const StoreReader>>
     open(StoreLayout layout, std::shared_ptr<const core::Disk> disk);
 
+    /// As the source had it.
     const core::Grid& grid() const override { return grid_; }
 
     const core::SolidMask& mask() const override { return mask_; }
 
     const std::vector<double>& times() const override { return layout_.times; }
 
+    /// Which files it reads.
     const StoreLayout& layout() const { return layout_; }
 
     bool ready(std::size_t index) const override;
@@ -52,6 +54,7 @@ class StoreReader final : public core::TimeStepSource, public core::ScalarSource
 
     /// ValueMarks::text and ValueMarks::contradicts of them.
     std::string values() const;
+    /// As ValueMarks::contradicts.
     bool contradicts(std::string_view values) const;
 
     /// Learns the checksums that have come. False where those known are others by now: the store was replaced. Error: Io.

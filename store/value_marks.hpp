@@ -14,6 +14,7 @@
 
 namespace wakesurf::store {
 
+/// Checksums of a store's values, by which it is known again.
 class ValueMarks {
   public:
     /// Of the time-steps whose checksums are on the disk now; of none where there are no checksums yet. Error: Io.

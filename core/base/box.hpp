@@ -5,9 +5,10 @@
 
 namespace wakesurf::core {
 
+/// A box with sides along the axes.
 struct Box {
-    Vec3 lo{0.0};
-    Vec3 hi{0.0};
+    Vec3 lo{0.0}; ///< the corner of the smallest coordinates
+    Vec3 hi{0.0}; ///< the corner of the largest
 
     /// False for points with a NaN coordinate.
     bool contains(const Vec3& p) const {
@@ -15,8 +16,10 @@ struct Box {
                p.z <= hi.z;
     }
 
+    /// Lengths of the sides.
     Vec3 extent() const { return hi - lo; }
 
+    /// Distance of the two corners.
     double diagonal() const { return glm::length(extent()); }
 };
 

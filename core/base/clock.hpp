@@ -9,11 +9,14 @@ namespace wakesurf::core {
 class Clock {
   public:
     virtual ~Clock() = default;
+    /// Never goes back.
     virtual std::chrono::steady_clock::time_point now() const = 0;
 };
 
+/// The machine's own.
 class SteadyClock final : public Clock {
   public:
+    /// As std::chrono::steady_clock.
     std::chrono::steady_clock::time_point now() const override {
         return std::chrono::steady_clock::now();
     }

@@ -12,8 +12,8 @@ namespace wakesurf::core {
 
 /// Tells a file from another one that took its name.
 struct FileIdentity {
-    std::uint64_t size = 0;
-    std::uint64_t inode = 0;
+    std::uint64_t size = 0;    ///< bytes
+    std::uint64_t inode = 0;   ///< 0 where a disk has none
     std::int64_t modified = 0; ///< nanoseconds since 1970
 
     bool operator==(const FileIdentity&) const = default;

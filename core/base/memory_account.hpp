@@ -65,6 +65,7 @@ class MemoryAccount {
     /// little go on beside those who need all there is.
     std::size_t small() const { return small_of(budget()); }
 
+    /// Bytes that large work leaves to small work.
     std::size_t kept_for_small() const { return budget() / 8; }
 
     /// A part of the account, from open() until its end.
@@ -99,6 +100,7 @@ class MemoryAccount {
         /// Takes over all bytes of another share of the same account.
         void join(Share&& other);
 
+        /// What it has taken.
         std::size_t bytes() const { return bytes_; }
 
       private:
@@ -111,6 +113,7 @@ class MemoryAccount {
         std::size_t bytes_ = 0;
     };
 
+    /// A share without memory yet, which counts as `use`.
     Share open(MemoryUse use) const;
 
     /// `give_back` is called with how many bytes are wanted, on the thread that wants them, and not from two threads at once. Other
@@ -119,8 +122,11 @@ class MemoryAccount {
     [[nodiscard]] std::shared_ptr<void>
     on_need(GiveBack order, std::function<void(std::size_t wanted)> give_back) const;
 
+    /// Bytes there may be in all.
     std::size_t budget() const;
+    /// Bytes that all shares have taken.
     std::size_t used() const;
+    /// The same of one use.
     std::size_t used(MemoryUse use) const;
     std::size_t free() const; ///< 0 where more is taken than there may be
 

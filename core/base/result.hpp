@@ -9,7 +9,9 @@
 
 namespace wakesurf::core {
 
+/// What went wrong, for a program and for a person.
 struct Error {
+    /// What kind of fault: what a program decides by.
     enum class Code {
         NotFound,
         Corrupt,
@@ -21,9 +23,9 @@ struct Error {
         Cancelled,
         Io
     };
-    Code code = Code::Io;
-    std::string message; ///< one sentence for a person, without a server path
-    std::string hint;    ///< what to do about it; may be empty
+    Code code = Code::Io; ///< what kind of fault it is
+    std::string message;  ///< one sentence for a person, without a server path
+    std::string hint;     ///< what to do about it; may be empty
     /// Of a time-step that cannot be read: the time up to which the series can, on the way things were going.
     std::optional<double> readable_until{};
     /// Of OverLimit: the most there may be. Nothing: what ran out is the machine's memory.

@@ -21,6 +21,7 @@ class WorkDone {
     /// 0 to 1.
     double fraction() const { return fraction_.load(std::memory_order_relaxed); }
 
+    /// So much is done: 0 to 1; less than before is ignored.
     void reached(double fraction) {
         const double now = std::clamp(fraction, 0.0, 1.0);
         double before = fraction_.load(std::memory_order_relaxed);
@@ -38,6 +39,7 @@ class WorkDone {
     /// That there are just now.
     std::uint64_t quads() const { return quads_.load(std::memory_order_relaxed); }
 
+    /// The surface has so many quads now.
     void has(std::uint64_t quads) { quads_.store(quads, std::memory_order_relaxed); }
 
     /// One thread tells it.
@@ -93,6 +95,7 @@ class WorkPart {
             done_->reached(from_ + share_ * std::clamp(fraction, 0.0, 1.0));
     }
 
+    /// As WorkDone::has().
     void has(std::uint64_t quads) const {
         if (done_ != nullptr)
             done_->has(quads);

@@ -37,11 +37,13 @@ class WorkMemory {
     /// already, which it is for large parts at a time, it costs some 5 ns.
     bool grow(std::size_t bytes);
 
+    /// So many bytes are free again.
     void shrink(std::size_t bytes) { taken_ -= bytes; }
 
     /// All of it together. False as above.
     bool grow_to(std::size_t bytes);
 
+    /// What it takes now.
     std::size_t bytes() const { return taken_; }
 
     /// It was refused once.

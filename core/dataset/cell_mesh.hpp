@@ -20,17 +20,19 @@ inline constexpr std::uint32_t beyond_wall = 0xfffffffeu; ///< a wall: particles
 
 /// Entries past the shape's own are `beyond_domain`. One cache line.
 struct alignas(64) MeshCell {
-    std::array<std::uint32_t, 8> node;
+    std::array<std::uint32_t, 8> node; ///< numbers of its nodes, as VTK orders them
     std::array<std::uint32_t, 6>
         beyond; ///< the cell on the other side of each face, by number, or one of the two above
-    CellShape shape;
+    CellShape shape; ///< which of the four it is
 };
 
+/// Nodes and cells, connected through faces (cell_neighbours.hpp).
 struct CellMesh {
-    std::vector<Vec3> points;
-    std::vector<MeshCell> cells;
+    std::vector<Vec3> points;    ///< of the nodes
+    std::vector<MeshCell> cells; ///< in no order that matters
 };
 
+/// A face of a cell.
 struct CellFace {
     std::uint8_t count = 0; ///< 3 or 4 nodes
     std::array<std::uint8_t, 4>

@@ -17,10 +17,13 @@ enum class GridKind { Uniform, Rectilinear, Curvilinear, Unstructured, Analytic 
 /// How values at nodes are stored; in memory they are float32.
 enum class Precision : std::uint8_t { Single, Half };
 
+/// An array of a dataset.
 struct FieldInfo {
+    /// Where the source has its values.
     enum class Source { Point, Cell };
-    std::string name;
-    int components = 1;
+    std::string name;   ///< as the source calls it
+    int components = 1; ///< numbers a node: 1 of a scalar, 3 of a vector
+    /// Where its source has the values; in memory they are at the nodes.
     Source source = Source::Point;
     std::array<double, 2> range{
         0.0, 0.0};       ///< over what has been read so far; of the magnitude for vectors
@@ -28,28 +31,29 @@ struct FieldInfo {
     bool family = false; ///< made here, from the velocity: core/surface/family
 };
 
+/// What there is to know of a dataset without reading its values.
 struct DatasetInfo {
-    std::string dataset; ///< id, stable between starts
-    std::string name;    ///< for people
-    std::string reader;  ///< what read it: vtkXMLImageDataReader, store, analytic ...
-    GridKind grid = GridKind::Uniform;
-    Box bounds;
+    std::string dataset;               ///< id, stable between starts
+    std::string name;                  ///< for people
+    std::string reader;                ///< what read it: vtkXMLImageDataReader, store, analytic ...
+    GridKind grid = GridKind::Uniform; ///< what kind of grid it has
+    Box bounds;                        ///< round all nodes
     std::array<std::uint32_t, 3> dimensions{0, 0,
                                             0}; ///< nodes per axis of a uniform or rectilinear grid
     Vec3 spacing{0.0};                          ///< of a uniform grid
-    std::uint64_t points = 0;
-    std::uint64_t cells = 0;
-    std::vector<double> times; ///< strictly increasing
-    std::string length_unit;   ///< of coordinates, as the reader knows it; empty: unknown
-    std::string time_unit;     ///< of times; empty: unknown
-    bool steady = false;
-    std::vector<FieldInfo> fields;
-    std::string velocity; ///< name of the field taken as velocity
-    std::string why;      ///< why that field was taken
-    std::string note;     ///< what a user should know: cells left out, rounding; may be empty
-    Precision precision = Precision::Single;
-    bool obstacle = false;
-    std::uint64_t bytes_per_step = 0;
+    std::uint64_t points = 0;                   ///< nodes
+    std::uint64_t cells = 0;                    ///< as the source has them: polyhedra count once
+    std::vector<double> times;                  ///< strictly increasing
+    std::string length_unit;       ///< of coordinates, as the reader knows it; empty: unknown
+    std::string time_unit;         ///< of times; empty: unknown
+    bool steady = false;           ///< it has one field for all times
+    std::vector<FieldInfo> fields; ///< scalars and vectors, the velocity among them
+    std::string velocity;          ///< name of the field taken as velocity
+    std::string why;               ///< why that field was taken
+    std::string note; ///< what a user should know: cells left out, rounding; may be empty
+    Precision precision = Precision::Single; ///< of the values on the disk
+    bool obstacle = false;                   ///< parts of the domain are solid
+    std::uint64_t bytes_per_step = 0;        ///< memory of a time-step's velocity
 
     /// Default separation distance: the finest node spacing; for analytic flows 1/100 of the shortest side.
     double finest_spacing = 0.0;

@@ -16,7 +16,7 @@ namespace wakesurf::core {
 /// Thread safety: concurrent calls are fine; who asks for one that is just being read reads it as well.
 class ScalarSteps {
   public:
-    using Values = std::shared_ptr<const Slab>;
+    using Values = std::shared_ptr<const Slab>; ///< floats, one a node
 
     /// @param most  kept at a time; those in use may be more
     explicit ScalarSteps(std::size_t most) : most_(most) {}
@@ -25,6 +25,7 @@ class ScalarSteps {
     Result<Values>
     get(std::size_t scalar, std::size_t step, const std::function<Result<Slab>()>& read);
 
+    /// How many are kept.
     std::size_t most() const { return most_; }
 
   private:

@@ -12,6 +12,7 @@ namespace wakesurf::core {
 class Slab {
   public:
     Slab() = default;
+    /// Zeroed. Throws std::bad_alloc.
     explicit Slab(std::size_t bytes);
     ~Slab();
     Slab(Slab&& other) noexcept;
@@ -19,8 +20,10 @@ class Slab {
     Slab(const Slab&) = delete;
     Slab& operator=(const Slab&) = delete;
 
+    /// As many as were asked for.
     std::span<std::byte> bytes() { return {data_, size_}; }
 
+    /// The same.
     std::span<const std::byte> bytes() const { return {data_, size_}; }
 
     /// What the operating system gave, page rounding included: the figure the cache accounts.

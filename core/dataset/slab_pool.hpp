@@ -14,6 +14,7 @@ namespace wakesurf::core {
 /// Thread safety: every call may come from any thread.
 class SlabPool {
   public:
+    /// A pool of slabs of so many bytes, none of which is there yet.
     explicit SlabPool(std::size_t bytes) : bytes_(bytes) { idle_.reserve(most_idle); }
 
     /// With whatever its last user left in it. Throws std::bad_alloc.

@@ -9,8 +9,9 @@ namespace wakesurf::core {
 
 /// One byte a node, x fastest: 1 fluid, 0 solid. Empty: no obstacle.
 struct SolidMask {
-    std::vector<std::uint8_t> fluid;
+    std::vector<std::uint8_t> fluid; ///< one a node: 1 fluid, 0 solid
 
+    /// Nothing is solid.
     bool empty() const { return fluid.empty(); }
 };
 

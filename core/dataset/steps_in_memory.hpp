@@ -28,6 +28,7 @@ class StepsInMemory final : public TimeStepSource {
                                                              const std::vector<Velocity>& velocity,
                                                              SolidMask mask = {});
 
+    /// As it was given.
     const Grid& grid() const override { return grid_; }
 
     const SolidMask& mask() const override { return mask_; }

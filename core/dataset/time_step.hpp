@@ -11,11 +11,12 @@ namespace wakesurf::core {
 
 /// Immutable once shared. Velocity is float3 in file order (x fastest), 12 bytes a node.
 struct TimeStep {
-    std::size_t index = 0;
-    double time = 0.0;
-    Slab slab;
-    bool gaps = false; ///< some velocities are not finite: there the domain ends at this time
+    std::size_t index = 0; ///< in the series, from 0
+    double time = 0.0;     ///< of the series, in its unit
+    Slab slab;             ///< the velocities
+    bool gaps = false;     ///< some velocities are not finite: there the domain ends at this time
 
+    /// X, y and z of the first node, then of the next.
     std::span<const float> velocity() const {
         return {reinterpret_cast<const float*>(slab.bytes().data()),
                 slab.bytes().size() / sizeof(float)};

@@ -23,30 +23,34 @@ enum class StepState { Cold, Loading, Resident };
 /// holder keeps it; it counts against the budget until then.
 class TimeStepCache {
   public:
+    /// How much it may take, and how it loads.
     struct Options {
         std::size_t budget_bytes = std::size_t{4} << 30; ///< raised to smallest_budget() if smaller
-        std::size_t load_threads = 1;
+        std::size_t load_threads = 1; ///< time-steps that are read at the same time
         /// With one the budget is smallest_budget(), which is taken at once, and whatever others leave free; that is given back when
         /// they need it.
         std::optional<MemoryAccount> account{};
     };
 
+    /// What is in memory, for people.
     struct Status {
-        std::vector<StepState> steps;
-        std::size_t bytes = 0;   ///< accounted: resident, handed out and in flight
-        std::size_t budget = 0;  ///< what it may take; with an account: as it stands now
-        std::uint64_t hits = 0;  ///< acquire() calls that found their time-step resident
-        std::uint64_t loads = 0; ///< time-steps read, demanded and ahead
+        std::vector<StepState> steps; ///< one a time-step of the series
+        std::size_t bytes = 0;        ///< accounted: resident, handed out and in flight
+        std::size_t budget = 0;       ///< what it may take; with an account: as it stands now
+        std::uint64_t hits = 0;       ///< acquire() calls that found their time-step resident
+        std::uint64_t loads = 0;      ///< time-steps read, demanded and ahead
     };
 
     /// Room for one caller who interpolates by cubics in time: 4 time-steps, or all where they are fewer.
     static std::size_t smallest_budget(const TimeStepSource& source);
 
+    /// Loads nothing yet.
     TimeStepCache(std::shared_ptr<const TimeStepSource> source, Options options);
     ~TimeStepCache();
     TimeStepCache(const TimeStepCache&) = delete;
     TimeStepCache& operator=(const TimeStepCache&) = delete;
 
+    /// Where the time-steps come from.
     const TimeStepSource& source() const;
 
     /// The time-step, loaded if it is not resident; two callers of one cold time-step cause one load.

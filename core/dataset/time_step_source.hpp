@@ -18,6 +18,7 @@ class TimeStepSource {
   public:
     virtual ~TimeStepSource() = default;
 
+    /// What all time-steps share; lives as long as the source.
     virtual const Grid& grid() const = 0;
 
     /// Empty for cell meshes, whose walls are faces.

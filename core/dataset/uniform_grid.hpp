@@ -9,13 +9,16 @@
 
 namespace wakesurf::core {
 
+/// Nodes at equal distances along each axis.
 struct UniformGrid {
-    Vec3 origin{0.0};
-    Vec3 spacing{1.0};
+    Vec3 origin{0.0};  ///< the first node
+    Vec3 spacing{1.0}; ///< from node to node along each axis, above 0
     std::array<std::uint32_t, 3> dimensions{2, 2, 2}; ///< nodes per axis, each at least 2
 
+    /// Number of nodes.
     std::size_t nodes() const { return std::size_t{dimensions[0]} * dimensions[1] * dimensions[2]; }
 
+    /// From the first node to the last.
     Box bounds() const {
         return {origin,
                 origin + spacing * Vec3(dimensions[0] - 1, dimensions[1] - 1, dimensions[2] - 1)};

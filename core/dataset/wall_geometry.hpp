@@ -10,9 +10,10 @@
 
 namespace wakesurf::core {
 
+/// A body as triangles.
 struct WallGeometry {
-    std::vector<Vec3f> points;
-    std::vector<std::array<std::uint32_t, 3>> triangles;
+    std::vector<Vec3f> points;                           ///< corners of the triangles
+    std::vector<std::array<std::uint32_t, 3>> triangles; ///< numbers of three points each
 };
 
 } // namespace wakesurf::core

@@ -28,6 +28,7 @@ class Flow {
   public:
     virtual ~Flow() = default;
 
+    /// Round everything where the flow may be known.
     virtual Box domain() const = 0;
 
     /// Times at which the flow is known; nothing for closed forms, which are known at all times.
@@ -36,6 +37,7 @@ class Flow {
     /// Finest detail of the field: node spacing, or 1/100 of the shortest side for closed forms.
     virtual double finest_spacing() const = 0;
 
+    /// Whether a place is in the fluid, in an obstacle, or outside.
     virtual PointStatus status(const Vec3& position) const = 0;
 
     /// The nodes the stored field's value at a point comes from.

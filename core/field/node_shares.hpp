@@ -12,10 +12,10 @@ namespace wakesurf::core {
 
 /// Shares add up to 1. None where the point is outside the domain or in an obstacle, and of closed forms, which have no nodes.
 struct NodeShares {
-    PointStatus status = PointStatus::OutsideDomain;
-    std::size_t count = 0;
-    std::array<std::size_t, 8> node{};
-    std::array<double, 8> share{};
+    PointStatus status = PointStatus::OutsideDomain; ///< of the point
+    std::size_t count = 0;                           ///< of the nodes that count
+    std::array<std::size_t, 8> node{};               ///< their numbers
+    std::array<double, 8> share{};                   ///< what each counts; together 1
 };
 
 /// Nodes without a value that have no more than this of a point's shares are the rounding of a point on a cell's face or edge: the others

@@ -4,7 +4,7 @@
 #include "core/base/clock.hpp"
 #include "core/dataset/time_step_cache.hpp"
 #include "core/field/flow.hpp"
-#include "core/field/kernel/rk4_batch.hpp"
+#include "core/field/kernel/simd.hpp"
 
 #include <memory>
 

@@ -24,9 +24,11 @@ struct CurveStep;
 /// Is shown each step once it is taken: the curve ends at `curve.last` then, which may be within the step. False: that was far enough.
 using StepWatch = std::function<bool(const Curve& curve, const CurveStep& step)>;
 
+/// How curves are integrated.
 struct TraceOptions {
+    /// Steps of controlled error, or steps that are all as long.
     enum class Method { Dopri5, Rk4 };
-    Method method = Method::Dopri5;
+    Method method = Method::Dopri5; ///< of the steps
     bool frozen =
         false; ///< true: the field as it is at `Curve::release` (stream); false: it moves on (path)
     double tolerance = 1e-6;   ///< Dopri5: error allowed per unit length
@@ -44,12 +46,13 @@ struct TraceOptions {
 /// Dense output of one accepted step, Hairer, Norsett, Wanner, Solving ODEs I, II.6: y(theta) =
 /// c0 + theta (c1 + (1 - theta)(c2 + theta (c3 + (1 - theta) c4))); xyz is the position, w the arc length.
 struct CurveStep {
-    double time = 0.0; ///< since release
-    double dt = 0.0;   ///< negative upstream
-    std::array<glm::dvec4, 5> c;
+    double time = 0.0;           ///< since release
+    double dt = 0.0;             ///< negative upstream
+    std::array<glm::dvec4, 5> c; ///< coefficients of the polynomial
     double error =
         0.0; ///< how far off the step's end may be for what the integrator leaves out, as it estimates it; RK4: 0
 
+    /// Position and arc length at a part of the step, 0 to 1.
     glm::dvec4 at(double theta) const {
         const double other = 1.0 - theta;
         return c[0] + theta * (c[1] + other * (c[2] + theta * (c[3] + other * c[4])));
@@ -58,9 +61,12 @@ struct CurveStep {
 
 /// The transported tangent dx/ds during a step, of third order contact at both ends.
 struct StretchStep {
-    Vec3 start{0.0}, end{0.0};
-    Vec3 start_change{0.0}, end_change{0.0}; ///< by theta
+    Vec3 start{0.0};        ///< the tangent where the step begins
+    Vec3 end{0.0};          ///< and where it ends
+    Vec3 start_change{0.0}; ///< how it changes there, by theta
+    Vec3 end_change{0.0};   ///< the same
 
+    /// The tangent at a part of the step, 0 to 1.
     Vec3 at(double theta) const {
         const double other = 1.0 - theta;
         const Vec3 change = end - start;
@@ -69,24 +75,25 @@ struct StretchStep {
     }
 };
 
+/// A point of a curve.
 struct CurvePoint {
-    Vec3 position{0.0};
-    double time = 0.0; ///< since release; negative upstream
-    double arc = 0.0;
-    Vec3 stretch{0.0};
+    Vec3 position{0.0}; ///< where it is
+    double time = 0.0;  ///< since release; negative upstream
+    double arc = 0.0;   ///< arc length from the seed
+    Vec3 stretch{0.0};  ///< dx/ds there, with TraceOptions::stretch
 };
 
 /// Filled by Flow::trace. The seed, release time and duration are inputs.
 struct Curve {
-    Vec3 seed{0.0};
+    Vec3 seed{0.0};         ///< where it begins
     Vec3 seed_tangent{0.0}; ///< dc/ds at the seed; used with TraceOptions::stretch
     double release = 0.0;   ///< simulation time
     double duration = 0.0;  ///< signed: negative integrates upstream
 
-    std::vector<CurveStep> steps;
+    std::vector<CurveStep> steps;       ///< those that were accepted, in order
     std::vector<StretchStep> stretches; ///< one a step with TraceOptions::stretch, else none
-    CurveEnd end = CurveEnd::Running;
-    CurvePoint last;          ///< where the curve ends
+    CurveEnd end = CurveEnd::Running;   ///< why it ended
+    CurvePoint last;                    ///< where the curve ends
     double next_dt = 0.0;     ///< the integrator's proposal, kept between sliding-window intervals
     std::size_t attempts = 0; ///< accepted and rejected steps
 
@@ -118,6 +125,7 @@ inline Error cut_short(const TraceOptions& options) {
 /// Takes points off a curve in order of arc length: no search, and the first guess of each is where the last one was.
 class CurveReader {
   public:
+    /// Of a curve that lives as long.
     explicit CurveReader(const Curve& curve) : curve_(curve) {}
 
     /// As Curve::at_arc. @param arc  not less than in the last call

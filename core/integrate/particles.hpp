@@ -15,31 +15,34 @@ inline constexpr std::uint32_t no_cell = 0xffffffffu;
 
 /// Structure of arrays, one entry a particle; the two tangents may be left empty together.
 struct Particles {
-    std::span<Vec3> position;
-    std::span<Vec3> along_s; ///< transported tangent dx/ds
-    std::span<Vec3> along_t; ///< transported tangent dx/dt, t the surface's other parameter
-    std::span<double> time;  ///< simulation time a particle has reached
-    std::span<CurveEnd> end; ///< Running, or why it stays where it is
+    std::span<Vec3> position; ///< where each is, and is left
+    std::span<Vec3> along_s;  ///< transported tangent dx/ds
+    std::span<Vec3> along_t;  ///< transported tangent dx/dt, t the surface's other parameter
+    std::span<double> time;   ///< simulation time a particle has reached
+    std::span<CurveEnd> end;  ///< Running, or why it stays where it is
 
     /// May be left empty together. Where a particle arrives, its velocity there, as Flow::sample_at says it,
     /// is often to be had for little: advancing then writes it and sets `sampled` to 1. Of the others it
     /// touches neither.
     std::span<Vec3f> velocity{};
-    std::span<std::uint8_t> sampled{};
+    std::span<std::uint8_t> sampled{}; ///< 1: `velocity` was written
 
     /// May be left empty. Of meshes of cells: where to look for a particle first, or no_cell, and afterwards the
     /// cell it has come to. Changes how fast it is found, not where it goes, unless cells overlap.
     std::span<std::uint32_t> cell{};
 
+    /// Number of particles.
     std::size_t count() const { return position.size(); }
 
+    /// They carry tangents.
     bool tangents() const { return !along_s.empty(); }
 };
 
+/// How particles are carried.
 struct AdvanceOptions {
     /// Dopri5: error control; through stored data that are linear one Taylor series a cell of the same tolerance, as in TraceOptions.
     enum class Method { Rk4, Dopri5 };
-    Method method = Method::Rk4;
+    Method method = Method::Rk4;     ///< of the steps
     double step = 0.0;               ///< Rk4: longest time step; > 0
     double tolerance = 1e-6;         ///< Dopri5: error allowed per unit length
     double longest_step = 0.0;       ///< Dopri5: arc length a step may cover; > 0

@@ -11,7 +11,8 @@ namespace wakesurf::core {
 
 /// Tangents of a surface at a particle: how its place changes with the surface's two coordinates.
 struct SurfaceTangents {
-    Vec3 s, t;
+    Vec3 s; ///< dx/ds
+    Vec3 t; ///< dx/dt
 
     /// How much of a vector points across the surface; all of it where the tangents do not say.
     double across(const Vec3& v) const {

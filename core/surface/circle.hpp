@@ -8,9 +8,11 @@
 
 namespace wakesurf::core {
 
+/// A circle, or an arc of it.
 struct Circle {
-    Vec3 centre;
-    Vec3 u, v; ///< radii to where it begins and a quarter of a turn further on
+    Vec3 centre; ///< of the circle
+    Vec3 u;      ///< radius to where it begins
+    Vec3 v;      ///< radius to a quarter of a turn further on
 
     /// Begins at `first`; `other` says which way it turns. REQUIRES: the three points do not lie on one line.
     Circle(const Vec3& centre, const Vec3& first, const Vec3& other);
@@ -21,6 +23,7 @@ struct Circle {
     /// Change of the place a turn.
     Vec3 tangent(double turn) const;
 
+    /// Of the circle.
     double radius() const { return glm::length(u); }
 };
 

@@ -10,14 +10,16 @@
 
 namespace wakesurf::core {
 
+/// A line in a surface along which a parameter has one value.
 struct ContourLine {
-    double value = 0.0;
-    bool closed = false;
+    double value = 0.0;  ///< of the parameter
+    bool closed = false; ///< it ends where it begins
     std::vector<Vec3>
         points; ///< at least two, no two neighbours the same; a closed line does not repeat its first
     std::vector<double> carried{}; ///< ContourOptions::carried at each of them
 };
 
+/// What a parameter means, and what lines carry.
 struct ContourOptions {
     /// The parameter is that of a closed rake, 0 to below 1: beside its last column lies its first.
     bool wraps = false;

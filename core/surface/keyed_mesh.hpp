@@ -10,10 +10,10 @@ namespace wakesurf::core {
 
 /// Ids ascend, one a vertex and one a cell; an id is never used again for something else.
 struct KeyedMesh {
-    QuadComplex mesh;
-    std::vector<std::uint32_t> vertex_id;
-    std::vector<std::uint32_t> cell_id;
-    double time = 0.0; ///< simulation time
+    QuadComplex mesh;                     ///< the mesh itself
+    std::vector<std::uint32_t> vertex_id; ///< of each vertex
+    std::vector<std::uint32_t> cell_id;   ///< of each cell
+    double time = 0.0;                    ///< simulation time
 };
 
 } // namespace wakesurf::core

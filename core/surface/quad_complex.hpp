@@ -21,7 +21,9 @@ inline constexpr VertexId no_vertex = 0xffffffffu;
 /// Corners run counter-clockwise round the cell: (s-, t young), (s+, young), (s+, old), (s-, old).
 /// mid[i] hangs on the side from corner[i] to corner[(i + 1) % 4], or is no_vertex.
 struct Cell {
+    /// The four corners.
     std::array<VertexId, 4> corner{no_vertex, no_vertex, no_vertex, no_vertex};
+    /// The node that hangs on each side, if any.
     std::array<VertexId, 4> mid{no_vertex, no_vertex, no_vertex, no_vertex};
 
     bool operator==(const Cell&) const = default;
@@ -29,8 +31,8 @@ struct Cell {
 
 /// A cell's outline: 4 to 8 vertices, corners and mid nodes in order.
 struct CellPolygon {
-    std::array<VertexId, 8> vertex;
-    std::uint32_t count = 0;
+    std::array<VertexId, 8> vertex; ///< the first `count` count
+    std::uint32_t count = 0;        ///< 4 to 8
 };
 
 CellPolygon polygon(const Cell& cell);
@@ -40,22 +42,24 @@ Cell mirror(const Cell& cell);
 
 /// Structure of arrays; every vertex array has one entry a vertex.
 struct QuadComplex {
-    std::vector<Vec3> position;
-    std::vector<double> s; ///< seed parameter along the rake, 0..1
+    std::vector<Vec3> position; ///< in the dataset's length unit
+    std::vector<double> s;      ///< seed parameter along the rake, 0..1
     std::vector<double> t; ///< time since release; streak: of the release; time: place in the patch
-    std::vector<Vec3f> velocity;
+    std::vector<Vec3f> velocity;    ///< of the flow there and then
     std::vector<float> deformation; ///< log2 of area now / area at birth; empty when not asked for
-    std::vector<std::uint32_t> component;
+    std::vector<std::uint32_t> component;   ///< which connected part it is in, the largest is 0
     std::vector<std::uint8_t> approximated; ///< 1: interpolated, not traced from the rake
     /// Length: how far the vertex may be from the true surface, across it, as estimated; empty: of a mesh that no builder has made
     std::vector<float> error;
     std::vector<SurfaceTangents> tangents; ///< dx/ds and dx/dt; empty when not asked for
     std::vector<Vec3f>
         normal; ///< of length 1, or 0 where there is none; empty: as the cells beside say
-    std::vector<Cell> cells;
+    std::vector<Cell> cells; ///< quads, with their hanging nodes
 
+    /// Number of vertices.
     std::size_t vertices() const { return position.size(); }
 
+    /// Magnitude of a vertex's velocity.
     double speed(VertexId v) const { return glm::length(glm::dvec3(velocity[v])); }
 
     /// The invariants a watertight oriented surface must keep: ids in range, no repeated vertex in a cell, every

@@ -12,12 +12,14 @@
 
 namespace wakesurf::core {
 
+/// Where particles are released.
 struct Rake {
+    /// What its points mean.
     enum class Kind { Line, Polyline, Circle, Points };
-    Kind kind = Kind::Line;
+    Kind kind = Kind::Line; ///< what `points` mean
     std::vector<Vec3>
         points; ///< line: 2; polyline: 2 or more; circle: centre and two points of the rim
-    std::uint32_t seeds = 32;
+    std::uint32_t seeds = 32; ///< how many it begins with, at least 2
     Arc arc{0.0, 1.0}; ///< circle: the part of it that releases, all of it unless clip_rake cut it
 
     /// A whole circle's seeding curve returns to its start, so its surface has no side edges.
@@ -26,8 +28,9 @@ struct Rake {
     bool operator==(const Rake&) const = default;
 };
 
+/// The part of a rake inside a domain.
 struct ClippedRake {
-    Rake rake;
+    Rake rake;            ///< that part
     bool clipped = false; ///< part of the rake was outside and has been cut away
 };
 
@@ -41,7 +44,9 @@ class SeedingCurve {
   public:
     /// None yet.
     SeedingCurve() = default;
+    /// REQUIRES: a rake that clip_rake returns.
     explicit SeedingCurve(const Rake& rake);
+    /// The place there.
     Vec3 at(double s) const;
 
     /// dc/ds; constant on each straight piece.
@@ -50,6 +55,7 @@ class SeedingCurve {
     /// A whole circle returns to its start.
     bool closed() const { return round_ && part_ == Arc{0.0, 1.0}; }
 
+    /// In the dataset's length unit.
     double length() const { return round_ ? round_length_ : arc_.back(); }
 
     /// Seed parameters, between 0 and 1, where the curve turns sharply; a circle, and an arc of one, has none.

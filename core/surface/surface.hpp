@@ -8,9 +8,10 @@
 
 namespace wakesurf::core {
 
+/// What build_surface returns.
 struct Surface {
-    QuadComplex mesh;
-    SurfaceStatistics statistics;
+    QuadComplex mesh;             ///< the surface itself
+    SurfaceStatistics statistics; ///< what it took and gave
     /// The time it is followed to, where that is before the one asked for.
     std::optional<double> ended{};
 };

@@ -23,8 +23,9 @@ enum class Interpolation { Linear, Smooth };
 /// Surfaces, 2008; quads with a particle that has ended are left out.
 enum class Refine { On, Off };
 
+/// A request for a surface, as it was made.
 struct SurfaceParameters {
-    SurfaceKind kind = SurfaceKind::Stream;
+    SurfaceKind kind = SurfaceKind::Stream; ///< which of the kinds
     double from =
         0.0; ///< where it starts. Stream: time at which the field is frozen; else: the (first) release
     /// where it ends: before `from` where time runs backward. Stream: `to - from` is the integration time,
@@ -37,7 +38,7 @@ struct SurfaceParameters {
         0.0; ///< longest edge allowed, in the dataset's length unit; 0: DatasetInfo::finest_spacing
     Accuracy accuracy =
         Accuracy::Balanced; ///< of tracing and inserting, in the field as interpolated
-    Interpolation interpolation = Interpolation::Linear;
+    Interpolation interpolation = Interpolation::Linear; ///< of stored velocity
     double merge =
         0.35; ///< cells merge where both of their sides are shorter than this part of the separation; 0: never
     /// degrees: neighbouring cells that meet at more are refined, along the flow and across, those of stream
@@ -50,7 +51,7 @@ struct SurfaceParameters {
     double stagnation_speed = 1e-6;
     Refine refine =
         Refine::On; ///< off: `merge`, `angle` and `separation` across the flow count for nothing
-    std::uint64_t max_quads = 1'000'000;
+    std::uint64_t max_quads = 1'000'000; ///< the separation gives way where more would be needed
     bool deformation =
         false; ///< compute the deformation array: that of stream and path surfaces takes time
     bool tangents =

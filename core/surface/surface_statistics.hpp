@@ -14,6 +14,7 @@ namespace wakesurf::core {
 
 /// Why there is nothing to see of a surface, in words for people.
 struct Emptiness {
+    /// What a program decides by.
     enum class Reason {
         InBody,
         OutsideCells,
@@ -26,20 +27,26 @@ struct Emptiness {
         TooCoarse,
         OutsideRange
     };
-    Reason reason;
-    std::string message;
-    std::string hint;
+    Reason reason;       ///< the reason, for programs
+    std::string message; ///< one sentence for people
+    std::string hint;    ///< what to do about it
 
     /// The flow took everything away, and nothing is wrong with what was asked for.
     bool natural() const { return reason == Reason::AllLeft || reason == Reason::NothingYet; }
 };
 
+/// Counts and times of a surface, for programs and people.
 struct SurfaceStatistics {
     /// Particles released from the rake's seeds, by what ended them; of a surface that moves its vertices,
     /// but for those that lie on the boundary, which are new in every step.
     struct Terminated {
-        std::uint64_t domain = 0, time = 0, obstacle = 0, stagnation = 0, budget = 0;
+        std::uint64_t domain = 0;     ///< left the domain
+        std::uint64_t time = 0;       ///< came to the end of their time
+        std::uint64_t obstacle = 0;   ///< met an obstacle
+        std::uint64_t stagnation = 0; ///< came to rest
+        std::uint64_t budget = 0;     ///< took too many steps
 
+        /// Counts one more.
         void add(CurveEnd end) {
             domain += end == CurveEnd::Domain;
             time += end == CurveEnd::Time;
@@ -49,34 +56,39 @@ struct SurfaceStatistics {
         }
     };
 
+    /// By the clock, in seconds.
     struct Seconds {
-        double load = 0, advect = 0, refine = 0, other = 0, total = 0;
+        double load = 0;   ///< waiting for time-steps
+        double advect = 0; ///< carrying particles
+        double refine = 0; ///< changing the mesh
+        double other = 0;  ///< what is none of these
+        double total = 0;  ///< all of it
     };
 
-    SurfaceKind kind = SurfaceKind::Stream;
-    std::uint64_t quads = 0;
-    std::uint64_t vertices = 0;
-    std::uint64_t steps = 0;        ///< integrator steps of the longest column
-    std::uint64_t vertex_steps = 0; ///< integrator steps of all columns
-    std::uint64_t approximated = 0;
-    Terminated terminated;
+    SurfaceKind kind = SurfaceKind::Stream; ///< as it was asked for
+    std::uint64_t quads = 0;                ///< cells
+    std::uint64_t vertices = 0;             ///< those that hang too
+    std::uint64_t steps = 0;                ///< integrator steps of the longest column
+    std::uint64_t vertex_steps = 0;         ///< integrator steps of all columns
+    std::uint64_t approximated = 0;         ///< vertices that are interpolated
+    Terminated terminated;                  ///< what ended its particles
     /// Of a level surface: the values of its field at that time.
     std::optional<std::array<double, 2>> field_range{};
     /// Cells of a streak or time surface that were deleted amid living particles, until then: these went
     /// apart, or came together, so much that no cells between them can follow.
     std::optional<std::uint64_t> torn{};
-    double max_edge = 0;
-    double separation = 0;           ///< longest edge allowed in the end
-    double requested_separation = 0; ///< the one asked for
-    Seconds seconds;
-    std::optional<StatedError> error{};
+    double max_edge = 0;                ///< length of the longest edge there is
+    double separation = 0;              ///< longest edge allowed in the end
+    double requested_separation = 0;    ///< the one asked for
+    Seconds seconds;                    ///< what it took
+    std::optional<StatedError> error{}; ///< nothing: none was estimated
     /// Of a path surface of both directions: where the data begin, if that cuts its backward side short.
     std::optional<double> data_end{};
 
     /// The quad budget did not allow the separation asked for.
     bool coarsened() const { return separation > requested_separation; }
 
-    std::optional<Emptiness> empty{};
+    std::optional<Emptiness> empty{}; ///< why there is nothing to see, where that is so
     std::string stopped{}; ///< why the surface ends before the time asked for; usually empty
 };
 

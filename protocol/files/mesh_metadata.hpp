@@ -12,12 +12,13 @@
 
 namespace wakesurf::protocol {
 
+/// How the surface of a file was made.
 struct MeshMetadata {
-    core::Rake rake{};
-    core::SurfaceParameters parameters{};
+    core::Rake rake{};                    ///< it started from
+    core::SurfaceParameters parameters{}; ///< it was asked for
     double separation = 0.0; ///< of the mesh: the quad budget may have raised the one asked for
     std::uint32_t tessellate = 1; ///< quads that a cell of that separation was cut into, each way
-    std::string dataset;
+    std::string dataset;          ///< id or name of the data
     std::string version;          ///< of wakesurf
     std::optional<double> time{}; ///< at which it is shown, where that is not its end
     std::string stopped{};        ///< why it is not what was asked for; usually empty

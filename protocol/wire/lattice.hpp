@@ -12,11 +12,13 @@ namespace wakesurf::protocol {
 
 using LatticePoint = std::array<std::int32_t, 3>;
 
+/// A cube of nodes.
 struct Lattice {
-    core::Vec3 origin{0.0};
-    double step = 1.0; ///< distance of neighbouring nodes, in the dataset's length unit
-    int bits = 16;     ///< nodes are numbered 0 .. 2^bits - 1 along each axis
+    core::Vec3 origin{0.0}; ///< node 0, 0, 0
+    double step = 1.0;      ///< distance of neighbouring nodes, in the dataset's length unit
+    int bits = 16;          ///< nodes are numbered 0 .. 2^bits - 1 along each axis
 
+    /// Number of the last node along an axis.
     std::int32_t last() const { return (std::int32_t{1} << bits) - 1; }
 
     bool operator==(const Lattice&) const = default;
@@ -34,6 +36,7 @@ bool valid(const Lattice& lattice);
 /// Rounds many points to the nodes of one lattice.
 class LatticeRounding {
   public:
+    /// To the nodes of this one.
     explicit LatticeRounding(const Lattice& lattice)
         : origin_(lattice.origin), per_step_(1.0 / lattice.step), last_(lattice.last()) {}
 

@@ -16,7 +16,7 @@ namespace wakesurf::protocol {
 /// A whole update, decoded.
 struct DecodedState {
     FrameHeader header; ///< of its last frame: surface, epoch, seq, phase, state_sum ...
-    std::shared_ptr<const WireMesh> mesh;
+    std::shared_ptr<const WireMesh> mesh; ///< never null
 };
 
 /// Folds the frames of one surface, in order, into its states. Keeps the newest whole state through errors.

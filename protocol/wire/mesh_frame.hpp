@@ -23,26 +23,28 @@ inline constexpr std::uint8_t max_attributes = 8; ///< as many as `gaps` has bit
 /// How good a state is: what the client shows, and whether more is to come.
 enum class Phase : std::uint8_t { Coarse, Refined, Final, Live };
 
+/// What stands in front of every frame.
 struct FrameHeader {
     static constexpr std::uint8_t key = 1; ///< starts from the empty state
     static constexpr std::uint8_t lossless =
         2; ///< the state is the server's surface, exact on the lattice
 
-    std::uint8_t flags = 0;
+    std::uint8_t flags = 0;    ///< `key` and `lossless`
     std::uint32_t surface = 0; ///< the subscription
-    std::uint32_t epoch = 0;
-    std::uint32_t seq = 0; ///< of the update; a DELTA starts from the state of the one before
-    std::uint16_t frame_index = 0;
-    std::uint16_t frame_count = 1;
-    Phase phase = Phase::Final;
-    std::uint8_t lattice_bits = 16;
-    std::uint8_t attribute_count = 0;
-    std::uint8_t gaps = 0;      ///< a bit an attribute: some vertices have no value of it
-    std::uint32_t vertices = 0; ///< of the state after the update
-    std::uint32_t cells = 0;
-    double time = 0.0;
-    std::uint32_t state_sum = 0;
+    std::uint32_t epoch = 0;   ///< rises when the surface is another one
+    std::uint32_t seq = 0;     ///< of the update; a DELTA starts from the state of the one before
+    std::uint16_t frame_index = 0;    ///< of this frame in its update
+    std::uint16_t frame_count = 1;    ///< of the update
+    Phase phase = Phase::Final;       ///< of the state
+    std::uint8_t lattice_bits = 16;   ///< of positions
+    std::uint8_t attribute_count = 0; ///< of each vertex
+    std::uint8_t gaps = 0;            ///< a bit an attribute: some vertices have no value of it
+    std::uint32_t vertices = 0;       ///< of the state after the update
+    std::uint32_t cells = 0;          ///< the same
+    double time = 0.0;                ///< simulation time of the state
+    std::uint32_t state_sum = 0;      ///< checksum of the state
 
+    /// It needs no state before it.
     bool is_key() const { return (flags & key) != 0; }
 
     bool operator==(const FrameHeader&) const = default;
@@ -53,8 +55,8 @@ bool same_update(FrameHeader a, const FrameHeader& b);
 
 /// A frame taken apart; the body points into the bytes it was read from.
 struct MeshFrame {
-    FrameHeader header;
-    std::span<const std::byte> body;
+    FrameHeader header;              ///< read, or to be written
+    std::span<const std::byte> body; ///< all behind the header
 };
 
 /// The checksum of a frame's bytes, which stands in its header: CRC-32 as in zlib and PNG.

@@ -18,10 +18,11 @@ namespace wakesurf::protocol {
 
 /// What errors a state may keep, in lattice units and in codes. At most 32767.
 struct Tolerance {
-    std::uint16_t position = 0;
+    std::uint16_t position = 0;  ///< lattice units
     std::uint16_t speed = 0;     ///< and fields
     std::uint16_t parameter = 0; ///< s and t
 
+    /// No errors at all.
     bool exact() const { return position == 0 && speed == 0 && parameter == 0; }
 };
 
@@ -35,24 +36,25 @@ inline constexpr std::size_t encoding_bytes = 400;
 
 inline constexpr std::size_t max_fields = max_attributes - surface_attributes.size();
 
+/// How good an update is.
 struct UpdateOptions {
-    Phase phase = Phase::Final;
-    Tolerance tolerance = exact_tolerance;
+    Phase phase = Phase::Final;            ///< told to clients
+    Tolerance tolerance = exact_tolerance; ///< errors the state may keep
     bool unrelated = false; ///< ids have nothing to do with those of the mesh before: a KEY
 };
 
 /// One update, to be sent to everybody who has the state of `base_seq`, or to anybody if it is a key. Immutable.
 struct EncodedUpdate {
-    std::uint32_t epoch = 0;
-    std::uint32_t base_seq = 0;
-    std::uint32_t seq = 0;
-    bool key = false;
-    Phase phase = Phase::Final;
-    bool lossless = false; ///< the state is the surface, exact on the lattice
-    SharedFrames frames;   ///< at least one
-    std::size_t bytes = 0; ///< of all frames
-    std::uint32_t state_sum = 0;
-    std::shared_ptr<const WireMesh> state;
+    std::uint32_t epoch = 0;               ///< of the stream
+    std::uint32_t base_seq = 0;            ///< the state it starts from, unless it is a key
+    std::uint32_t seq = 0;                 ///< the state it leads to
+    bool key = false;                      ///< it starts from nothing
+    Phase phase = Phase::Final;            ///< as it was asked for
+    bool lossless = false;                 ///< the state is the surface, exact on the lattice
+    SharedFrames frames;                   ///< at least one
+    std::size_t bytes = 0;                 ///< of all frames
+    std::uint32_t state_sum = 0;           ///< checksum of the state
+    std::shared_ptr<const WireMesh> state; ///< it leads to; never null
 };
 
 /// The updates of one surface in one epoch, from its first state on.

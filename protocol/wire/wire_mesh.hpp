@@ -27,10 +27,11 @@ struct AttributeRange {
     static constexpr std::uint16_t first_none =
         0xf800; ///< from here on: updates round codes, by less than the room below it
 
-    double lo = 0;
-    double hi = 0;
+    double lo = 0;     ///< value of code 0
+    double hi = 0;     ///< value of code last()
     bool gaps = false; ///< some vertices have no value
 
+    /// The largest code of a value.
     double last() const { return gaps ? 0xefff : 0xffff; }
 
     /// No number (NaN) where there is no value.
@@ -53,19 +54,24 @@ struct AttributeRange {
     bool operator==(const AttributeRange&) const = default;
 };
 
+/// A surface as both ends of the wire hold it.
 struct WireMesh {
-    int lattice_bits = 16;
-    double time = 0.0; ///< simulation time
-    std::vector<AttributeRange> ranges;
-    std::vector<LatticePoint> position;
-    std::vector<LatticePoint> change; ///< of the position by the last update, one a vertex
+    int lattice_bits = 16;              ///< of positions
+    double time = 0.0;                  ///< simulation time
+    std::vector<AttributeRange> ranges; ///< one an attribute
+    std::vector<LatticePoint> position; ///< one a vertex
+    std::vector<LatticePoint> change;   ///< of the position by the last update, one a vertex
     std::vector<std::vector<std::uint16_t>> codes; ///< one array an attribute, one code a vertex
+    /// Never null.
     std::shared_ptr<const WireTopology> topology = std::make_shared<const WireTopology>();
 
+    /// Number of vertices.
     std::size_t vertices() const { return position.size(); }
 
+    /// Its quads.
     const std::vector<core::Cell>& cells() const { return topology->cells; }
 
+    /// Of memory.
     std::size_t bytes() const;
 };
 

@@ -24,7 +24,7 @@ struct Neighbours {
 
 /// Immutable once made, and shared by all states with the same cells.
 struct WireTopology {
-    std::vector<core::Cell> cells;
+    std::vector<core::Cell> cells;      ///< in the order of the wire
     std::vector<Neighbours> neighbours; ///< one a vertex
 
     /// REQUIRES: every id of the cells is below `vertices`. Cost: O(vertices + cells).

@@ -3,17 +3,12 @@
 // emitted could replace everybody's (one definition rule) and crash the older ones.
 #pragma once
 
+#include "core/field/kernel/simd.hpp"
+
 #include <cstddef>
 #include <cstdint>
 
 namespace wakesurf::core {
-
-/// Which kernel carries particles through stored data. All give the same bits.
-enum class Simd : std::uint8_t {
-    Best,     ///< what the processor offers
-    Avx2,     ///< that, but no more than AVX2
-    Portable, ///< what every processor offers
-};
 
 /// A cell on an axis of a rectilinear grid and its neighbours, in lengths from the cell's lower end. Cells at
 /// the border go on for ever.

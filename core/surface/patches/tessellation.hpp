@@ -17,6 +17,7 @@ namespace wakesurf::core {
 inline constexpr std::uint32_t most_tessellated = 64;
 inline constexpr std::uint64_t most_tessellated_quads = 100'000'000;
 
+/// A mesh whose cells were cut.
 struct Tessellation {
     /// The vertices there were keep their numbers and values; those between are `approximated`. It has normals. Its velocity between
     /// vertices is linear.

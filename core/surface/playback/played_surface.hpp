@@ -30,10 +30,11 @@ class PlayedSurface {
     PlayedSurface(PlayedSurface&&) noexcept;
     PlayedSurface& operator=(PlayedSurface&&) noexcept;
 
+    /// The surface at one time.
     struct Shown {
-        KeyedMesh mesh; ///< ids last as long as this surface
-        SurfaceStatistics statistics;
-        double time = 0.0; ///< at which all its vertices are there
+        KeyedMesh mesh;               ///< ids last as long as this surface
+        SurfaceStatistics statistics; ///< up to that time
+        double time = 0.0;            ///< at which all its vertices are there
     };
 
     /// @param age  since the (first) release, up to the integration time

@@ -14,10 +14,11 @@
 
 namespace wakesurf::core {
 
+/// The surface at one time.
 struct SurfaceAt {
-    QuadComplex mesh;
-    SurfaceStatistics statistics;
-    std::vector<double> times; ///< at which each vertex is there
+    QuadComplex mesh;             ///< as it is then
+    SurfaceStatistics statistics; ///< up to that time
+    std::vector<double> times;    ///< at which each vertex is there
 };
 
 /// @param time  nothing: at its end. Surfaces that do not move ignore it

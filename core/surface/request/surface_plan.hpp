@@ -18,7 +18,7 @@ struct SheetOptions;
 
 /// A value, made by plan_surface.
 struct SurfacePlan {
-    std::shared_ptr<const Flow> flow;
+    std::shared_ptr<const Flow> flow; ///< what carries the particles
     /// The part of it inside the domain.
     Rake rake;
     /// With a separation and a direction; `rake2` is inside the domain too.

@@ -16,13 +16,14 @@ namespace wakesurf::core {
 
 /// What of a series a suggestion depends on, beside the flow itself.
 struct SeriesFacts {
-    std::vector<double> times; ///< strictly increasing; at least one
-    bool steady = false;
-    std::uint64_t bytes_per_step = 0;
+    std::vector<double> times;        ///< strictly increasing; at least one
+    bool steady = false;              ///< it has one field for all times
+    std::uint64_t bytes_per_step = 0; ///< of a time-step's velocity
 };
 
+/// What to begin with.
 struct SceneSuggestion {
-    Rake rake;
+    Rake rake; ///< one for all its surfaces
     /// One of each kind that the data allow: a single time-step of a flow that is not steady has no other than stream surfaces.
     std::vector<SurfaceParameters> surfaces;
     std::string why; ///< a sentence for people
