@@ -63,9 +63,10 @@ core::Result<LoadedDataset> ServedDataset::reopened(const std::filesystem::path&
     return open_store(folder, cache_);
 }
 
-// The log has each once: a source that failed is looked at again and again.
+// The log has each once, for a source that failed is looked at again and again; and none where the server ends, or someone stopped it.
 void ServedDataset::keep_error(const core::Error& error) {
-    if (!status.error || status.error->message != error.message)
+    const bool told = status.error && status.error->message == error.message;
+    if (!told && error.code != Error::Code::Cancelled)
         spdlog::error("event=dataset_failed dataset={} message={} hint={}",
                       log_value(status.dataset), log_value(without_paths(error.message)),
                       log_value(without_paths(error.hint)));

@@ -404,8 +404,8 @@ TEST(SurfaceFields, NamesAreFoundInTheDatasetFirst) {
             out.push_back(each.name);
         return out;
     };
-    EXPECT_EQ(names({"T", "p", "p", "holes", "deformation", "U", "approximated"}),
-              (std::vector<std::string>{"p", "holes", "deformation", "U"}));
+    EXPECT_EQ(names({"T", "p", "p", "holes", "deformation", "U", "approximated", "error"}),
+              (std::vector<std::string>{"p", "holes", "deformation", "U", "approximated"}));
 }
 
 TEST(SurfaceFields, AreAskedForOnceEach) {
