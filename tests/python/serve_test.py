@@ -3,6 +3,7 @@ import os
 import subprocess
 import sys
 import tempfile
+import threading
 import unittest
 
 import numpy as np
@@ -32,6 +33,24 @@ class ServeTest(unittest.TestCase):
         self.assertEqual(told[-1].share, 1.0)
         with self.assertRaises(wakesurf.Unreachable):
             session.state()
+
+    def test_has_in_its_log_why_data_cannot_be_read(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "none.vtk")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write("nothing of a format")
+            os.utime(path, (1e9, 1e9))  # no one is writing it
+            server = subprocess.Popen([BINARY, "serve", path, "--listen", "127.0.0.1:0", "--store", os.path.join(folder, "store")],
+                                      stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+            late = threading.Timer(60, server.kill)
+            late.start()
+            try:
+                line = next((line for line in server.stderr if "event=dataset_failed" in line), "")
+            finally:
+                late.cancel()
+                server.terminate()
+                server.communicate()
+        self.assertRegex(line, r"level=error event=dataset_failed dataset=none message=\S")
 
     def test_stops_where_the_block_fails_and_when_it_is_told_to_twice(self):
         with self.assertRaises(ZeroDivisionError):

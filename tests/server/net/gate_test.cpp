@@ -184,6 +184,15 @@ TEST_F(GateTest, LetsInThePageThatCameThroughATunnelToAnotherPortOfTheBrowsersMa
               403u);
 }
 
+TEST_F(GateTest, LetsInThePageOfAPortalWhoseProxyAsksByTheNodesOwnName) {
+    const auto through = [&](const std::string& host, const std::string& origin) {
+        return status(request("GET", {{"host", host}, {"origin", origin}}), true);
+    };
+    EXPECT_EQ(through("lab:9000", "https://viewer.example"), 200u);
+    EXPECT_EQ(through("lab:9000", "https://evil.example"), 403u);
+    EXPECT_EQ(through("node:9000", "https://viewer.example"), 403u) << "no such name was given";
+}
+
 TEST_F(GateTest, NeverRefusesThePagesOwnFilesForTheirOrigin) {
     const auto file = [&](const std::string& host, const std::string& origin) {
         return gate.check_file(request("GET", {{"host", host}, {"origin", origin}}));
