@@ -48,17 +48,22 @@ core::Result<void> check_picture_options(const SurfaceOptions& options) {
 }
 
 int draw_surface(const SurfaceOptions& options, const SurfaceRequest& request) {
-    nlohmann::json job{
-        {"dataset", options.dataset}, {"output", options.output},
-        {"size", options.size},       {"server", server_words(options)},
-        {"seeds", options.seeds},     {"surface", nlohmann::json::parse(request.asked)}};
+    nlohmann::json job{{"size", options.size},
+                       {"seeds", options.seeds},
+                       {"surface", nlohmann::json::parse(request.asked)}};
     job["surface"]["maxQuads"] = options.max_quads;
     job["surface"]["fields"] = options.fields;
     if (!options.rake.empty())
         job["rake"] = rake_json(request.rake);
     if (request.parameters.rake2)
         job["rake2"] = rake_json(*request.parameters.rake2);
-    return become_python("draw", {job.dump()});
+    // Paths are words of their own: they need not be UTF-8, and JSON is.
+    std::vector<std::string> words{
+        job.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace), options.dataset,
+        options.output};
+    for (const std::string& word : server_words(options))
+        words.push_back(word);
+    return become_python("draw", words);
 }
 
 } // namespace wakesurf::server

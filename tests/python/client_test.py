@@ -379,6 +379,11 @@ class ClientTest(unittest.TestCase):
             os.remove(plain)
             with self.assertRaises(ValueError):
                 surface.export(os.path.join(folder, "mesh.stl"))
+            nowhere = os.path.join(folder, "nowhere", "mesh.ply")
+            with self.assertRaises(FileNotFoundError) as raised:
+                surface.export(nowhere)
+            self.assertEqual(raised.exception.filename, nowhere)
+            surface.export(os.fsencode(os.path.join(folder, "mesh.ply")))
             surface.delete()
             with self.assertRaises(wakesurf.NotFound):
                 surface.export(os.path.join(folder, "gone.ply"))

@@ -4,6 +4,7 @@ import json
 import os
 import re
 import signal
+import sys
 import tempfile
 import unittest
 
@@ -105,8 +106,8 @@ class ToolsTest(McpCase):
         self.url = server.url
         self.person = wakesurf.Client(self.url).session()
 
-    def on_server(self, **more):
-        return self.agent(environment={"WAKESURF_URL": self.url}, **more)
+    def on_server(self, environment=(), **more):
+        return self.agent(environment={"WAKESURF_URL": self.url, **dict(environment)}, **more)
 
     def test_works_in_the_session_that_people_look_at(self):
         agent = self.on_server()
@@ -163,13 +164,25 @@ class ToolsTest(McpCase):
                 ("wait", {}, "make one with the tool"), ("wait", {"seconds": -1}, "0 to 3600"), ("numbers", {"surface": "s9"}, "no surface"),
                 ("compare", {}, "compare needs `a`"), ("compare", {"a": "s9"}, "no surface"), ("explain", {"why": 1}, "no argument"),
                 ("picture", {"width": 10}, "64 to 4096"), ("picture", {"camera": {"positon": [0, 0, 1]}}, "did you mean `position`"),
-                ("picture", {"look": {"color_by": "age"}}, "did you mean `colour_by`"), ("picture", {"path": "a.jpg"}, "one of .png"),
+                ("picture", {"look": {"color_by": "age"}}, "did you mean `colour_by`"),
+                ("picture", {"look": {"map": "jet"}}, "none of viridis, cividis"), ("picture", {"background": "black"}, "none of shown, white, clear"),
+                ("picture", {"camera": {"position": [1, 1, 1]}}, "a camera needs `target`"), ("picture", {"path": "a.jpg"}, "one of .png"),
                 ("film", {"path": "film", "from": 0}, "film needs `to`"), ("film", {"path": "a.gif", "from": 0, "to": 1}, ".webm"),
                 ("export", {}, "export needs `path`"), ("undo", {"steps": 2}, "no argument")):
             with self.subTest(tool, **arguments):
                 self.assertIn(words, agent.refusal(tool, **arguments))
         self.assertEqual(agent.ask("ping")["result"], {})
         self.assertEqual(self.person.rakes(), [], "none is left of a surface that was refused")
+
+    def test_refuses_pictures_and_films_of_what_the_data_do_not_have_and_leaves_nothing(self):
+        agent = self.on_server(environment={"WAKESURF_CHROMIUM": sys.executable})  # no browser, but a program
+        agent.numbers("surface", kind="path", to=1, separation=0.1)
+        for tool, arguments, words in (("picture", {"look": {"colour_by": "jet"}}, "there are speed, age"), ("picture", {"time": 99}, "0 to 10"),
+                                       ("film", {"path": "film", "from": 0, "to": 11}, "0 to 10"),
+                                       ("film", {"path": "film", "from": 0, "to": 1, "look": {"colour_by": "field:x"}}, "there are speed, age")):
+            self.assertIn(words, agent.refusal(tool, **arguments))
+        self.assertEqual([each.id for each in self.person.client.sessions()], ["main"])
+        self.assertEqual(sorted(os.listdir(self.folder)), ["store"] if os.path.exists(os.path.join(self.folder, "store")) else [])
 
     def test_deletes_and_takes_back_only_what_is_named_or_was_done_by_its_link(self):
         surface = self.person.surface(self.person.rake(line=LINE), "stream", dataset="tornado", to=1, separation=0.1)

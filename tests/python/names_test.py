@@ -91,6 +91,17 @@ class WrongNames(unittest.TestCase):
         self.refused(lambda: self.session.api.bookmark.set(vew={}), "did you mean `view`?")
         self.refused(lambda: self.session.api.session.rename(zebra=1), "there are name")
 
+    def test_of_parameters_that_are_missing_are_said_with_what_they_are(self):
+        for call, words in ((lambda: self.session.surface(self.rake, "streak", to=2), "surface needs `dataset` (an id from dataset.list)"),
+                            (lambda: self.session.surface(self.rake, dataset="tornado", to=2), "surface needs `kind` (stream: streamlines"),
+                            (lambda: self.session.film("film"), "film needs `times`"),
+                            (lambda: self.session.api.dataset.describe(), "describe needs `dataset` (an id from dataset.list)"),
+                            (lambda: self.session.api.bookmark.set(), "set needs `")):
+            with self.assertRaises(wakesurf.MissingParameter) as raised:
+                call()
+            self.assertIn(words, str(raised.exception))
+            self.assertIsInstance(raised.exception, TypeError)
+
     def test_spelt_as_the_server_spells_them_are_taken_with_a_word(self):
         with self.assertWarnsRegex(DeprecationWarning, "`maxQuads` of surface is spelt `max_quads`.*did you mean"):
             surface = self.session.surface(self.rake, "stream", dataset="tornado", to=1, maxQuads=5000)

@@ -2,9 +2,12 @@
 import importlib.util
 import io
 import os
+import re
 import shutil
 import tempfile
+import typing
 import unittest
+from unittest import mock
 
 import numpy as np
 
@@ -114,6 +117,75 @@ class PictureTest(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "neither a folder"):
             self.session.film("film.avi", [1])
         self.assertEqual(self.everything(), before)
+
+    def refused(self, words, call, kind=wakesurf.WakesurfError):
+        """Before a browser starts."""
+        with mock.patch("wakesurf.picture.Chrome", side_effect=AssertionError("a browser was started")):
+            with self.assertRaisesRegex(kind, words):
+                call()
+
+    def test_refuses_a_look_or_a_camera_that_there_is_not_and_names_what_there_is(self):
+        before = self.everything()
+        for look, words in (({"colour_by": "jet"}, "`colour_by` is 'jet'.*there are speed, age, s, constant, vorticity"),
+                            ({"colour_by": "vortcity"}, "did you mean vorticity"), ({"colour_by": "field:pressure"}, "there are speed"),
+                            ({"colour_by": "field:velocity"}, "there are speed"), ({"colour_by": 3}, "there are speed"),
+                            ({"map": "jet"}, "`map` is 'jet'.*viridis.*turbo"), ({"map": "Turbo"}, "did you mean turbo"),
+                            ({"lines": "dots"}, "none, timelines"), ({"back_side": "no"}, "shaded, same, tinted"),
+                            ({"range_of": "time"}, "surface, data"), ({"opacity": 2}, "from 0 to 1"), ({"density": 0}, "from 0.125 to 8"),
+                            ({"opacity": "half"}, "from 0 to 1"), ({"invert": "yes"}, "True and False"), ({"centre": float("nan")}, "a number"),
+                            ({"range": [2, 1]}, "the lower one first"), ({"range": 1}, "two numbers"), ({"colour": "red"}, "#rrggbb")):
+            with self.subTest(look):
+                self.refused(words, lambda look=look: self.session.picture(view={"look": look}), wakesurf.InvalidParameters)
+                self.refused(words, lambda look=look: self.session.film("film", [1], view={"look": look}), wakesurf.InvalidParameters)
+        for view, words in (({"looks": {"s9": {}}}, "`looks` has no `s9`.*" + self.surface.id),
+                            ({"looks": {self.surface.id: {"map": "jet"}}}, "`map` is 'jet'"), ({"camera": {"position": (1, 1, 1)}}, "needs `target`"),
+                            ({"camera": {"position": (1, 1), "target": (0, 0, 0)}}, "needs `position`.*three numbers"),
+                            ({"camera": {"position": (1, 1, 1), "target": (1, 1, 1)}}, "the same point")):
+            with self.subTest(view):
+                self.refused(words, lambda view=view: self.session.picture(view=view), wakesurf.InvalidParameters)
+        self.assertEqual(self.everything(), before)
+
+    def test_refuses_a_time_outside_of_the_data_a_size_a_ground_and_a_file_that_cannot_be(self):
+        before = self.everything()
+        for time in (-0.5, 99, 1e9):
+            self.refused("outside of the data.*0 to 10", lambda time=time: self.session.picture(time=time), wakesurf.OutsideTimeRange)
+            self.refused("outside of the data.*0 to 10", lambda time=time: self.session.film("film", [1, time]), wakesurf.OutsideTimeRange)
+        for time in (float("nan"), "end"):
+            self.refused("the time is", lambda time=time: self.session.picture(time=time), wakesurf.InvalidParameters)
+        self.refused("one at least", lambda: self.session.film("film", []), wakesurf.InvalidParameters)
+        for size, words in (((0, 300), "from 16 to 16384"), ((300, -1), "16"), ((300,), "width and height"), ((300.5, 200), "whole pixels"), (300, "width"),
+                            (("300", "200"), "whole pixels"), ((20000, 20), "16384"), ((16000, 16000), "128 million")):
+            self.refused("`size` is .*" + words, lambda size=size: self.session.picture(size=size), wakesurf.InvalidParameters)
+            self.refused("`size` is .*" + words, lambda size=size: self.session.film("film", [1], size), wakesurf.InvalidParameters)
+        for call in (lambda: self.session.picture(background="black"), lambda: self.session.film("film", [1], background="black")):
+            self.refused("`background` is 'black'.*shown, white, clear", call, wakesurf.InvalidParameters)
+        for path in ("p.jpg", "p", b"p.tiff", os.path.join(self.folder.name, "a.pdf")):
+            self.refused("pictures are written as .png", lambda path=path: self.session.picture(path), wakesurf.InvalidParameters)
+        path = os.path.join(self.folder.name, "nowhere", "a.png")
+        self.refused("nowhere/a.png'$", lambda: self.session.picture(path), FileNotFoundError)
+        self.refused("nowhere/a.mp4'$", lambda: self.session.film(path.replace("png", "mp4"), [1]), FileNotFoundError)
+        self.refused("cannot be filled in.*time", lambda: self.session.film("film", [1], caption="{tme}"), wakesurf.InvalidParameters)
+        self.refused("`fps` is 0", lambda: self.session.film("film", [1], fps=0), wakesurf.InvalidParameters)
+        self.assertFalse(os.path.exists("film"))
+        self.assertEqual(self.everything(), before)
+
+    def test_has_colours_that_the_surface_does_not_carry_in_a_copy_that_does(self):
+        before = self.everything()
+        ground, speed = (self.session.picture(size=(320, 240), view={"look": {"colour_by": by}}, bar=False, axes=False)
+                         for by in ("vorticity", "speed"))
+        self.assertEqual(self.everything(), before)
+        self.surface.set(fields=["vorticity"])
+        self.addCleanup(self.surface.set, fields=[])
+        carried = self.session.picture(size=(320, 240), view={"look": {"colour_by": "vorticity"}}, bar=False, axes=False)
+        self.assertLess(np.abs(pixels(ground.data) - pixels(carried.data)).mean(), 0.1)
+        self.assertGreater(np.abs(pixels(ground.data) - pixels(speed.data)).mean(), 1)
+
+    def test_the_looks_that_are_refused_are_those_that_the_page_does_not_know(self):
+        with open(os.path.join(ROOT, "web-client/src/state/surfaceLook.ts"), encoding="utf-8") as file:
+            page = dict(re.findall(r"^export const (\w+) = \[(.*)\] as const;", file.read(), re.M))
+        hints = typing.get_type_hints(wakesurf.SurfaceLook)
+        for name, there in (("map", "colourMaps"), ("lines", "lineKinds"), ("back_side", "backSides"), ("range_of", "rangesOf")):
+            self.assertEqual(list(typing.get_args(hints[name])), re.findall(r"'(\w+)'", page[there]))
 
     def test_one_that_is_not_whole_in_time_is_an_error_that_says_what_is_missing(self):
         with self.session.client.scratch() as other:

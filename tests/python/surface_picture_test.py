@@ -36,6 +36,14 @@ class SurfacePictureTest(unittest.TestCase):
         mesh = self.run_it(*SURFACE, "-o", os.path.join(self.folder, "a.vtp"), "--seeds", "12")
         self.assertEqual(ran.stdout.split()[6], mesh.stdout.split()[1], "as many quads as the mesh has")
 
+    def test_goes_to_a_file_whose_name_is_no_text_as_meshes_do(self):
+        name = b"wake-\xff.png"
+        ran = subprocess.run([BINARY, *SURFACE, "-o", name, "--size", "200x200"], capture_output=True, timeout=300, cwd=self.folder,
+                             env=self.environment(), check=False)
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+        self.assertTrue(ran.stdout.startswith(name + b": 200 x 200 pixels"), ran.stdout)
+        self.assertEqual(os.listdir(os.fsencode(self.folder)).count(name), 1)
+
     def test_begins_as_the_data_suggest_where_nothing_is_said(self):
         ran = self.run_it("surface", "flow:sphere", "--kind", "stream", "-o", "a.png", "--size", "200x200", "--separation", "0.5")
         self.assertEqual(ran.returncode, 0, ran.stderr)

@@ -28,7 +28,7 @@ from .arrays import write_series
 from .client import Client
 from .connection import Connection
 from .errors import (BrowserMissing, Cancelled, DatasetError, InvalidParameters, InvalidPoints, InvalidRequest, Leased,
-                     MethodNotFound, NoSuchArray, NotFound, NotPermitted, OutsideDomain, OutsideTimeRange, OverLimit, PictureFailed,
+                     MethodNotFound, MissingParameter, NoSuchArray, NotFound, NotPermitted, OutsideDomain, OutsideTimeRange, OverLimit, PictureFailed,
                      ServerFailed,
                      ServerFault, ServerMissing, Stale, Unauthenticated, UnknownParameter, Unreachable, WaitTimeout, WakesurfError)
 from .generated.version import VERSION as __version__
@@ -41,7 +41,7 @@ from .surface import Surface, Update
 from .view import Camera, Look, SurfaceLook
 
 __all__ = ["BrowserMissing", "Camera", "Cancelled", "Client", "Connection", "DatasetError", "InvalidParameters", "InvalidPoints", "InvalidRequest", "Leased", "Look",
-           "Mesh", "MethodNotFound", "NoSuchArray", "NotFound", "NotPermitted", "OutsideDomain", "OutsideTimeRange", "OverLimit",
+           "Mesh", "MethodNotFound", "MissingParameter", "NoSuchArray", "NotFound", "NotPermitted", "OutsideDomain", "OutsideTimeRange", "OverLimit",
            "PictureFailed", "Progress", "Rake", "Server", "ServerFailed", "ServerFault", "ServerMissing", "Session", "Stale",
            "Surface", "SurfaceLook", "Unauthenticated", "UnknownParameter", "Unreachable", "Update", "WaitTimeout",
            "WakesurfError", "__version__", "notifications", "records", "serve", "write_series"]

@@ -1,6 +1,7 @@
 """`wakesurf surface DATA -o a.png`: what the program has read from its command line, drawn by a server that is there as long as that takes."""
 from __future__ import annotations
 
+import io
 import json
 import re
 import signal
@@ -17,12 +18,15 @@ from .serve import serve
 
 
 def main(arguments: Optional[Sequence[str]] = None) -> int:
-    """The one argument is the work, as server/cli/surface_picture.cpp writes it. Exit status."""
-    words = sys.argv[1:] if arguments is None else arguments
+    """As server/cli/surface_picture.cpp writes them: the work, the dataset, the file, and options of the server. Exit status."""
+    job, dataset, output, *options = sys.argv[1:] if arguments is None else arguments
+    for stream in (sys.stdout, sys.stderr):  # names of files are bytes, and go out as they came
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="surrogateescape")
     for each in (signal.SIGTERM, signal.SIGHUP):
         signal.signal(each, signal.default_int_handler)
     try:
-        draw(json.loads(words[0]))
+        draw(json.loads(job), dataset, output, options)
     except WakesurfError as problem:
         print("wakesurf: " + as_options(str(problem)), file=sys.stderr)
         return 1
@@ -35,11 +39,11 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
     return 0
 
 
-def draw(job: Json) -> None:
+def draw(job: Json, dataset: str, output: str, options: Sequence[str]) -> None:
     """Error: WakesurfError, OSError."""
     find_browser()  # before anything is computed
     width, _, height = job["size"].partition("x")
-    with serve(job["dataset"], options=job["server"], progress=_line) as session:
+    with serve(dataset, options=options, progress=_line) as session:
         if session.client._request("/")[0] != 200:
             raise PictureFailed("the page is not beside this program", hint="install all of it, or build it: npm --prefix web-client run build")
         setting = {snake(name): value for name, value in job["surface"].items()}
@@ -56,8 +60,8 @@ def draw(job: Json) -> None:
         stats: Any = begin(session, session.dataset, setting).wait(progress=_line)
         if "empty" in stats:
             raise PictureFailed("the surface is empty: " + stats["empty"]["message"], hint=stats["empty"]["hint"])
-        session.picture(job["output"], (int(width), int(height)))
-        print(f"{job['output']}: {width} x {height} pixels of {stats['quads']} quads, separation {stats['separation']:.4g}")
+        session.picture(output, (int(width), int(height)))
+        print(f"{output}: {width} x {height} pixels of {stats['quads']} quads, separation {stats['separation']:.4g}")
 
 
 def as_options(text: str) -> str:

@@ -6,8 +6,8 @@ from typing import Any, Mapping, Optional
 
 from .plain import Json
 
-__all__ = ["WakesurfError", "InvalidRequest", "InvalidParameters", "InvalidPoints", "UnknownParameter", "MethodNotFound", "Unauthenticated",
-           "NotPermitted", "NotFound", "NoSuchArray", "Stale", "Leased", "Cancelled", "OutsideDomain", "OutsideTimeRange", "OverLimit",
+__all__ = ["WakesurfError", "InvalidRequest", "InvalidParameters", "InvalidPoints", "UnknownParameter", "MissingParameter", "MethodNotFound",
+           "Unauthenticated", "NotPermitted", "NotFound", "NoSuchArray", "Stale", "Leased", "Cancelled", "OutsideDomain", "OutsideTimeRange", "OverLimit",
            "DatasetError", "ServerFault", "Unreachable", "WaitTimeout", "ServerMissing", "ServerFailed", "BrowserMissing",
            "PictureFailed", "error_of"]
 
@@ -31,6 +31,10 @@ class InvalidParameters(WakesurfError):
 
 class UnknownParameter(InvalidParameters, TypeError):
     """There is no parameter of this name; the hint says which one may be meant."""
+
+
+class MissingParameter(InvalidParameters, TypeError):
+    """A parameter that has no default is left out; the hint says what it is."""
 
 
 class MethodNotFound(WakesurfError):

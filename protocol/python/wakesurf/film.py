@@ -9,8 +9,10 @@ from typing import TYPE_CHECKING, List, Optional, Sequence, Tuple, Union
 
 from .errors import PictureFailed
 from .picture import Painter
+from .picture_checks import check_background, check_folder, check_size
 from .progress import Report, Told
 from .view import Look
+from .view_values import wrong
 
 if TYPE_CHECKING:
     from .session import Background, Session
@@ -23,37 +25,51 @@ def film(session: Session, path: Union[str, os.PathLike[str]], times: Sequence[f
          view: Optional[Look], background: Background, bar: bool, axes: bool, rakes: bool, caption: Optional[str],
          progress: Optional[Told], timeout: float) -> List[str]:
     """See `Session.film`."""
-    path = os.fspath(path)
+    path, size = os.fsdecode(path), check_size(size)
+    check_background(background)
     codec = _CODECS.get(os.path.splitext(path)[1].lower())
     if os.path.splitext(path)[1] and codec is None:
         raise ValueError(f"{path!r} is neither a folder nor one of {', '.join(_CODECS)}")
+    if not 0 < fps <= 1000:
+        raise wrong(f"`fps` is {fps!r}", "pictures a second, above 0 and at most 1000")
+    captions = _captions(caption, times)
+    if codec:
+        check_folder(path)
     if codec and not shutil.which("ffmpeg"):
         raise PictureFailed("films as one file need ffmpeg, which is not on this machine",
                             hint="Debian: ffmpeg; or give a folder, for a series of PNG files")
     if codec:
         size = (size[0] // 2 * 2, size[1] // 2 * 2)  # half the colours of a row and of a column
         with tempfile.TemporaryDirectory(prefix="wakesurf-film-") as folder:
-            frames(session, folder, times, size, view, background, bar, axes, rakes, caption, Report.to(progress), timeout)
+            frames(session, folder, times, size, view, background, bar, axes, rakes, captions, Report.to(progress), timeout)
             _encode(folder, path, fps, codec)
         return [path]
-    os.makedirs(path, exist_ok=True)
-    return frames(session, path, times, size, view, background, bar, axes, rakes, caption, Report.to(progress), timeout)
+    return frames(session, path, times, size, view, background, bar, axes, rakes, captions, Report.to(progress), timeout)
 
 
 def frames(session: Session, folder: str, times: Sequence[float], size: Tuple[int, int], view: Optional[Look],
-           background: Background, bar: bool, axes: bool, rakes: bool, caption: Optional[str], report: Report,
+           background: Background, bar: bool, axes: bool, rakes: bool, captions: Sequence[Optional[str]], report: Report,
            timeout: float) -> List[str]:
     """frame_0000.png and so on."""
     files: List[str] = []
     with Painter(session, size, timeout=timeout, own_time=True, view=view) as painter:
+        times = painter.check_times(times)
+        os.makedirs(folder, exist_ok=True)
         for i, time in enumerate(times):
-            report.share(i / len(times), f"t = {float(time):g}")
-            words = None if caption is None else caption.format(time=float(time), frame=i)
+            report.share(i / len(times), f"t = {time:g}")
             file = os.path.join(folder, f"frame_{i:04}.png")
-            painter.picture(file, size, time=float(time), background=background, bar=bar, axes=axes, rakes=rakes, caption=words)
+            painter.picture(file, size, time=time, background=background, bar=bar, axes=axes, rakes=rakes, caption=captions[i])
             files.append(file)
     report.done("drawn")
     return files
+
+
+def _captions(caption: Optional[str], times: Sequence[float]) -> List[Optional[str]]:
+    """Of each frame. Error: InvalidParameters."""
+    try:
+        return [None if caption is None else caption.format(time=float(time), frame=i) for i, time in enumerate(times)]
+    except (AttributeError, IndexError, KeyError, TypeError, ValueError) as problem:
+        raise wrong(f"`caption` is {caption!r}, which cannot be filled in: {problem}", "it may use {time} and {frame}, as in t = {time:g}") from None
 
 
 def _encode(folder: str, path: str, fps: float, codec: Sequence[str]) -> None:

@@ -8,7 +8,7 @@ import re
 import warnings
 from typing import TYPE_CHECKING, Any, Callable, Iterable, Optional, TypeVar
 
-from .errors import UnknownParameter
+from .errors import MissingParameter, UnknownParameter
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
@@ -31,11 +31,31 @@ def meant(name: str, known: Iterable[str]) -> Optional[str]:
     return next(iter(difflib.get_close_matches(snake(name), names, 1, 0.6)), None)
 
 
+def check_names(given: Iterable[str], known: Iterable[str], where: str) -> None:
+    """Error: UnknownParameter for a name that there is not."""
+    names = list(known)
+    for name in given:
+        if name not in names:
+            right = meant(name, names)
+            raise UnknownParameter(f"{where} has no `{name}`", -32602, "invalidParameters",
+                                   f"did you mean `{right}`?" if right else "there are " + (", ".join(names) or "none"))
+
+
+def _missing(function: Callable[..., Any], name: str) -> MissingParameter:
+    """With what the docstring says of it."""
+    text = re.sub(r"\s*\n\s+", " ", inspect.cleandoc(function.__doc__ or "").replace("\n`", "\0`"))
+    said = re.search(rf"\0`{name}`: ([^\0]*?)\.(?: |$|\0)", text)
+    return MissingParameter(f"{function.__name__} needs `{name}`", -32602, "invalidParameters",
+                            said[1] if said else f"help() of {function.__name__} has its parameters")
+
+
 def named(function: Function) -> Function:
-    """A function that tells which parameter may be meant where a name is wrong. Names as the server spells them, as maxQuads, are
-    taken with a warning."""
-    known = [name for name, each in inspect.signature(function).parameters.items()
-             if name != "self" and each.kind is not inspect.Parameter.VAR_KEYWORD]
+    """A function that tells which parameter may be meant where a name is wrong, and which is missing. Names as the server spells
+    them, as maxQuads, are taken with a warning."""
+    signature = inspect.signature(function)
+    needed = [name for name, each in signature.parameters.items() if name != "self" and each.default is inspect.Parameter.empty
+              and each.kind not in (inspect.Parameter.VAR_KEYWORD, inspect.Parameter.VAR_POSITIONAL)]
+    known = [name for name, each in signature.parameters.items() if name != "self" and each.kind is not inspect.Parameter.VAR_KEYWORD]
 
     @functools.wraps(function)
     def called(*arguments: Any, **parameters: Any) -> Any:
@@ -49,6 +69,11 @@ def named(function: Function) -> Function:
             warnings.warn(f"`{name}` of {function.__name__} is spelt `{right}` in Python: did you mean that? It is taken for it "
                           "until version 0.3", DeprecationWarning, stacklevel=2)
             parameters[right] = parameters.pop(name)
+        if needed:
+            there = signature.bind_partial(*arguments, **parameters).arguments
+            for name in needed:
+                if name not in there:
+                    raise _missing(function, name)
         return function(*arguments, **parameters)
 
     return called  # type: ignore[return-value]

@@ -15,11 +15,15 @@ import os
 import time as clock
 import urllib.parse
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Optional, Tuple, Union
+from typing import TYPE_CHECKING, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
-from .chrome import Chrome
+from .chrome import Chrome, find_browser
 from .errors import NotPermitted, PictureFailed, WaitTimeout, WakesurfError
-from .view import Look, page_state
+from .picture_checks import check_background, check_size, check_times, png_path
+from .plain import Json
+from .surface import Surface
+from .view import Look, SurfaceLook, fields_for, looks_of, page_state
+from .view_values import check_colour_by
 from .whole_file import write_whole
 
 if TYPE_CHECKING:
@@ -42,29 +46,53 @@ class Picture:
 
     def write(self, path: Union[str, os.PathLike[str]]) -> str:
         """Writes it whole, or not at all."""
-        path = os.fspath(path)
+        path = png_path(path)
         write_whole(path, [self.data])
         return path
 
 
 class Painter:
-    """A page that draws pictures of a session, for as long as the block runs. `own_time`: a copy of the session is drawn, so that
-    its clock can be set."""
+    """A page that draws pictures of a session, for as long as the block runs. It starts with the first picture, so that what is refused
+    costs nothing. `own_time`: a copy of the session is drawn, so that its clock can be set."""
 
     def __init__(self, session: Session, size: Tuple[int, int], *, timeout: float = 120.0, own_time: bool = False,
                  view: Optional[Look] = None) -> None:
         self._timeout, self._grant = timeout, ""
         self._copy: Optional[Session] = None
+        self._chrome: Optional[Chrome] = None
         self._session, self._drawn = session, session
-        surfaces = [each.id for each in session.surfaces()]
-        state = page_state(view, surfaces)
-        try:
-            if own_time:
-                self._copy = self._drawn = session.fork("picture")
-            self._chrome = Chrome(self._address(state), _page_size(size))
-        except BaseException:
-            self._tidy()
-            raise
+        self._page = _page_size(check_size(size))
+        self._surfaces: List[Json] = [dict(each) for each in session.api.surface.list()["surfaces"]]
+        self._own_time = own_time
+        ids = [each["surface"] for each in self._surfaces]
+        self._state = page_state(view, ids)
+        self._fields = self._missing_fields(looks_of(view, ids))
+        find_browser()
+
+    def _missing_fields(self, looks: Mapping[str, SurfaceLook]) -> Dict[str, List[str]]:
+        """What is to be sent with surfaces besides what is. Error: InvalidParameters where their data do not have it."""
+        found: Dict[str, List[str]] = {}
+        for each in self._surfaces:
+            look = looks[each["surface"]]
+            if "colour_by" in look:
+                check_colour_by(look["colour_by"], self._session.client.describe(each["dataset"]))
+            missing = [name for name in fields_for(look) if name not in each["fields"]]
+            if missing:
+                found[each["surface"]] = [*each["fields"], *missing]
+        return found
+
+    def _begin(self) -> Chrome:
+        if self._chrome is None:
+            if self._own_time or self._fields:
+                self._copy = self._drawn = self._session.fork("picture")
+            for surface, fields in self._fields.items():
+                Surface(self._drawn, surface).set(fields=fields)
+            self._chrome = Chrome(self._address(self._state), self._page)
+        return self._chrome
+
+    def check_times(self, times: Sequence[float]) -> List[float]:
+        """Error: OutsideTimeRange, where the data do not reach so far."""
+        return check_times(self._session, self._surfaces, times)
 
     def __enter__(self) -> Painter:
         return self
@@ -75,7 +103,8 @@ class Painter:
     def close(self) -> None:
         """Ends the browser and takes its link, or its copy of the session, away."""
         try:
-            self._chrome.close()
+            if self._chrome is not None:
+                self._chrome.close()
         finally:
             self._tidy()
 
@@ -103,28 +132,34 @@ class Painter:
                 time: Optional[float] = None, background: Background = "shown", bar: bool = True, axes: bool = True,
                 rakes: bool = False, caption: Optional[str] = None) -> Picture:
         """As `Session.picture`. `time` only where the painter has a copy of its own."""
+        width, height = check_size(size)
+        check_background(background)
+        path = None if path is None else png_path(path)
         if time is not None:
-            if self._copy is None:
+            if not self._own_time:
                 raise PictureFailed("this painter draws the session itself, whose time is everyone's", hint="Session.picture takes a time")
-            self._copy.set_time(time)
-        self._until_whole(time)
-        setting = {"width": size[0], "height": size[1], "background": background, "bar": bar, "axes": axes, "rake": rakes,
+            (time,) = self.check_times([time])
+        chrome = self._begin()
+        if time is not None:
+            self._drawn.set_time(time)
+        self._until_whole(chrome, time)
+        setting = {"width": width, "height": height, "background": background, "bar": bar, "axes": axes, "rake": rakes,
                    "caption": caption}
-        text = self._chrome.value(f"window.wakesurf.picture({json.dumps(setting)})", self._timeout)
-        drawn = Picture(base64.b64decode(str(text).partition(",")[2]), (size[0], size[1]))
+        text = chrome.value(f"window.wakesurf.picture({json.dumps(setting)})", self._timeout)
+        drawn = Picture(base64.b64decode(str(text).partition(",")[2]), (width, height))
         return drawn if path is None else Picture(drawn.data, drawn.size, drawn.write(path))
 
-    def _until_whole(self, time: Optional[float]) -> None:
+    def _until_whole(self, chrome: Chrome, time: Optional[float]) -> None:
         end, why = clock.monotonic() + self._timeout, "the page has not begun"
         code = f"window.wakesurf?.unfinished?.({json.dumps(time)}) ?? 'the page has not begun'"
         while clock.monotonic() < end:
-            why = str(self._chrome.value(code))
+            why = str(chrome.value(code))
             if why == "":
                 return
             if why.startswith("!"):
                 raise PictureFailed(why[1:])
             clock.sleep(_ASK_AGAIN)
-        words = self._chrome.value("document.querySelector('wakesurf-app')?.shadowRoot?.textContent?.trim().slice(0, 300) ?? ''")
+        words = chrome.value("document.querySelector('wakesurf-app')?.shadowRoot?.textContent?.trim().slice(0, 300) ?? ''")
         raise WaitTimeout(f"the picture is not whole after {self._timeout:g} s: {why}", hint=str(words or "").strip())
 
 

@@ -224,7 +224,8 @@ class Session(SurfaceMaker[Surface], HasId, Helpful):
                 timeout: float = 120.0) -> Picture:
         """A picture of the session, drawn by its own page in a Chromium without a window, once all surfaces are complete.
         `path`: where to write it as PNG. `time`: shown as it is then; for others nothing changes. `view`: where from, and how
-        surfaces look. Error: BrowserMissing, PictureFailed, WaitTimeout."""
+        surfaces look. What is wrong is refused before anything is begun. Error: InvalidParameters, OutsideTimeRange, BrowserMissing,
+        PictureFailed, WaitTimeout."""
         from .picture import Painter
         with Painter(self, size, timeout=timeout, own_time=time is not None, view=view) as painter:
             return painter.picture(path, size, time=time, background=background, bar=bar, axes=axes, rakes=rakes, caption=caption)

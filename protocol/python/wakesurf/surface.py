@@ -109,7 +109,7 @@ class Surface(SurfaceChanger, Record):
                tessellate: int = 1) -> None:
         """Writes the mesh to a file, in the format of its extension; nothing half-written is left behind. `time`,
         `draco`, `lines` and `tessellate` as in `download`."""
-        path = os.fspath(path)
+        path = os.fsdecode(path)
         extension = os.path.splitext(path)[1]
         if extension.lower() not in _FORMATS:
             raise ValueError(f"{path!r} has no known extension: one of {', '.join(_FORMATS)}")

@@ -3,11 +3,11 @@ from __future__ import annotations
 
 import base64
 import json
-from typing import Any, Dict, List, Mapping, Optional, Sequence, TypedDict
+from typing import Any, Dict, List, Literal, Mapping, Optional, Sequence, TypedDict, cast
 
-from .errors import UnknownParameter
-from .names import meant
+from .names import check_names
 from .plain import plain
+from .view_values import check_camera, check_look
 
 
 class Camera(TypedDict, total=False):
@@ -23,19 +23,19 @@ class SurfaceLook(TypedDict, total=False):
 
     colour_by: str  # speed, age, s, constant, vorticity, q_criterion, deformation, error, or field:NAME
     colour: str  # #rrggbb, where `colour_by` is constant
-    map: str  # viridis, cividis, inferno, plasma, coolToWarm, grey, turbo
+    map: Literal["viridis", "cividis", "inferno", "plasma", "coolToWarm", "grey", "turbo"]
     invert: bool
     log: bool
     range: Sequence[float]  # values of the first and the last colour; left out: those of the surface
-    range_of: str  # surface or data: whose range is taken
+    range_of: Literal["surface", "data"]  # whose range is taken
     centre: float  # the colours are symmetric round this value
-    back_side: str  # shaded, same, tinted
+    back_side: Literal["shaded", "same", "tinted"]
     opacity: float  # 0 to 1
     angle_opacity: bool  # thicker where it is seen edge-on
     smoke: float  # 0 to 1: thinner the more it has been stretched and the older it is
     silhouettes: bool
-    lines: str  # none, timelines, streamlines, grid, checker
-    density: float  # of the lines
+    lines: Literal["none", "timelines", "streamlines", "grid", "checker"]
+    density: float  # of the lines, 0.125 to 8
     texture: bool
 
 
@@ -50,16 +50,28 @@ class Look(TypedDict, total=False):
 _NAMES = {"colour_by": "colourBy", "range_of": "rangeOf", "back_side": "backSide", "angle_opacity": "angleOpacity"}
 
 
-def page_state(view: Optional[Look], surfaces: Sequence[str]) -> str:
-    """The `state` of the page's address. Error: UnknownParameter for names that there are not."""
+def looks_of(view: Optional[Look], surfaces: Sequence[str]) -> Dict[str, SurfaceLook]:
+    """The look of each surface, checked but for what the data say. Error: InvalidParameters, UnknownParameter."""
     view = view or {}
-    _check(view, Look, "view")
-    _check(view.get("camera", {}), Camera, "camera")
-    common = view.get("look", {})
-    of_each: Mapping[str, SurfaceLook] = view.get("looks", {})
-    looks = {surface: _encoded({**common, **of_each.get(surface, {})}) for surface in surfaces}
-    page: Dict[str, Any] = {"looks": looks}
+    check_names(view, Look.__annotations__, "`view`")
     if "camera" in view:
+        check_names(view["camera"], Camera.__annotations__, "`camera`")
+        check_camera(view["camera"])
+    of_each: Mapping[str, SurfaceLook] = view.get("looks", {})
+    check_names(of_each, surfaces, "`looks`")
+    for look in (view.get("look", {}), *of_each.values()):
+        check_names(look, SurfaceLook.__annotations__, "`look`")
+        check_look(look, SurfaceLook)
+    common: Mapping[str, Any] = view.get("look", {})
+    return {surface: cast(SurfaceLook, {**common, **of_each.get(surface, {})}) for surface in surfaces}
+
+
+def page_state(view: Optional[Look], surfaces: Sequence[str]) -> str:
+    """The `state` of the page's address. Error: as `looks_of`."""
+    looks: Mapping[str, Mapping[str, Any]] = looks_of(view, surfaces)
+    page: Dict[str, Any] = {"looks": {surface: {_NAMES.get(name, name): value for name, value in look.items()}
+                                      for surface, look in looks.items()}}
+    if view and "camera" in view:
         page["camera"] = {"orthographic": False, **view["camera"]}
     if surfaces:
         page["surface"] = surfaces[-1]
@@ -67,15 +79,10 @@ def page_state(view: Optional[Look], surfaces: Sequence[str]) -> str:
     return base64.urlsafe_b64encode(text.encode()).decode().rstrip("=")
 
 
-def _encoded(look: Mapping[str, Any]) -> Dict[str, Any]:
-    _check(look, SurfaceLook, "look")
-    return {_NAMES.get(name, name): value for name, value in look.items()}
-
-
-def _check(given: Mapping[str, Any], kind: Any, where: str) -> None:
-    known: List[str] = list(kind.__annotations__)
-    for name in given:
-        if name not in known:
-            right = meant(name, known)
-            raise UnknownParameter(f"`{where}` has no `{name}`", -32602, "invalidParameters",
-                                   f"did you mean `{right}`?" if right else "there are " + ", ".join(known))
+def fields_for(look: SurfaceLook) -> List[str]:
+    """What the server has to send with a surface for this look."""
+    by = look.get("colour_by", "speed")
+    found = [] if by in ("speed", "age", "s", "constant") else [by[len("field:"):] if by.startswith("field:") else by]
+    if look.get("texture"):
+        found += ["velocity_x", "velocity_y", "velocity_z"]
+    return found

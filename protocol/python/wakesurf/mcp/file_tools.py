@@ -4,13 +4,12 @@ from __future__ import annotations
 import os
 import re
 import typing
-from typing import Any, Dict, Optional, cast
+from typing import Optional, cast
 
-from ..errors import InvalidParameters
 from ..plain import Json
 from ..progress import Progress
 from ..view import Look, SurfaceLook
-from .tool import POINT, SURFACE as SURFACE_ID, TIME, Answer, Call, tool
+from .tool import PAIR, POINT, SURFACE as SURFACE_ID, TIME, Answer, Call, schema_of, tool
 from .work import Work, short
 
 _MOST_FRAMES = 600
@@ -21,11 +20,9 @@ _OVERWRITE: Json = {"type": "boolean", "description": "true: a file of someone e
 _CAMERA: Json = {"type": "object", "description": "left out: as the page begins, with everything in view", "properties": {
     "position": {**POINT, "description": "of the eye"}, "target": {**POINT, "description": "the middle of the picture"},
     "orthographic": {"type": "boolean"}}}
-_LOOK_TYPES: Dict[Any, Json] = {str: {"type": "string"}, float: {"type": "number"}, bool: {"type": "boolean"}}
 _LOOK: Json = {"type": "object", "description": "how surfaces look; colour_by is speed, age, s, constant, vorticity, q_criterion, deformation, error or "
-               "field:NAME; map is viridis, cividis, inferno, plasma, coolToWarm, grey or turbo", "properties": {
-                   name: _LOOK_TYPES.get(hint, {"type": "array", "items": {"type": "number"}, "minItems": 2, "maxItems": 2})
-                   for name, hint in typing.get_type_hints(SurfaceLook).items()}}
+               "field:NAME", "properties": {name: PAIR if name == "range" else schema_of(hint)
+                                             for name, hint in typing.get_type_hints(SurfaceLook).items()}}
 
 
 def _size(name: str, usual: int) -> Json:
@@ -34,8 +31,6 @@ def _size(name: str, usual: int) -> Json:
 
 def _view(given: Json) -> Optional[Look]:
     view = {name: given[name] for name in ("camera", "look") if name in given}
-    if "camera" in view and not {"position", "target"} <= view["camera"].keys():
-        raise InvalidParameters("a camera needs `position` and `target`", -32602, "invalidParameters", "three numbers each")
     return cast(Look, view) if view else None
 
 
@@ -59,14 +54,15 @@ def _film(work: Work, given: Json, call: Call) -> Answer:
     first, last, count = given["from"], given["to"], given.get("frames", 50)
     times = [first + (last - first) * i / max(1, count - 1) for i in range(count)]
     path = work.place.take(given["path"], ("", ".mp4", ".webm"), given.get("overwrite", False))
-    if os.path.isdir(path):
-        for each in filter(_FRAME.fullmatch, os.listdir(path)):
-            os.remove(os.path.join(path, each))  # of an earlier film, which may have been longer
 
     def told(progress: Progress) -> None:
         call.progress(progress.share, progress.message)
 
     made = work.session.film(path, times, size, fps=given.get("fps", 25.0), view=_view(given), progress=told)
+    if os.path.isdir(path):
+        for each in filter(_FRAME.fullmatch, os.listdir(path)):
+            if os.path.join(path, each) not in made:
+                os.remove(os.path.join(path, each))  # of an earlier film, which was longer
     shown = work.place.shown(path)
     return Answer(f"{count} pictures from {first:g} to {last:g} in {shown}.",
                   {"path": shown, "frames": count, "files": len(made), "times": short([first, last])})

@@ -20,6 +20,7 @@ _JSON_TYPES: Dict[str, Tuple[type, ...]] = {"string": (str,), "boolean": (bool,)
 _TYPE_NAMES: Dict[Any, str] = {str: "string", bool: "boolean", int: "integer", float: "number"}
 
 POINT: Json = {"type": "array", "items": {"type": "number"}, "minItems": 3, "maxItems": 3}
+PAIR: Json = {"type": "array", "items": {"type": "number"}, "minItems": 2, "maxItems": 2}
 SURFACE: Json = {"type": "string", "description": "id of a surface; left out, the newest"}
 TIME: Json = {"type": "number", "description": "time of the flow at which the surface is shown; left out, that of the session's clock"}
 
@@ -138,7 +139,7 @@ def properties_of(method: Callable[..., Any], without: Sequence[str], **others: 
     for name in inspect.signature(method).parameters:
         if name == "self" or name in without:
             continue
-        made[name.rstrip("_")] = {**others.get(name, _schema_of(hints[name])), "description": words.get(name, "")}
+        made[name.rstrip("_")] = {**others.get(name, schema_of(hints[name])), "description": words.get(name, "")}
     return made
 
 
@@ -149,14 +150,15 @@ def _words_of(method: Callable[..., Any]) -> Dict[str, str]:
     return {name: re.sub(r"\ban id from (\w+)\.list", r"id of a \1", words.replace("`from_`", "`from`")) for name, words in found}
 
 
-def _schema_of(hint: Any) -> Json:
+def schema_of(hint: Any) -> Json:
+    """Of a type of Python."""
     origin, parts = typing.get_origin(hint), typing.get_args(hint)
     if origin is typing.Union:
-        return _schema_of(next(each for each in parts if each is not type(None)))
+        return schema_of(next(each for each in parts if each is not type(None)))
     if origin is Literal:
         return {"type": "string", "enum": list(parts)}
     if origin is not None and parts and hint is not Any:
-        return {"type": "array", "items": _schema_of(parts[0])}
+        return {"type": "array", "items": schema_of(parts[0])}
     return {"type": _TYPE_NAMES[hint]} if hint in _TYPE_NAMES else {}
 
 
