@@ -295,18 +295,35 @@ class TranscriptTest(McpCase):
 
 
 class EndTest(McpCase):
-    def test_ends_with_its_input_and_ends_its_server(self):
-        for way, sent in (("closed", None), ("terminated", signal.SIGTERM), ("hung up", signal.SIGHUP)):
-            agent = self.agent("flow:tornado")
-            agent.numbers("surface", kind="streak", to=12, separation=0.004, max_quads=4_000_000)
-            agent.start("tools/call", name="wait", arguments={"seconds": 600})
-            server = self.child(agent.process.pid)
-            if sent is None:
-                agent.process.stdin.close()
-            else:
-                agent.process.send_signal(sent)
-            self.assertEqual(agent.process.wait(timeout=60), 0, way)
-            self.assertFalse(os.path.exists(f"/proc/{server}"))
+    def test_ends_its_server_when_the_client_has_gone_or_says_so(self):
+        for way in ("gone", signal.SIGTERM, signal.SIGHUP, "input, then terminated"):
+            with self.subTest(way):
+                agent = self.agent("flow:tornado")
+                agent.numbers("surface", kind="streak", to=12, separation=0.004, max_quads=4_000_000)
+                agent.start("tools/call", name="wait", arguments={"seconds": 600})
+                server = self.child(agent.process.pid)
+                if isinstance(way, str):
+                    agent.process.stdin.close()
+                if way == "gone":
+                    agent.process.stdout.close()
+                else:
+                    agent.process.send_signal(signal.SIGTERM if isinstance(way, str) else way)
+                self.assertEqual(agent.process.wait(timeout=60), 0)
+                self.assertFalse(os.path.exists(f"/proc/{server}"))
+
+    def test_answers_all_that_it_was_asked_before_its_input_ended(self):
+        calls = (("open", {}), ("rake", {"points": LINE, "seeds": 12}), ("surface", {"kind": "path", "to": 2, "separation": 0.02}), ("wait", {}),
+                 ("numbers", {}), ("numbers", {"surface": "s9"}), ("export", {"path": "a.ply"}))
+        lines = [{"jsonrpc": "2.0", "id": i, "method": "tools/call", "params": {"name": name, "arguments": given}}
+                 for i, (name, given) in enumerate(calls)]
+        agent = self.agent("flow:tornado")
+        agent.process.stdin.write("\n".join(map(json.dumps, lines)).encode())  # nor is there an end of the last line
+        agent.process.stdin.close()
+        answers = [json.loads(line) for line in agent.process.stdout]
+        self.assertEqual([each["id"] for each in answers], list(range(len(calls))))
+        self.assertEqual([each["result"]["isError"] for each in answers], [name == "numbers" and "surface" in given for name, given in calls])
+        self.assertTrue(answers[3]["result"]["structuredContent"]["complete"])
+        self.assertEqual(agent.process.wait(timeout=60), 0)
 
     def child(self, process):
         """The only one; the kernel lists them by the thread that started them."""

@@ -33,11 +33,13 @@ INSTRUCTIONS = (
     "drifting patch), wait for it, and read numbers before you ask for a picture. People may be in the same session: they see every edit, and "
     "undo takes back only what was done by the same link. explain says why a surface ends where it does.")
 
+_LOOK_AGAIN = 0.2  # s, whether anyone reads the answers
+
 Job = Tuple[Id, Tool, Json, Call, Reply]
 
 
 class Server:
-    """Reads from one stream and writes to another until the first ends."""
+    """Reads from one stream and writes to another until the first ends and all calls are answered, or nobody reads any more."""
 
     def __init__(self, work: Work, source: IO[bytes], out: Out) -> None:
         self._work, self._source, self._out = work, source, out
@@ -48,11 +50,15 @@ class Server:
         self._worker = threading.Thread(target=self._works, name="wakesurf-mcp", daemon=True)
 
     def run(self) -> None:
-        """Until the stream ends; then nobody waits for an answer any more."""
+        """Until the stream has ended and what it asked for is answered: a list of calls may come from a file. What ends it sooner, as a
+        signal, or that nobody reads any more, gives up the calls that are left."""
         self._worker.start()
         try:
             for line in lines(self._source):
                 self._take(line)
+            self._jobs.put(None)
+            while self._worker.is_alive() and not self._out.gone():
+                self._worker.join(_LOOK_AGAIN)
         finally:
             with self._lock:
                 for call in self._calls.values():

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import json
+import select
 import threading
 from typing import IO, Any, Callable, Dict, Iterator, List, Optional, Union
 
@@ -61,17 +62,25 @@ class Out:
     """Where messages go, from any thread, each whole."""
 
     def __init__(self, stream: IO[bytes]) -> None:
-        self._stream, self._lock = stream, threading.Lock()
+        self._stream, self._lock, self._gone = stream, threading.Lock(), False
 
     def send(self, message: Any) -> None:
-        """Nothing happens where no one reads any more: what is read ends as well then."""
+        """Nothing happens where no one reads any more."""
         line = json.dumps(message, separators=(",", ":"), allow_nan=False).encode() + b"\n"
         with self._lock:
             try:
                 self._stream.write(line)
                 self._stream.flush()
             except (OSError, ValueError):
-                pass
+                self._gone = True
+
+    def gone(self) -> bool:
+        """Whether nobody can read any more, as far as the system tells: the other end of a pipe or a socket is closed."""
+        if not self._gone and hasattr(select, "poll"):
+            poll = select.poll()
+            poll.register(self._stream, 0)
+            self._gone = any(events & (select.POLLERR | select.POLLHUP | select.POLLNVAL) for _, events in poll.poll(0))
+        return self._gone
 
     def notify(self, method: str, parameters: Json) -> None:
         """A message that has no answer."""
