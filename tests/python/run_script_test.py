@@ -37,6 +37,7 @@ class RunScriptTest(unittest.TestCase):
     def given(self, *arguments, **environment):
         """What the server is given."""
         ran = subprocess.run([os.path.join(self.clone, "run"), *arguments], text=True, timeout=60, check=True, stdout=subprocess.PIPE,
+                             cwd=self.folder.name,  # `--state 8` is a folder there
                              env={"PATH": os.environ["PATH"], "HOME": self.folder.name,
                                   "XDG_STATE_HOME": os.path.join(self.folder.name, "home/state"), **environment})
         return ran.stdout.split("\n")[:-1]

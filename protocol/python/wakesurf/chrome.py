@@ -1,6 +1,7 @@
 """A Chromium without a window, driven over a pipe: no port is open that others on this machine could use."""
 from __future__ import annotations
 
+import atexit
 import base64
 import fcntl
 import itertools
@@ -8,13 +9,14 @@ import json
 import os
 import select
 import shutil
+import signal
 import subprocess
-import tempfile
 import time as clock
 from typing import Any, Dict, List, Optional
 
 from .errors import BrowserMissing, PictureFailed, WaitTimeout
 from .plain import Json
+from .profile_folder import Profile
 
 _NAMES = ("chromium-headless-shell", "chromium", "chromium-browser", "google-chrome", "chrome")
 _FLAGS = ("--headless=new", "--remote-debugging-pipe", "--no-first-run", "--disable-background-networking", "--disable-component-update",
@@ -35,10 +37,10 @@ def find_browser() -> str:
 
 
 class Chrome:
-    """One page in a browser of its own, with a profile that is removed at the end."""
+    """One page in a browser of its own, with a profile that is removed at the end, or with Python."""
 
     def __init__(self, address: str, size: "tuple[int, int]") -> None:
-        self._profile = tempfile.mkdtemp(prefix="wakesurf-chromium-")
+        self._profile = Profile()
         (its_in, self._out), (self._in, its_out) = os.pipe(), os.pipe()
         at = [fcntl.fcntl(each, fcntl.F_DUPFD_CLOEXEC, 10) for each in (its_in, its_out)]
 
@@ -46,19 +48,21 @@ class Chrome:
             os.dup2(at[0], 3)
             os.dup2(at[1], 4)
 
-        flags: List[str] = [*_FLAGS, f"--user-data-dir={self._profile}"]
+        flags: List[str] = [*_FLAGS, f"--user-data-dir={self._profile.path}"]
         if os.geteuid() == 0:  # it refuses its sandbox to root
             flags.append("--no-sandbox")
         try:
             self._process = subprocess.Popen([find_browser(), *flags], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-                                             stderr=subprocess.DEVNULL, close_fds=False, preexec_fn=as_it_wants_them)
+                                             stderr=subprocess.DEVNULL, close_fds=False, preexec_fn=as_it_wants_them,
+                                             start_new_session=True)
         except BaseException:
-            shutil.rmtree(self._profile, ignore_errors=True)
+            self._profile.remove()
             raise
         finally:
             for each in (its_in, its_out, *at):
                 os.close(each)
         self._numbers, self._text, self._target = itertools.count(1), b"", ""
+        atexit.register(self.close)
         try:
             self._open(address, size)
         except BaseException:
@@ -78,7 +82,10 @@ class Chrome:
             raise PictureFailed(f"the page does not open: {moved['errorText']}", hint="is the server running, with its page (--web)?")
 
     def close(self) -> None:
-        """Ends the browser and removes its profile."""
+        """Ends the browser and removes its profile. Nothing happens the second time."""
+        if self._process.returncode is not None:
+            return
+        atexit.unregister(self.close)
         for each in (self._out, self._in):
             os.close(each)
         self._process.terminate()
@@ -87,7 +94,11 @@ class Chrome:
         except subprocess.TimeoutExpired:
             self._process.kill()
             self._process.wait()
-        shutil.rmtree(self._profile, ignore_errors=True)
+        try:  # its other processes outlive it for a while, and write into the profile
+            os.killpg(self._process.pid, signal.SIGKILL)
+        except ProcessLookupError:
+            pass
+        self._profile.remove()
 
     def ask(self, method: str, parameters: Optional[Json] = None, timeout: float = 60.0) -> Json:
         """A command of the DevTools protocol. Error: PictureFailed, WaitTimeout."""
