@@ -25,6 +25,11 @@ struct Identity {
     bool operator==(const Identity&) const = default;
 };
 
+/// Whether it has come by the link into that session which whoever copied it got: no one else has such a link.
+inline bool is_copier_of(const std::string& session, const Identity& identity) {
+    return !identity.copier.empty() && identity.session == session;
+}
+
 inline constexpr std::array<std::string_view, 3> role_names{"viewer", "editor", "host"};
 
 constexpr std::string_view name(Role role) {

@@ -87,6 +87,7 @@ struct MethodTraits {
     bool websocket_only = false;
     bool edits = false;        ///< changes records that are kept
     bool whole_server = false; ///< not for share links, which are for one session
+    bool copier = false; ///< in a copy also for who made it by a share link, whatever their role
 };
 
 struct Method {

@@ -51,7 +51,8 @@ std::optional<RpcFault> refused(const Method& method, const Call& call) {
         return not_permitted("the share link is for another session",
                              "use `" + identity.session + "`, or ask for a link to this one");
     const Role role = role_in(session, call);
-    if (role < method.traits.least)
+    const bool own_copy = method.traits.copier && is_copier_of(session, identity);
+    if (role < method.traits.least && !own_copy)
         return not_permitted(
             method.name + " needs the role " + std::string(name(method.traits.least)) +
                 ", and you are " + std::string(name(role)),

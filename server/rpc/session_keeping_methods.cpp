@@ -5,11 +5,15 @@
 #include "protocol/api/utc_text.hpp"
 #include "server/limits.hpp"
 #include "server/rpc/method_table.hpp"
+#include "server/rpc/permission.hpp"
 #include "server/rpc/session_choice.hpp"
 #include "server/rpc/session_import.hpp"
 #include "server/session/records/thumbnail.hpp"
 
 #include <nlohmann/json.hpp>
+
+#include <functional>
+#include <utility>
 
 namespace wakesurf::server {
 
@@ -44,20 +48,36 @@ void session_set_units(const Call& call, const protocol::SessionSetUnits& to, Re
     reply.result(std::move(out));
 }
 
-/// The answer first: whoever called by a share link of this session loses the connection with it.
-void suspend_links(const Call& call, const std::string& session) {
-    const auto suspend = [&context = call.context, session] {
-        if (context.sessions.trash().find(session) != nullptr)
-            context.grants.suspend(session);
-    };
+/// Whoever called by a share link of the session loses the connection with it, and is to have the answer before.
+void after_answer(const Call& call, std::function<void()> end_links) {
     if (call.context.journal == nullptr)
-        return suspend();
-    call.context.journal->settled([suspend](const core::Result<void>&) { suspend(); });
+        return end_links();
+    call.context.journal->settled(
+        [end_links = std::move(end_links)](const core::Result<void>&) { end_links(); });
+}
+
+/// By who copied it by a share link.
+void delete_copy(const Call& call, const std::string& id, Reply reply) {
+    const std::string& grant = call.identity.grant;
+    if (!call.context.sessions.may_give_up(id, grant))
+        return reply.fault(protocol::RpcFault{
+            protocol::RpcCode::NotPermitted,
+            "the copy has been edited, named or shared, or somebody else is in it",
+            "ask someone with the server's token to delete it",
+            {},
+            {}});
+    reply.result({{"session", id}});
+    after_answer(call, [&sessions = call.context.sessions, id, grant] {
+        if (sessions.may_give_up(id, grant))
+            sessions.give_up(id);
+    });
 }
 
 void session_delete(const Call& call, const protocol::SessionDelete& of, Reply reply) {
     const std::string& id = of.session;
     auto& sessions = call.context.sessions;
+    if (role_in(id, call) < Role::Host)
+        return delete_copy(call, id, std::move(reply));
     if (of.forever) {
         if (sessions.trash().find(id) == nullptr && sessions.find(id))
             return reply.fault(core::Error{core::Error::Code::InvalidArgument,
@@ -71,7 +91,10 @@ void session_delete(const Call& call, const protocol::SessionDelete& of, Reply r
     if (!until)
         return reply.fault(until.error());
     reply.result({{"session", id}, {"deletedUntil", protocol::utc_text(*until)}});
-    suspend_links(call, id);
+    after_answer(call, [&context = call.context, id] {
+        if (context.sessions.trash().find(id) != nullptr)
+            context.grants.suspend(id);
+    });
 }
 
 void session_restore(const Call& call, const protocol::SessionRestore& of, Reply reply) {

@@ -27,9 +27,12 @@ void log_event(const char* event, const std::string& id) {
 }
 
 /// No one would miss it: only the page's default scene is in it, or nothing.
+bool is_unused(const Session& session) {
+    return session.id() != main_id && !session.profile().edited && !session.profile().on_purpose;
+}
+
 bool may_go(const Session& session) {
-    return session.id() != main_id && !session.profile().edited && !session.profile().on_purpose &&
-           session.participants().present().empty();
+    return is_unused(session) && session.participants().present().empty();
 }
 
 bool in_trash(std::span<const JournalEntry> entries) {
@@ -201,6 +204,20 @@ bool SessionDirectory::give_up_one(std::span<const std::string> ids) {
     sessions_.erase(id);
     forget(id);
     return true;
+}
+
+bool SessionDirectory::may_give_up(const std::string& id, const std::string& grant) const {
+    const auto found = sessions_.find(id);
+    return found != sessions_.end() && is_unused(*found->second) &&
+           std::ranges::all_of(found->second->participants().present(),
+                               [&](const Participant& each) { return each.grant == grant; });
+}
+
+void SessionDirectory::give_up(const std::string& id) {
+    log_event("session_given_up", id);
+    sessions_.at(id)->end();
+    sessions_.erase(id);
+    forget(id);
 }
 
 core::Result<std::int64_t> SessionDirectory::remove(const std::string& id) {

@@ -35,6 +35,12 @@ class SessionDirectory {
     /// is in. False: all of them are somebody's work.
     bool give_up_one(std::span<const std::string> ids);
 
+    /// Whether no one has edited, named or shared it, and no one is in it but by that link: it is nobody's work.
+    bool may_give_up(const std::string& id, const std::string& grant) const;
+
+    /// For good, past the trash; who is in it is sent away. REQUIRES: find(id), and that it is not main.
+    void give_up(const std::string& id);
+
     /// A new session of records that have been checked. Error: OverLimit.
     core::Result<std::shared_ptr<Session>> import(KeptRecords records, std::string name);
 

@@ -51,17 +51,21 @@ class PictureTest(unittest.TestCase):
         return {name: state[name] for name in ("rakes", "surfaces", "bookmarks", "annotations", "clock")}, self.session.api.session.shares(), \
             [each.id for each in client.sessions()], [each.id for each in client.sessions(trash=True)]
 
-    def test_of_another_time_may_be_drawn_by_who_may_only_look_in_a_copy_each_that_stays(self):
+    def test_of_another_time_may_be_drawn_by_who_may_only_look_and_no_copy_stays(self):
         before, link = self.everything(), self.session.share("viewer")
         early, late = (wakesurf.Client(link).session().picture(size=(400, 300), time=time, bar=False, axes=False) for time in (1, 4))
         self.assertGreater(coloured(pixels(late.data)), 1.2 * coloured(pixels(early.data)))
         for share in self.session.api.session.shares()["shares"]:
             self.session.api.session.unshare(grant=share["grant"])
-        copies = [each for each in self.session.client.sessions() if each.id != self.session.id]
-        self.assertEqual([each.about["name"] for each in copies], ["picture", "picture"])
-        for each in copies:
-            each.discard()
         self.assertEqual(self.everything(), before)
+
+    def test_of_what_a_surface_does_not_carry_are_refused_to_who_may_only_look_and_no_copy_stays(self):
+        sessions, link = self.everything()[2:], self.session.share("viewer")
+        with self.assertRaisesRegex(wakesurf.PictureFailed, "does not carry vorticity.*an editor can"):
+            wakesurf.Client(link).session().picture(view={"look": {"colour_by": "vorticity"}})
+        self.assertEqual(self.everything()[2:], sessions)
+        for share in self.session.api.session.shares()["shares"]:
+            self.session.api.session.unshare(grant=share["grant"])
 
     def test_has_the_size_the_looks_and_the_ground_that_were_asked_for(self):
         before, path = self.everything(), os.path.join(self.folder.name, "a.png")

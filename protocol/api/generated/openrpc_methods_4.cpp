@@ -58,7 +58,7 @@ const std::string_view methods_4 = R"json({
    "result": {"name": "result", "value": {"name": "tip vortex", "session": "session-2", "units": {"length": "mm", "time": "s"}}}}]},
 {
  "name": "session.delete",
- "summary": "Moves a session to the trash, from which session.restore can bring it back for 30 days. The people in it are notified, and meanwhile its share links let no one in. `main` cannot be deleted.",
+ "summary": "Moves a session to the trash, from which session.restore can bring it back for 30 days. The people in it are notified, and meanwhile its share links let no one in. `main` cannot be deleted. Who copied a session by a share link may delete the copy as long as no one has edited, named or shared it and no one else is in it; it is gone for good then.",
  "tags": [{"name": "session"}],
  "paramStructure": "by-name",
  "params": [

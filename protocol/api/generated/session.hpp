@@ -133,7 +133,8 @@ void read(CheckedJson& in, SessionSetUnits& out);
 
 /// Parameters of session.delete: Moves a session to the trash, from which session.restore can bring
 /// it back for 30 days. The people in it are notified, and meanwhile its share links let no one in.
-/// `main` cannot be deleted.
+/// `main` cannot be deleted. Who copied a session by a share link may delete the copy as long as no
+/// one has edited, named or shared it and no one else is in it; it is gone for good then.
 struct SessionDelete {
     static constexpr std::string_view method = "session.delete";
 

@@ -85,6 +85,10 @@ class Painter:
         if self._chrome is None:
             if self._own_time or self._fields:
                 self._copy = self._drawn = self._session.fork("picture")
+            if self._fields and self._drawn.client is not self._session.client:  # what was edited could not be deleted by a link
+                surface, fields = next(iter(self._fields.items()))
+                raise PictureFailed(f"{surface} does not carry {fields[-1]}, which this view needs, and by a share link it cannot be asked for",
+                                    hint=f"an editor can, for everyone: fields={fields}")
             for surface, fields in self._fields.items():
                 Surface(self._drawn, surface).set(fields=fields)
             self._chrome = Chrome(self._address(self._state), self._page)

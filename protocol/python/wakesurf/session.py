@@ -74,10 +74,12 @@ class Session(SurfaceMaker[Surface], HasId, Helpful):
         self.about.update(self.api.session.delete(forever=forever or None))
 
     def discard(self) -> None:
-        """Deletes the session for good, past the trash. Nothing happens where it is gone already."""
+        """Deletes the session for good, past the trash. Nothing happens where it is gone already. A copy that was made by a share link
+        can be deleted so by who made it, as long as no one has edited it."""
         for forever in (False, True):
             try:
-                self.delete(forever)
+                if "deletedUntil" not in self.api.session.delete(session=self.id, forever=forever or None):
+                    return
             except NotFound:
                 pass
 

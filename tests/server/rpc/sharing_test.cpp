@@ -412,6 +412,54 @@ TEST_F(Sharing, CopiesThatNobodyChangedMakeRoomForOthers) {
     EXPECT_TRUE(host.call("session.fork").contains("result")) << "for the token there is room";
 }
 
+TEST_F(Sharing, ACopyIsDeletedByWhoMadeItByALinkAsLongAsItIsNobodysWork) {
+    const json viewers = share("viewer");
+    const Headers link = with_key(viewers["key"]);
+    const auto call = [&](const Headers& key, const std::string& method, const json& of) {
+        return json::parse(
+            http(server.port(), "POST", "/rpc", key,
+                 json{{"jsonrpc", "2.0"}, {"id", 1}, {"method", method}, {"params", of}}.dump())
+                .body);
+    };
+    const auto copy = [&] { return call(link, "session.fork", json::object())["result"]; };
+    const auto sessions = [&](bool trash) {
+        return host.result("session.list", {{"trash", trash}})["sessions"].size();
+    };
+    const json one = copy();
+    const json other = copy();
+    const json of_one{{"session", one["session"]}};
+    EXPECT_EQ(call(link, "session.delete", of_one)["error"]["code"], -32003)
+        << "not by the first link";
+    EXPECT_EQ(call(with_key(other["key"]), "session.delete", of_one)["error"]["code"], -32003)
+        << "nor by that into another copy";
+    EXPECT_EQ(call(link, "session.delete", {{"session", "main"}})["error"]["code"], -32003);
+    const Headers own = with_key(one["key"]);
+    call(own, "time.set", {{"session", one["session"]}, {"time", 1}});
+    {
+        WebSocketClient me(server, "", own);
+        me.result("session.join");
+        host.result("session.join", of_one);
+        EXPECT_EQ(call(own, "session.delete", of_one)["error"]["code"], -32003)
+            << "the host is in it";
+        host.result("session.leave");
+        const json gone = call(own, "session.delete", of_one);
+        EXPECT_EQ(gone["result"], of_one) << gone;
+    }
+    EXPECT_EQ(sessions(false), 2u);
+    EXPECT_EQ(sessions(true), 0u) << "it is not in the trash";
+    EXPECT_EQ(call(own, "session.state", of_one)["error"]["code"], -32001) << "its link has ended";
+    const json of_other{{"session", other["session"]}};
+    json edit = rake(1);
+    edit["session"] = other["session"];
+    call(with_key(other["key"]), "rake.set", edit);
+    EXPECT_EQ(call(with_key(other["key"]), "session.delete", of_other)["error"]["code"], -32003);
+    const json shared = copy();
+    host.result("session.share", {{"session", shared["session"]}, {"role", "viewer"}});
+    const json of_shared{{"session", shared["session"]}};
+    EXPECT_EQ(call(with_key(shared["key"]), "session.delete", of_shared)["error"]["code"], -32003);
+    EXPECT_EQ(sessions(false), 3u);
+}
+
 TEST_F(Sharing, LeavesNoCopyBehindThatNobodyCouldEnter) {
     std::string key = share("viewer")["key"];
     std::size_t copies = 0;

@@ -167,7 +167,9 @@ export interface Methods {
     'session.setUnits': { params: SessionSetUnitsParams; result: SessionName };
     /**
      * Moves a session to the trash, from which session.restore can bring it back for 30 days. The people in it are
-     * notified, and meanwhile its share links let no one in. `main` cannot be deleted.
+     * notified, and meanwhile its share links let no one in. `main` cannot be deleted. Who copied a session by a share
+     * link may delete the copy as long as no one has edited, named or shared it and no one else is in it; it is gone
+     * for good then.
      */
     'session.delete': { params: SessionDeleteParams; result: SessionDeleteResult };
     /** Brings a session back from the trash as it was, with its share links. */

@@ -145,7 +145,9 @@ class SessionMethods(Noun):
     @named
     def delete(self, *, forever: Optional[bool] = None, session: Optional[str] = None) -> SessionDeleteResult:
         """Moves a session to the trash, from which session.restore can bring it back for 30 days. The people in it
-        are notified, and meanwhile its share links let no one in. `main` cannot be deleted.
+        are notified, and meanwhile its share links let no one in. `main` cannot be deleted. Who copied a session by
+        a share link may delete the copy as long as no one has edited, named or shared it and no one else is in it;
+        it is gone for good then.
 
         `forever`: true: permanently deletes a session that is in the trash; default False.
 
