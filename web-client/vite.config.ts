@@ -23,9 +23,10 @@ const pythonClient: Plugin = {
     },
 };
 
-/** Parts of three's shaders that no material of the page has: of physically based and of cartoon-like ones. */
+/** Parts of three's shaders that no material of the page has: of physically based, cartoon-like and glossy ones, of shadows, and of
+ *  surfaces with bones, bumps, reflections or tone mapping. */
 const unusedShaders =
-    /^(?:var|const) ((?:lights_physical|lights_toon|transmission|iridescence|clearcoat|cube_uv_reflection|envmap_physical)_\w+) = ".*";$/gm;
+    /^(?:var|const) ((?:lights_(?:physical|toon|phong)|transmission|iridescence|clearcoat|cube_uv_reflection|envmap|shadowm\w+|lightprobes|tonemapping|morph\w+|skin\w*|batching|bumpmap|normalmap|alphahash|gradientmap)_\w+) = ".*";$/gm;
 
 /** Lines of comments, and comments of several lines, which only those in shaders get as far as the bundle. */
 const comments = /^[ \t]*(?:\/\/.*|\/\*\*[\s\S]*?\*\/[ \t]*)\n/gm;
