@@ -65,6 +65,8 @@ export interface TestHook {
     unfinished(time: number | null): string;
     /** A PNG as an address of data. */
     picture(setting: ScriptedSetting): string;
+    /** The last picture had no room for it. */
+    readonly barLeftOut: boolean;
     loseContext(): void;
     restoreContext(): void;
 }
@@ -199,6 +201,9 @@ export function installTestHook({ state, view, scene, bodyFlow, latency, canvas,
         },
         unfinished: (time) => unfinished(state, view, bodyFlow, time),
         picture: (setting) => scriptedPicture(figure, setting),
+        get barLeftOut() {
+            return figure.barLeftOut;
+        },
         loseContext: () => {
             contextLoss = scene.renderer.getContext().getExtension('WEBGL_lose_context');
             contextLoss?.loseContext();

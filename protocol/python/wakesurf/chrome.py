@@ -74,9 +74,9 @@ class Chrome:
         self._target = self.ask("Target.attachToTarget", {"targetId": target, "flatten": True})["sessionId"]
         self.ask("Emulation.setDeviceMetricsOverride", {"width": size[0], "height": size[1], "deviceScaleFactor": 1, "mobile": False})
         self.ask("Emulation.setEmulatedMedia", {"features": [{"name": "prefers-reduced-motion", "value": "reduce"}]})
-        # Someone who has never been here is shown a tour.
-        self.ask("Page.addScriptToEvaluateOnNewDocument",
-                 {"source": "if (origin !== 'null') localStorage.setItem('wakesurf.tour', 'done');"})
+        # Someone who has never been here is shown a tour; and what is beside the picture would take its room.
+        self.ask("Page.addScriptToEvaluateOnNewDocument", {"source": "if (origin !== 'null') { localStorage.setItem('wakesurf.tour', 'done');"
+                                                                     "localStorage.setItem('wakesurf.panel', 'folded'); }"})
         moved = self.ask("Page.navigate", {"url": address})
         if "errorText" in moved:
             raise PictureFailed(f"the page does not open: {moved['errorText']}", hint="is the server running, with its page (--web)?")

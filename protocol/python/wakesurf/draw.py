@@ -6,6 +6,7 @@ import json
 import re
 import signal
 import sys
+import warnings
 from typing import Any, Optional, Sequence
 
 from .beginning import begin, last_time
@@ -60,8 +61,11 @@ def draw(job: Json, dataset: str, output: str, options: Sequence[str]) -> None:
         stats: Any = begin(session, session.dataset, setting).wait(progress=_line)
         if "empty" in stats:
             raise PictureFailed("the surface is empty: " + stats["empty"]["message"], hint=stats["empty"]["hint"])
-        session.picture(output, (int(width), int(height)))
-        print(f"{output}: {width} x {height} pixels of {stats['quads']} quads, separation {stats['separation']:.4g}")
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            drawn = session.picture(output, (int(width), int(height)))
+        print(f"{output}: {width} x {height} pixels of {stats['quads']} quads, separation {stats['separation']:.4g}"
+              + (", too small for the scalar bar" if drawn.bar_left_out else ""))
 
 
 def as_options(text: str) -> str:

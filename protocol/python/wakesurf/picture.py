@@ -14,7 +14,8 @@ import json
 import os
 import time as clock
 import urllib.parse
-from dataclasses import dataclass, field
+import warnings
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 from .chrome import Chrome, find_browser
@@ -29,7 +30,7 @@ from .whole_file import write_whole
 if TYPE_CHECKING:
     from .session import Background, Session
 
-_SMALLEST, _LARGEST = (320, 200), (1600, 1200)  # of the page; the picture has its own size
+_SMALLEST, _LARGEST = (800, 540), (1600, 1200)  # of the page, larger than a telephone's; the picture has its own size
 _ASK_AGAIN = 0.05  # s
 
 
@@ -40,6 +41,7 @@ class Picture:
     data: bytes = field(repr=False)
     size: Tuple[int, int]
     path: Optional[str] = None
+    bar_left_out: bool = False  # there was no room for the scalar bar
 
     def _repr_png_(self) -> bytes:
         return self.data
@@ -150,8 +152,11 @@ class Painter:
         setting = {"width": width, "height": height, "background": background, "bar": bar, "axes": axes, "rake": rakes,
                    "caption": caption}
         text = chrome.value(f"window.wakesurf.picture({json.dumps(setting)})", self._timeout)
-        drawn = Picture(base64.b64decode(str(text).partition(",")[2]), (width, height))
-        return drawn if path is None else Picture(drawn.data, drawn.size, drawn.write(path))
+        left_out = bool(chrome.value("window.wakesurf.barLeftOut ?? false"))
+        if left_out:
+            warnings.warn(f"{width} x {height} pixels are too small for the scalar bar, which is left out: bar=False does without", stacklevel=4)
+        drawn = Picture(base64.b64decode(str(text).partition(",")[2]), (width, height), None, left_out)
+        return drawn if path is None else replace(drawn, path=drawn.write(path))
 
     def _until_whole(self, chrome: Chrome, time: Optional[float]) -> None:
         end, why = clock.monotonic() + self._timeout, "the page has not begun"
@@ -168,7 +173,8 @@ class Painter:
 
 
 def _page_size(size: Tuple[int, int]) -> Tuple[int, int]:
-    """Of the same shape as the picture, so that the view is; text keeps its share of it."""
+    """Of the same shape as the picture, so that the view is."""
     scale = min(1.0, *(most / each for most, each in zip(_LARGEST, size)))
     scale = max(scale, *(least / each for least, each in zip(_SMALLEST, size)))
-    return round(size[0] * scale), round(size[1] * scale)
+    width, height = (min(most, round(each * scale)) for most, each in zip(_LARGEST, size))
+    return width, height

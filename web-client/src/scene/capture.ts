@@ -4,6 +4,7 @@ import { Color } from 'three';
 import { type Cover, coverOf, placeOf } from './base/cover.ts';
 import { DomainOutline } from './domain/domainOutline.ts';
 import { paintElement } from './elementPainter.ts';
+import { barIn, layoutOf } from './figureLayout.ts';
 import type { FlowScene } from './scene.ts';
 import type { Layer, ScreenSize } from './base/view.ts';
 import { tilesOf } from './tiles.ts';
@@ -30,8 +31,6 @@ const longestSide = 16_384;
 const pixelsAtMost = 128e6;
 /** Drawn at once; peeling needs some 60 bytes a pixel. */
 const tileSide = 2048;
-/** In pixels of CSS. A number of an axis, 12 of them high, has a sixtieth of the height of a figure at least. */
-const tallestLayout = 720;
 /** Of handles, which reach from one tile into another; in pixels of CSS. */
 const tileMargin = 24;
 
@@ -57,22 +56,26 @@ function drawnSide(scene: FlowScene, pixelRatio: number): number {
     return Math.min(Math.max(tileSide, 6 * margin), dims[0] ?? 0, dims[1] ?? 0, ...limits);
 }
 
+export interface Captured {
+    figure: HTMLCanvasElement;
+    /** There was no room for it. */
+    barLeftOut: boolean;
+}
+
 /** Error: in words. @param side of tiles, in pixels; without it as large as they are best */
-export function capture(scene: FlowScene, setting: FigureSetting, side?: number): HTMLCanvasElement {
+export function capture(scene: FlowScene, setting: FigureSetting, side?: number): Captured {
     const { width, height, background } = setting;
     const fault = sizeFault(setting);
     if (fault !== null) throw new Error(fault);
-    // As tall as the picture on the page, so that text, lines and handles have the same share of it. Pages may be so tall that
-    // this share is too small to be read in a figure.
-    const layout = { width: 0, height: Math.max(1, Math.min(tallestLayout, scene.size.height)) };
-    const pixelRatio = height / layout.height;
-    layout.width = width / pixelRatio;
+    const layout = layoutOf(setting, scene.size.height);
+    const { pixelRatio } = layout;
     const leftOut = (layer: Layer): boolean =>
         layer.notForFigures === true ||
         (!setting.rake && layer === scene.rakes) ||
         (!setting.axes && layer instanceof DomainOutline);
     const page = scene.labels.getBoundingClientRect();
-    const cover = setting.bar === null ? null : coverOf(page, setting.bar.getBoundingClientRect());
+    const wanted = setting.bar === null ? null : coverOf(page, setting.bar.getBoundingClientRect());
+    const cover = wanted === null ? null : barIn(layout, wanted);
     const tiles = tilesOf(setting, side ?? drawnSide(scene, pixelRatio), Math.ceil(tileMargin * pixelRatio));
     return scene.drawAside(layout, pixelRatio, leftOut, { encoded: background === 'clear', cover }, (draw) => {
         const drawn = scene.renderer.domElement;
@@ -102,7 +105,7 @@ export function capture(scene: FlowScene, setting: FigureSetting, side?: number)
             } else shoot(background === 'white' ? new Color(1, 1, 1) : null);
         }
         paintText(context, scene, setting, { layout, cover, pixelRatio });
-        return figure;
+        return { figure, barLeftOut: wanted !== null && cover === null };
     });
 }
 

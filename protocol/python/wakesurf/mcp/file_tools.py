@@ -40,10 +40,11 @@ def _picture(work: Work, given: Json, call: Call) -> Answer:
     drawn = work.session.picture(path, size, time=given.get("time"), view=_view(given), caption=given.get("caption"),
                                  rakes=given.get("rakes", False), background=given.get("background", "shown"))
     call.check()
-    numbers: Json = {"width": size[0], "height": size[1], "bytes": len(drawn.data)}
+    numbers: Json = {"width": size[0], "height": size[1], "bytes": len(drawn.data), "scalar_bar": not drawn.bar_left_out}
     if path is not None:
         numbers["path"] = work.place.shown(path)
     where = f" in {numbers['path']}" if path is not None else ""
+    where += ", too small for the scalar bar" if drawn.bar_left_out else ""
     if path is not None and len(drawn.data) > _LARGEST_SHOWN:
         return Answer(f"A picture of {size[0]} x {size[1]} pixels{where}, too large to be sent along.", numbers)
     return Answer(f"A picture of {size[0]} x {size[1]} pixels{where}.", numbers, drawn.data)

@@ -11,6 +11,8 @@ export class Figure {
     readonly rake = signal(false);
     /** Of a picture that shows a surface before it is final: it says so. */
     readonly coarse = signal(true);
+    /** The last one that was drawn had no room for it. */
+    barLeftOut = false;
     private readonly scene: FlowScene;
     private readonly findBar: () => HTMLElement | null;
 
@@ -32,6 +34,8 @@ export class Figure {
         const bar = this.bar.value ? this.findBar() : null;
         const [axes, rake] = [this.axes.value, this.rake.value];
         const shownBar = bar?.hidden === true ? null : bar;
-        return capture(this.scene, { ...size, background, axes, rake, caption, bar: shownBar }, tileSide);
+        const drawn = capture(this.scene, { ...size, background, axes, rake, caption, bar: shownBar }, tileSide);
+        this.barLeftOut = drawn.barLeftOut;
+        return drawn.figure;
     }
 }

@@ -91,6 +91,7 @@ export class PictureExport extends SignalElement {
             const picture = figure.draw(size, coarse && figure.coarse.value ? coarseCaption : null);
             const file = await new Promise<Blob | null>((resolve) => picture.toBlob(resolve, 'image/png'));
             if (file === null) throw new Error('This browser does not have enough memory for a picture of this size.');
+            if (figure.barLeftOut) this.fault.value = 'The picture is too small for the scalar bar, which is left out.';
             saveFile(
                 file,
                 fileName(
