@@ -108,13 +108,24 @@ struct Server::Parts {
         routes.emplace(
             *gate, budgets, outboxes, files, *dispatcher, *downloads, *session_files,
             [this] { return metrics.text(standing()); },
+            [this] { return health_text(dataset_counts()); },
             [this](const std::string& person) { connections.log_out(person); });
         if (kept)
             restore();
     }
 
+    std::vector<DatasetCount> dataset_counts() const {
+        std::vector<DatasetCount> out;
+        for (const std::string_view state : dataset_state_names)
+            out.push_back({state, 0});
+        for (const DatasetStatus& each : catalogue->list())
+            ++out[static_cast<std::size_t>(each.state)].count;
+        return out;
+    }
+
     Standing standing() const {
         Standing out;
+        out.datasets = dataset_counts();
         out.uptime = std::chrono::duration<double>(clock.now() - started).count();
         out.connections = admission.connections();
         out.clients = budgets.used(Use::Socket);

@@ -5,12 +5,14 @@
 #include "server/catalogue/source_watch.hpp"
 #include "store/import_progress.hpp"
 
+#include <array>
 #include <chrono>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace wakesurf::server {
@@ -18,6 +20,10 @@ namespace wakesurf::server {
 /// Stopped: by the last client that waited for the import; the time-steps until then can be used. Incomplete: it ended before the last time-step,
 /// as on a full disk; those there can be used, and `error` says why and what to do.
 enum class DatasetState { Importing, Ready, Failed, Stopped, Incomplete };
+
+/// As clients and monitors are told, in the order of DatasetState.
+inline constexpr std::array<std::string_view, 5> dataset_state_names{"importing", "ready", "failed",
+                                                                     "stopped", "incomplete"};
 
 struct DatasetStatus {
     std::string dataset; ///< id: a slug of the name, unique

@@ -54,6 +54,9 @@ void collect(const Standing& standing, Registry& registry) {
     gauge("wakesurf_participants", "People and scripts in sessions.", standing.participants);
     gauge("wakesurf_sessions", "Sessions.", standing.sessions);
     gauge("wakesurf_surfaces", "Surfaces in all sessions.", standing.surfaces);
+    auto& datasets = gauges(registry, "wakesurf_datasets", "Datasets, by state.");
+    for (const DatasetCount& each : standing.datasets)
+        datasets.Add({{"state", std::string(each.state)}}).Set(static_cast<double>(each.count));
     const ProcessMemory memory = process_memory();
     gauge("process_resident_memory_bytes", "Resident memory of the process.", memory.resident);
     gauge("process_open_fds", "Open file descriptors.", memory.descriptors);

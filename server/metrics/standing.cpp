@@ -7,6 +7,24 @@
 
 namespace wakesurf::server {
 
+std::string health_text(std::span<const DatasetCount> datasets) {
+    std::size_t total = 0;
+    std::string wrong;
+    for (const DatasetCount& each : datasets) {
+        total += each.count;
+        if (each.count == 0)
+            continue;
+        const std::string is = each.count == 1 ? " is " : " are ";
+        const std::string has = each.count == 1 ? " has " : " have ";
+        const std::string said = each.state == "failed"       ? has + "failed"
+                                 : each.state == "incomplete" ? is + "incomplete"
+                                                              : std::string();
+        if (!said.empty())
+            wrong += (wrong.empty() ? "" : ", ") + std::to_string(each.count) + said;
+    }
+    return wrong.empty() ? "ok" : "ok, but of " + std::to_string(total) + " datasets " + wrong;
+}
+
 MemoryStanding memory_standing(const core::MemoryAccount& account) {
     MemoryStanding out{account.budget(), account.used(), {}, account.refused()};
     for (std::size_t i = 0; i < out.by_use.size(); ++i)

@@ -6,7 +6,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace wakesurf::server {
@@ -18,6 +20,17 @@ struct CacheStanding {
     std::size_t bytes = 0;
     std::size_t budget = 0;
 };
+
+/// How many datasets are in a state.
+struct DatasetCount {
+    std::string_view state;
+    std::size_t count = 0;
+
+    bool operator==(const DatasetCount&) const = default;
+};
+
+/// What /healthz says: "ok", and of how many datasets some failed or are incomplete. No names: anyone may ask.
+std::string health_text(std::span<const DatasetCount> datasets);
 
 /// Of the account of memory, in bytes.
 struct MemoryStanding {
@@ -36,6 +49,7 @@ struct Standing {
     std::size_t sessions = 0;
     std::size_t surfaces = 0;
     std::size_t participants = 0;
+    std::vector<DatasetCount> datasets; ///< of each state
     std::vector<CacheStanding> caches;
     MemoryStanding memory;
 };

@@ -36,11 +36,11 @@ HttpResponse wrong_method(const char* allowed) {
     return response;
 }
 
-HttpResponse healthy() {
+HttpResponse healthy(std::string text) {
     HttpResponse response;
     response.headers = {{"Content-Type", "text/plain; charset=utf-8"},
                         {"Cache-Control", "no-store"}};
-    response.body = std::make_shared<const std::string>("ok");
+    response.body = std::make_shared<const std::string>(std::move(text));
     return response;
 }
 
@@ -210,7 +210,7 @@ std::optional<HttpResponse> Routes::answer_open(const HttpRequest& request) {
         return request.method == "POST" ? login(request) : wrong_method("POST");
     if (!reads(request))
         return wrong_method("GET");
-    return file ? files_.respond(request) : healthy();
+    return file ? files_.respond(request) : healthy(health_());
 }
 
 /// A login that is good is none of a stranger's. Health is told however much else comes from the address, or a flood would have monitors

@@ -31,6 +31,7 @@ struct Admitted {
 class Routes {
   public:
     /// @param metrics     returns the text of /metrics
+    /// @param health      returns the text of /healthz, which anyone may read
     /// @param logged_out  a person's login has ended: their sockets go
     Routes(Gate& gate,
            Budgets& budgets,
@@ -40,10 +41,12 @@ class Routes {
            Downloads& downloads,
            SessionFiles& session_files,
            std::function<std::string()> metrics,
+           std::function<std::string()> health,
            std::function<void(const std::string&)> logged_out)
         : gate_(gate), budgets_(budgets), outboxes_(outboxes), files_(files),
           dispatcher_(dispatcher), downloads_(downloads), session_files_(session_files),
-          metrics_(std::move(metrics)), logged_out_(std::move(logged_out)) {}
+          metrics_(std::move(metrics)), health_(std::move(health)),
+          logged_out_(std::move(logged_out)) {}
 
     /// How long the body of a request may be, by its header: longer than messages only for what is known to be let in.
     std::size_t longest_body(const HttpRequest& header);
@@ -74,6 +77,7 @@ class Routes {
     Downloads& downloads_;
     SessionFiles& session_files_;
     std::function<std::string()> metrics_;
+    std::function<std::string()> health_;
     std::function<void(const std::string&)> logged_out_;
 };
 

@@ -4,16 +4,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include <array>
-
 namespace wakesurf::server {
 
 nlohmann::json dataset_entry(const DatasetStatus& status) {
-    constexpr std::array states{"importing", "ready", "failed", "stopped", "incomplete"};
-    const char* state = states.at(static_cast<std::size_t>(status.state));
     nlohmann::json out{{"dataset", status.dataset},
                        {"name", status.name},
-                       {"state", state},
+                       {"state", dataset_state_names.at(static_cast<std::size_t>(status.state))},
                        {"steps", {{"ready", status.steps_ready}, {"total", status.steps_total}}}};
     if (!status.values.empty())
         out["values"] = status.values;

@@ -20,7 +20,9 @@ curl -sS -H "Authorization: Bearer $(cat token)" http://127.0.0.1:8080/metrics -
 grep wakesurf_build_info metrics.txt
 ```
 
-For monitors that only ask whether the server is well, `GET /healthz` answers 200 without a token.
+For monitors that only ask whether the server is well, `GET /healthz` answers 200 without a token, and `ok`. Where datasets could not be opened or
+imported it is 200 still, since the others can be used, and says how many: `ok, but of 3 datasets 1 has failed`. Which, and why, the log says
+(`event=dataset_failed`), and `dataset.list`. For an alarm: `wakesurf_datasets{state="failed"} > 0`.
 
 """
 

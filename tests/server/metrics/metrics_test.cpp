@@ -112,13 +112,26 @@ TEST(MetricsTest, TellsHowTheServerStandsAndForgetsADatasetThatIsGone) {
     const Metrics metrics(clock);
     Standing standing;
     standing.clients = 3;
+    standing.datasets = {{"ready", 2}, {"failed", 1}, {"stopped", 0}};
     standing.caches.push_back({"flow \"a\"", 7, 2, 4096, 8192});
     const std::string text = metrics.text(standing);
     EXPECT_TRUE(has_line(text, "wakesurf_clients 3")) << text;
+    EXPECT_TRUE(has_line(text, R"(wakesurf_datasets{state="failed"} 1)")) << text;
+    EXPECT_TRUE(has_line(text, R"(wakesurf_datasets{state="stopped"} 0)")) << text;
     EXPECT_TRUE(has_line(text, R"(wakesurf_cache_hits_total{dataset="flow \"a\""} 7)")) << text;
     EXPECT_TRUE(has_line(text, R"(wakesurf_cache_budget_bytes{dataset="flow \"a\""} 8192)"));
     EXPECT_GT(process_memory().resident, 1u << 20);
     EXPECT_EQ(metrics.text({}).find("dataset="), std::string::npos);
+}
+
+TEST(MetricsTest, SaysWithItsHealthHowManyDatasetsCannotBeUsedAndNamesNone) {
+    using Counts = std::vector<DatasetCount>;
+    EXPECT_EQ(health_text(Counts{}), "ok");
+    EXPECT_EQ(health_text(Counts{{"importing", 1}, {"ready", 2}, {"failed", 0}}), "ok");
+    EXPECT_EQ(health_text(Counts{{"ready", 2}, {"failed", 1}}),
+              "ok, but of 3 datasets 1 has failed");
+    EXPECT_EQ(health_text(Counts{{"failed", 2}, {"stopped", 1}, {"incomplete", 1}}),
+              "ok, but of 4 datasets 2 have failed, 1 is incomplete");
 }
 
 TEST(MetricsTest, LosesNothingWhenAllThreadsObserve) {

@@ -292,6 +292,20 @@ TEST(HttpFlood, OfOneAddressWithoutATokenIsRefusedButNotItsHealthNorWhoHasTheTok
               std::string::npos);
 }
 
+TEST(Health, IsGoodAndSaysHowManyDatasetsCannotBeOpened) {
+    const TemporaryFolder folder;
+    write(folder.path() / "broken" / "store.json", "{");
+    const ServerProcess server({"flow:lamb-oseen", folder / "broken"});
+    WebSocketClient client(server);
+    EXPECT_TRUE(client.call("dataset.open", {{"dataset", "broken"}}).contains("error"));
+    const HttpReply reply = http(server.port(), "GET", "/healthz");
+    EXPECT_EQ(reply.status, 200);
+    EXPECT_EQ(reply.body, "ok, but of 2 datasets 1 has failed");
+    const std::string counted = http(server.port(), "GET", "/metrics", server.bearer()).body;
+    EXPECT_NE(counted.find(R"(wakesurf_datasets{state="failed"} 1)"), std::string::npos);
+    EXPECT_NE(counted.find(R"(wakesurf_datasets{state="ready"} 1)"), std::string::npos);
+}
+
 TEST_F(Http, EndsClientsThatSendTheirHeaderForEver) {
     RawSocket silent(server_->port());
     RawSocket slow(server_->port());
