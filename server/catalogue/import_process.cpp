@@ -89,9 +89,9 @@ Error error_of(const ImportCommand& command, int status, const std::string& word
                           ? file_being_written(command.source, words)
                           : std::nullopt;
     if (file)
-        return {Error::Code::Corrupt, *file + " is being written and is not whole yet",
-                "it was changed less than " + std::to_string(still_written.count()) +
-                    " s ago; the reader said: " + words};
+        return {Error::Code::Corrupt, words,
+                *file + " was changed less than " + std::to_string(still_written.count()) +
+                    " s ago: if it is still being written, try again when it is whole"};
     if (words.find("an import may take ") != std::string::npos)
         return {Error::Code::OverLimit, words, {}, {}, command.memory};
     return {status == 2 ? Error::Code::InvalidArgument : Error::Code::Corrupt, words, {}};

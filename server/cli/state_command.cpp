@@ -1,5 +1,6 @@
 #include "server/cli/state_command.hpp"
 
+#include "core/base/plain_text.hpp"
 #include "protocol/api/json_text.hpp"
 #include "protocol/api/utc_text.hpp"
 #include "server/cli/failure.hpp"
@@ -102,6 +103,9 @@ int restore(const StateCommandOptions& options) {
     const StateContent& content = restored->content;
     tell("restored: {}, {} kept aside\n", counts(content),
          content.aside.size() + content.damaged.size());
+    if (restored->made_folder)
+        tell("  into a new folder, which was not there: {}\n",
+             core::printable_line(options.folder));
     for (const std::string& fault : content.faults)
         tell("  not restored: {}\n", fault);
     if (!restored->replaced.empty())

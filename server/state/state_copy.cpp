@@ -240,7 +240,8 @@ restore_state(const fs::path& folder, const fs::path& file, bool damaged) {
     if (!fs::exists(file, error))
         return fail(Error::Code::NotFound, "there is no such sessions file",
                     "name a state folder's sessions.sqlite, or a backup of it");
-    if (fs::create_directories(folder, error))
+    const bool made_folder = fs::create_directories(folder, error);
+    if (made_folder)
         fs::permissions(folder, fs::perms::owner_all, error);
     auto held = StateFolder::hold_existing(folder);
     if (!held) {
@@ -262,7 +263,7 @@ restore_state(const fs::path& folder, const fs::path& file, bool damaged) {
         return tl::unexpected(
             Error{verdict->fault->code, "the file to restore: " + verdict->fault->message,
                   "restore another one, or restore what can be read of this one with --damaged"});
-    RestoredState out{std::move(verdict->content), {}};
+    RestoredState out{std::move(verdict->content), {}, made_folder};
     const fs::path fresh = with(scratch->file(), ".new");
     auto replaced = make_private_file(fresh.string())
                         .and_then([&] { return write_content(fresh, out.content); })

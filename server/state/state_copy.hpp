@@ -27,6 +27,7 @@ struct RestoredState {
     StateContent content; ///< of the new file
     std::string
         replaced; ///< name of the file, in the folder, that has what was there before; empty: nothing was
+    bool made_folder = false; ///< the folder was not there
 };
 
 /// Puts the sessions of a file, a backup or any state's file, into a folder no server runs in. What was there stays beside it under

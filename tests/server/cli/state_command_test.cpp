@@ -95,7 +95,14 @@ TEST_F(StateCommand, BacksUpAServerThatRunsWhileEditsGoOnAndPutsThatBack) {
     const Said restored = state({"restore", kept, file});
     EXPECT_EQ(restored.status, 0) << restored.errors;
     EXPECT_NE(restored.output.find("sessions-replaced-"), std::string::npos) << restored.output;
+    EXPECT_EQ(restored.output.find("new folder"), std::string::npos) << restored.output;
     EXPECT_EQ(state({"check", kept}).status, 0);
+    const std::string mistyped = folder / "sate";
+    const Said elsewhere = state({"restore", mistyped, file});
+    EXPECT_EQ(elsewhere.status, 0) << elsewhere.errors;
+    EXPECT_NE(elsewhere.output.find("new folder, which was not there: " + mistyped),
+              std::string::npos)
+        << elsewhere.output;
     const ServerProcess server(arguments);
     EXPECT_EQ(rakes(server), before);
 }
