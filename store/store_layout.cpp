@@ -96,6 +96,15 @@ Result<void> check_layout(const StoreLayout& layout) {
     return check_grid(layout.grid);
 }
 
+void mark_stored(const StoreLayout& layout, core::DatasetInfo& info) {
+    for (core::FieldInfo& field : info.fields)
+        field.stored = field.family ||
+                       (field.components == 1
+                            ? std::ranges::find(layout.scalars, field.name, &StoredScalar::name) !=
+                                  layout.scalars.end()
+                            : field.name == info.velocity);
+}
+
 Result<std::size_t> find_scalar(const StoreLayout& layout, std::string_view name) {
     std::string all;
     for (std::size_t i = 0; i < layout.scalars.size(); ++i) {

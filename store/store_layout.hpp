@@ -64,6 +64,9 @@ std::size_t step_file_size(std::uint64_t nodes, std::size_t components, core::Pr
 core::Result<void> check_layout(const StoreLayout& layout);
 core::Result<void> check_grid(const StoredGrid& grid);
 
+/// Says of each field whether a store of this layout has it: as the velocity, a scalar, or a family.
+void mark_stored(const StoreLayout& layout, core::DatasetInfo& info);
+
 /// Index into the layout's scalars. Error: NotFound, listing what there is.
 core::Result<std::size_t> find_scalar(const StoreLayout& layout, std::string_view name);
 

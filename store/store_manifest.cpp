@@ -110,7 +110,10 @@ core::Result<StoreManifest> parse(const json& value) {
     manifest.velocity_range = members.numbers_of<2>("velocityRange");
     if (auto sound = members.verdict(); !sound)
         return tl::unexpected(sound.error());
-    return check_agreement(manifest).map([&] { return std::move(manifest); });
+    return check_agreement(manifest).map([&] {
+        mark_stored(manifest.layout, manifest.info);
+        return std::move(manifest);
+    });
 }
 
 } // namespace

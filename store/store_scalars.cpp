@@ -58,6 +58,14 @@ Result<std::size_t> StoreScalars::find(std::string_view name) const {
     return imported() + static_cast<std::size_t>(found - records_.begin());
 }
 
+std::vector<double> StoreScalars::times_of(std::size_t scalar) const {
+    std::vector<double> out;
+    if (scalar >= imported() && scalar - imported() < records_.size())
+        for (const core::FamilyStep& step : records_[scalar - imported()].steps)
+            out.push_back(step.time);
+    return out;
+}
+
 Result<std::shared_ptr<const Slab>> StoreScalars::scalar_values(std::size_t scalar,
                                                                 std::size_t index,
                                                                 const std::stop_token& stop) const {

@@ -34,6 +34,9 @@ class StoreScalars final : public core::ScalarSource {
     /// Its number. Error: NotFound, listing what there is.
     core::Result<std::size_t> find(std::string_view name) const;
 
+    /// Those at which a family has values; empty for what was imported, which has values at all.
+    std::vector<double> times_of(std::size_t scalar) const;
+
     const std::vector<double>& times() const override { return reader_->times(); }
 
     /// Of a family at a time-step that it was not made for: no value at any node; also once it was removed.

@@ -29,6 +29,8 @@ struct FieldInfo {
         0.0, 0.0};       ///< over what has been read so far; of the magnitude for vectors
     std::string unit;    ///< empty where the format has none
     bool family = false; ///< made here, from the velocity: core/surface/family
+    bool stored =
+        true; ///< false: an import leaves it out, as it does masks, so nobody can ask for it
 };
 
 /// What there is to know of a dataset without reading its values.

@@ -30,6 +30,8 @@ json field_json(const core::FieldInfo& field) {
         out["unit"] = field.unit;
     if (field.family)
         out["family"] = true;
+    if (!field.stored)
+        out["stored"] = false;
     return out;
 }
 
@@ -43,6 +45,8 @@ core::Result<core::FieldInfo> parse_field(const json& value) {
     field.range = members.numbers_of<2>("range");
     if (members.has("unit"))
         field.unit = members.text("unit");
+    if (members.has("stored"))
+        field.stored = members.flag("stored");
     return members.verdict().map([&] { return field; });
 }
 

@@ -3,10 +3,10 @@
 #include "core/base/rounding.hpp"
 #include "core/field/velocity_gradient.hpp"
 #include "core/surface/vertex_attributes.hpp"
+#include "server/catalogue/field_names.hpp"
 #include "store/stored_families.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -92,11 +92,13 @@ Result<core::SourceScalar> scalar_of(const LoadedDataset& dataset,
         core::coordinate_axis(request.scalar) >= 0)
         return core::SourceScalar{};
     const auto found = dataset.scalars->find(request.scalar);
-    if (!found)
-        return fail(
-            Error::Code::InvalidArgument,
-            "there is no scalar field " + request.scalar + " to begin with",
-            fmt::format("there is {}, and x, y and z", fmt::join(dataset.scalars->names(), ", ")));
+    if (!found) {
+        auto there = dataset.scalars->names();
+        there.insert(there.end(), {"x", "y", "z"});
+        return fail(Error::Code::InvalidArgument,
+                    "there is no scalar field " + request.scalar + " to begin with",
+                    field_hint(request.scalar, there));
+    }
     return core::SourceScalar{dataset.scalars.get(), *found};
 }
 

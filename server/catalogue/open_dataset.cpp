@@ -146,6 +146,7 @@ LoadedDataset with_families(LoadedDataset open, const core::TimeStepCache::Optio
     open.scalars = std::move(scalars);
     LevelSets::Options levels;
     levels.account = cache.account;
+    levels.of_files = open.info.fields;
     open.levels = std::make_shared<const LevelSets>(open.flow, open.store, open.info.velocity,
                                                     std::move(levels), open.scalars);
     open.family_memory.reset();

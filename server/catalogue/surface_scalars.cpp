@@ -3,6 +3,9 @@
 #include "core/field/sample_scalar.hpp"
 #include "core/field/velocity_gradient.hpp"
 #include "core/surface/vertex_attributes.hpp"
+#include "server/catalogue/field_names.hpp"
+
+#include <algorithm>
 
 namespace wakesurf::server {
 
@@ -34,18 +37,12 @@ bool component_here(const LoadedDataset& dataset, const std::string& name) {
 
 core::Result<void> check_fields(const LoadedDataset& dataset,
                                 const std::vector<std::string>& fields) {
-    for (const std::string& name : fields) {
-        if (written_anyhow(dataset, name) || component_here(dataset, name) ||
-            derived_here(dataset, name))
-            continue;
-        if (dataset.scalars == nullptr)
-            return core::fail(core::Error::Code::Unsupported,
-                              "a built-in flow has no scalar field " + name,
-                              "speed, velocity and deformation are written at every vertex; "
-                              "vorticity and q_criterion are written if you name them");
-        if (const auto found = dataset.scalars->find(name); !found)
-            return tl::unexpected(found.error());
-    }
+    const auto there =
+        vertex_field_names(dataset.scalars ? dataset.scalars->names() : std::vector<std::string>(),
+                           dataset.info.velocity);
+    for (const std::string& name : fields)
+        if (std::ranges::find(there, name) == there.end())
+            return tl::unexpected(no_such_field("fields", name, there, dataset.info.fields));
     return {};
 }
 

@@ -11,8 +11,7 @@
 
 namespace wakesurf::server {
 
-/// Error: NotFound for fields that are neither stored nor derived from the velocity, Unsupported for a built-in flow, which
-/// stores none.
+/// Error: NotFound for fields that are neither stored nor derived, saying what there is.
 core::Result<void> check_fields(const LoadedDataset& dataset,
                                 const std::vector<std::string>& fields);
 

@@ -2,8 +2,10 @@
 
 #include "core/field/analytic_flow.hpp"
 #include "protocol/api/dataset_json.hpp"
+#include "protocol/api/family_json.hpp"
 #include "protocol/api/json_text.hpp"
 #include "server/catalogue/dataset_argument.hpp"
+#include "server/catalogue/field_names.hpp"
 #include "server/catalogue/import_process.hpp"
 #include "server/catalogue/open_dataset.hpp"
 #include "server/cli/failure.hpp"
@@ -13,14 +15,28 @@
 #include "store/store_reader.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <iterator>
+#include <variant>
+#include <vector>
 
 namespace wakesurf::server {
 
+using nlohmann::json;
+
 namespace {
 
+/// What there is to know, and what was made of it since.
+struct Described {
+    core::DatasetInfo info;
+    std::vector<core::FamilyRecord> families;
+};
+
 /// Of a store whose import did not end, or has not ended yet, the note says so.
-core::Result<core::DatasetInfo> describe_store(const std::filesystem::path& folder) {
+core::Result<Described> describe_store(const std::filesystem::path& folder) {
     const auto disk = std::make_shared<core::PosixDisk>();
     auto manifest = store::read_store_manifest(folder, *disk);
     if (!manifest)
@@ -37,17 +53,33 @@ core::Result<core::DatasetInfo> describe_store(const std::filesystem::path& fold
             fmt::format("{}incomplete: {} of {} time-steps are stored; `wakesurf import` into the "
                         "same folder goes on",
                         manifest->info.note.empty() ? "" : "; ", ready, total);
-    list_families(manifest->info, *store::StoreScalars::open(*reader, disk));
-    return std::move(manifest->info);
+    const auto scalars = store::StoreScalars::open(*reader, disk);
+    list_families(manifest->info, *scalars);
+    return Described{std::move(manifest->info), scalars->families()};
 }
 
-core::Result<core::DatasetInfo> describe(const DatasetArgument& argument,
-                                         const InfoOptions& options) {
+/// Families are kept in the store that the source was imported into.
+core::Result<Described> with_families_of_import(const DatasetArgument& source,
+                                                const InfoOptions& options,
+                                                core::DatasetInfo info) {
+    const auto imported = describe_store(store_folder(default_store_root(), source, options.taken));
+    Described out{std::move(info), {}};
+    if (!imported)
+        return out;
+    out.families = imported->families;
+    std::ranges::copy_if(imported->info.fields, std::back_inserter(out.info.fields),
+                         &core::FieldInfo::family);
+    return out;
+}
+
+core::Result<Described> describe(const DatasetArgument& argument, const InfoOptions& options) {
     if (auto fit = check_source_options(argument, options.taken); !fit)
         return tl::unexpected(fit.error());
     switch (argument.kind) {
     case DatasetArgument::Kind::Flow:
-        return core::describe_analytic_flow(argument.flow);
+        return core::describe_analytic_flow(argument.flow).map([](core::DatasetInfo info) {
+            return Described{std::move(info), {}};
+        });
     case DatasetArgument::Kind::Store:
         return describe_store(argument.path);
     case DatasetArgument::Kind::Source:
@@ -55,7 +87,43 @@ core::Result<core::DatasetInfo> describe(const DatasetArgument& argument,
     }
     const StopOnSignal signals;
     return describe_with_import_process(
-        {argument.path, {}, {}, {}, {}, {}, 0, options.memory, options.taken}, signals.token());
+               {argument.path, {}, {}, {}, {}, {}, 0, options.memory, options.taken},
+               signals.token())
+        .and_then([&](core::DatasetInfo info) {
+            return with_families_of_import(argument, options, std::move(info));
+        });
+}
+
+std::vector<std::string> carried_fields(const core::DatasetInfo& info) {
+    std::vector<std::string> stored;
+    for (const core::FieldInfo& field : info.fields)
+        if (field.stored && field.name != info.velocity)
+            stored.push_back(field.name);
+    return vertex_field_names(std::move(stored), info.velocity);
+}
+
+std::string made_from(const core::FamilyRequest& request) {
+    if (std::holds_alternative<core::Rake>(request.source))
+        return "the distance from a curve";
+    return request.scalar + (std::holds_alternative<core::FamilyPlane>(request.source)
+                                 ? " on a plane"
+                                 : " where the flow enters");
+}
+
+void print_family(const core::FamilyRecord& family) {
+    tell("  family    {}: {}\n", family.name, made_from(family.request));
+    for (const core::FamilyStep& step : family.steps)
+        tell("            at time {:.12g}: {:.4g} to {:.4g}, {} of {} nodes have a value\n",
+             step.time, step.counts.range[0], step.counts.range[1], step.counts.reached,
+             step.counts.nodes);
+}
+
+json described_json(const Described& described) {
+    json out = protocol::dataset_json(described.info);
+    out["surfaceFields"] = carried_fields(described.info);
+    for (const core::FamilyRecord& each : described.families)
+        out["families"].push_back(protocol::family_json(each));
+    return out;
 }
 
 std::string grid_text(const core::DatasetInfo& info) {
@@ -74,7 +142,8 @@ std::string grid_text(const core::DatasetInfo& info) {
     }
 }
 
-void print_text(const core::DatasetInfo& info) {
+void print_text(const Described& described) {
+    const core::DatasetInfo& info = described.info;
     const auto& [lo, hi] = info.bounds;
     tell("{}\n  reader    {}\n  grid      {}\n", info.name, info.reader, grid_text(info));
     tell("  bounds    x {:g} to {:g}, y {:g} to {:g}, z {:g} to {:g}\n", lo.x, hi.x, lo.y, hi.y,
@@ -88,10 +157,16 @@ void print_text(const core::DatasetInfo& info) {
     if (!info.note.empty())
         tell("  note      {}\n", info.note);
     for (const auto& field : info.fields)
-        tell("  field     {}, {} component{}, {} data, {:g} to {:g}{}{}\n", field.name,
-             field.components, field.components == 1 ? "" : "s",
-             field.source == core::FieldInfo::Source::Cell ? "cell" : "point", field.range[0],
-             field.range[1], field.unit.empty() ? "" : " ", field.unit);
+        if (!field.family)
+            tell("  field     {}, {} component{}, {} data, {:g} to {:g}{}{}{}\n", field.name,
+                 field.components, field.components == 1 ? "" : "s",
+                 field.source == core::FieldInfo::Source::Cell ? "cell" : "point", field.range[0],
+                 field.range[1], field.unit.empty() ? "" : " ", field.unit,
+                 field.stored ? "" : "; not stored, so nothing can carry it");
+    for (const core::FamilyRecord& each : described.families)
+        print_family(each);
+    tell("  carried   {}: what surfaces can carry (--fields)\n",
+         fmt::join(carried_fields(info), ", "));
     tell("  obstacle  {}\n", info.obstacle ? "yes" : "no");
     if (info.bytes_per_step > 0)
         tell("  memory    {:.1f} MiB a time-step\n",
@@ -113,7 +188,7 @@ int run_info(const InfoOptions& options) {
                    : status;
     }
     if (options.json)
-        tell("{}\n", protocol::json_text(protocol::dataset_json(*info), 2));
+        tell("{}\n", protocol::json_text(described_json(*info), 2));
     else
         print_text(*info);
     return 0;

@@ -78,6 +78,7 @@ store::StoreManifest describe_store(const ImportPlan& plan, const FirstStepReadi
         if (scalar.is_magnitude())
             info.fields.push_back(scalar.info());
     info.velocity = plan.choice.velocity_name;
+    store::mark_stored(layout, info);
     info.why = plan.choice.why;
     info.precision = plan.precision;
     info.obstacle = layout.mask || layout.walls;

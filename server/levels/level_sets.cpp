@@ -101,7 +101,8 @@ std::optional<pid_t> LevelSets::process() const {
 }
 
 core::Result<void> LevelSets::check_field(const std::string& name) const {
-    return find_node_field(*scalars_, velocity_, name).map([](const NodeField&) {});
+    return find_node_field(*scalars_, velocity_, name, options_.of_files).map([](const NodeField&) {
+    });
 }
 
 core::Result<core::LevelTriangles> LevelSets::extract(const core::LevelWanted& wanted,
@@ -179,6 +180,8 @@ core::Result<core::LevelTriangles> LevelSets::extract_in(Loaded& loaded,
     core::LevelTriangles out;
     out.values = loaded.range.has_value();
     out.range = loaded.range.value_or(std::array{0.0, 0.0});
+    if (!out.values && field->source == NodeField::Source::Scalar)
+        out.times = scalars_->times_of(field->index);
     if (!out.values || wanted.level < out.range[0] || wanted.level > out.range[1])
         return out;
     LevelRequest request;

@@ -23,6 +23,8 @@ class LevelSets final : public core::LevelSource {
         std::optional<core::MemoryAccount> account{}; ///< no one counts without
         const core::Clock* clock = nullptr;           ///< outlives it; the machine's without
         LevelProcess::Options process{};
+        std::vector<core::FieldInfo>
+            of_files{};                ///< the fields of the dataset's files, stored or not
         std::chrono::seconds idle{30}; ///< after which end_idle() ends the process
     };
 

@@ -1,9 +1,7 @@
 #include "server/levels/node_values.hpp"
 
 #include "core/surface/vertex_attributes.hpp"
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include "server/catalogue/field_names.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -81,7 +79,8 @@ core::Result<void> sampled_values(const NodeField& field,
 
 core::Result<NodeField> find_node_field(const store::StoreScalars& scalars,
                                         const std::string& velocity,
-                                        const std::string& name) {
+                                        const std::string& name,
+                                        std::span<const core::FieldInfo> of_files) {
     using Source = NodeField::Source;
     if (const auto scalar = scalars.find(name))
         return NodeField{name, Source::Scalar, *scalar};
@@ -93,14 +92,8 @@ core::Result<NodeField> find_node_field(const store::StoreScalars& scalars,
                          static_cast<std::size_t>(found - components.begin())};
     if (const auto derived = core::find_gradient_field(name))
         return NodeField{name, Source::Gradient, static_cast<std::size_t>(*derived)};
-    std::vector<std::string> names = scalars.names();
-    names.push_back(velocity);
-    for (const auto& more : {std::span<const std::string_view>(core::gradient_field_names),
-                             std::span<const std::string_view>(components)})
-        names.insert(names.end(), more.begin(), more.end());
-    return core::fail(core::Error::Code::NotFound,
-                      "`field` names a field the dataset does not have: " + name,
-                      fmt::format("there is {}", fmt::join(names, ", ")));
+    return tl::unexpected(
+        no_such_field("field", name, node_field_names(scalars.names(), velocity), of_files));
 }
 
 core::Result<void> node_values(const NodeField& field,

@@ -24,10 +24,12 @@ struct NodeField {
     bool operator==(const NodeField&) const = default;
 };
 
-/// A stored field goes before a derived one. @param velocity  the name of the dataset's. Error: NotFound, naming those there are.
+/// A stored field goes before a derived one. @param velocity  the name of the dataset's. @param of_files  as no_such_field() has it.
+/// Error: NotFound, naming those there are.
 core::Result<NodeField> find_node_field(const store::StoreScalars& scalars,
                                         const std::string& velocity,
-                                        const std::string& name);
+                                        const std::string& name,
+                                        std::span<const core::FieldInfo> of_files = {});
 
 /// One a node at a time, linear between time-steps; NaN where there is none: in obstacles too.
 /// @param out  as many as there are nodes

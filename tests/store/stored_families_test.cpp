@@ -72,6 +72,8 @@ TEST(StoredFamilies, AreScalarsWithTheirRecipeAndAreThereWhenTheStoreIsOpenedAga
     ASSERT_TRUE(store.add("psi", 4.25f));
     const auto scalars = store.scalars();
     EXPECT_EQ(scalars->names(), (std::vector<std::string>{"p", "psi"}));
+    EXPECT_EQ(scalars->times_of(0), std::vector<double>{}) << "it has values at all";
+    EXPECT_EQ(scalars->times_of(1).size(), scalars->families().front().steps.size());
     ASSERT_EQ(scalars->families().size(), 1u);
     const core::FamilyRecord& record = scalars->families().front();
     EXPECT_EQ(record.request.scalar, "p");

@@ -25,6 +25,7 @@ struct LevelTriangles {
     std::vector<std::array<std::uint32_t, 3>> triangles;
     std::array<double, 2> range{0.0, 0.0}; ///< of the field's values at that time
     bool values = true;                    ///< false: it has none
+    std::vector<double> times{}; ///< where it has none: those at which it has; empty: not known
 };
 
 /// Thread safety: concurrent calls are fine.

@@ -14,6 +14,14 @@ namespace {
 /// A triangle while neighbours are paired, and what of the mesh comes from it.
 constexpr std::size_t triangle_bytes = 160;
 
+std::string listed_times(const std::vector<double>& times) {
+    constexpr std::size_t most = 8;
+    std::string out;
+    for (std::size_t i = 0; i < std::min(most, times.size()); ++i)
+        out += (i == 0 ? "" : ", ") + time_text(times[i]);
+    return times.size() <= most ? out : out + ", ... " + time_text(times.back());
+}
+
 std::optional<Emptiness>
 why_no_level(const SurfaceParameters& p, const LevelTriangles& found, double time) {
     if (!found.triangles.empty())
@@ -21,7 +29,10 @@ why_no_level(const SurfaceParameters& p, const LevelTriangles& found, double tim
     const std::string at = p.from == p.to ? "" : " at t = " + time_text(time);
     if (!found.values)
         return Emptiness{Emptiness::Reason::NotFinite, *p.field + " has no values" + at,
-                         "choose another field, or another time"};
+                         found.times.empty()
+                             ? "choose another field, or another time"
+                             : *p.field + " has values at t = " + listed_times(found.times) +
+                                   ": choose such a time, or another field"};
     const auto [lo, hi] = found.range;
     const std::string range = time_text(lo) + " to " + time_text(hi);
     if (*p.level < lo || *p.level > hi)

@@ -256,7 +256,10 @@ const std::string_view schemas_1 =
    "description": "smallest and largest value (for a vector, of its magnitude); null: unknown",
    "items": {"type": ["number", "null"]}},
   "unit": {"type": "string", "description": "unit of the values, as stated in the files"},
-  "family": {"type": "boolean", "description": "true: a family of stream surfaces, which was made from the velocity by family.make"}},
+  "family": {"type": "boolean", "description": "true: a family of stream surfaces, which was made from the velocity by family.make"},
+  "stored": {
+   "type": "boolean",
+   "description": "false: imports leave it out, as they do masks and arrays that the velocity is made of; surfaces cannot carry it"}},
  "required": ["name", "components", "source", "range"],
  "additionalProperties": false},
 "Dataset": {

@@ -4,11 +4,9 @@
 #include "core/field/velocity_gradient.hpp"
 #include "core/surface/vertex_attributes.hpp"
 #include "protocol/wire/mesh_frame.hpp"
+#include "server/catalogue/field_names.hpp"
 #include "server/limits.hpp"
 #include "server/session/data/datasets.hpp"
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <limits>
@@ -60,37 +58,17 @@ std::vector<float> speeds_of(const core::QuadComplex& mesh) {
 } // namespace
 
 std::vector<std::string> field_names(const OpenDataset& dataset) {
-    std::vector<std::string> names;
-    if (dataset.scalars != nullptr)
-        names = dataset.scalars->names();
-    names.push_back(dataset.info.velocity);
-    std::vector<std::string_view> derived{core::deformation_name, core::approximated_name,
-                                          core::error_name};
-    for (const auto& more : {std::span<const std::string_view>(core::gradient_field_names),
-                             std::span<const std::string_view>(core::velocity_component_names),
-                             std::span<const std::string_view>(core::normal_component_names)})
-        derived.insert(derived.end(), more.begin(), more.end());
-    for (const std::string_view each : derived)
-        if (std::ranges::find(names, each) == names.end())
-            names.emplace_back(each);
-    return names;
+    return vertex_field_names(dataset.scalars ? dataset.scalars->names()
+                                              : std::vector<std::string>(),
+                              dataset.info.velocity);
 }
 
 core::Result<SurfaceField> find_field(const OpenDataset& dataset, const std::string& name) {
     if (auto found = lookup(dataset, name))
         return *found;
-    const auto& all = dataset.info.fields;
-    const auto found =
-        std::ranges::find_if(all, [&](const core::FieldInfo& each) { return each.name == name; });
-    const std::string problem =
-        found == all.end() ? "a field the dataset does not have"
-        : found->components > 1
-            ? "a vector field that was not stored as such when the dataset was imported, since a "
-              "store holds one vector: " +
-                  name
-            : "a field that was not stored when the dataset was imported: " + name;
-    return core::fail(core::Error::Code::InvalidArgument, "`fields` names " + problem,
-                      fmt::format("there is {}", fmt::join(field_names(dataset), ", ")));
+    auto error = no_such_field("fields", name, field_names(dataset), dataset.info.fields);
+    error.code = core::Error::Code::InvalidArgument;
+    return tl::unexpected(std::move(error));
 }
 
 core::Result<std::vector<std::string>> fields_once(const OpenDataset& dataset,

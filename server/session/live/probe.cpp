@@ -3,6 +3,7 @@
 #include "core/base/rounding.hpp"
 #include "core/field/sample_scalar.hpp"
 #include "server/catalogue/dataset_suggestion.hpp"
+#include "server/catalogue/field_names.hpp"
 
 #include <fmt/format.h>
 
@@ -32,12 +33,14 @@ core::Result<ProbeField> sample_field(const OpenDataset& dataset,
                                       const std::stop_token& stop) {
     if (name == dataset.info.velocity)
         return sample_velocity(dataset, request, times, stop);
-    if (dataset.scalars == nullptr)
-        return fail(Error::Code::NotFound, "there is no field " + name,
-                    "a built-in flow has only its velocity");
-    const auto scalar = dataset.scalars->find(name);
-    if (!scalar)
-        return tl::unexpected(scalar.error());
+    const auto scalar = dataset.scalars
+                            ? dataset.scalars->find(name)
+                            : fail(Error::Code::NotFound, "a built-in flow stores none");
+    if (!scalar) {
+        auto there = dataset.scalars ? dataset.scalars->names() : std::vector<std::string>();
+        there.push_back(dataset.info.velocity);
+        return tl::unexpected(no_such_field("fields", name, there, dataset.info.fields));
+    }
     return core::sample_scalar(*dataset.flow, *dataset.scalars, *scalar, request.points, times,
                                stop)
         .map([&](std::vector<float> values) {

@@ -21,7 +21,7 @@ core::DatasetInfo sample_info() {
     info.cells = 24;
     info.times = {0.1, 0.2, 0.30000000000000004};
     info.fields = {{"U", 3, core::FieldInfo::Source::Cell, {0.25, 1.5}, "m/s"},
-                   {"mask", 1, core::FieldInfo::Source::Point, {0, 1}, ""}};
+                   {"mask", 1, core::FieldInfo::Source::Point, {0, 1}, "", false, false}};
     info.velocity = "U";
     info.why = "the only one";
     info.obstacle = true;

@@ -159,6 +159,8 @@ TEST(LevelSets, OfFieldsThatAreDerivedFromTheVelocity) {
     EXPECT_EQ(data.surface("velocity_y", 0.5)->statistics.empty->message,
               "level 0.5 is outside the range of velocity_y, 0 to 0");
     EXPECT_EQ(data.surface("nope", 1.0).error().code, Error::Code::NotFound);
+    EXPECT_EQ(data.surface("q_criterium", 1.0).error().hint.substr(0, 46),
+              "did you mean q_criterion? There is r, h, U, vo");
 }
 
 /// Nothing of `mesh` comes nearer to where there are no values than a cell's own size.

@@ -18,6 +18,7 @@ class Planes final : public LevelSource {
         LevelTriangles out;
         out.range = {0.0, 4.0};
         out.values = values;
+        out.times = times;
         if (!values || wanted.level < 0.0 || wanted.level > 4.0)
             return out;
         const double x = wanted.level;
@@ -34,6 +35,7 @@ class Planes final : public LevelSource {
 
     mutable LevelWanted asked;
     bool values = true;
+    std::vector<double> times;
 };
 
 const std::shared_ptr<const Flow> abc = make_analytic_flow("abc").value();
@@ -110,6 +112,13 @@ TEST(LevelSurface, OfAFieldWithoutValuesSaysSo) {
     EXPECT_EQ(surface.statistics.empty->reason, Emptiness::Reason::NotFinite);
     EXPECT_EQ(surface.statistics.empty->message, "p has no values at t = 5");
     EXPECT_FALSE(surface.statistics.field_range);
+    EXPECT_EQ(surface.statistics.empty->hint, "choose another field, or another time");
+    level.source->times = {1, 2.5};
+    EXPECT_EQ(build_surface(level.plan)->statistics.empty->hint,
+              "p has values at t = 1, 2.5: choose such a time, or another field");
+    level.source->times = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
+    EXPECT_NE(build_surface(level.plan)->statistics.empty->hint.find("6, 7, ... 9:"),
+              std::string::npos);
 }
 
 TEST(LevelSurface, OfMoreQuadsThanAllowedIsRefusedWithTheirNumber) {

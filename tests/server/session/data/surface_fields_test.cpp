@@ -396,6 +396,9 @@ TEST(SurfaceFields, NamesAreFoundInTheDatasetFirst) {
               "there is p, holes, U, deformation, approximated, error, vorticity, "
               "vorticity_x, vorticity_y, vorticity_z, q_criterion, velocity_x, velocity_y, "
               "velocity_z, normal_x, normal_y, normal_z");
+    EXPECT_TRUE(find_field(store.dataset(), "vorticty")
+                    .error()
+                    .hint.starts_with("did you mean vorticity? There is p, holes, U, "));
     const auto vector = find_field(store.dataset(), "heat flux");
     EXPECT_NE(vector.error().message.find("a store holds one vector"), std::string::npos);
     const auto names = [&](const std::vector<std::string>& asked) {

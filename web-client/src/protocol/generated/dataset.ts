@@ -74,6 +74,8 @@ export interface Field {
     unit?: string;
     /** true: a family of stream surfaces, which was made from the velocity by family.make */
     family?: boolean;
+    /** false: imports leave it out, as they do masks and arrays that the velocity is made of; surfaces cannot carry it */
+    stored?: boolean;
 }
 
 export const fieldCheck = members<Field>({
@@ -83,6 +85,7 @@ export const fieldCheck = members<Field>({
     range: list(orNull(number), 2),
     unit: optional(text),
     family: optional(flag),
+    stored: optional(flag),
 });
 
 /** The description of a dataset. */

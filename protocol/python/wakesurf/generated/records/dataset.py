@@ -42,6 +42,7 @@ class Field(TypedDict, total=False):
     range: List[Optional[float]]  # smallest and largest value (for a vector, of its magnitude); null: unknown
     unit: str  # unit of the values, as stated in the files; may be missing
     family: bool  # true: a family of stream surfaces, which was made from the velocity by family.make; may be missing
+    stored: bool  # false: imports leave it out, as they do masks and arrays that the velocity is made of; surfaces ...
 
 
 class Dataset(TypedDict, total=False):
