@@ -215,7 +215,7 @@ core::Result<void> remove_family(const fs::path& folder, std::string_view name) 
         *all, [&](const StoredFamily& each) { return each.record.name == name; });
     if (found == all->end())
         return core::fail(Error::Code::NotFound, "there is no family " + std::string(name),
-                          "dataset.describe lists those there are");
+                          "`dataset.describe` lists those there are");
     const StoredFamily gone = *found;
     all->erase(found);
     const std::string text = families_text(*all);

@@ -122,7 +122,7 @@ tl::unexpected<Error> cannot_be_coarser(std::uint64_t max_quads, double separati
     std::ostringstream text;
     text << "the surface needs more than " << max_quads << " quads, even at a separation of "
          << separation;
-    return over_limit(max_quads, text.str(), "raise maxQuads, or shorten the time or the rake");
+    return over_limit(max_quads, text.str(), "raise `maxQuads`, or shorten the time or the rake");
 }
 
 } // namespace wakesurf::core

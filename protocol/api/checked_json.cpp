@@ -1,6 +1,7 @@
 #include "protocol/api/checked_json.hpp"
 
 #include "protocol/api/json_text.hpp"
+#include "protocol/api/nearest_name.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -59,7 +60,8 @@ CheckedJson::CheckedJson(const json& object) : object_(object) {
 }
 
 const json* CheckedJson::find(std::string_view name) {
-    known_.emplace_back(name);
+    if (std::find(known_.begin(), known_.end(), name) == known_.end())
+        known_.emplace_back(name);
     if (!object_.is_object())
         return nullptr;
     const auto found = object_.find(name);
@@ -78,7 +80,8 @@ bool CheckedJson::has(std::string_view name) {
 }
 
 bool CheckedJson::given(std::string_view name) {
-    known_.emplace_back(name);
+    if (std::find(known_.begin(), known_.end(), name) == known_.end())
+        known_.emplace_back(name);
     return object_.is_object() && object_.contains(name);
 }
 
@@ -253,8 +256,10 @@ void CheckedJson::inside(std::string_view name, const std::function<void(Checked
         return;
     CheckedJson inner(*value);
     read(inner);
-    if (const auto sound = inner.verdict(); !sound)
+    if (const auto sound = inner.verdict(); !sound && fault_.empty()) {
         fault(name, "is not as it should be: " + sound.error().message);
+        hint_ = sound.error().hint;
+    }
 }
 
 void CheckedJson::fault(std::string_view name, std::string_view problem) {
@@ -267,11 +272,12 @@ core::Result<void> CheckedJson::verdict() {
         for (const auto& [name, value] : object_.items())
             if (std::find(known_.begin(), known_.end(), name) == known_.end()) {
                 fault(name.substr(0, 64), "is not a parameter of this method");
+                const std::string meant = nearest_name(name, known_);
+                hint_ = meant.empty() ? there_is(known_) : "did you mean `" + meant + "`?";
                 break;
             }
     if (!fault_.empty())
-        return core::fail(core::Error::Code::InvalidArgument, fault_,
-                          "see rpc.discover for the parameters of each method");
+        return core::fail(core::Error::Code::InvalidArgument, fault_, hint_);
     return {};
 }
 

@@ -76,6 +76,7 @@ class CheckedJson {
     const nlohmann::json& object_;
     std::vector<std::string> known_;
     std::string fault_;
+    std::string hint_; ///< of an unknown name; the words of all others say what is wanted
 };
 
 } // namespace wakesurf::protocol

@@ -60,7 +60,7 @@ core::Result<GrantRecord> read_grant(std::string_view text) {
         !fits(kept, "copier", is_text) || !fits(kept, "lineage", is_list_of_texts) ||
         !fits(kept, "lowered", is_map_of_texts))
         return core::fail(core::Error::Code::Corrupt, "a saved share link is damaged",
-                          "make a new one with session.share");
+                          "make a new one with `session.share`");
     GrantRecord record{kept["role"], kept["sha256"], {}, {}, {}, {}};
     if (kept.contains("expires"))
         record.expires = kept["expires"].get<std::int64_t>();

@@ -47,4 +47,11 @@ std::string nearest_name(std::string_view wanted, std::span<const std::string> n
     return found;
 }
 
+std::string there_is(std::span<const std::string> names) {
+    std::string out;
+    for (const std::string& each : names)
+        out += (out.empty() ? "there is `" : ", `") + each + '`';
+    return out.empty() ? "it takes none" : out;
+}
+
 } // namespace wakesurf::protocol

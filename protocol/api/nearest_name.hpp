@@ -12,4 +12,7 @@ namespace wakesurf::protocol {
 /// at 64 letters.
 std::string nearest_name(std::string_view wanted, std::span<const std::string> names);
 
+/// "there is `a`, `b`", or that there is nothing.
+std::string there_is(std::span<const std::string> names);
+
 } // namespace wakesurf::protocol

@@ -26,7 +26,7 @@ constexpr std::array<std::pair<const char*, const char*>, 4> groups{{
 
 tl::unexpected<Error> not_a_session_file(const std::string& what) {
     return fail(Error::Code::Corrupt, "this is not a session file: " + what,
-                "use a file that session.export or session.json wrote");
+                "use a file that `session.export` or session.json wrote");
 }
 
 json mark_json(const DatasetMark& mark) {

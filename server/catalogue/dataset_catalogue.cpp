@@ -323,7 +323,7 @@ core::Result<void> DatasetCatalogue::choose_velocity(std::string_view dataset,
         Entry* const entry = find_entry(dataset);
         if (entry == nullptr)
             return core::fail(Error::Code::NotFound, "there is no dataset of this name",
-                              "list them with dataset.list");
+                              "`dataset.list` lists them");
         SourceOptions wish = entry->taken;
         wish.velocity = velocity;
         if (auto fit = check_source_options(entry->argument, wish); !fit)
@@ -362,7 +362,7 @@ core::Result<DatasetStatus> DatasetCatalogue::status(std::string_view dataset) c
     if (const Entry* entry = find_entry(dataset))
         return entry->status;
     return core::fail(Error::Code::NotFound, "there is no dataset of this name",
-                      "list them with dataset.list");
+                      "`dataset.list` lists them");
 }
 
 core::Result<std::shared_ptr<const LoadedDataset>>
@@ -371,14 +371,14 @@ DatasetCatalogue::find(std::string_view dataset) const {
     const Entry* entry = find_entry(dataset);
     if (entry == nullptr)
         return core::fail(Error::Code::NotFound, "there is no dataset of this name",
-                          "list them with dataset.list");
+                          "`dataset.list` lists them");
     if (!entry->open && entry->status.error)
         return tl::unexpected(*entry->status.error);
     if (!entry->open && entry->status.state == DatasetState::Stopped)
         return core::fail(Error::Code::NotFound,
                           "the import of " + entry->status.name +
                               " was stopped before its first time-step",
-                          "call dataset.open to resume the import");
+                          "`dataset.open` resumes the import");
     if (!entry->open)
         return core::fail(Error::Code::NotFound,
                           entry->status.name + " has no time-step imported yet",

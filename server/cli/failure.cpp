@@ -1,10 +1,12 @@
 #include "server/cli/failure.hpp"
 
+#include "server/cli/own_words.hpp"
 #include "server/cli/tell.hpp"
 
 namespace wakesurf::server {
 
-int report_failure(const core::Error& error) {
+int report_failure(const core::Error& told) {
+    const core::Error error = with_commands(told);
     const std::string hint = error.hint.empty() ? "" : " (" + error.hint + ")";
     tell(stderr, "wakesurf: {}\n", core::printable_line(error.message + hint));
     return 1;

@@ -199,7 +199,8 @@ void add_sessions_options(CLI::App& command, SessionsOptions& options) {
     };
     auto* const listing = action("list", "List the sessions: who used them, and when");
     listing->add_flag("--trash", options.trash, "list the deleted ones");
-    listing->add_flag("--json", options.json, "print the result of session.list");
+    listing->add_flag("--json", options.json,
+                      "print them as JSON, as the method `session.list` does");
     on_session("rename", "Rename a session")
         ->add_option("NAME", options.name, "its new name")
         ->required();

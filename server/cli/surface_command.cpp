@@ -18,6 +18,7 @@
 #include "server/catalogue/surface_scalars.hpp"
 #include "server/cli/elapsed_line.hpp"
 #include "server/cli/failure.hpp"
+#include "server/cli/own_words.hpp"
 #include "server/cli/stop_on_signal.hpp"
 #include "server/cli/surface_passes.hpp"
 #include "server/cli/surface_picture.hpp"
@@ -178,7 +179,7 @@ core::Result<void> tell_statistics(const core::SurfaceStatistics& statistics, bo
                           statistics.empty->hint);
     if (statistics.empty)
         tell(stderr, "wakesurf: the surface is empty: {}; {}\n", statistics.empty->message,
-             statistics.empty->hint);
+             with_options({{}, {}, statistics.empty->hint}).hint);
     if (cut_short) { // which is why it is coarser, or lacks particles
         tell(stderr, "wakesurf: not finished: {}; raise --seconds\n", statistics.stopped);
         return {};
@@ -219,9 +220,9 @@ core::Result<core::SurfacePlan> planned(SurfaceRequest request,
     choose_times(request, dataset.info.times);
     auto plan = core::plan_surface(dataset.flow, request.rake, std::move(request.parameters));
     if (!plan)
-        return tl::unexpected(as_option(plan.error()));
+        return tl::unexpected(plan.error());
     if (auto there = core::take_levels(*plan, dataset.levels); !there)
-        return tl::unexpected(as_option(there.error()));
+        return tl::unexpected(there.error());
     if (plan->clipped)
         tell(stderr, "wakesurf: part of the rake is outside the domain and was cut away\n");
     if (auto known = check_fields(dataset, options.fields); !known)
@@ -275,7 +276,7 @@ core::Result<void> make(const SurfaceOptions& options,
                                       limit.token());
                      });
     if (!built)
-        return tl::unexpected(as_option(built.error()));
+        return tl::unexpected(built.error());
     if (stop.stop_requested())
         return core::fail(core::Error::Code::Cancelled, "stopped, nothing was written");
     core::Surface& surface = built->surface;
@@ -287,7 +288,7 @@ core::Result<void> make(const SurfaceOptions& options,
     auto times = core::vertex_times(surface, plan->parameters);
     const auto flat = cut_cells(surface, times, options, *plan, stop, memory);
     if (!flat)
-        return tl::unexpected(as_option(flat.error()));
+        return tl::unexpected(flat.error());
     if (!memory.grow(surface.mesh.vertices() * file_bytes))
         return tl::unexpected(memory.refusal());
     const auto scalars = surface_scalars(*dataset, surface.mesh, times, options.fields, stop);
@@ -399,7 +400,7 @@ void add_surface_options(CLI::App& command, SurfaceOptions& options) {
 }
 
 int run_surface(const SurfaceOptions& options) {
-    auto request = check_surface_options(options);
+    auto request = check_surface_options(options).map_error(with_options);
     if (!request) {
         const int status = report_failure(request.error());
         return request.error().code == core::Error::Code::InvalidArgument ? wrong_usage : status;
@@ -408,7 +409,8 @@ int run_surface(const SurfaceOptions& options) {
         return draw_surface(options, *request);
     const StopOnSignal signals;
     const TimeLimit limit(options.seconds, signals.token());
-    const auto made = make(options, *std::move(request), limit, signals.token());
+    const auto made =
+        make(options, *std::move(request), limit, signals.token()).map_error(with_options);
     if (made)
         return 0;
     // Which times make sense is known only with the dataset.

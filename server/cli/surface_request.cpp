@@ -76,14 +76,13 @@ core::Result<protocol::SurfaceSetting> read_asked(const SurfaceOptions& options,
     protocol::SurfaceSetting setting;
     read(in, setting);
     if (auto sound = in.verdict(); !sound)
-        return tl::unexpected(
-            as_option({sound.error().code, sound.error().message, "see wakesurf surface --help"}));
+        return core::fail(sound.error().code, sound.error().message, "see wakesurf surface --help");
     if (options.rake.empty() &&
         setting.parameters.kind !=
             core::SurfaceKind::Level) // what is left out is still to come from the data
         return setting;
     if (auto sound = protocol::check_kind(setting); !sound)
-        return tl::unexpected(as_option(sound.error()));
+        return tl::unexpected(sound.error());
     return setting;
 }
 
@@ -182,20 +181,6 @@ core::Result<SurfaceRequest> check_surface_options(const SurfaceOptions& options
     request.parameters.tangents =
         options.tessellate > 1 || std::ranges::any_of(options.fields, core::is_normal_component);
     return request;
-}
-
-core::Error as_option(core::Error error) {
-    constexpr std::string_view cut = "`tessellate`";
-    for (std::string* text : {&error.message, &error.hint})
-        if (const auto at = text->find(cut); at != std::string::npos)
-            text->replace(at, cut.size(), "--tessellate");
-    for (const protocol::SurfaceOption& each : protocol::surface_options)
-        for (std::string* text : {&error.message, &error.hint}) {
-            const std::string quoted = '`' + std::string(each.parameter) + '`';
-            for (auto at = text->find(quoted); at != std::string::npos; at = text->find(quoted))
-                text->replace(at, quoted.size(), each.option);
-        }
-    return error;
 }
 
 void choose_times(SurfaceRequest& request, const std::vector<double>& times) {

@@ -31,7 +31,4 @@ core::Result<SurfaceRequest> check_surface_options(const SurfaceOptions& options
 /// 10 time units from `from` where there are no such times.
 void choose_times(SurfaceRequest& request, const std::vector<double>& times);
 
-/// An error that names parameters of surface.set, as the command line spells them.
-core::Error as_option(core::Error error);
-
 } // namespace wakesurf::server

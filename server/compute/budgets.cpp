@@ -27,7 +27,7 @@ constexpr std::array<Kind, 5> kinds{{
      "wait for their answers, and put many points into one"},
     {&limits::Budget::waits, Budgeted::Waits, Rejection::RateLimited,
      "calls that wait for surfaces or imports",
-     "wait for answers, or end some calls with $/cancelRequest"},
+     "wait for answers, or end some calls with `$/cancelRequest`"},
 }};
 
 const Kind& kind_of(Use use) {

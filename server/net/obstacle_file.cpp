@@ -22,7 +22,7 @@ namespace {
 /// walls of the store or of a built-in flow.
 core::Result<core::QuadComplex> obstacle_of(const LoadedDataset& dataset) {
     const auto none = fail(Error::Code::NotFound, "the dataset has no obstacle",
-                           "dataset.describe says whether it has one");
+                           "`dataset.describe` says whether it has one");
     const store::StoreReader* store = dataset.store.get();
     if (store != nullptr && !store->mask().empty())
         return core::obstacle_surface(store->grid(), store->mask());

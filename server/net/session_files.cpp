@@ -55,7 +55,7 @@ core::Result<std::string> thumbnail_of(const SessionDirectory& sessions, const s
 HttpResponse picture(const std::string& base64, const HttpRequest& request) {
     const auto image = read_thumbnail(base64);
     if (base64.empty() || !image)
-        return http_error(404, "this session has no picture yet", "session.thumbnail sends one");
+        return http_error(404, "this session has no picture yet", "`session.thumbnail` sends one");
     const std::string tag = '"' + digest_text(secret_digest(image->bytes)).substr(0, 32) + '"';
     HttpResponse response{
         200,

@@ -119,7 +119,7 @@ void answer_opening(Opening& opening, const core::Result<DatasetStatus>& status)
     if (status->state == DatasetState::Stopped)
         return opening.reply.fault(core::Error{core::Error::Code::Cancelled,
                                                "the import of " + status->name + " was stopped",
-                                               "call dataset.open to resume the import"});
+                                               "`dataset.open` resumes the import"});
     opening.reply.result(dataset_entry(*status));
 }
 

@@ -63,12 +63,11 @@ std::optional<RpcFault> unknown_parameter(const Method& method, const json& para
         return std::nullopt;
     for (const auto& [name, value] : parameters.items()) {
         if (!method.takes(name))
-            return RpcFault{
-                RpcCode::InvalidParameters,
-                "`" + name.substr(0, 64) + "` is not a parameter of " + method.name,
-                hint(name, method.parameters, "rpc.discover lists the parameters of each method"),
-                {},
-                {}};
+            return RpcFault{RpcCode::InvalidParameters,
+                            "`" + name.substr(0, 64) + "` is not a parameter of " + method.name,
+                            hint(name, method.parameters, protocol::there_is(method.parameters)),
+                            {},
+                            {}};
     }
     return std::nullopt;
 }
@@ -76,7 +75,7 @@ std::optional<RpcFault> unknown_parameter(const Method& method, const json& para
 RpcFault too_many_calls() {
     return {RpcCode::OverLimit,
             "too many calls of this connection are not answered yet",
-            "wait for answers, or end some calls with $/cancelRequest",
+            "wait for answers, or end some calls with `$/cancelRequest`",
             {},
             std::make_shared<const json>(json{{"limit", limits::pending_calls}})};
 }
@@ -167,7 +166,7 @@ void Dispatcher::run(const RpcCall& call, const Caller& caller, bool batched, An
     if (method == nullptr)
         return reply.fault({RpcCode::MethodNotFound,
                             "there is no method `" + call.method.substr(0, 64) + "`",
-                            hint(call.method, names(), "rpc.discover lists the methods"),
+                            hint(call.method, names(), "`rpc.discover` lists the methods"),
                             {},
                             {}});
     if (method->traits.websocket_only && caller.client == nullptr)

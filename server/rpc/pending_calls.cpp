@@ -16,7 +16,7 @@ void PendingCall::cancel() {
     if (answered())
         return;
     answer(protocol::rpc_error(id_, {protocol::RpcCode::Cancelled,
-                                     "the call was cancelled by $/cancelRequest",
+                                     "the call was cancelled by `$/cancelRequest`",
                                      "call again for an answer",
                                      {},
                                      {}}));

@@ -43,7 +43,7 @@ void server_stats(const Call& call, const protocol::ServerStats&, Reply reply) {
     if (call.context.metrics == nullptr || !call.context.standing)
         return reply.fault({protocol::RpcCode::NotFound,
                             "this server keeps no statistics",
-                            "server.info says what it offers",
+                            "`server.info` says what it offers",
                             {},
                             {}});
     if (call.identity.session.empty())

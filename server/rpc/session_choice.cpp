@@ -13,7 +13,7 @@ core::Result<std::shared_ptr<Session>> chosen(const Call& call,
     if (!call.identity.session.empty())
         return call.context.sessions.find(call.identity.session);
     return core::fail(core::Error::Code::InvalidArgument, "`session` is missing",
-                      "name one from session.list, or join one on a WebSocket first");
+                      "name one from `session.list`, or join one on a WebSocket first");
 }
 
 } // namespace

@@ -26,7 +26,7 @@ void session_rename(const Call& call, const protocol::SessionRename& to, Reply r
     if (name.empty())
         return reply.fault(core::Error{core::Error::Code::InvalidArgument,
                                        "`name` must have something in it that can be seen",
-                                       "see rpc.discover for the parameters of each method"});
+                                       "give a name of at least one letter"});
     const auto session = choose_session(call, to.session);
     if (!session)
         return reply.fault(session.error());

@@ -34,7 +34,7 @@ void surface_stats(const Call& call, const protocol::SurfaceStats& of, Reply rep
 protocol::RpcFault no_subscription() {
     return {protocol::RpcCode::NotFound,
             "there is no such subscription",
-            "surface.subscribe returns the number",
+            "`surface.subscribe` returns the number",
             {},
             {}};
 }
@@ -45,7 +45,7 @@ void surface_subscribe(const Call& call, const protocol::SurfaceSubscribe& to, R
         return reply.fault(live.error());
     if (call.batched) // frames could overtake the answer that says which surface they are of
         return reply.fault({protocol::RpcCode::InvalidRequest,
-                            "surface.subscribe cannot be part of a batch",
+                            "`surface.subscribe` cannot be part of a batch",
                             "send it on its own",
                             {},
                             {}});
@@ -61,7 +61,7 @@ void surface_subscribe(const Call& call, const protocol::SurfaceSubscribe& to, R
     if (!call.client->may_subscribe((*live)->number()))
         return reply.fault(core::Error{core::Error::Code::OverLimit,
                                        "the connection has as many subscriptions as it may have",
-                                       "end some with surface.unsubscribe",
+                                       "end some with `surface.unsubscribe`",
                                        {},
                                        protocol::limits::subscriptions});
     reply.result({{"subscription", (*live)->number()},

@@ -18,7 +18,7 @@ namespace {
 tl::unexpected<Error> no_record(const RecordKey& key) {
     const std::string type(name(key.type));
     return fail(Error::Code::NotFound, "there is no " + type + " `" + key.id.substr(0, 64) + "`",
-                "list them with " + type + ".list");
+                "`" + type + ".list` lists them");
 }
 
 template <class R>

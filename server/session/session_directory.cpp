@@ -159,10 +159,10 @@ core::Result<std::shared_ptr<Session>> SessionDirectory::find(const std::string&
         return found->second;
     if (const TrashedSession* deleted = trash_.find(id))
         return fail(Error::Code::NotFound, "the session `" + id + "` is in the trash",
-                    "session.restore brings it back until " +
+                    "`session.restore` brings it back until " +
                         protocol::utc_text(deleted_until(deleted->profile)));
     return fail(Error::Code::NotFound, "there is no session `" + id.substr(0, 64) + "`",
-                "create one with session.create, or use `main`");
+                "`session.list` lists those there are");
 }
 
 std::size_t SessionDirectory::remaining() const {
@@ -182,8 +182,8 @@ core::Result<void> SessionDirectory::make_room() {
                                 "the server keeps at most " +
                                     std::to_string(limits::kept_sessions) +
                                     " sessions, and that many are there",
-                                "delete one that is no longer needed with session.delete; "
-                                "session.export saves it first");
+                                "delete one that is no longer needed with `session.delete`; "
+                                "`session.export` saves it first");
     return {};
 }
 
@@ -232,7 +232,7 @@ core::Result<std::int64_t> SessionDirectory::remove(const std::string& id) {
         return core::over_limit(limits::trash,
                                 "the trash keeps at most " + std::to_string(limits::trash) +
                                     " sessions, and that many are there",
-                                "delete some permanently: session.delete with forever: true");
+                                "delete some permanently: `forever` of `session.delete`");
     Session& session = **found;
     session.delete_at(services_.unix_time());
     TrashedSession deleted = trashed(id, session.name(), session.profile(), session.records(),

@@ -51,7 +51,7 @@ core::Result<TrashedSession> SessionTrash::take(const std::string& id) {
     if (!node)
         return core::fail(core::Error::Code::NotFound,
                           "there is no session `" + id.substr(0, 64) + "` in the trash",
-                          "session.list with trash: true lists those that are");
+                          "`trash` of `session.list` lists those that are");
     return std::move(node.mapped());
 }
 

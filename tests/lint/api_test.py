@@ -5,6 +5,8 @@ Needs clang-format, jsonschema and, for TypeScript, prettier. Run it alone with:
 """
 import copy
 import os
+import re
+import subprocess
 import sys
 import tempfile
 import json
@@ -41,6 +43,17 @@ def example_faults(api):
         yield from check(example["result"], openrpc.result_json(api, method), method.name)
 
 
+def bare_methods(text, methods):
+    """Methods that a sentence in C++ names without backticks: no front end could spell them its own way."""
+    named = re.compile(r"(?<![`\w/.])(?:" + "|".join(map(re.escape, sorted(methods, key=len, reverse=True))) + r")(?![\w`])")
+    for number, line in enumerate(text.splitlines(), 1):
+        if line.lstrip().startswith("//"):
+            continue
+        for said in re.findall(r'"((?:[^"\\]|\\.)*)"', line):
+            if named.search(said) and said not in methods:
+                yield f"{number}: {said}"
+
+
 class TheDescription(unittest.TestCase):
     maxDiff = None
 
@@ -52,6 +65,16 @@ class TheDescription(unittest.TestCase):
         made = outputs.make(self.api)
         other = [path for path, text in made.items() if outputs.kept(path) != text] + outputs.left_over(made)
         self.assertEqual(other, [], "run protocol/api/generate")
+
+    def test_is_named_in_backticks_by_all_that_is_said(self):
+        methods = {each.name for each in self.api.methods}
+        self.assertEqual(list(bare_methods('"call rake.list now" "rake.list" "`rake.list` lists" "rake.lists"', methods)), ["1: call rake.list now"])
+        files = subprocess.run(["git", "ls-files", "core/*.cpp", "protocol/*.cpp", "store/*.cpp", "server/*.cpp"], cwd=ROOT, check=True,
+                               stdout=subprocess.PIPE, text=True).stdout.split()
+        for path in files:
+            if "/generated/" not in path:
+                with open(os.path.join(ROOT, path), encoding="utf-8") as file:
+                    self.assertEqual(list(bare_methods(file.read(), methods)), [], path)
 
     def test_makes_no_file_that_is_longer_than_a_file_may_be(self):
         for path, text in outputs.make(self.api).items():

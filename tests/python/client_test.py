@@ -129,7 +129,7 @@ class ClientTest(unittest.TestCase):
             self.surface(max_quads=5000, maxQuads=6000)
         with self.assertRaisesRegex(wakesurf.InvalidParameters, "did you mean `separation`"):
             self.surface(seperation=1)
-        with self.assertRaisesRegex(wakesurf.MethodNotFound, "did you mean `surface.list`"):
+        with self.assertRaisesRegex(wakesurf.MethodNotFound, r"did you mean `session\.api\.surface\.list\(\)`"):
             self.session.call("surfaces.list")
 
     def test_a_mesh_is_the_one_the_session_shows(self):
@@ -237,7 +237,7 @@ class ClientTest(unittest.TestCase):
         self.assertEqual((surface.record()["direction"], surface.record()["to"]), ("forward", 2))
         with self.assertRaises(wakesurf.InvalidParameters) as refused:
             surface.set(direction="backward")
-        self.assertIn("`from` 1.5 and `to` 1", refused.exception.hint)
+        self.assertIn("`from_` 1.5 and `to` 1", refused.exception.hint)
         for kind, more in (("streak", {}), ("time", {"sweep": (0, 0, 0.5)})):
             with self.assertRaises(wakesurf.InvalidParameters) as refused:
                 surface.set(kind=kind, direction="both", **more)
@@ -439,10 +439,15 @@ class ClientTest(unittest.TestCase):
     def test_hints_speak_python(self):
         with self.assertRaises(wakesurf.InvalidParameters) as raised:
             self.session.call("surface.set", rake="r1", dataset="abc", kind="stream", to=1, nonsenseWord=1)
-        self.assertNotIn("rpc.discover", str(raised.exception))
-        self.assertIn("help(", str(raised.exception))
-        self.assertEqual(wakesurf.errors.in_python("use a lower maxQuads; wallShearStress is there"),
-                         "use a lower max_quads; wallShearStress is there")
+        self.assertIn("`max_quads`", raised.exception.hint)
+        self.assertNotIn("`maxQuads`", str(raised.exception))
+        with self.assertRaises(wakesurf.InvalidParameters) as raised:
+            self.session.call("rake.set", kind="line", points=[[0, 0, 0], [0, 1, 0]], seeds=1)
+        self.assertIn("`seeds` must be", raised.exception.message)
+        self.assertEqual(raised.exception.hint, "", "the message says it all: nothing that holds for every parameter")
+        with self.assertRaises(wakesurf.NotFound) as raised:
+            self.client.describe("nothing")
+        self.assertEqual(raised.exception.hint, "`session.api.dataset.list()` lists them")
 
     def test_live_meshes_are_the_servers_on_its_lattice_through_edits(self):
         surface = self.surface(fields=["vorticity"])

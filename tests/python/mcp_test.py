@@ -210,6 +210,18 @@ class ToolsTest(McpCase):
         self.assertEqual(os.path.getsize(kept), 4)
         agent.numbers("export", path="kept.obj", overwrite=True)
 
+    def test_says_what_to_do_in_the_words_of_its_tools(self):
+        agent = self.on_server()
+        agent.numbers("surface", kind="stream", to=2, separation=0.05, max_quads=1)
+        said = agent.refusal("wait")
+        self.assertIn("raise `max_quads`", said)
+        rake = agent.refusal("surface", kind="stream", rake="r99", to=1)
+        self.assertIn("the tool `open` lists them", rake)
+        self.assertNotIn("rake.list", rake)
+        seeds = agent.refusal("rake", points=LINE, seeds=1)
+        self.assertNotIn("help(", seeds)
+        self.assertNotIn("rpc.discover", seeds)
+
     def test_writes_no_file_that_a_link_beside_it_names(self):
         agent = self.on_server()
         agent.numbers("surface", kind="stream", to=1, separation=0.1)

@@ -78,7 +78,7 @@ class SessionsTest(unittest.TestCase):
         self.assertIn("deletedUntil", session.about)
         with self.assertRaises(wakesurf.NotFound) as raised:
             session.state()
-        self.assertIn("session.restore", raised.exception.hint)
+        self.assertIn("`session.api.session.restore()`", raised.exception.hint)
         self.assertEqual([each.id for each in self.client.sessions(trash=True)], [session.id])
         session.restore()
         self.assertEqual(self.records(session), before)

@@ -3,7 +3,6 @@ from __future__ import annotations
 
 import io
 import json
-import re
 import signal
 import sys
 import warnings
@@ -13,6 +12,7 @@ from .beginning import begin, last_time
 from .chrome import find_browser
 from .errors import PictureFailed, WakesurfError
 from .names import snake
+from .own_words import in_options
 from .plain import Json
 from .progress import Progress
 from .serve import serve
@@ -29,7 +29,7 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
     try:
         draw(json.loads(job), dataset, output, options)
     except WakesurfError as problem:
-        print("wakesurf: " + as_options(str(problem)), file=sys.stderr)
+        print("wakesurf: " + in_options(*(problem.told or (problem.message, problem.hint))), file=sys.stderr)
         return 1
     except OSError as problem:
         print(f"wakesurf: {problem}", file=sys.stderr)
@@ -66,11 +66,6 @@ def draw(job: Json, dataset: str, output: str, options: Sequence[str]) -> None:
             drawn = session.picture(output, (int(width), int(height)))
         print(f"{output}: {width} x {height} pixels of {stats['quads']} quads, separation {stats['separation']:.4g}"
               + (", too small for the scalar bar" if drawn.bar_left_out else ""))
-
-
-def as_options(text: str) -> str:
-    """Parameters of the API as the command line spells them."""
-    return re.sub(r"`([a-z][A-Za-z0-9]*)`", lambda found: "--" + snake(found[1]).replace("_", "-"), text)
 
 
 def _line(progress: Progress) -> None:

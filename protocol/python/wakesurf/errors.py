@@ -1,9 +1,9 @@
 """What can go wrong, as exceptions. Each has `code`, `kind`, `hint` and `data` as the server gave them."""
 from __future__ import annotations
 
-import re
-from typing import Any, Mapping, Optional
+from typing import Any, Mapping, Optional, Tuple
 
+from .own_words import in_python
 from .plain import Json
 
 __all__ = ["WakesurfError", "InvalidRequest", "InvalidParameters", "InvalidPoints", "UnknownParameter", "MissingParameter", "MethodNotFound",
@@ -19,6 +19,7 @@ class WakesurfError(Exception):
         super().__init__(message + (f" ({hint})" if hint else ""))
         self.message, self.code, self.kind, self.hint = message, code, kind, hint
         self.data: Json = data or {}
+        self.told: Optional[Tuple[str, str]] = None  # message and hint as the server has them, with the names of its API
 
 
 class InvalidRequest(WakesurfError):
@@ -131,28 +132,12 @@ class PictureFailed(WakesurfError):
     """The page could not draw it; the message says why."""
 
 
-# What the server says to every client, and what that is here.
-_IN_PYTHON = (
-    (r"(?:see )?rpc\.discover (?:lists|for) the parameters of each method",
-     "help() of the method shows its parameters, as help(session.api.surface.set)"),
-    (r"rpc\.discover lists the methods", "dir(session.api) and dir(session.api.surface) list them"),
-)
-
-
-def in_python(hint: str) -> str:
-    """A hint as it is meant for people who write Python: methods and parameters as this client spells them."""
-    for pattern, words in _IN_PYTHON:
-        hint = re.sub(pattern, words, hint)
-    # These alone: fields of the data may be spelt like that as well.
-    return re.sub(r"\b(maxQuads|releaseUntil|stagnationSpeed|expiresIn|ifRev|timeoutMs)\b",
-                  lambda found: re.sub("([A-Z])", r"_\1", found[0]).lower(), hint)
-
-
 def error_of(fault: Mapping[str, Any]) -> WakesurfError:
     """The exception for the `error` of an answer."""
     from .generated.error_codes import BY_CODE  # which needs the classes above
     data = dict(fault.get("data") or {})
-    if "hint" in data:
-        data["hint"] = in_python(str(data["hint"]))
     kind = BY_CODE.get(fault.get("code", 0), WakesurfError)
-    return kind(fault.get("message", ""), fault.get("code", 0), data.pop("kind", ""), data.pop("hint", ""), data)
+    told = str(fault.get("message", "")), str(data.pop("hint", ""))
+    problem = kind(in_python(told[0]), fault.get("code", 0), data.pop("kind", ""), in_python(told[1]), data)
+    problem.told = told
+    return problem

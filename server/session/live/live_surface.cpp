@@ -427,7 +427,7 @@ void LiveSurface::retire() {
     ring_->close();
     waiters_->answer(std::numeric_limits<std::uint32_t>::max(),
                      core::fail(core::Error::Code::NotFound, "surface " + id_ + " was deleted",
-                                "list the surfaces with surface.list"));
+                                "`surface.list` lists those there are"));
 }
 
 std::uint64_t

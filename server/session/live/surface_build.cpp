@@ -116,7 +116,7 @@ core::Result<Update> SurfaceBuild::run(const SurfacePass& pass,
     } catch (const std::bad_alloc&) {
         return core::fail(core::Error::Code::OverLimit,
                           "there is not enough memory for this surface",
-                          "use a larger separation, fewer seeds or a lower maxQuads");
+                          "use a larger separation, fewer seeds or a lower `maxQuads`");
     } catch (const std::exception& error) { // what libraries throw ends this surface only
         spdlog::error("building surface {} failed: {}", job_.number, without_paths(error.what()));
         return core::fail(core::Error::Code::Io, "building the surface failed inside the server",

@@ -13,7 +13,7 @@ std::uint64_t SurfaceWaiters::add(std::uint32_t epoch,
                                   Waiter waiter) {
     if (waiting_.size() >= limits::waiters) {
         waiter(core::over_limit(limits::waiters,
-                                "too many surface.wait calls are open for this surface",
+                                "too many calls of `surface.wait` are open for this surface",
                                 "let some of them finish first"));
         return 0;
     }

@@ -35,7 +35,7 @@ core::Result<Grants::Made> Grants::make(const std::string& session,
         return core::over_limit(limits::grants,
                                 "a session may have at most " + std::to_string(limits::grants) +
                                     " share links",
-                                "revoke some with session.unshare");
+                                "revoke some with `session.unshare`");
     const auto longest = longest_of(maker.grant);
     if (longest && (!expires_in || *expires_in > *longest))
         return fail(Error::Code::InvalidArgument,
@@ -129,7 +129,7 @@ Grants::revoke(const std::string& session, const std::string& id, bool children)
     if (found == entries_.end() || found->second.grant.session != session)
         return fail(Error::Code::NotFound,
                     "the session has no share link `" + id.substr(0, 64) + "`",
-                    "list them with session.shares");
+                    "`session.shares` lists them");
     const char* const reason = "the share link was revoked";
     if (children)
         for (const Grant& each : descendants(id))
@@ -259,7 +259,7 @@ Grants::restore(const std::string& session, const std::string& id, std::string_v
             lowered[participant] = *set;
     if (!number || !role || !digest || lowered.size() != kept->lowered.size())
         return fail(Error::Code::Corrupt, "a saved share link is damaged",
-                    "make a new one with session.share");
+                    "make a new one with `session.share`");
     next_ = std::max(next_, *number + 1);
     Entry entry{{id, session, *role, kept->expires, kept->maker, kept->lineage, std::move(lowered),
                  kept->copier},

@@ -265,7 +265,7 @@ core::Result<Participant> Participants::find(const std::string& id) const {
         if (each.place.id == id)
             return each.place;
     return fail(Error::Code::NotFound, "the session has no participant `" + id.substr(0, 64) + "`",
-                "session.state lists them");
+                "`session.state` lists them");
 }
 
 const Participant* Participants::visible(const std::string& id) const {

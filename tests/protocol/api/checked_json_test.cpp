@@ -42,6 +42,20 @@ TEST(CheckedJson, TakesNumbersInRangeOnly) {
         EXPECT_EQ(number_fault(bad).substr(0, 4), "`n` ") << bad;
 }
 
+TEST(CheckedJson, HintsAtTheNameThatIsMeantAndLeavesTheRestToTheMessage) {
+    const auto hint = [](const json& parameters) {
+        CheckedJson in(parameters);
+        in.count("seeds", 2, 4096);
+        in.token_if("name", false);
+        const auto verdict = in.verdict();
+        return verdict ? std::string("no fault") : verdict.error().hint;
+    };
+    EXPECT_EQ(hint({{"seeds", 8u}, {"names", "x"}}), "did you mean `name`?");
+    EXPECT_EQ(hint({{"seeds", 8u}, {"opacity", 1}}), "there is `seeds`, `name`");
+    EXPECT_EQ(hint({{"seeds", 1u}}), "");
+    EXPECT_EQ(hint(json::object()), "");
+}
+
 TEST(CheckedJson, TakesWholeNumbersHoweverTheyAreWritten) {
     const json parameters = json::parse(R"({"a":32,"b":32.0,"c":3.2e1})");
     CheckedJson in(parameters);

@@ -255,7 +255,7 @@ TEST_F(SurfaceCommand, CutsARakeThatIsPartlyOutsideAndSaysSo) {
 TEST_F(SurfaceCommand, FailsWithStatusOneWhereTheRequestIsWellFormedButCannotBeDone) {
     refuses({"--rake", "30,0,0 40,0,0"}, 1, "outside");
     refuses({"--kind", "time", "--rake2", "30,0,0 40,0,0"}, 1, "--rake2");
-    refuses({"--fields", "p"}, 1, "scalar field p");
+    refuses({"--fields", "p"}, 1, "--fields names a field the dataset does not have: p");
     refuses({"-o", file("missing/out.vtp")}, 1, "no folder");
 }
 

@@ -1,5 +1,6 @@
 #include "core/field/analytic_flow.hpp"
 #include "core/surface/request/surface_plan.hpp"
+#include "server/cli/own_words.hpp"
 #include "server/cli/surface_request.hpp"
 
 #include <gtest/gtest.h>
@@ -21,7 +22,7 @@ core::Error refusal(SurfaceRequest request) {
     const std::shared_ptr<const core::Flow> flow = core::make_analytic_flow("uniform").value();
     const core::Rake rake{core::Rake::Kind::Line, {{0, -0.1, 0}, {0, 0.1, 0}}, 9};
     const auto plan = core::plan_surface(flow, rake, request.parameters);
-    return plan ? core::Error{} : as_option(plan.error());
+    return plan ? core::Error{} : with_options(plan.error());
 }
 
 core::SurfaceParameters chosen(SurfaceRequest request, const std::vector<double>& times) {
@@ -115,7 +116,7 @@ TEST(SurfaceRequest, RefusesWhatSurfaceSetRefusesUnderTheNameOfTheOption) {
         SurfaceOptions asked = options;
         asked.asked = {{"kind", "stream"}};
         asked.asked[parameter] = text;
-        const auto request = check_surface_options(asked);
+        const auto request = check_surface_options(asked).map_error(with_options);
         return request ? std::string() : request.error().message;
     };
     EXPECT_EQ(complaint("angle", "0"), "--angle must be a number greater than 0");

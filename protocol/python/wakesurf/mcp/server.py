@@ -16,6 +16,7 @@ from ..errors import WakesurfError
 from ..generated.version import VERSION
 from ..plain import Json
 from . import edit_tools, file_tools, number_tools
+from .own_words import hint_in_tools, in_tools
 from .tool import Answer, Call, Stopped, Tool
 from .wire import INTERNAL, INVALID_PARAMETERS, INVALID_REQUEST, METHOD_NOT_FOUND, Batch, Id, Out, Refused, Reply, checked, fault, lines, \
     message_of, result
@@ -168,8 +169,11 @@ def _made(tool: Tool, work: Work, arguments: Json, call: Call) -> Optional[Json]
     except Stopped:
         return None
     except WakesurfError as problem:
-        about = {"kind": problem.kind or type(problem).__name__, "message": problem.message, "hint": problem.hint}
-        return {"content": [_text(str(problem))], "structuredContent": {"error": about}, "isError": True}
+        message, hint = problem.message, problem.hint
+        if problem.told:  # by the server, which knows no tools
+            message, hint = in_tools(problem.told[0]), hint_in_tools(problem.told[1])
+        about = {"kind": problem.kind or type(problem).__name__, "message": message, "hint": hint}
+        return {"content": [_text(message + (f" ({hint})" if hint else ""))], "structuredContent": {"error": about}, "isError": True}
     except (ImportError, OSError, ValueError) as problem:
         about = {"kind": type(problem).__name__, "message": str(problem), "hint": ""}
         return {"content": [_text(str(problem))], "structuredContent": {"error": about}, "isError": True}
