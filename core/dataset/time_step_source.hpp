@@ -13,6 +13,8 @@
 
 namespace wakesurf::core {
 
+class BrickSource;
+
 /// Thread safety: concurrent calls are fine.
 class TimeStepSource {
   public:
@@ -36,6 +38,9 @@ class TimeStepSource {
     /// Error: NotFound (not written yet), Corrupt, Io, Cancelled.
     virtual Result<std::shared_ptr<const TimeStep>> load(std::size_t index,
                                                          std::stop_token stop) const = 0;
+
+    /// Its time-steps brick by brick, where they can be had so; lives as long as the source.
+    virtual const BrickSource* bricks() const { return nullptr; }
 
     /// Returns the memory that it keeps for the next load to the system.
     virtual void let_go() const {}

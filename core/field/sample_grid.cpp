@@ -25,37 +25,6 @@ Error not_finite(const Vec3& p, double time) {
             "choose other parameters, or a grid without a node there"};
 }
 
-Result<Range> sample_some(const Flow& flow,
-                          const UniformGrid& grid,
-                          std::size_t first,
-                          double time,
-                          std::span<float> out,
-                          const std::stop_token& stop) {
-    const std::size_t count = out.size() / 3;
-    std::vector<Vec3> positions(count);
-    std::vector<Vec3> velocities(count);
-    for (std::size_t i = 0; i < count; ++i)
-        positions[i] = node_position(grid, first + i);
-    const std::vector<double> times(count, time);
-    if (auto sampled = flow.sample(positions, times, velocities, stop); !sampled)
-        return tl::unexpected(sampled.error());
-    Range range{std::numeric_limits<double>::infinity(), 0.0};
-    for (std::size_t i = 0; i < count; ++i) {
-        const bool solid = flow.status(positions[i]) == PointStatus::InObstacle;
-        const Vec3 v = solid ? Vec3(0.0) : velocities[i];
-        for (int axis = 0; axis < 3; ++axis)
-            out[3 * i + static_cast<std::size_t>(axis)] = static_cast<float>(v[axis]);
-        const auto* rounded = &out[3 * i];
-        if (!std::isfinite(rounded[0]) || !std::isfinite(rounded[1]) || !std::isfinite(rounded[2]))
-            return tl::unexpected(not_finite(positions[i], time));
-        if (solid)
-            continue;
-        const double speed = std::hypot(rounded[0], rounded[1], rounded[2]);
-        range = {std::min(range[0], speed), std::max(range[1], speed)};
-    }
-    return range;
-}
-
 /// Calls `work(task, begin, end)` for every `task_nodes` of `count` nodes, in parallel.
 template <class Work>
 void for_tasks(std::size_t count, const Work& work) {
@@ -69,6 +38,31 @@ void for_tasks(std::size_t count, const Work& work) {
 
 } // namespace
 
+Result<Range> sample_places(const Flow& flow,
+                            std::span<const Vec3> places,
+                            double time,
+                            std::span<float> velocities) {
+    std::vector<Vec3> exact(places.size());
+    const std::vector<double> times(places.size(), time);
+    if (auto sampled = flow.sample(places, times, exact, {}); !sampled)
+        return tl::unexpected(sampled.error());
+    Range range{std::numeric_limits<double>::infinity(), 0.0};
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const bool solid = flow.status(places[i]) == PointStatus::InObstacle;
+        const Vec3 v = solid ? Vec3(0.0) : exact[i];
+        for (int axis = 0; axis < 3; ++axis)
+            velocities[3 * i + static_cast<std::size_t>(axis)] = static_cast<float>(v[axis]);
+        const auto* rounded = &velocities[3 * i];
+        if (!std::isfinite(rounded[0]) || !std::isfinite(rounded[1]) || !std::isfinite(rounded[2]))
+            return tl::unexpected(not_finite(places[i], time));
+        if (solid)
+            continue;
+        const double speed = std::hypot(rounded[0], rounded[1], rounded[2]);
+        range = {std::min(range[0], speed), std::max(range[1], speed)};
+    }
+    return range;
+}
+
 Result<Range> sample_nodes(const Flow& flow,
                            const UniformGrid& grid,
                            std::size_t first,
@@ -79,10 +73,13 @@ Result<Range> sample_nodes(const Flow& flow,
     std::vector<Result<Range>> parts((count + task_nodes - 1) / task_nodes, Range{});
     for_tasks(count, [&](std::size_t task, std::size_t begin, std::size_t end) {
         const auto out = velocities.subspan(3 * begin, 3 * (end - begin));
+        std::vector<Vec3> places(end - begin);
+        for (std::size_t i = begin; i < end; ++i)
+            places[i - begin] = node_position(grid, first + i);
         if (stop.stop_requested())
             parts[task] = fail(Error::Code::Cancelled, "sampling the flow was cancelled");
         else
-            parts[task] = sample_some(flow, grid, first + begin, time, out, stop);
+            parts[task] = sample_places(flow, places, time, out);
     });
     Range range{std::numeric_limits<double>::infinity(), 0.0};
     for (const auto& part : parts) {

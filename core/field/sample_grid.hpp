@@ -25,6 +25,12 @@ Result<std::array<double, 2>> sample_nodes(const Flow& flow,
                                            std::span<float> velocities,
                                            std::stop_token stop);
 
+/// The same for places anywhere, in the calling thread, which does not stop.
+Result<std::array<double, 2>> sample_places(const Flow& flow,
+                                            std::span<const Vec3> places,
+                                            double time,
+                                            std::span<float> velocities);
+
 /// The solid mask of the same nodes: 0 inside an obstacle, else 1.
 void sample_mask(const Flow& flow,
                  const UniformGrid& grid,
