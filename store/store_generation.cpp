@@ -2,8 +2,10 @@
 
 #include "core/field/analytic_flow.hpp"
 #include "core/field/sample_grid.hpp"
+#include "store/brick_mask.hpp"
 #include "store/store_grid.hpp"
 #include "store/store_writer.hpp"
+#include "store/value_writing.hpp"
 
 #include <fmt/format.h>
 
@@ -59,8 +61,31 @@ bool has_size(const fs::path& file, std::uint64_t bytes) {
     return size && *size == bytes;
 }
 
-std::string velocity_file(std::size_t step) {
-    return step_file_name(velocity_stem, step, core::Precision::Single);
+/// Of the placement that was asked for: what was begun otherwise goes on so. REQUIRES: a grid of nodes.
+StoreLayout layout_of(const GenerateRequest& request) {
+    StoreLayout layout;
+    layout.grid = stored_grid(request.grid);
+    layout.times = request.times;
+    layout.brick_cells = *brick_cells_for(request.placement, layout.grid);
+    return layout;
+}
+
+std::uint64_t step_bytes(const StoreLayout& layout) {
+    std::uint64_t bytes = 0;
+    for (const StepFile& file : step_files(layout, 0, 0))
+        bytes += file.size;
+    return bytes;
+}
+
+core::Result<std::uint64_t> bytes_of(const StoreLayout& layout) {
+    constexpr std::uint64_t most = std::numeric_limits<std::int64_t>::max();
+    const auto sound = check_bricks(layout);
+    const std::uint64_t step = sound ? step_bytes(layout) : most;
+    const std::uint64_t mask = layout.grid.nodes();
+    if (step > (most - mask) / layout.times.size())
+        return core::fail(Error::Code::OverLimit, "no disk holds that many nodes and time-steps",
+                          "choose a coarser --grid or fewer --times");
+    return step * layout.times.size() + mask;
 }
 
 class Generation {
@@ -75,12 +100,13 @@ class Generation {
           stop_(std::move(stop)) {
         manifest_.source = source_of(request);
         manifest_.info = info_of(request, description);
-        manifest_.layout.grid = stored_grid(request.grid);
-        manifest_.layout.times = request.times;
+        manifest_.layout = layout_of(request);
         manifest_.velocity_range = {std::numeric_limits<double>::infinity(), 0.0};
     }
 
     core::Result<void> run() {
+        if (const auto before = begun_before(); before && before->has_value())
+            manifest_.layout.brick_cells = (*before)->layout.brick_cells;
         if (auto room = check_room(); !room)
             return room;
         auto writer = StoreWriter::open(folder_, [] {
@@ -107,7 +133,8 @@ class Generation {
     /// What an earlier run of the same request has left. Error: the folder holds another store.
     core::Result<std::optional<StoreManifest>> begun_before() const {
         auto before = read_store_manifest(folder_, core::PosixDisk());
-        if (before && before->source == manifest_.source)
+        if (before && before->source == manifest_.source &&
+            goes_on(request_.placement, before->layout.brick_cells))
             return std::move(*before);
         if (!before && before.error().code == Error::Code::NotFound)
             return std::nullopt;
@@ -119,27 +146,31 @@ class Generation {
     }
 
     bool kept(std::size_t step) const {
-        return has_size(folder_ / velocity_file(step), manifest_.info.bytes_per_step) &&
-               core::PosixDisk().size(folder_ / checksums_file_name).value_or(0) >=
-                   (step + 1) * sizeof(std::uint32_t);
+        bool all = true;
+        for (const StepFile& file : step_files(manifest_.layout, 0, step))
+            all = all && has_size(folder_ / file.name, file.size);
+        return all && core::PosixDisk().size(folder_ / checksums_file_name).value_or(0) >=
+                          (step + 1) * sizeof(std::uint32_t);
     }
 
     bool whole(const StoreManifest& before) const {
         bool all = before.complete;
         for (std::size_t step = 0; all && step < request_.times.size(); ++step)
             all = kept(step);
-        return all &&
-               (!before.layout.mask || has_size(folder_ / mask_file_name, request_.grid.nodes()));
+        return all && (!before.layout.mask ||
+                       read_fixed_file(store_layout(before, folder_), std::string(mask_file_name),
+                                       core::PosixDisk().size(folder_ / mask_file_name).value_or(0),
+                                       core::PosixDisk()));
     }
 
     core::Result<void> check_room() const {
-        const auto all = generated_bytes(request_);
+        const auto all = bytes_of(manifest_.layout);
         const auto before = begun_before();
         if (!all || !before)
             return tl::unexpected(!all ? all.error() : before.error());
         std::uint64_t wanted = *all;
         for (std::size_t step = 0; before->has_value() && step < request_.times.size(); ++step)
-            wanted -= kept(step) ? manifest_.info.bytes_per_step : 0;
+            wanted -= kept(step) ? step_bytes(manifest_.layout) : 0;
         std::error_code error;
         fs::path there = fs::absolute(folder_, error);
         while (!error && !fs::exists(there, error) && there.has_relative_path())
@@ -162,7 +193,7 @@ class Generation {
         for (std::size_t step = 0; step < steps; ++step) {
             if (auto written = write_step(writer, step); !written)
                 return written;
-            show_({"generate", step + 1, steps, velocity_file(step), {}});
+            show_({"generate", step + 1, steps, file_of(step), {}});
             // From its first time-step on the store can be opened.
             if (step == 0 || step + 1 == steps)
                 if (auto told = write_manifest(writer, step + 1 == steps); !told)
@@ -178,17 +209,18 @@ class Generation {
         const std::string name(mask_file_name);
         bool solid = false;
         std::vector<std::uint8_t> fluid(std::min(piece_nodes, request_.grid.nodes()));
-        auto written =
-            writer.write(name, [&, first = std::size_t{0}]() mutable -> core::Result<Bytes> {
-                if (stop_.stop_requested())
-                    return interrupted();
-                const auto piece =
-                    std::span(fluid).first(std::min(fluid.size(), request_.grid.nodes() - first));
-                core::sample_mask(*flow_, request_.grid, first, piece);
-                first += piece.size();
-                solid = solid || std::find(piece.begin(), piece.end(), 0) != piece.end();
-                return std::as_bytes(piece);
-            });
+        const auto next =
+            [&, first = std::size_t{0}]() mutable -> core::Result<std::span<const std::uint8_t>> {
+            if (stop_.stop_requested())
+                return interrupted();
+            const auto piece =
+                std::span(fluid).first(std::min(fluid.size(), request_.grid.nodes() - first));
+            core::sample_mask(*flow_, request_.grid, first, piece);
+            first += piece.size();
+            solid = solid || std::find(piece.begin(), piece.end(), 0) != piece.end();
+            return piece;
+        };
+        auto written = store::write_mask(writer, manifest_.layout, next);
         if (!written)
             return tl::unexpected(written.error());
         manifest_.info.obstacle = manifest_.layout.mask = solid;
@@ -204,7 +236,7 @@ class Generation {
     core::Result<void> write_step(StoreWriter& writer, std::size_t step) {
         buffer_.resize(3 * std::min(piece_nodes, request_.grid.nodes()));
         std::size_t first = 0;
-        const auto next = [&]() -> core::Result<Bytes> {
+        const auto next = [&]() -> core::Result<std::span<const float>> {
             const std::size_t count = std::min(piece_nodes, request_.grid.nodes() - first);
             const auto piece = std::span(buffer_).first(3 * count);
             const auto range = core::sample_nodes(*flow_, request_.grid, first,
@@ -217,12 +249,13 @@ class Generation {
             auto& all = manifest_.velocity_range;
             all = {std::min(all[0], (*range)[0]), std::max(all[1], (*range)[1])};
             show_part(step, static_cast<double>(first));
-            return std::as_bytes(piece);
+            return piece;
         };
         if (!kept(step))
-            return writer.write(velocity_file(step), next).and_then([&](std::uint32_t checksum) {
-                return writer.finish_step(step, {&checksum, 1});
-            });
+            return write_values(writer, manifest_.layout, 0, step, next)
+                .and_then([&](std::uint32_t checksum) {
+                    return writer.finish_step(step, {&checksum, 1});
+                });
         for (;;) {
             const auto piece = next();
             if (!piece)
@@ -245,17 +278,19 @@ class Generation {
             .map([](std::uint32_t) {});
     }
 
+    std::string file_of(std::size_t step) const {
+        return step_files(manifest_.layout, 0, step).front().name;
+    }
+
     void show_part(std::size_t step, double nodes) const {
         const double part = nodes / static_cast<double>(request_.grid.nodes());
-        show_({"part", step, request_.times.size(), velocity_file(step), {}, part});
+        show_({"part", step, request_.times.size(), file_of(step), {}, part});
     }
 
     static tl::unexpected<Error> interrupted() {
         return core::fail(Error::Code::Cancelled, "generating the store was interrupted",
                           "run the same command again to resume");
     }
-
-    using Bytes = std::span<const std::byte>;
 
     const GenerateRequest& request_;
     std::unique_ptr<core::Flow> flow_;
@@ -271,13 +306,7 @@ class Generation {
 core::Result<std::uint64_t> generated_bytes(const GenerateRequest& request) {
     if (auto sound = check_grid(stored_grid(request.grid)); !sound)
         return tl::unexpected(sound.error());
-    const std::uint64_t step = step_file_size(request.grid.nodes(), 3, core::Precision::Single);
-    constexpr std::uint64_t most = std::numeric_limits<std::int64_t>::max();
-    const std::uint64_t mask = request.grid.nodes();
-    if (step > (most - mask) / request.times.size())
-        return core::fail(Error::Code::OverLimit, "no disk holds that many nodes and time-steps",
-                          "choose a coarser --grid or fewer --times");
-    return step * request.times.size() + mask;
+    return bytes_of(layout_of(request));
 }
 
 core::Result<void> generate_store(const GenerateRequest& request,

@@ -6,6 +6,7 @@
 #include "core/dataset/dataset_info.hpp"
 #include "core/dataset/uniform_grid.hpp"
 #include "store/import_progress.hpp"
+#include "store/step_placement.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -19,9 +20,10 @@ struct GenerateRequest {
     std::string flow; ///< NAME[?k=v,...]
     core::UniformGrid grid;
     std::vector<double> times; ///< strictly increasing, at least one
+    StepPlacement placement = StepPlacement::Auto;
 };
 
-/// Bytes of all files but the manifest. Error: InvalidArgument, OverLimit where nothing could hold them.
+/// Bytes of all files but the manifest, at most: a mask in bricks is smaller. Error: InvalidArgument, OverLimit where nothing could hold them.
 core::Result<std::uint64_t> generated_bytes(const GenerateRequest& request);
 
 /// Runs in the calling thread and its arena; `show` hears of phase `generate`, and `done` at the end.

@@ -1,6 +1,9 @@
 #include "store/store_layout.hpp"
 
+#include "store/brick_index.hpp"
+
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -17,6 +20,7 @@ namespace {
 
 // Lengths beyond this, or below its inverse, overflow when squared further down the path.
 constexpr double largest = 1e100;
+constexpr std::uint32_t most_brick_cells = 256;
 constexpr std::uint64_t most_nodes = std::numeric_limits<std::int64_t>::max() / (3 * sizeof(float));
 
 std::uint64_t product(const std::array<std::uint32_t, 3>& dimensions) {
@@ -58,6 +62,26 @@ std::string step_file_name(std::string_view stem, std::size_t index, Precision p
     return std::string(stem) + "_" + digits + (precision == Precision::Half ? ".f16" : ".f32");
 }
 
+core::BrickLayout StoreLayout::bricks() const {
+    return core::BrickLayout(
+        grid.kind == GridKind::Uniform ? grid.uniform.dimensions : grid.dimensions, brick_cells);
+}
+
+std::vector<StepFile> step_files(const StoreLayout& layout, std::size_t column, std::size_t index) {
+    const auto stem =
+        column == 0 ? velocity_stem : std::string_view(layout.scalars[column - 1].stem);
+    const std::string values = step_file_name(stem, index, layout.precision);
+    const auto size = [&](std::uint64_t nodes) -> std::uint64_t {
+        return step_file_size(nodes, components_of(column), layout.precision);
+    };
+    if (layout.brick_cells == 0)
+        return {{values, size(layout.grid.nodes())}};
+    const auto bricks = layout.bricks();
+    return {{values, size(bricks.count() * bricks.nodes_per_brick())},
+            {values.substr(0, values.rfind('.')) + std::string(bricks_suffix),
+             BrickIndex::bytes(bricks.count())}};
+}
+
 std::size_t step_file_size(std::uint64_t nodes, std::size_t components, Precision precision) {
     return static_cast<std::size_t>(nodes) * components * (precision == Precision::Half ? 2 : 4);
 }
@@ -82,6 +106,22 @@ Result<void> check_grid(const StoredGrid& grid) {
     return {};
 }
 
+Result<void> check_bricks(const StoreLayout& layout) {
+    if (layout.brick_cells == 0)
+        return {};
+    if (layout.grid.kind != GridKind::Uniform && layout.grid.kind != GridKind::Rectilinear)
+        return fail(Error::Code::InvalidArgument, "a mesh of cells does not lie in bricks");
+    if (!std::has_single_bit(layout.brick_cells) || layout.brick_cells > most_brick_cells)
+        return fail(Error::Code::InvalidArgument,
+                    "the cells of a brick's axis are no power of two up to 256");
+    const auto bricks = layout.bricks();
+    const std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
+    if (std::uint64_t{bricks.bricks()[0]} * bricks.bricks()[1] > most / bricks.bricks()[2] ||
+        bricks.count() > most_nodes / bricks.nodes_per_brick())
+        return fail(Error::Code::InvalidArgument, "the grid has more bricks than memory can hold");
+    return {};
+}
+
 Result<void> check_layout(const StoreLayout& layout) {
     const auto& times = layout.times;
     if (times.empty())
@@ -93,7 +133,7 @@ Result<void> check_layout(const StoreLayout& layout) {
                         }) == times.end();
     if (!finite_times || !rising)
         return fail(Error::Code::InvalidArgument, "the store's times are not strictly increasing");
-    return check_grid(layout.grid);
+    return check_grid(layout.grid).and_then([&] { return check_bricks(layout); });
 }
 
 void mark_stored(const StoreLayout& layout, core::DatasetInfo& info) {

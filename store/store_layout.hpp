@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/result.hpp"
+#include "core/dataset/brick_layout.hpp"
 #include "core/dataset/dataset_info.hpp"
 #include "core/dataset/uniform_grid.hpp"
 
@@ -19,6 +20,7 @@ namespace wakesurf::store {
 inline constexpr std::string_view mask_file_name = "mask.u8";
 inline constexpr std::string_view checksums_file_name = "checksums.u32";
 inline constexpr std::string_view velocity_stem = "velocity";
+inline constexpr std::string_view bricks_suffix = ".bricks";
 
 /// The grid without its big arrays, which have files of their own.
 struct StoredGrid {
@@ -47,11 +49,33 @@ struct StoreLayout {
     std::vector<double> times;                           ///< strictly increasing
     core::Precision precision = core::Precision::Single; ///< of velocity and scalars
     std::vector<StoredScalar> scalars;                   ///< in the order of the columns
-    bool mask = false;                                   ///< mask.u8 is there
-    bool walls = false;                                  ///< walls.f32 and walls.u32 are there
+    std::uint32_t brick_cells = 0; ///< an axis of a brick; 0: whole time-steps
+    bool mask = false;             ///< mask.u8 is there
+    bool walls = false;            ///< walls.f32 and walls.u32 are there
     std::map<std::string, std::uint32_t>
         checksums; ///< CRC-32C of the files that all time-steps share
+
+    /// Velocity and the scalars.
+    std::size_t columns() const { return 1 + scalars.size(); }
+
+    /// How the nodes lie in bricks. REQUIRES: brick_cells is not 0.
+    core::BrickLayout bricks() const;
 };
+
+/// A file of a time-step.
+struct StepFile {
+    std::string name;       ///< without the folder
+    std::uint64_t size = 0; ///< bytes
+};
+
+/// Numbers a node of a column: 0 is the velocity, then come the scalars.
+inline std::size_t components_of(std::size_t column) {
+    return column == 0 ? 3 : 1;
+}
+
+/// A column's files at a time-step: the values and, where they lie in bricks, the bricks' checksums. The values are told from others
+/// by the CRC-32C of the last one, which is the record in checksums.u32.
+std::vector<StepFile> step_files(const StoreLayout& layout, std::size_t column, std::size_t index);
 
 /// velocity_000000.f32 and so on.
 std::string step_file_name(std::string_view stem, std::size_t index, core::Precision precision);
@@ -60,9 +84,10 @@ std::string step_file_name(std::string_view stem, std::size_t index, core::Preci
 std::size_t step_file_size(std::uint64_t nodes, std::size_t components, core::Precision precision);
 
 /// Error: InvalidArgument for times that do not rise, and for a grid thinner than 2 nodes, with non-finite or non-positive
-/// spacing, without points or cells, or beyond the address space.
+/// spacing, without points or cells, or beyond the address space; also for cells in bricks.
 core::Result<void> check_layout(const StoreLayout& layout);
 core::Result<void> check_grid(const StoredGrid& grid);
+core::Result<void> check_bricks(const StoreLayout& layout);
 
 /// Says of each field whether a store of this layout has it: as the velocity, a scalar, or a family.
 void mark_stored(const StoreLayout& layout, core::DatasetInfo& info);

@@ -99,6 +99,19 @@ std::vector<StoredScalar> parse_scalars(protocol::JsonMembers& manifest) {
     return scalars;
 }
 
+std::uint32_t parse_brick_cells(protocol::JsonMembers& manifest) {
+    if (!manifest.has("bricks"))
+        return 0;
+    protocol::JsonMembers members(manifest.object("bricks"));
+    const auto cells = static_cast<std::uint32_t>(
+        members.count("cells", std::numeric_limits<std::uint32_t>::max()));
+    if (!members.verdict())
+        manifest.fault("bricks", members.verdict().error().message);
+    else if (cells == 0)
+        manifest.fault("bricks", "must have cells");
+    return cells;
+}
+
 std::map<std::string, std::uint32_t> parse_checksums(protocol::JsonMembers& manifest) {
     std::map<std::string, std::uint32_t> checksums;
     const json& entries = manifest.object("checksums");
@@ -114,13 +127,16 @@ std::map<std::string, std::uint32_t> parse_checksums(protocol::JsonMembers& mani
 } // namespace
 
 json store_layout_json(const StoreLayout& layout) {
-    return {{"grid", grid_json(layout.grid)},
-            {"times", layout.times},
-            {"precision", layout.precision == core::Precision::Half ? "half" : "single"},
-            {"scalars", scalars_json(layout.scalars)},
-            {"mask", layout.mask},
-            {"walls", layout.walls},
-            {"checksums", layout.checksums}};
+    json out{{"grid", grid_json(layout.grid)},
+             {"times", layout.times},
+             {"precision", layout.precision == core::Precision::Half ? "half" : "single"},
+             {"scalars", scalars_json(layout.scalars)},
+             {"mask", layout.mask},
+             {"walls", layout.walls},
+             {"checksums", layout.checksums}};
+    if (layout.brick_cells != 0)
+        out["bricks"] = {{"cells", layout.brick_cells}};
+    return out;
 }
 
 StoreLayout parse_store_layout(protocol::JsonMembers& members) {
@@ -132,6 +148,7 @@ StoreLayout parse_store_layout(protocol::JsonMembers& members) {
         members.fault("precision", "is neither single nor half");
     layout.precision = precision == "half" ? core::Precision::Half : core::Precision::Single;
     layout.scalars = parse_scalars(members);
+    layout.brick_cells = parse_brick_cells(members);
     layout.mask = members.flag("mask");
     layout.walls = members.flag("walls");
     layout.checksums = parse_checksums(members);

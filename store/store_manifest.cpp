@@ -87,9 +87,11 @@ core::Result<StoreManifest> parse(const json& value) {
     protocol::JsonMembers members(value);
     if (members.text("format") != format_name)
         return core::fail(Error::Code::Corrupt, "it is not the manifest of a wakesurf store");
-    if (members.count("version") != store_format_version)
+    const auto version = members.count("version");
+    if (version != store_format_version && version != brick_format_version)
         return core::fail(Error::Code::Unsupported,
                           "it is of another version than " + std::to_string(store_format_version) +
+                              " and " + std::to_string(brick_format_version) +
                               ", which this wakesurf reads",
                           "import the dataset again");
     StoreManifest manifest;
@@ -100,6 +102,8 @@ core::Result<StoreManifest> parse(const json& value) {
         return tl::unexpected(info.error());
     manifest.info = std::move(*info);
     manifest.layout = parse_store_layout(members);
+    if (members.has("bricks") != (version == brick_format_version))
+        members.fault("bricks", "must be there in version 3, and only there");
     if (members.has("withoutVelocity"))
         for (const json& index : members.list("withoutVelocity")) {
             if (!index.is_number_unsigned())
@@ -121,7 +125,7 @@ core::Result<StoreManifest> parse(const json& value) {
 std::string store_manifest_text(const StoreManifest& manifest) {
     json out = store_layout_json(manifest.layout);
     out["format"] = format_name;
-    out["version"] = store_format_version;
+    out["version"] = manifest.layout.brick_cells == 0 ? store_format_version : brick_format_version;
     out["complete"] = manifest.complete;
     out["source"] = source_json(manifest.source);
     out["info"] = protocol::dataset_json(manifest.info);

@@ -18,8 +18,10 @@ namespace wakesurf::store {
 
 inline constexpr std::string_view manifest_file_name = "store.json";
 
-/// Stores of any other version are refused: importing again is cheaper than reading all versions.
+/// Time-steps that are read as wholes are of the one version, those in bricks of the other. Stores of any other version are refused:
+/// importing again is cheaper than reading all versions.
 inline constexpr std::uint64_t store_format_version = 2;
+inline constexpr std::uint64_t brick_format_version = 3;
 
 struct SourceFile {
     std::string name; ///< as the series names it, without the folder of the series

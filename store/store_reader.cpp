@@ -2,7 +2,12 @@
 
 #include "core/base/crc32c.hpp"
 #include "core/base/half.hpp"
+#include "store/brick_mask.hpp"
+#include "store/brick_rows.hpp"
+#include "store/file_bricks.hpp"
+#include "store/finite_values.hpp"
 #include "store/store_grid.hpp"
+#include "store/stored_bricks.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -32,18 +37,6 @@ constexpr std::size_t piece_bytes = std::size_t{1} << 20;
 
 constexpr const char* again = "import the dataset again";
 
-// An exponent of all ones is infinity or NaN; or-ing keeps the loop free of branches.
-bool all_finite(std::span<const std::byte> floats) {
-    constexpr std::uint32_t exponent = 0x7f800000u;
-    std::uint32_t bad = 0;
-    for (std::size_t at = 0; at + sizeof(std::uint32_t) <= floats.size(); at += sizeof(bad)) {
-        std::uint32_t bits = 0;
-        std::memcpy(&bits, floats.data() + at, sizeof(bits));
-        bad |= static_cast<std::uint32_t>((bits & exponent) == exponent);
-    }
-    return bad == 0;
-}
-
 std::string step_name(std::size_t index, const std::string& file) {
     return "time-step " + std::to_string(index) + " (" + file + ")";
 }
@@ -55,8 +48,8 @@ tl::unexpected<Error> replaced(const std::string& step) {
 
 } // namespace
 
-Result<std::shared_ptr<const StoreReader>> StoreReader::open(StoreLayout layout,
-                                                             std::shared_ptr<const Disk> disk) {
+Result<std::shared_ptr<const StoreReader>>
+StoreReader::open(StoreLayout layout, std::shared_ptr<const Disk> disk, std::size_t brick_threads) {
     if (auto sound = check_layout(layout); !sound)
         return tl::unexpected(sound.error());
     auto marks = ValueMarks::read(layout, *disk);
@@ -70,6 +63,8 @@ Result<std::shared_ptr<const StoreReader>> StoreReader::open(StoreLayout layout,
     reader->grid_ = std::move(*grid);
     if (auto loaded = reader->load_mask(); !loaded)
         return tl::unexpected(loaded.error());
+    if (reader->layout_.brick_cells != 0)
+        reader->open_bricks(brick_threads);
     return reader;
 }
 
@@ -81,9 +76,32 @@ StoreReader::StoreReader(StoreLayout layout, std::shared_ptr<const Disk> disk, V
                                              std::min<std::size_t>(2, layout_.times.size()))),
       seen_(layout_.times.size() * (1 + layout_.scalars.size())), marks_(std::move(marks)) {}
 
+StoreReader::~StoreReader() = default;
+
+const core::BrickSource* StoreReader::bricks() const {
+    return bricks_.get();
+}
+
+void StoreReader::open_bricks(std::size_t threads) {
+    stored_bricks_ = std::make_unique<StoredBricks>(
+        layout_, disk_, [this](std::size_t column, std::size_t index) -> Result<std::uint32_t> {
+            if (ready(index))
+                return checksum(column, index);
+            if (index < marks().steps())
+                return replaced("it");
+            return fail(Error::Code::NotFound, "it is not in the store",
+                        std::string("wait for the import to reach it, or ") + again);
+        });
+    bricks_ = std::make_unique<FileBricks>(*stored_bricks_, threads);
+}
+
 Result<void> StoreReader::load_mask() {
     if (!layout_.mask)
         return {};
+    if (layout_.brick_cells != 0)
+        return read_brick_mask(layout_, *disk_).map([&](const BrickMask& mask) {
+            mask_ = flat_mask(mask, layout_.bricks());
+        });
     const std::string name(mask_file_name);
     const auto bytes = read_fixed_file(layout_, name, nodes_, *disk_);
     if (!bytes)
@@ -114,23 +132,25 @@ std::size_t StoreReader::bytes_per_step() const {
 }
 
 std::string StoreReader::file_name(std::size_t column, std::size_t index) const {
-    return step_file_name(column == 0 ? velocity_stem
-                                      : std::string_view(layout_.scalars[column - 1].stem),
-                          index, layout_.precision);
+    return step_files(layout_, column, index).front().name;
 }
 
+// The last of a column's files, all of which have the sizes that they should have.
 Result<FileIdentity> StoreReader::whole_file(std::size_t column, std::size_t index) const {
-    const std::string name = file_name(column, index);
-    const std::size_t size = step_file_size(nodes_, components(column), layout_.precision);
-    auto identity = disk_->identity(layout_.folder / name);
-    if (!identity && identity.error().code == Error::Code::NotFound)
-        return fail(Error::Code::NotFound, step_name(index, name) + " is not in the store",
-                    std::string("wait for the import to reach it, or ") + again);
-    if (identity && identity->size != size)
-        return fail(Error::Code::Corrupt,
-                    step_name(index, name) + " has " + std::to_string(identity->size) +
-                        " bytes instead of " + std::to_string(size),
-                    again);
+    Result<FileIdentity> identity;
+    for (const StepFile& file : step_files(layout_, column, index)) {
+        identity = disk_->identity(layout_.folder / file.name);
+        if (!identity && identity.error().code == Error::Code::NotFound)
+            return fail(Error::Code::NotFound, step_name(index, file.name) + " is not in the store",
+                        std::string("wait for the import to reach it, or ") + again);
+        if (!identity)
+            return identity;
+        if (identity->size != file.size)
+            return fail(Error::Code::Corrupt,
+                        step_name(index, file.name) + " has " + std::to_string(identity->size) +
+                            " bytes instead of " + std::to_string(file.size),
+                        again);
+    }
     return identity;
 }
 
@@ -193,6 +213,8 @@ Result<bool> StoreReader::read(std::size_t column,
     const auto before = whole_file(column, index);
     if (!before)
         return tl::unexpected(before.error());
+    if (stored_bricks_)
+        return read_bricks(column, index, out, stop);
     const auto seen_before = seen(column, index);
     const auto known = seen_before && seen_before->identity == *before ? seen_before : std::nullopt;
     bool gaps = known && known->gaps;
@@ -215,7 +237,7 @@ Result<bool> StoreReader::read(std::size_t column,
         if (half)
             core::from_half(std::span(halves).first(piece.size() / sizeof(float)),
                             {reinterpret_cast<float*>(piece.data()), piece.size() / sizeof(float)});
-        if (!known && !all_finite(piece))
+        if (!known && !all_finite(piece, Precision::Single))
             gaps = true;
     }
     const auto after = whole_file(column, index);
@@ -239,6 +261,40 @@ Result<bool> StoreReader::read(std::size_t column,
     const std::scoped_lock lock(mutex_);
     seen_[index * columns() + column] = Seen{*after, gaps};
     return gaps;
+}
+
+Result<bool> StoreReader::read_bricks(std::size_t column,
+                                      std::size_t index,
+                                      std::span<std::byte> out,
+                                      const std::stop_token& stop) const {
+    const auto& layout = stored_bricks_->layout();
+    const std::size_t brick_values = stored_bricks_->values(column);
+    const std::size_t at_once =
+        std::max<std::size_t>(1, piece_bytes / (brick_values * sizeof(float)));
+    const std::size_t node = components_of(column) * sizeof(float);
+    std::vector<float> values(at_once * brick_values);
+    Result<void> outcome;
+    for (std::size_t place = 0; place < layout.count() && outcome; place += at_once) {
+        if (stop.stop_requested())
+            return fail(Error::Code::Cancelled,
+                        "loading " + step_name(index, file_name(column, index)) + " was cancelled");
+        std::vector<std::span<float>> to;
+        for (std::size_t i = 0; i < std::min(at_once, layout.count() - place); ++i)
+            to.push_back(std::span(values).subspan(i * brick_values, brick_values));
+        stored_bricks_->read(column, index, place, to, [&](std::size_t i, Result<void> told) {
+            if (!told && outcome)
+                outcome = std::move(told);
+            const auto* const brick = reinterpret_cast<const std::byte*>(to[i].data());
+            for_rows_of(layout, stored_bricks_->brick_at(place + i),
+                        [&](std::size_t from, std::size_t first, std::size_t nodes) {
+                            std::memcpy(out.data() + first * node, brick + from * node,
+                                        nodes * node);
+                        });
+        });
+    }
+    if (!outcome)
+        return tl::unexpected(outcome.error());
+    return stored_bricks_->gaps(column, index);
 }
 
 Result<std::shared_ptr<const TimeStep>> StoreReader::load(std::size_t index,

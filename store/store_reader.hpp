@@ -23,15 +23,20 @@
 
 namespace wakesurf::store {
 
+class FileBricks;
+class StoredBricks;
+
 /// A time-step counts as ready when its checksums are there, which are written last: a store can be read while it is
 /// still being written. A file is checked against its checksum when it is read for the first time, and again when it is
-/// another file than it was then. Checksums that were seen once stay: values of another series that takes this one's place are never
+/// another file than it was then; of a file in bricks, each of them. Checksums that were seen once stay: values of another series that takes this one's place are never
 /// read as this one's. Thread safety: concurrent calls are fine.
 class StoreReader final : public core::TimeStepSource, public core::ScalarSource {
   public:
     /// Reads the grid and the mask. Error: InvalidArgument (grid or times make no sense), NotFound, Io, Corrupt.
+    /// @param brick_threads  that read for bricks(); they begin when the first brick is asked for
     static core::Result<std::shared_ptr<const StoreReader>>
-    open(StoreLayout layout, std::shared_ptr<const core::Disk> disk);
+    open(StoreLayout layout, std::shared_ptr<const core::Disk> disk, std::size_t brick_threads = 4);
+    ~StoreReader() override;
 
     /// As the source had it.
     const core::Grid& grid() const override { return grid_; }
@@ -64,6 +69,9 @@ class StoreReader final : public core::TimeStepSource, public core::ScalarSource
     core::Result<std::shared_ptr<const core::TimeStep>> load(std::size_t index,
                                                              std::stop_token stop) const override;
 
+    /// Of a store in bricks. load() and load_scalar() read all of them there.
+    const core::BrickSource* bricks() const override;
+
     void let_go() const override { slabs_->clear(); }
 
     /// One float a node. @param scalar  index into layout().scalars. Error: as load.
@@ -89,8 +97,9 @@ class StoreReader final : public core::TimeStepSource, public core::ScalarSource
 
     StoreReader(StoreLayout layout, std::shared_ptr<const core::Disk> disk, ValueMarks marks);
     core::Result<void> load_mask();
+    void open_bricks(std::size_t threads);
 
-    std::size_t columns() const { return 1 + layout_.scalars.size(); }
+    std::size_t columns() const { return layout_.columns(); }
 
     core::Result<core::FileIdentity> whole_file(std::size_t column, std::size_t index) const;
     /// @return true if some values are not finite. @param out  as large as the values are as floats
@@ -98,11 +107,13 @@ class StoreReader final : public core::TimeStepSource, public core::ScalarSource
                             std::size_t index,
                             std::span<std::byte> out,
                             const std::stop_token& stop) const;
+    core::Result<bool> read_bricks(std::size_t column,
+                                   std::size_t index,
+                                   std::span<std::byte> out,
+                                   const std::stop_token& stop) const;
     core::Result<std::uint32_t> checksum(std::size_t column, std::size_t index) const;
     std::optional<Seen> seen(std::size_t column, std::size_t index) const;
     std::string file_name(std::size_t column, std::size_t index) const;
-
-    std::size_t components(std::size_t column) const { return column == 0 ? 3 : 1; }
 
     StoreLayout layout_;
     std::shared_ptr<const core::Disk> disk_;
@@ -114,6 +125,8 @@ class StoreReader final : public core::TimeStepSource, public core::ScalarSource
     mutable std::mutex mutex_;                      ///< guards seen_ and marks_
     mutable std::vector<std::optional<Seen>> seen_; ///< by time-step, then column
     mutable ValueMarks marks_;
+    std::unique_ptr<const StoredBricks> stored_bricks_; ///< null where time-steps are whole
+    std::unique_ptr<const FileBricks> bricks_;          ///< last: its threads use the rest
 };
 
 } // namespace wakesurf::store

@@ -59,7 +59,8 @@ bool of_a_time_step(const std::string& name) {
            std::all_of(name.begin() + static_cast<std::ptrdiff_t>(digits),
                        name.begin() + static_cast<std::ptrdiff_t>(dot),
                        [](char c) { return c >= '0' && c <= '9'; }) &&
-           (name.substr(dot) == ".f32" || name.substr(dot) == ".f16");
+           (name.substr(dot) == ".f32" || name.substr(dot) == ".f16" ||
+            name.substr(dot) == bricks_suffix);
 }
 
 bool of_a_store(const std::string& name) {
@@ -126,6 +127,31 @@ core::Result<std::uint32_t> fill(int file, const std::string& name, const NextPi
     }
 }
 
+/// What `write` puts into the file *.part is the file `name` once that has gone well, and gone where it has not.
+template <class Write>
+auto appear(const fs::path& folder, const std::string& name, const Write& write)
+    -> decltype(write(0)) {
+    const fs::path whole = folder / name;
+    const std::string part = whole.string() + ".part";
+    if (part.size() >= part_name.size())
+        return core::fail(Error::Code::InvalidArgument, "the path of the store is too long");
+    std::memcpy(part_name.data(), part.c_str(), part.size() + 1);
+    unfinished = true;
+    const int file = ::open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+    const auto failed = [&] { return tl::unexpected(cannot_write(name).error()); };
+    decltype(write(0)) written = failed();
+    if (file >= 0)
+        written = write(file);
+    if (file >= 0 && ::close(file) != 0 && written)
+        written = failed();
+    if (written && ::rename(part.c_str(), whole.c_str()) != 0)
+        written = failed();
+    if (!written)
+        ::unlink(part.c_str());
+    unfinished = false;
+    return written;
+}
+
 } // namespace
 
 core::Result<StoreWriter> StoreWriter::open(const fs::path& folder,
@@ -182,25 +208,37 @@ core::Result<std::uint32_t> StoreWriter::write(const std::string& name,
 }
 
 core::Result<std::uint32_t> StoreWriter::write(const std::string& name, const NextPiece& next) {
-    const fs::path whole = folder_ / name;
-    const std::string part = whole.string() + ".part";
-    if (part.size() >= part_name.size())
-        return core::fail(Error::Code::InvalidArgument, "the path of the store is too long");
-    std::memcpy(part_name.data(), part.c_str(), part.size() + 1);
-    unfinished = true;
-    const int file = ::open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-    const auto failed = [&] { return tl::unexpected(cannot_write(name).error()); };
-    core::Result<std::uint32_t> written = failed();
-    if (file >= 0)
-        written = fill(file, name, next);
-    if (file >= 0 && ::close(file) != 0 && written)
-        written = failed();
-    if (written && ::rename(part.c_str(), whole.c_str()) != 0)
-        written = failed();
-    if (!written)
-        ::unlink(part.c_str());
-    unfinished = false;
-    return written;
+    return appear(folder_, name, [&](int file) { return fill(file, name, next); });
+}
+
+core::Result<void>
+StoreWriter::write_in_place(const std::string& name,
+                            std::uint64_t size,
+                            const std::function<core::Result<void>(const PutBytes&)>& fill) {
+    return appear(folder_, name,
+                  [&](int file) -> core::Result<int> {
+                      // One place on the disk for what comes in pieces, where the file system knows how; a full disk says so now.
+                      if (::fallocate(file, 0, 0, static_cast<off_t>(size)) != 0 &&
+                          (errno == ENOSPC || errno == EDQUOT))
+                          return tl::unexpected(cannot_write(name).error());
+                      off_t unsent = 0;
+                      return fill([&](std::uint64_t at,
+                                      std::span<const std::byte> bytes) -> core::Result<void> {
+                                 if (!write_whole_at(file, at, bytes))
+                                     return cannot_write(name);
+                                 unsent += static_cast<off_t>(bytes.size());
+                                 if (unsent < portion_bytes)
+                                     return {};
+                                 // As fill() above, for a file whose bytes come in no order: 0 is all of it.
+                                 ::sync_file_range(file, 0, 0,
+                                                   SYNC_FILE_RANGE_WAIT_BEFORE |
+                                                       SYNC_FILE_RANGE_WRITE);
+                                 unsent = 0;
+                                 return {};
+                             })
+                          .map([] { return 0; });
+                  })
+        .map([](int) {});
 }
 
 core::Result<void> StoreWriter::finish_step(std::size_t index,

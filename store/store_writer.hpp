@@ -18,6 +18,10 @@ namespace wakesurf::store {
 /// The next bytes of a file, valid until the next call; none at its end. After an error the file is abandoned.
 using NextPiece = std::function<core::Result<std::span<const std::byte>>()>;
 
+/// Puts bytes at their place in a file. Error: Io.
+using PutBytes =
+    std::function<core::Result<void>(std::uint64_t at, std::span<const std::byte> bytes)>;
+
 class StoreWriter {
   public:
     /// Makes the folder and locks it; calls `waiting` once if another writer holds it, and waits, or gives up with
@@ -36,6 +40,12 @@ class StoreWriter {
 
     /// The same for a file that need not be in memory as a whole. Error: Io, or what `next` reports.
     core::Result<std::uint32_t> write(const std::string& name, const NextPiece& next);
+
+    /// The same for a file whose bytes come in another order: `fill` puts all of them. Error: Io, or what `fill` reports.
+    core::Result<void>
+    write_in_place(const std::string& name,
+                   std::uint64_t size,
+                   const std::function<core::Result<void>(const PutBytes&)>& fill);
 
     /// Makes time-step `index` ready, all files of which are written: its checksums, one a stored field, are what tells readers so.
     /// REQUIRES: the time-steps before it are ready. Error: Io.

@@ -2,12 +2,16 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 namespace wakesurf::store {
 
 /// False where it fails; errno says why.
 bool write_whole(int file, std::span<const std::byte> bytes);
+
+/// The same at a place of a file.
+bool write_whole_at(int file, std::uint64_t at, std::span<const std::byte> bytes);
 
 /// False at the end of the file or where it fails.
 bool read_whole(int file, std::span<std::byte> bytes);

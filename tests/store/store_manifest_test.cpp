@@ -58,6 +58,31 @@ TEST(StoreManifest, ReadsBackEveryKindOfGrid) {
     }
 }
 
+TEST(StoreManifest, IsOfVersion3WhereTimeStepsLieInBricksAndOnlyThere) {
+    auto before = sample_manifest();
+    EXPECT_EQ(json::parse(store_manifest_text(before))["version"], 2);
+    before.layout.brick_cells = 32;
+    const std::string text = store_manifest_text(before);
+    EXPECT_EQ(json::parse(text)["version"], 3);
+    const auto after = parse_store_manifest(text);
+    ASSERT_TRUE(after.has_value()) << after.error().message;
+    EXPECT_EQ(after->layout.brick_cells, 32u);
+    EXPECT_EQ(store_manifest_text(*after), text);
+    json older = json::parse(text);
+    older["version"] = 2;
+    EXPECT_EQ(error_of(older), core::Error::Code::Corrupt);
+    for (const json& bricks : {json(32), json::object(), json{{"cells", 0}}, json{{"cells", 33}},
+                               json{{"cells", 512}}, json{{"cells", -32}}, json{{"cells", "32"}}}) {
+        json wrong = json::parse(text);
+        wrong["bricks"] = bricks;
+        EXPECT_EQ(error_of(wrong), core::Error::Code::Corrupt) << bricks;
+    }
+    before.info.grid = core::GridKind::Unstructured;
+    before.layout.grid = {core::GridKind::Unstructured, {}, {}, 60, 24};
+    EXPECT_EQ(parse_store_manifest(store_manifest_text(before)).error().message,
+              "store.json: a mesh of cells does not lie in bricks");
+}
+
 TEST(StoreManifest, RefusesTextCutAnywhere) {
     const std::string whole = store_manifest_text(sample_manifest());
     for (std::size_t size = 0; size < whole.size(); size += 3)
@@ -119,7 +144,8 @@ TEST(StoreManifest, RefusesPartsThatDisagree) {
         EXPECT_EQ(with("/scalars/0/stem", stem), Code::Corrupt) << stem;
     EXPECT_EQ(with("/format", "something"), Code::Corrupt);
     EXPECT_EQ(with("/version", 1), Code::Unsupported);
-    EXPECT_EQ(with("/version", 3), Code::Unsupported);
+    EXPECT_EQ(with("/version", 3), Code::Corrupt) << "time-steps are whole";
+    EXPECT_EQ(with("/version", 4), Code::Unsupported);
     EXPECT_EQ(with("/source/files/0/size", -1), Code::Corrupt);
     EXPECT_EQ(error_of(json::array()), Code::Corrupt);
     EXPECT_EQ(parse_store_manifest(std::string(100'000, '[')).error().code, Code::OverLimit);

@@ -11,6 +11,7 @@ extern const Target settings_target;
 extern const Target records_target;
 extern const Target journal_rows_target;
 extern const Target store_manifest_target;
+extern const Target brick_files_target;
 extern const Target command_line_text_target;
 extern const Target gate_target;
 extern const Target ensight_target;

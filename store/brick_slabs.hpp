@@ -1,0 +1,48 @@
+// Nodes of a grid, x fastest -> its bricks: whoever writes a store has its values in the one order and the disk has them in the other.
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/dataset/brick_layout.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace wakesurf::store {
+
+/// Where each brick lies in the order of the file, by its number.
+std::vector<std::uint32_t> brick_places(const core::BrickLayout& layout);
+
+/// Memory: a layer of bricks, which of a grid of nx x ny nodes has 33 of their layers, and a brick. That is 415 MB of a velocity of
+/// 1024 x 1024, 1.7 GB of 2048 x 2048, half of it in half precision.
+class BrickSlabs {
+  public:
+    /// Takes a brick's bytes, valid until it returns. Layer by layer, in a layer in the order of the file. @param place  in the file
+    using Put =
+        std::function<core::Result<void>(std::size_t place, std::span<const std::byte> brick)>;
+
+    BrickSlabs(const core::BrickLayout& layout, std::size_t node_bytes, Put put);
+
+    /// The next bytes of the nodes, as many as there are. Error: of `put`. REQUIRES: no more than the grid has.
+    core::Result<void> add(std::span<const std::byte> bytes);
+
+    /// All nodes have come, and all bricks are put.
+    bool complete() const { return layer_ == layout_.bricks()[2]; }
+
+  private:
+    core::Result<void> put_layer();
+    std::size_t layer_bytes() const;
+
+    core::BrickLayout layout_;
+    std::size_t node_bytes_;
+    Put put_;
+    std::vector<std::uint32_t> places_;
+    std::uint32_t layer_ = 0; ///< of bricks, the one that is filled
+    std::vector<std::byte> slab_;
+    std::size_t filled_ = 0; ///< bytes of slab_
+    std::vector<std::byte> brick_;
+};
+
+} // namespace wakesurf::store

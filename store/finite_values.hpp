@@ -1,0 +1,14 @@
+// Whether all values of a piece of a file are finite: where they are not, the domain has a gap.
+#pragma once
+
+#include "core/dataset/dataset_info.hpp"
+
+#include <cstddef>
+#include <span>
+
+namespace wakesurf::store {
+
+/// Of floats or halves, as the file has them.
+bool all_finite(std::span<const std::byte> values, core::Precision precision);
+
+} // namespace wakesurf::store

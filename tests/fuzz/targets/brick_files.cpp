@@ -1,0 +1,44 @@
+// A store's files about its bricks: what is read of them is what was written.
+#include "store/brick_index.hpp"
+#include "store/brick_mask.hpp"
+#include "tests/fuzz/targets/all.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace wakesurf::fuzz {
+
+namespace {
+
+const core::BrickLayout brick_files_layout({6, 4, 3}, 2);
+
+void run_brick_files(Input input) {
+    const auto bytes = std::as_bytes(input);
+    const std::size_t bricks = bytes.size() / 5;
+    if (const auto index = store::parse_brick_index(bytes, bricks))
+        demand(std::ranges::equal(store::brick_index_bytes(*index), bytes),
+               "checksums of bricks are the same after they were read");
+    const auto mask = store::parse_brick_mask(bytes, brick_files_layout);
+    if (!mask)
+        return;
+    const auto flat = store::flat_mask(*mask, brick_files_layout);
+    demand(flat.fluid.size() == 6 * 4 * 3, "a mask has a byte a node");
+    demand(std::ranges::all_of(flat.fluid, [](auto node) { return node <= 1; }),
+           "a node is fluid or solid");
+}
+
+std::vector<std::string> brick_files_seeds() {
+    const std::size_t bricks = brick_files_layout.count();
+    std::string mask(bricks, '\1');
+    mask[1] = '\2';
+    mask[2] = '\0';
+    for (std::size_t node = 0; node < brick_files_layout.nodes_per_brick(); ++node)
+        mask += node % 3 == 0 ? '\0' : '\1';
+    return {mask, std::string(bricks, '\1'), std::string(5 * bricks, '\1'), ""};
+}
+
+} // namespace
+
+const Target brick_files_target{"brick_files", run_brick_files, brick_files_seeds, false};
+
+} // namespace wakesurf::fuzz
