@@ -40,6 +40,8 @@ std::vector<std::string> arguments_of(const ImportCommand& command) {
         arguments.push_back("--times=" + command.times);
     if (!command.precision.empty())
         arguments.push_back("--precision=" + command.precision);
+    if (!command.layout.empty())
+        arguments.push_back("--layout=" + command.layout);
     if (command.jobs > 0)
         arguments.push_back("--jobs=" + std::to_string(command.jobs));
     if (command.memory > 0)

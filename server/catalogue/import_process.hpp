@@ -25,6 +25,7 @@ struct ImportCommand {
     std::size_t jobs = 0;            ///< --jobs; 0: one a core
     std::uint64_t memory = 0;        ///< --memory, of all its processes; 0: its own bound
     SourceOptions taken{};           ///< --dt, --start, --confined
+    std::string layout{};            ///< --layout; empty: auto
 };
 
 /// Runs an import to its end in the calling thread; `listener` hears of every step, in this thread. When `stop`

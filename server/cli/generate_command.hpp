@@ -16,6 +16,7 @@ struct GenerateOptions {
     std::string grid = "64,64,64";
     std::string times; ///< empty: the flow's own
     std::string parameters;
+    std::string layout = "auto";
 };
 
 void add_generate_options(CLI::App& command, GenerateOptions& options);

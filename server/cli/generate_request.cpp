@@ -108,6 +108,10 @@ core::Result<store::GenerateRequest> check_generate_options(const GenerateOption
     if (!times)
         return tl::unexpected(times.error());
     request.times = std::move(*times);
+    const auto placement = store::parse_step_placement(options.layout);
+    if (!placement)
+        return tl::unexpected(placement.error());
+    request.placement = *placement;
     return request;
 }
 

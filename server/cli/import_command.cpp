@@ -24,7 +24,8 @@ int run_import(const ImportOptions& options) {
          options.precision,
          options.jobs,
          options.memory,
-         options.taken},
+         options.taken,
+         options.layout},
         [](const store::ImportProgress& progress) { store::show_progress(progress, stdout); },
         signals.token());
     if (!imported) {

@@ -16,6 +16,7 @@ struct ImportOptions {
     std::vector<std::string> fields;
     std::string times;     ///< T0:T1[:EVERY], several with commas, or empty
     std::string precision; ///< single, half or empty
+    std::string layout = "auto";
     SourceOptions taken;
     std::size_t jobs = 0;     ///< 0: one a core
     std::uint64_t memory = 0; ///< bytes; 0: the importer's own bound

@@ -33,6 +33,7 @@ namespace {
 struct Described {
     core::DatasetInfo info;
     std::vector<core::FamilyRecord> families;
+    std::string stored{}; ///< how the time-steps of a store lie on the disk
 };
 
 /// Of a store whose import did not end, or has not ended yet, the note says so.
@@ -55,7 +56,10 @@ core::Result<Described> describe_store(const std::filesystem::path& folder) {
                         manifest->info.note.empty() ? "" : "; ", ready, total);
     const auto scalars = store::StoreScalars::open(*reader, disk);
     list_families(manifest->info, *scalars);
-    return Described{std::move(manifest->info), scalars->families()};
+    const auto cells = manifest->layout.brick_cells;
+    return Described{std::move(manifest->info), scalars->families(),
+                     cells == 0 ? std::string("whole time-steps")
+                                : fmt::format("bricks of {} cells", cells)};
 }
 
 /// Families are kept in the store that the source was imported into.
@@ -144,6 +148,7 @@ std::string grid_text(const core::DatasetInfo& info) {
 
 void print_text(const Described& described) {
     const core::DatasetInfo& info = described.info;
+    const std::string& stored = described.stored;
     const auto& [lo, hi] = info.bounds;
     tell("{}\n  reader    {}\n  grid      {}\n", info.name, info.reader, grid_text(info));
     tell("  bounds    x {:g} to {:g}, y {:g} to {:g}, z {:g} to {:g}\n", lo.x, hi.x, lo.y, hi.y,
@@ -152,8 +157,10 @@ void print_text(const Described& described) {
         tell("  times     {} from {:.12g} to {:.12g}{}\n", info.times.size(), info.times.front(),
              info.times.back(), info.steady ? " (steady)" : "");
     tell("  velocity  {}: {}\n", info.velocity, info.why);
-    if (info.precision == core::Precision::Half)
-        tell("  stored    in half precision\n");
+    const bool half = info.precision == core::Precision::Half;
+    if (half || !stored.empty())
+        tell("  stored    {}{}{}\n", stored, half && !stored.empty() ? ", " : "",
+             half ? "in half precision" : "");
     if (!info.note.empty())
         tell("  note      {}\n", info.note);
     for (const auto& field : info.fields)
@@ -176,21 +183,21 @@ void print_text(const Described& described) {
 } // namespace
 
 int run_info(const InfoOptions& options) {
-    const auto info =
+    const auto found =
         resolve_dataset(options.dataset).and_then([&](const DatasetArgument& argument) {
             return describe(argument, options);
         });
-    if (!info) {
-        const int status = report_failure(info.error());
-        return info.error().code == core::Error::Code::InvalidArgument &&
-                       info.error().message.starts_with("--")
+    if (!found) {
+        const int status = report_failure(found.error());
+        return found.error().code == core::Error::Code::InvalidArgument &&
+                       found.error().message.starts_with("--")
                    ? 2
                    : status;
     }
     if (options.json)
-        tell("{}\n", protocol::json_text(described_json(*info), 2));
+        tell("{}\n", protocol::json_text(described_json(*found), 2));
     else
-        print_text(*info);
+        print_text(*found);
     return 0;
 }
 

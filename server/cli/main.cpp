@@ -1,4 +1,5 @@
 // The program `wakesurf`: parses the command line and hands over to one command.
+#include "server/base/layout_option.hpp"
 #include "server/base/manual_page.hpp"
 #include "server/base/memory_size.hpp"
 #include "server/cli/bench_command.hpp"
@@ -43,6 +44,7 @@ void add_import_options(CLI::App& command, ImportOptions& options) {
         .add_option("--precision", options.precision,
                     "single, or half: half the size, rounded by 2^-11 of each value")
         ->check(CLI::IsMember({"single", "half"}));
+    add_layout_option(command, options.layout);
     command.add_option("--jobs", options.jobs, "Number of processes (default: one per core)")
         ->check(CLI::Range(1, 256));
     command

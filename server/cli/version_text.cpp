@@ -18,12 +18,13 @@ std::string version_text(std::string_view commit) {
     return fmt::format("wakesurf {}\n"
                        "commit {}\n"
                        "API level {}\n"
-                       "store format {}\n"
+                       "store format {}, {}\n"
                        "journal schema {}\n"
                        "session file {}\n"
                        "mesh frame {}",
                        version_number(), commit, protocol::api_level, store::store_format_version,
-                       state_layout, protocol::session_file_version, protocol::frame_version);
+                       store::brick_format_version, state_layout, protocol::session_file_version,
+                       protocol::frame_version);
 }
 
 } // namespace wakesurf::server

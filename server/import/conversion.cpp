@@ -8,6 +8,7 @@
 #include "server/import/step_workers.hpp"
 #include "server/import/store_description.hpp"
 #include "server/import/worker_count.hpp"
+#include "store/brick_mask.hpp"
 #include "store/store_grid.hpp"
 
 #include <algorithm>
@@ -33,14 +34,14 @@ class Conversion {
         : request_(request), plan_(plan), writer_(writer), show_(show) {}
 
     core::Result<void> run(std::optional<EarlierImport> earlier) {
-        if (!earlier)
-            if (auto cleared = writer_.clear(); !cleared)
-                return cleared;
         auto reading = read_first_step(plan_, !earlier);
         if (!reading)
             return tl::unexpected(reading.error());
         reading_ = std::move(*reading);
-        manifest_ = describe_store(plan_, reading_);
+        auto described = describe_store(plan_, reading_);
+        if (!described)
+            return tl::unexpected(described.error());
+        manifest_ = std::move(*described);
         described_ = manifest_.info.note;
         if (plan_.precision == core::Precision::Half)
             if (auto noted = note_rounding(); !noted)
@@ -53,6 +54,9 @@ class Conversion {
             if (auto begun = go_on(*earlier); !begun)
                 return begun;
         } else {
+            // Only now: what is refused leaves the store that is there.
+            if (auto cleared = writer_.clear(); !cleared)
+                return cleared;
             for (std::size_t i = 0; i < plan_.times.size(); ++i)
                 todo_.push_back(i);
         }
@@ -95,19 +99,28 @@ class Conversion {
         for (const auto& file : store::grid_files(reading_.first.assembly.grid))
             if (auto written = write_fixed(file.name, file.bytes); !written)
                 return written;
+        if (manifest_.layout.mask)
+            if (auto written = write_mask(); !written)
+                return written;
         const auto& walls = reading_.walls;
         const auto write = [&](bool there, const char* name, std::span<const std::byte> bytes) {
             return there ? write_fixed(name, bytes) : core::Result<void>();
         };
-        return write(manifest_.layout.mask, store::mask_file_name.data(),
-                     std::as_bytes(std::span(reading_.first.mask.fluid)))
-            .and_then([&] {
-                return write(manifest_.layout.walls, "walls.f32",
-                             std::as_bytes(std::span(walls.points)));
-            })
+        return write(manifest_.layout.walls, "walls.f32", std::as_bytes(std::span(walls.points)))
             .and_then([&] {
                 return write(manifest_.layout.walls, "walls.u32",
                              std::as_bytes(std::span(walls.triangles)));
+            });
+    }
+
+    core::Result<void> write_mask() {
+        return store::write_mask(
+                   writer_, manifest_.layout,
+                   [rest = std::span<const std::uint8_t>(reading_.first.mask.fluid)]() mutable {
+                       return core::Result<std::span<const std::uint8_t>>(std::exchange(rest, {}));
+                   })
+            .map([&](std::uint32_t checksum) {
+                manifest_.layout.checksums[std::string(store::mask_file_name)] = checksum;
             });
     }
 
@@ -115,6 +128,7 @@ class Conversion {
     core::Result<void> go_on(EarlierImport& earlier) {
         const auto& before = earlier.manifest;
         manifest_.layout.checksums = before.layout.checksums;
+        manifest_.layout.brick_cells = before.layout.brick_cells;
         manifest_.layout.mask = before.layout.mask;
         manifest_.layout.walls = before.layout.walls;
         manifest_.info.obstacle = before.info.obstacle;
@@ -164,7 +178,7 @@ class Conversion {
         work.convert = [&](std::size_t index) {
             const bool read = index + 1 == plan_.times.size() && reading_.last;
             return convert_step(plan_, reading_.first, index, read ? &*reading_.last : nullptr,
-                                writer_);
+                                manifest_.layout, writer_);
         };
         work.commit = [&](std::size_t index, const StepRecord& record) {
             return commit(index, record);
@@ -176,7 +190,8 @@ class Conversion {
                 if (fixed_files_missing_)
                     if (auto written = write_fixed_files(); !written)
                         return written;
-                auto record = write_step(plan_, reading_.first, 0, reading_.step, writer_);
+                auto record =
+                    write_step(plan_, reading_.first, 0, reading_.step, manifest_.layout, writer_);
                 reading_.step = {};
                 return record ? commit(0, *record) : tl::unexpected(record.error());
             };
@@ -221,16 +236,11 @@ class Conversion {
     }
 
     void remove_unfinished() {
-        const auto remove = [&](std::string_view stem, std::size_t index) {
-            std::error_code ignored;
-            std::filesystem::remove(
-                writer_.folder() / store::step_file_name(stem, index, plan_.precision), ignored);
-        };
-        for (std::size_t i = written_; i < todo_.size(); ++i) {
-            remove(store::velocity_stem, todo_[i]);
-            for (const auto& scalar : plan_.choice.scalars)
-                remove(scalar.stored.stem, todo_[i]);
-        }
+        std::error_code ignored;
+        for (std::size_t i = written_; i < todo_.size(); ++i)
+            for (std::size_t column = 0; column < manifest_.layout.columns(); ++column)
+                for (const auto& file : store::step_files(manifest_.layout, column, todo_[i]))
+                    std::filesystem::remove(writer_.folder() / file.name, ignored);
     }
 
     const ImportRequest& request_;
@@ -285,16 +295,18 @@ core::Result<core::DatasetInfo> describe_source(const ImportRequest& request) {
     if (!velocity)
         return tl::unexpected(velocity.error());
     auto manifest = describe_store(*plan, *reading);
+    if (!manifest)
+        return tl::unexpected(manifest.error());
     const Range speed = speed_range(*velocity, reading->first.mask.fluid);
-    include(*plan, {{}, speed, {}}, true, manifest);
-    auto& note = manifest.info.note;
+    include(*plan, {{}, speed, {}}, true, *manifest);
+    auto& note = manifest->info.note;
     if (plan->precision == core::Precision::Half)
         add_note(note, rounding_note(*velocity));
     if (speed.empty())
         add_note(note, "no velocity of the first time-step is a number (in single precision)");
     reading->step = {}; // before others are read
     add_note(note, what_ends_an_import(*plan, reading->first));
-    return manifest.info;
+    return manifest->info;
 }
 
 core::Result<void> convert(const ImportRequest& request,

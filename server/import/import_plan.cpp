@@ -127,6 +127,7 @@ core::Result<ImportPlan> plan_of(std::unique_ptr<Source> source,
     plan.made_from = std::move(*files);
     plan.made_from.selection = request.selection;
     plan.precision = request.precision;
+    plan.placement = request.placement;
     plan.jobs = request.jobs;
     plan.memory = request.memory;
     for (const std::size_t step : plan.steps)

@@ -6,6 +6,7 @@
 #include "server/import/field_choice.hpp"
 #include "server/import/source.hpp"
 #include "server/import/time_selection.hpp"
+#include "store/step_placement.hpp"
 #include "store/store_manifest.hpp"
 
 #include <filesystem>
@@ -22,6 +23,7 @@ struct ImportRequest {
     std::vector<TimeSelection> times; ///< ranges; none: all
     SourceOptions taken;
     core::Precision precision = core::Precision::Single;
+    store::StepPlacement placement = store::StepPlacement::Auto;
     std::string
         selection; ///< all of these as the user wrote them, part of what the store was made from
     std::size_t jobs = 0; ///< processes that convert time-steps; 0: as many as there are cores
@@ -36,6 +38,7 @@ struct ImportPlan {
     std::string time_note; ///< where they come from, if that is not plain
     FieldChoice choice;
     core::Precision precision = core::Precision::Single;
+    store::StepPlacement placement = store::StepPlacement::Auto;
     std::size_t jobs = 0;
     std::uint64_t memory = 0; ///< as ImportRequest
     store::StoreSource made_from;

@@ -23,18 +23,15 @@ bool whole_step(const store::StoreWriter& writer,
     const auto& layout = manifest.layout;
     const auto written = disk.identity(writer.folder() / store::manifest_file_name);
     bool looked_at = manifest.complete && written.has_value();
-    const auto whole = [&](std::string_view stem, std::size_t components) {
-        const auto file =
-            disk.identity(writer.folder() / store::step_file_name(stem, index, layout.precision));
-        looked_at = looked_at && file && file->modified <= written->modified;
-        return file && file->size ==
-                           store::step_file_size(layout.grid.nodes(), components, layout.precision);
-    };
-    if (!writer.finished_step(index, 1 + layout.scalars.size()) ||
-        !whole(store::velocity_stem, 3) ||
-        !std::all_of(layout.scalars.begin(), layout.scalars.end(),
-                     [&](const store::StoredScalar& scalar) { return whole(scalar.stem, 1); }))
+    if (!writer.finished_step(index, layout.columns()))
         return false;
+    for (std::size_t column = 0; column < layout.columns(); ++column)
+        for (const store::StepFile& expected : store::step_files(layout, column, index)) {
+            const auto file = disk.identity(writer.folder() / expected.name);
+            if (!file || file->size != expected.size)
+                return false;
+            looked_at = looked_at && file->modified <= written->modified;
+        }
     return looked_at || !manifest.complete || recorded(reader, index, {}).has_value();
 }
 
@@ -49,6 +46,7 @@ bool same_but_for_steps(const store::StoreManifest& before, const ImportPlan& pl
     return before.source.files == plan.made_from.files &&
            before.source.selection == plan.made_from.selection &&
            before.layout.precision == plan.precision &&
+           store::goes_on(plan.placement, before.layout.brick_cells) &&
            before.layout.scalars == stored_scalars(plan) &&
            before.info.velocity == plan.choice.velocity_name &&
            before.source.steps.size() == before.layout.times.size();
@@ -67,7 +65,7 @@ std::optional<EarlierImport> earlier_import(const store::StoreWriter& writer,
     auto before = store::read_store_manifest(writer.folder(), core::PosixDisk());
     if (!before || !same_but_for_steps(*before, plan) || !same_step(*before, plan, 0))
         return std::nullopt;
-    const std::size_t columns = 1 + before->layout.scalars.size();
+    const std::size_t columns = before->layout.columns();
     const std::size_t steps = std::max(before->layout.times.size(), plan.times.size());
     bool same = true;
     for (std::size_t i = 0; i < steps; ++i) {

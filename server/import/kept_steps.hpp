@@ -12,7 +12,7 @@
 
 namespace wakesurf::server {
 
-/// A store of the same source, which may have grown since: the same shared files, selection and precision, and every
+/// A store of the same source, which may have grown since: the same shared files, selection, precision and layout, and every
 /// time-step that was converted, the first at least, of the same files and at the same time.
 struct EarlierImport {
     store::StoreManifest manifest;

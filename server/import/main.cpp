@@ -3,6 +3,7 @@
 #include "core/base/plain_text.hpp"
 #include "protocol/api/dataset_json.hpp"
 #include "protocol/api/json_text.hpp"
+#include "server/base/layout_option.hpp"
 #include "server/base/level_message.hpp"
 #include "server/base/manual_page.hpp"
 #include "server/base/memory_size.hpp"
@@ -182,6 +183,7 @@ int main(int argc, char** argv) {
     std::string source;
     std::string times;
     std::string precision = "single";
+    std::string layout = "auto";
     bool describe_only = false;
     CLI::App app("Converts a simulation of any format VTK reads into a wakesurf store.",
                  "wakesurf-import");
@@ -200,6 +202,7 @@ int main(int argc, char** argv) {
     server::add_source_options(app, wish.request.taken);
     app.add_option("--precision", precision, "single, or half: half the size, rounded to 2^-11")
         ->check(CLI::IsMember({"single", "half"}));
+    server::add_layout_option(app, layout);
     app.add_option("--jobs", wish.request.jobs,
                    "number of processes that convert time-steps (default: one per core)")
         ->check(CLI::Range(1, 256));
@@ -237,6 +240,7 @@ int main(int argc, char** argv) {
         if (option != "--confined")
             wish.request.selection += " " + option;
     wish.request.precision = precision == "half" ? core::Precision::Half : core::Precision::Single;
+    wish.request.placement = *store::parse_step_placement(layout);
     if (wish.bounds.memory == 0)
         wish.bounds.memory = server::usual_import_memory();
     wish.request.memory = wish.bounds.memory;

@@ -3,6 +3,7 @@
 #include "core/base/half.hpp"
 #include "core/base/vec3.hpp"
 #include "server/import/assembly/same_mesh.hpp"
+#include "store/value_writing.hpp"
 
 #include <algorithm>
 #include <array>
@@ -23,24 +24,21 @@ std::vector<std::uint16_t> halves_of(std::span<const float> values) {
 
 class StepWriting {
   public:
-    StepWriting(const ImportPlan& plan, std::size_t index, store::StoreWriter& writer)
-        : plan_(plan), index_(index), writer_(writer) {}
+    StepWriting(const ImportPlan& plan,
+                std::size_t index,
+                const store::StoreLayout& layout,
+                store::StoreWriter& writer)
+        : plan_(plan), index_(index), layout_(layout), writer_(writer) {}
 
-    core::Result<void>
-    write(std::string_view stem, const std::string& field, std::span<const float> values) {
-        std::vector<std::uint16_t> halves;
-        auto bytes = std::as_bytes(values);
-        if (plan_.precision == core::Precision::Half) {
-            if (std::isinf(rounding_error(values)))
-                return core::fail(
-                    Error::Code::Unsupported,
-                    plan_.step_name(index_) + " has values of " + field +
-                        " beyond 65504, which half precision cannot hold",
-                    "import without --precision half, or name other fields with --fields");
-            halves = halves_of(values);
-            bytes = std::as_bytes(std::span<const std::uint16_t>(halves));
-        }
-        return writer_.write(store::step_file_name(stem, index_, plan_.precision), bytes)
+    /// Of the next column.
+    core::Result<void> write(const std::string& field, std::span<const float> values) {
+        if (layout_.precision == core::Precision::Half && std::isinf(rounding_error(values)))
+            return core::fail(
+                Error::Code::Unsupported,
+                plan_.step_name(index_) + " has values of " + field +
+                    " beyond 65504, which half precision cannot hold",
+                "import without --precision half, or name other fields with --fields");
+        return store::write_values(writer_, layout_, record.checksums.size(), index_, values)
             .map([&](std::uint32_t checksum) { record.checksums.push_back(checksum); });
     }
 
@@ -49,6 +47,7 @@ class StepWriting {
   private:
     const ImportPlan& plan_;
     std::size_t index_;
+    const store::StoreLayout& layout_;
     store::StoreWriter& writer_;
 };
 
@@ -158,15 +157,16 @@ core::Result<StepRecord> write_step(const ImportPlan& plan,
                                     const FirstStep& first,
                                     std::size_t index,
                                     const SourceStep& step,
+                                    const store::StoreLayout& layout,
                                     store::StoreWriter& writer) {
-    StepWriting writing(plan, index, writer);
+    StepWriting writing(plan, index, layout, writer);
     StepRecord& record = writing.record;
     {
         const auto velocity = velocity_of(plan, first, index, step);
         if (!velocity)
             return tl::unexpected(velocity.error());
         record.speed = speed_range(*velocity, first.mask.fluid);
-        auto written = writing.write(store::velocity_stem, plan.choice.velocity_name, *velocity);
+        auto written = writing.write(plan.choice.velocity_name, *velocity);
         if (!written)
             return tl::unexpected(written.error());
     }
@@ -175,7 +175,7 @@ core::Result<StepRecord> write_step(const ImportPlan& plan,
         if (!values)
             return tl::unexpected(about_step(plan, index, values.error()));
         record.scalars.push_back(value_range(*values));
-        if (auto written = writing.write(scalar.stored.stem, scalar.stored.name, *values); !written)
+        if (auto written = writing.write(scalar.stored.name, *values); !written)
             return tl::unexpected(written.error());
     }
     return std::move(record);
@@ -185,16 +185,17 @@ core::Result<StepRecord> convert_step(const ImportPlan& plan,
                                       const FirstStep& first,
                                       std::size_t index,
                                       const SourceStep* read,
+                                      const store::StoreLayout& layout,
                                       store::StoreWriter& writer) {
     try {
         if (read != nullptr)
-            return write_step(plan, first, index, *read, writer);
+            return write_step(plan, first, index, *read, layout, writer);
         const auto step = plan.read(index);
         if (!step)
             return tl::unexpected(step.error());
         if (auto same = check_mesh_of(plan, first, index, *step); !same)
             return tl::unexpected(same.error());
-        return write_step(plan, first, index, *step, writer);
+        return write_step(plan, first, index, *step, layout, writer);
     } catch (const std::bad_alloc&) {
         return core::fail(Error::Code::OverLimit,
                           "there is not enough memory to convert " + plan.step_name(index));

@@ -53,11 +53,12 @@ core::Result<std::vector<float>> velocity_of(const ImportPlan& plan,
                                              const SourceStep& step);
 
 /// Writes the files of a time-step; the step is not ready before store::StoreWriter::finish_step. Error: NotFound, Corrupt,
-/// Unsupported (beyond half precision), Io, naming the time-step.
+/// Unsupported (beyond half precision), Io, naming the time-step. @param layout  of the store
 core::Result<StepRecord> write_step(const ImportPlan& plan,
                                     const FirstStep& first,
                                     std::size_t index,
                                     const SourceStep& step,
+                                    const store::StoreLayout& layout,
                                     store::StoreWriter& writer);
 
 /// Reads and writes a time-step. Error: also as Source::read and check_mesh_of.
@@ -66,6 +67,7 @@ core::Result<StepRecord> convert_step(const ImportPlan& plan,
                                       const FirstStep& first,
                                       std::size_t index,
                                       const SourceStep* read,
+                                      const store::StoreLayout& layout,
                                       store::StoreWriter& writer);
 
 /// Of vectors, three numbers each; NaN where one of them is, infinite where it is too large.

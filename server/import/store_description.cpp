@@ -40,13 +40,18 @@ void widen(std::array<double, 2>& range, const Range& by, bool replace) {
 
 } // namespace
 
-store::StoreManifest describe_store(const ImportPlan& plan, const FirstStepReading& reading) {
+core::Result<store::StoreManifest> describe_store(const ImportPlan& plan,
+                                                  const FirstStepReading& reading) {
     const GridAssembly& assembly = reading.first.assembly;
     const SourceDescription& source = plan.source->description();
     store::StoreManifest manifest;
     manifest.source = plan.made_from;
     auto& layout = manifest.layout;
     layout.grid = store::stored_grid(assembly.grid, assembly.curvilinear);
+    const auto brick_cells = store::brick_cells_for(plan.placement, layout.grid);
+    if (!brick_cells)
+        return tl::unexpected(brick_cells.error());
+    layout.brick_cells = *brick_cells;
     layout.times = plan.times;
     layout.precision = plan.precision;
     for (const auto& scalar : plan.choice.scalars)

@@ -12,7 +12,9 @@ std::string note_on_missing_velocity(const std::vector<std::size_t>& steps,
                                      const std::vector<double>& times);
 
 /// Everything but the checksums of fixed files and `complete`; ranges are those the reader found in the first time-step.
-store::StoreManifest describe_store(const ImportPlan& plan, const FirstStepReading& reading);
+/// Error: Unsupported for bricks of a mesh of cells.
+core::Result<store::StoreManifest> describe_store(const ImportPlan& plan,
+                                                  const FirstStepReading& reading);
 
 /// Widens the ranges of the velocity and the scalars by those of a time-step. @param first  replaces them: the reader's
 /// are of all its nodes, and what counts is what is stored.

@@ -45,4 +45,4 @@ def text():
             "extension chooses the format.\n\n" + written()
             + "\n\nParaView opens `.vtp` with every array. For its `.glb` reader, and any other without Draco, ask for a plain one: `--no-draco`.\n"
             + "\n## The store\n\nImported data lie in a folder of raw time-steps with a manifest, which numpy reads too: "
-            f"[store]({UP}store/README.md). A store can always be made again from the simulation's results.\n")
+            f"[store]({UP}store/README.md). Time-steps whose velocity is\nlarger than 1 GiB lie in bricks (`--layout`). A store can always be made again from the simulation's results.\n")

@@ -129,6 +129,46 @@ TEST_F(GenerateCommand, MakesAStoreThatInfoAndSurfaceOpenAtOnce) {
     EXPECT_EQ(surface.status, 0) << surface.errors;
 }
 
+TEST_F(GenerateCommand, LaysTimeStepsInBricksWhereAskedToWithTheSameValues) {
+    const std::vector<std::string> grid{"--grid", "61,41,37", "--layout"};
+    const auto with = [&](const std::string& layout) {
+        auto all = grid;
+        all.push_back(layout);
+        return all;
+    };
+    ASSERT_EQ(run("cylinder", with("bricks")).status, 0);
+    EXPECT_EQ(names(),
+              (std::vector<std::string>{"checksums.u32", "mask.u8", "store.json", "store.lock",
+                                        "velocity_000000.bricks", "velocity_000000.f32"}));
+    EXPECT_EQ(manifest().layout.brick_cells, 32U);
+    const auto info = wakesurf({"info", store()});
+    EXPECT_NE(info.output.find("  stored    bricks of 32 cells\n"), std::string::npos)
+        << info.output;
+    const auto open = [&] {
+        return store::StoreReader::open(store::store_layout(manifest(), store()),
+                                        std::make_shared<core::PosixDisk>())
+            .value();
+    };
+    const auto bricks = open();
+    const auto paged = bricks->load(0, {}).value();
+    EXPECT_NE(run("cylinder", with("bricks")).output.find("up to date"), std::string::npos);
+    EXPECT_NE(run("cylinder", with("auto")).output.find("up to date"), std::string::npos)
+        << "what was begun so goes on so";
+    EXPECT_EQ(run("cylinder", with("whole")).status, 1) << "that is another store";
+    fs::remove(store() / "velocity_000000.bricks");
+    ASSERT_EQ(run("cylinder", with("bricks")).status, 0);
+    EXPECT_TRUE(open()->whole(0));
+    fs::remove_all(store());
+    ASSERT_EQ(run("cylinder", with("auto")).status, 0);
+    EXPECT_EQ(manifest().layout.brick_cells, 0U) << "less than 1 GiB a time-step";
+    EXPECT_NE(wakesurf({"info", store()}).output.find("  stored    whole time-steps\n"),
+              std::string::npos);
+    const auto whole = open();
+    EXPECT_EQ(whole->mask().fluid, bricks->mask().fluid);
+    const auto flat = whole->load(0, {}).value();
+    EXPECT_TRUE(std::ranges::equal(flat->slab.bytes(), paged->slab.bytes()));
+}
+
 TEST_F(GenerateCommand, InfoTellsTimesApartHoweverLate) {
     ASSERT_EQ(run("abc", {"--grid", "8,8,8", "--times", "1000000000:1000000000.5:2"}).status, 0);
     const auto info = wakesurf({"info", store()});
@@ -176,6 +216,7 @@ TEST_F(GenerateCommand, RefusesBeforeItWritesAnything) {
     refuses("abc", {"--grid", "8,8,-8"}, 2, "--grid");
     refuses("abc", {"--grid", "4000000000,4000000000,4000000000"}, 2, "--grid");
     refuses("abc", {"--times", "0:1"}, 2, "--times");
+    refuses("abc", {"--layout", "columns"}, 2, "--layout");
     refuses("abc", {"--times", "1:0:3"}, 2, "--times");
     refuses("abc", {"--times", "0:nan:3"}, 2, "--times");
     refuses("abc", {"--times", "0:1:1000000000"}, 2, "--times");

@@ -53,7 +53,8 @@ TEST(Version, NamesTheProgramTheApiAndEveryFormat) {
     has("wakesurf " + std::string(server::version_number()));
     has("commit 0123456789ab");
     has("API level " + std::to_string(protocol::api_level));
-    has("store format " + std::to_string(store::store_format_version));
+    has("store format " + std::to_string(store::store_format_version) + ", " +
+        std::to_string(store::brick_format_version));
     has("journal schema " + std::to_string(server::state_layout));
     has("session file " + std::to_string(protocol::session_file_version));
     has("mesh frame " + std::to_string(protocol::frame_version));
@@ -84,7 +85,8 @@ TEST(Version, OfEveryFormatIsExplained) {
     const std::string table = text_of("docs/versions.md");
     for (const std::string& row :
          {"API level | " + std::to_string(protocol::api_level),
-          "store format | " + std::to_string(store::store_format_version),
+          "store format | " + std::to_string(store::store_format_version) + ", " +
+              std::to_string(store::brick_format_version),
           "journal schema | " + std::to_string(server::state_layout),
           "session file | " + std::to_string(protocol::session_file_version),
           "mesh frame | " + std::to_string(protocol::frame_version)})

@@ -65,6 +65,62 @@ TEST_F(Import, RepeatsTheImportForAnotherSelection) {
     EXPECT_FALSE(fs::exists(store() / "velocity_000002.f32"));
 }
 
+TEST_F(Import, LaysTimeStepsInBricksWithTheSameValuesAndGoesOnSo) {
+    ASSERT_EQ(import({bundled, store(), "--jobs", "2"}).status, 0);
+    const auto whole = reader();
+    std::vector<std::shared_ptr<const core::TimeStep>> before;
+    for (std::size_t step = 0; step < whole->times().size(); ++step)
+        before.push_back(whole->load(step, {}).value());
+    ASSERT_EQ(import({bundled, store(), "--layout", "bricks", "--jobs", "2"}).status, 0);
+    EXPECT_EQ(manifest().layout.brick_cells, 32u);
+    const auto bricks = reader();
+    EXPECT_EQ(bricks->mask().fluid, whole->mask().fluid);
+    for (std::size_t step = 0; step < before.size(); ++step)
+        EXPECT_TRUE(std::ranges::equal(bricks->load(step, {}).value()->slab.bytes(),
+                                       before[step]->slab.bytes()))
+            << step;
+    // Damaged, it is mended; without --layout it stays in bricks.
+    const auto good = read_file(store() / "velocity_000003.bricks");
+    fs::resize_file(store() / "velocity_000003.bricks", 4);
+    std::fstream(store() / "velocity_000005.f32").put('x');
+    const auto kept = core::PosixDisk().identity(store() / "velocity_000004.f32").value();
+    ASSERT_EQ(import({bundled, store()}).status, 0);
+    EXPECT_EQ(manifest().layout.brick_cells, 32u);
+    EXPECT_EQ(read_file(store() / "velocity_000003.bricks"), good);
+    EXPECT_TRUE(reader()->load(5, {}));
+    EXPECT_EQ(core::PosixDisk().identity(store() / "velocity_000004.f32").value(), kept);
+    EXPECT_EQ(import({bundled, store()}).lines.size(), 1u) << "up to date";
+    ASSERT_EQ(import({bundled, store(), "--layout", "whole"}).status, 0);
+    EXPECT_FALSE(fs::exists(store() / "velocity_000003.bricks"));
+    EXPECT_EQ(manifest().layout.brick_cells, 0u);
+}
+
+TEST_F(Import, LaysScalarsInBricksToo) {
+    auto vti = sample_vti(1);
+    vti.points += vti_array("p", 1, vti.point_count(),
+                            [](std::size_t i) { return 0.5 * static_cast<double>(i); });
+    put("a.vti", vti.text());
+    ASSERT_EQ(run("a.vti").status, 0);
+    const auto whole = reader()->load_scalar(0, 0, {}).value();
+    ASSERT_EQ(run("a.vti", {"--layout", "bricks"}).status, 0);
+    EXPECT_TRUE(fs::exists(store() / "p_000000.bricks"));
+    EXPECT_TRUE(std::ranges::equal(reader()->load_scalar(0, 0, {}).value().bytes(), whole.bytes()));
+}
+
+TEST_F(Import, RefusesBricksOfAMeshOfCells) {
+    put("a.vtk", "# vtk DataFile Version 3.0\na\nASCII\nDATASET UNSTRUCTURED_GRID\n"
+                 "POINTS 4 float\n0 0 0 1 0 0 0 1 0 0 0 1\nCELLS 1 5\n4 0 1 2 3\n"
+                 "CELL_TYPES 1\n10\nPOINT_DATA 4\nVECTORS U float\n"
+                 "1 0 0 1 0 0 1 0 0 1 0 0\n");
+    ASSERT_EQ(run("a.vtk").status, 0);
+    const auto refused = run("a.vtk", {"--layout", "bricks"});
+    EXPECT_EQ(refused.status, 1);
+    EXPECT_NE(refused.errors.find("only uniform and rectilinear grids lie in bricks"),
+              std::string::npos)
+        << refused.errors;
+    EXPECT_TRUE(manifest().complete) << "what was there stays";
+}
+
 TEST_F(Import, MendsAStoreWithADamagedStep) {
     ASSERT_EQ(import({bundled, store()}).status, 0);
     const auto good = read_file(store() / "velocity_000003.f32");
