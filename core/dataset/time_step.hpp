@@ -3,8 +3,10 @@
 
 #include "core/base/vec3.hpp"
 #include "core/dataset/slab.hpp"
+#include "core/dataset/step_nodes.hpp"
 
 #include <cstddef>
+#include <memory>
 #include <span>
 
 namespace wakesurf::core {
@@ -14,9 +16,16 @@ struct TimeStep {
     std::size_t index = 0; ///< in the series, from 0
     double time = 0.0;     ///< of the series, in its unit
     Slab slab;             ///< the velocities
-    bool gaps = false;     ///< some velocities are not finite: there the domain ends at this time
+    std::shared_ptr<const BrickTable>
+        bricks{};      ///< the velocities instead, where they come brick by brick
+    bool gaps = false; ///< some velocities are not finite: there the domain ends at this time
 
-    /// X, y and z of the first node, then of the next.
+    /// The velocities as samplers reach them.
+    StepNodes nodes() const {
+        return bricks ? StepNodes(bricks.get()) : StepNodes(velocity().data());
+    }
+
+    /// REQUIRES: not in bricks. X, y and z of the first node, then of the next.
     std::span<const float> velocity() const {
         return {reinterpret_cast<const float*>(slab.bytes().data()),
                 slab.bytes().size() / sizeof(float)};

@@ -1,5 +1,6 @@
 #include "core/dataset/time_step_cache.hpp"
 
+#include "core/dataset/brick_cache.hpp"
 #include "core/dataset/step_window.hpp"
 
 #include <algorithm>
@@ -25,7 +26,7 @@ constexpr auto look = 100ms;
 constexpr int looks_when_deadlocked = 3;
 constexpr int looks_when_merely_full = 300;
 
-constexpr std::size_t smallest_window = 4;
+constexpr std::size_t fewest_steps = 4;
 
 // How long an acquire() that waits for room may see nothing given back.
 class Patience {
@@ -45,6 +46,12 @@ class Patience {
     int deadlocked_looks_ = 0;
 };
 
+StepState state_of(const BrickCache::Held& bricks) {
+    return bricks.resident > 0  ? StepState::Resident
+           : bricks.loading > 0 ? StepState::Loading
+                                : StepState::Cold;
+}
+
 } // namespace
 
 struct TimeStepCache::State {
@@ -58,10 +65,14 @@ struct TimeStepCache::State {
     std::function<void()> listener;
     std::vector<std::jthread> threads;
     std::shared_ptr<void> asked; ///< by others, for memory
+    std::shared_ptr<BrickCache> bricks;
+    std::atomic<BrickTable::Age> prefetched_at{0}; ///< of the bricks
 
     Result<std::shared_ptr<const TimeStep>> load(const StepJob& job) const;
     void load_until(const std::stop_token& stop);
     void announce();
+    Result<std::shared_ptr<const TimeStep>> in_bricks(std::size_t index) const;
+    void prefetch_bricks(std::size_t index, int direction);
 };
 
 Result<std::shared_ptr<const TimeStep>> TimeStepCache::State::load(const StepJob& job) const {
@@ -123,9 +134,16 @@ void TimeStepCache::State::load_until(const std::stop_token& stop) {
     }
 }
 
-std::size_t TimeStepCache::smallest_budget(const TimeStepSource& source) {
-    return std::min(smallest_window, source.times().size()) *
+std::size_t TimeStepCache::smallest_window(const TimeStepSource& source) {
+    return std::min(fewest_steps, source.times().size()) *
            std::max<std::size_t>(1, source.bytes_per_step());
+}
+
+std::size_t TimeStepCache::smallest_budget(const TimeStepSource& source) {
+    const std::size_t window = smallest_window(source);
+    return source.bricks() == nullptr
+               ? window
+               : std::min(window, BrickCache::smallest_budget(source.bricks()->layout()));
 }
 
 TimeStepCache::TimeStepCache(std::shared_ptr<const TimeStepSource> source, Options options)
@@ -133,11 +151,22 @@ TimeStepCache::TimeStepCache(std::shared_ptr<const TimeStepSource> source, Optio
     state_->source = std::move(source);
     state_->step_bytes = std::max<std::size_t>(1, state_->source->bytes_per_step());
     auto& window = *state_->window;
-    state_->budget_bytes = options.account
-                               ? smallest_budget(*state_->source)
-                               : std::max(options.budget_bytes, smallest_budget(*state_->source));
+    const std::size_t whole = smallest_window(*state_->source);
+    const std::size_t room = options.account
+                                 ? std::min(options.account->budget() / 2, options.account->free())
+                                 : options.budget_bytes;
+    if (const BrickSource* bricks = state_->source->bricks();
+        bricks != nullptr && (options.by_brick || whole > room)) {
+        state_->bricks = std::make_shared<BrickCache>(
+            *bricks, BrickCache::Options{options.budget_bytes, options.account,
+                                         [state = state_.get()] { state->announce(); }});
+        state_->budget_bytes = state_->bricks->status().budget;
+        window.entries = std::vector<StepEntry>(state_->source->times().size());
+        return;
+    }
+    state_->budget_bytes = options.account ? whole : std::max(options.budget_bytes, whole);
     window.step_bytes = state_->step_bytes;
-    window.smallest = smallest_budget(*state_->source) / state_->step_bytes;
+    window.smallest = whole / state_->step_bytes;
     if (options.account) {
         state_->budget_bytes = std::max(options.account->budget(), state_->budget_bytes);
         window.account = options.account;
@@ -168,6 +197,7 @@ TimeStepCache::TimeStepCache(std::shared_ptr<const TimeStepSource> source, Optio
 TimeStepCache::~TimeStepCache() {
     State::Window& window = *state_->window;
     state_->asked.reset();
+    state_->bricks.reset();
     {
         const std::scoped_lock lock(window.mutex);
         window.closing = true;
@@ -186,9 +216,42 @@ const TimeStepSource& TimeStepCache::source() const {
     return *state_->source;
 }
 
+const std::shared_ptr<BrickCache>& TimeStepCache::bricks() const {
+    return state_->bricks;
+}
+
+Result<std::shared_ptr<const TimeStep>> TimeStepCache::State::in_bricks(std::size_t index) const {
+    if (!source->ready(index))
+        return fail(Error::Code::NotFound,
+                    "time-step " + std::to_string(index) + " is not there yet");
+    auto step = std::make_shared<TimeStep>();
+    step->index = index;
+    step->time = source->times()[index];
+    step->bricks = bricks->table(index);
+    step->gaps = source->bricks()->gaps(index);
+    return step;
+}
+
+void TimeStepCache::State::prefetch_bricks(std::size_t index, int direction) {
+    const std::size_t count = source->times().size();
+    const std::size_t next = direction > 0 ? index + 1 : index - 1; // wraps below 0: none
+    const std::size_t begun = direction > 0 ? index - 1 : index + 1;
+    if (begun >= count)
+        return;
+    const auto used = bricks->used(begun, prefetched_at.exchange(bricks->age()));
+    std::vector<BrickName> wanted;
+    for (const std::size_t step : {index, next})
+        if (step < count && source->ready(step))
+            for (const std::uint32_t brick : used)
+                wanted.push_back({step, brick});
+    bricks->prefetch(wanted);
+}
+
 Result<std::shared_ptr<const TimeStep>>
 TimeStepCache::acquire(std::size_t index, std::stop_token stop, std::size_t held) {
     State::Window& window = *state_->window;
+    if (state_->bricks && index < window.entries.size())
+        return state_->in_bricks(index);
     // Before the lock: its end waits for a call under way.
     const std::stop_callback wake(stop, [&] { window.changed.ring_all(); });
     std::unique_lock lock(window.mutex);
@@ -239,6 +302,10 @@ TimeStepCache::acquire(std::size_t index, std::stop_token stop, std::size_t held
 }
 
 void TimeStepCache::prefetch(std::size_t index, int direction, std::size_t behind) {
+    if (state_->bricks) {
+        state_->prefetch_bricks(index, direction);
+        return;
+    }
     State::Window& window = *state_->window;
     const auto count = window.entries.size(); // fixed at construction, as the capacity
     // As far as the series goes; wraps below 0: no step.
@@ -287,6 +354,14 @@ TimeStepCache::Status TimeStepCache::status() const {
         const std::size_t free = window.account->free();
         status.budget = std::max(window.used.load(), window.smallest) * window.step_bytes +
                         (free - std::min(free, leave));
+    }
+    if (state_->bricks) {
+        const BrickCache::Status bricks = state_->bricks->status();
+        status.bytes = bricks.bytes;
+        status.loads = bricks.reads;
+        for (std::size_t i = 0; i < window.entries.size(); ++i)
+            status.steps.push_back(state_of(state_->bricks->held(i)));
+        return status;
     }
     status.bytes = window.used * state_->step_bytes;
     status.hits = window.hits;

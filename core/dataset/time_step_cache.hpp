@@ -17,6 +17,8 @@
 
 namespace wakesurf::core {
 
+class BrickCache;
+
 enum class StepState { Cold, Loading, Resident };
 
 /// Thread safety: every call may come from any thread. A time-step handed out stays valid as long as its
@@ -30,6 +32,7 @@ class TimeStepCache {
         /// With one the budget is smallest_budget(), which is taken at once, and whatever others leave free; that is given back when
         /// they need it.
         std::optional<MemoryAccount> account{};
+        bool by_brick = false; ///< where the source has bricks, also if four time-steps fit
     };
 
     /// What is in memory, for people.
@@ -41,8 +44,12 @@ class TimeStepCache {
         std::uint64_t loads = 0;      ///< time-steps read, demanded and ahead
     };
 
-    /// Room for one caller who interpolates by cubics in time: 4 time-steps, or all where they are fewer.
+    /// Room for one caller who interpolates by cubics in time: 4 time-steps, or all where they are fewer, or some bricks where the source
+    /// has bricks.
     static std::size_t smallest_budget(const TimeStepSource& source);
+
+    /// Four time-steps, or all where they are fewer.
+    static std::size_t smallest_window(const TimeStepSource& source);
 
     /// Loads nothing yet.
     TimeStepCache(std::shared_ptr<const TimeStepSource> source, Options options);
@@ -52,6 +59,10 @@ class TimeStepCache {
 
     /// Where the time-steps come from.
     const TimeStepSource& source() const;
+
+    /// What time-steps are in memory by, of which four do not fit the budget and that the source has in bricks. They are handed out at
+    /// once, and whoever samples asks for what is missing. Null where time-steps are loaded whole.
+    const std::shared_ptr<BrickCache>& bricks() const;
 
     /// The time-step, loaded if it is not resident; two callers of one cold time-step cause one load.
     /// Blocks. A caller may hold three time-steps while it acquires a fourth; while the budget is taken

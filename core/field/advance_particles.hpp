@@ -2,6 +2,7 @@
 // is the same for any number of threads.
 #pragma once
 
+#include "core/dataset/missing_bricks.hpp"
 #include "core/field/field_in_series.hpp"
 #include "core/integrate/advance_particle.hpp"
 #include "core/integrate/cursor_of.hpp"
@@ -35,14 +36,16 @@ bool in_ranges(std::size_t count,
     return whole;
 }
 
-/// Calls `advance(view, begin, end)` with a view of the field each: the field itself, or a cursor that serves a block of as many
-/// particles whatever the number of threads. Returns as in_ranges.
+/// Calls `advance(view, begin, end)` with a view of the field each: the field itself or a copy, or a cursor that serves a block of as many
+/// particles whatever the number of threads. Where values were missing it is called again: it leaves the particles that met them as they
+/// were. Returns as in_ranges, and false where what is missing cannot be had.
 template <class Field, class Advance>
 bool in_blocks(const Field& field,
                std::size_t count,
                const std::stop_token& stop,
                const Advance& advance,
-               std::size_t least = 16) {
+               std::size_t least = 16,
+               MissingBricks::Again again = MissingBricks::Again::Restart) {
     if constexpr (FieldWithCursor<Field>) {
         const std::size_t block = std::clamp<std::size_t>(count / 64, 4, 64);
         const auto some = [&](std::size_t begin, std::size_t end) {
@@ -51,6 +54,15 @@ bool in_blocks(const Field& field,
         };
         return in_ranges((count + block - 1) / block, stop, some,
                          std::max<std::size_t>(least / block, 1));
+    } else if constexpr (PagedField<Field>) {
+        const auto round = [&](std::size_t begin, std::size_t end) {
+            const auto some = [&](std::size_t from, std::size_t to) {
+                const Field view = field;
+                advance(view, begin + from, begin + to);
+            };
+            return in_ranges(end - begin, stop, some, least);
+        };
+        return MissingBricks::in_rounds(field.missing(), count, stop, again, round);
     } else {
         const auto some = [&](std::size_t begin, std::size_t end) { advance(field, begin, end); };
         return in_ranges(count, stop, some, least);
@@ -96,6 +108,8 @@ bool advance_particles(const Field& field,
             ParticleState at = take_out(p, i);
             restart(view, p.cell, i);
             carry(at);
+            if (take_missed(view))
+                continue;
             put_back(p, i, at);
             keep_cell(view, p.cell, i);
         }

@@ -19,11 +19,11 @@ bool advance_in_batches(const Field& field,
                         int sign,
                         const AdvanceOptions& options,
                         const std::stop_token& stop) {
-    const StoredPair pair = stored_pair(field, options);
     const bool straight = !field.gaps; // with them every step is computed alone
-    return in_ranges(particles.count(), stop, [&](std::size_t begin, std::size_t end) {
-        Passage<Field> passage(field, pair, kernel, particles, to, options);
-        Convoy<Field> convoy(field, pair, kernel, particles, to, options);
+    const auto some = [&](const Field& view, std::size_t begin, std::size_t end) {
+        const StoredPair pair = stored_pair(view, options);
+        Passage<Field> passage(view, pair, kernel, particles, to, options);
+        Convoy<Field> convoy(view, pair, kernel, particles, to, options);
         const auto board = [&](std::size_t particle) {
             while (passage.full())
                 passage.step();
@@ -41,7 +41,8 @@ bool advance_in_batches(const Field& field,
             convoy.go(board);
         while (!passage.empty())
             passage.step();
-    });
+    };
+    return in_blocks(field, particles.count(), stop, some);
 }
 
 template <class Field>
@@ -51,9 +52,9 @@ bool sample_in_batches(const Field& field,
                        double time,
                        std::span<Vec3f> velocities,
                        const std::stop_token& stop) {
-    const StoredPair pair = stored_pair(field, {});
-    const VelocityLook<Field> find_velocities(field, pair, kernel, time);
-    const auto some = [&](std::size_t begin, std::size_t end) {
+    const auto some = [&](const Field& view, std::size_t begin, std::size_t end) {
+        const StoredPair pair = stored_pair(view, {});
+        const VelocityLook<Field> find_velocities(view, pair, kernel, time);
         Rk4Batch batch;
         for (; begin != end; begin += batch.count) {
             batch.count = std::min(end - begin, Rk4Batch::most);
@@ -61,11 +62,12 @@ bool sample_in_batches(const Field& field,
                 for (int axis = 0; axis < 3; ++axis)
                     batch.position[axis][lane] = positions[begin + lane][axis];
             find_velocities(batch);
+            note_missing(view, batch);
             for (std::size_t lane = 0; lane < batch.count; ++lane)
                 velocities[begin + lane] = find_velocities.of(batch, lane);
         }
     };
-    return in_ranges(positions.size(), stop, some, 1024);
+    return in_blocks(field, positions.size(), stop, some, 1024, MissingBricks::Again::Redo);
 }
 
 bool processor_has_avx2() {

@@ -60,7 +60,7 @@ class Convoy {
     /// were.
     template <class Again>
     void go(const Again& again) {
-        Rk4Batch::Bits ended = 0;
+        Rk4Batch::Bits ended = 0, waiting = 0;
         std::fill_n(batch_.taken, Rk4Batch::most, 0.0);
         for (double left = steps_; left > 0.0 && std::popcount(ended) < count();
              left -= static_cast<double>(most_steps)) {
@@ -68,16 +68,18 @@ class Convoy {
             if constexpr (smooth)
                 share_time_steps();
             kernel_(pair_, batch_, particles_.tangents());
-            ended |= (batch_.slow | batch_.outside) & ((Rk4Batch::Bits{1} << batch_.count) - 1u);
+            waiting |= note_missing(field_, batch_);
+            ended |= (batch_.slow | batch_.outside | waiting) &
+                     ((Rk4Batch::Bits{1} << batch_.count) - 1u);
         }
         for (std::size_t lane = 0; lane < batch_.count; ++lane)
             if ((ended >> lane & 1u) == 0)
                 arrive(lane);
-            else
+            else if ((waiting >> lane & 1u) == 0)
                 again(particle_[lane]);
         if (!particles_.velocity.empty())
             look(ended);
-        if (2 * std::popcount(ended) > count()) // along a wall, say
+        if (2 * std::popcount(ended & ~waiting) > count()) // along a wall, say
             apart_ = Rk4Batch::most;
         batch_.count = 0;
     }
@@ -121,6 +123,7 @@ class Convoy {
     /// While what they were carried through is still in the cache.
     void look(Rk4Batch::Bits ended) {
         look_(batch_);
+        ended |= note_missing(field_, batch_); // is looked up later
         for (std::size_t lane = 0; lane < batch_.count; ++lane)
             if ((ended >> lane & 1u) == 0) {
                 particles_.velocity[particle_[lane]] = VelocityLook<Field>::of(batch_, lane);

@@ -70,8 +70,8 @@ cubic_time_shares(const std::array<double, 4>& time, bool before, bool after, do
 /// velocity at one of the four times, the field is linear in space and time.
 struct CubicSampler {
     GridSampler<UniformGrid> linear; ///< over the two middle time-steps
-    const float* before = nullptr;   ///< the time-steps round them; null at the ends of the series
-    const float* after = nullptr;
+    StepNodes before{};              ///< the time-steps round them; none at the ends of the series
+    StepNodes after{};
     double time_before = 0.0;
     double time_after = 0.0;
     bool gaps = false;                     ///< some velocities of the four are not finite
@@ -104,17 +104,26 @@ struct CubicSampler {
                    });
     }
 
+    // A PagedField.
+    bool missed() const { return linear.missed(); }
+
+    bool take_missed() const { return linear.take_missed(); }
+
+    MissingBricks* missing() const { return linear.missing(); }
+
+    void note_missing(std::size_t brick) const { linear.note_missing(brick); }
+
     PointStatus status(const Vec3& p) const { return linear.status(p); }
 
     bool at_wall(const Vec3& p) const { return linear.at_wall(p); }
 
     /// Of the four time-steps.
     std::array<double, 4> shares(double t) const {
-        if (linear.velocity1 == nullptr)
+        if (!linear.velocity1)
             return {0.0, 1.0, 0.0, 0.0};
         return cubic_time_shares(
             {time_before, linear.time0, linear.time0 + linear.interval, time_after},
-            before != nullptr, after != nullptr, t);
+            static_cast<bool>(before), static_cast<bool>(after), t);
     }
 
   private:
@@ -130,7 +139,40 @@ struct CubicSampler {
             const std::size_t row = (cell[2] + z - 1) * grid.dimensions[1] + cell[1] + y - 1;
             return row * grid.dimensions[0] + cell[0] + x - 1;
         }
+
+        /// Bricks of the four nodes on each axis, and where these are in them: what a node has is the sum of three.
+        std::array<std::array<std::size_t, 4>, 3> brick;
+        std::array<std::array<std::size_t, 4>, 3> in_brick;
+
+        void find_bricks(const BrickLayout& layout) {
+            std::size_t bricks = 1, nodes = 1;
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const std::size_t home = cell[axis] >> layout.shift();
+                for (std::size_t i = begin[axis]; i < end[axis]; ++i) {
+                    const std::size_t at = cell[axis] + i - 1;
+                    const bool near = at >= home << layout.shift() &&
+                                      at <= (home + 1) << layout.shift(); // the cell's own brick
+                    const std::size_t its = near ? home : at >> layout.shift();
+                    brick[axis][i] = its * bricks;
+                    in_brick[axis][i] = (at - (its << layout.shift())) * nodes;
+                }
+                bricks *= layout.bricks()[axis];
+                nodes *= layout.brick_nodes()[axis];
+            }
+        }
     };
+
+    const float* velocity_at(const StepNodes& step,
+                             const Stencil& at,
+                             std::size_t x,
+                             std::size_t y,
+                             std::size_t z) const {
+        if (step.bricks == nullptr)
+            return step.whole + 3 * at.node(*linear.grid, x, y, z);
+        return linear.at_first(step, {at.brick[0][x] + at.brick[1][y] + at.brick[2][z],
+                                      at.in_brick[0][x] + at.in_brick[1][y] + at.in_brick[2][z],
+                                      {}});
+    }
 
     Stencil stencil(const Vec3& p) const {
         const UniformGrid& grid = *linear.grid;
@@ -143,6 +185,8 @@ struct CubicSampler {
             result.begin[axis] = cell == 0 ? 1 : 0;
             result.end[axis] = cell + 2 == nodes ? 3 : 4;
         }
+        if (linear.layout != nullptr)
+            result.find_bricks(*linear.layout);
         const bool smooth = linear.mask->empty() || !touches_solid(result);
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const double f = at.fraction[static_cast<int>(axis)];
@@ -169,35 +213,34 @@ struct CubicSampler {
 
     bool touches_gap(const Stencil& at) const {
         float zero = 0.0f; // a product with what is not finite is NaN
-        for (const float* step : steps())
-            for (std::size_t z = at.begin[2]; step != nullptr && z < at.end[2]; ++z)
-                for (std::size_t y = at.begin[1]; y < at.end[1]; ++y) {
-                    const float* row = step + 3 * at.node(*linear.grid, at.begin[0], y, z);
-                    for (std::size_t i = 0; i < 3 * (at.end[0] - at.begin[0]); ++i)
-                        zero += 0.0f * row[i];
-                }
+        for (const StepNodes& step : steps())
+            for (std::size_t z = at.begin[2]; step && z < at.end[2]; ++z)
+                for (std::size_t y = at.begin[1]; y < at.end[1]; ++y)
+                    for (std::size_t x = at.begin[0]; x < at.end[0]; ++x) {
+                        const float* v = velocity_at(step, at, x, y, z);
+                        zero += 0.0f * v[0] + 0.0f * v[1] + 0.0f * v[2];
+                    }
         return zero != 0.0f;
     }
 
-    std::array<const float*, 4> steps() const {
+    std::array<StepNodes, 4> steps() const {
         return {before, linear.velocity0, linear.velocity1, after};
     }
 
     /// Adds up rows of nodes: `weigh(y, z, value, slope)` of the row's value and slope in x.
     template <class Weigh>
     Vec3 sum(const Stencil& at, const std::array<double, 4>& share, const Weigh& weigh) const {
-        const std::array<const float*, 4> stored = steps();
+        const std::array<StepNodes, 4> stored = steps();
         Vec3 total(0.0);
         for (std::size_t z = at.begin[2]; z < at.end[2]; ++z)
             for (std::size_t y = at.begin[1]; y < at.end[1]; ++y) {
                 Vec3 value(0.0);
                 Vec3 slope(0.0);
                 for (std::size_t x = at.begin[0]; x < at.end[0]; ++x) {
-                    const std::size_t node = at.node(*linear.grid, x, y, z);
                     Vec3 v(0.0);
                     for (std::size_t i = 0; i < 4; ++i)
-                        if (stored[i] != nullptr) {
-                            const float* at_node = stored[i] + 3 * node;
+                        if (stored[i]) {
+                            const float* at_node = velocity_at(stored[i], at, x, y, z);
                             v += share[i] * Vec3(at_node[0], at_node[1], at_node[2]);
                         }
                     value += at.axis[0].value[x] * v;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/point_status.hpp"
+#include "core/dataset/missing_bricks.hpp"
 #include "core/field/cell_mask.hpp"
 #include "core/field/node_shares.hpp"
 #include "core/field/uniform_axes.hpp"
@@ -80,24 +81,39 @@ struct GridSampler {
     const Grid* grid;
     const CellMask* cells;
     const SolidMask* mask;
-    const float* velocity0;
-    const float* velocity1; ///< null: frozen at the first
+    StepNodes velocity0;
+    StepNodes velocity1; ///< none: frozen at the first
     double time0 = 0.0;
     double interval = 1.0;
     bool gaps =
         false; ///< some velocities are not finite: cells with such a node are outside the domain
+    const BrickLayout* layout = nullptr; ///< null: time-steps are in one piece
+    BrickMisses misses{};                ///< of this copy, where they are in bricks
+
+    // A PagedField.
+    bool missed() const { return misses.any(); }
+
+    bool take_missed() const { return misses.take(); }
+
+    MissingBricks* missing() const { return misses.all(); }
+
+    /// What a batch that is sampled for the view was missing.
+    void note_missing(std::size_t brick) const { misses.want(brick); }
 
     /// Finite everywhere: in a cell with a gap the other nodes' values go on into it, so that a step that leads there can be
     /// followed up to the cell's face.
     Vec3 velocity(const Vec3& p, double t) const {
         // Two components at a time, z of both time-steps together: by itself the compiler leaves them scalar.
         using Pair = double __attribute__((vector_size(16)));
-        const Corners at = corners(strides(*grid), locate(*grid, p));
-        const float* other = velocity1 ? velocity1 : velocity0;
+        const CellPoint cell = locate(*grid, p);
+        const StoredCell stored = stored_cell(cell.cell, cell.node);
+        const Corners at = corners(stored.strides, {0, cell.fraction, {}});
+        const float* const first = at_first(velocity0, stored);
+        const float* const second = velocity1 ? at_first(velocity1, stored) : first;
         Pair xy0{}, xy1{}, z{};
         for (std::size_t i = 0; i < 8; ++i) {
-            const float* now = velocity0 + 3 * at.node[i];
-            const float* then = other + 3 * at.node[i];
+            const float* now = first + 3 * at.node[i];
+            const float* then = second + 3 * at.node[i];
             xy0 += at.weight[i] * Pair{now[0], now[1]};
             xy1 += at.weight[i] * Pair{then[0], then[1]};
             z += at.weight[i] * Pair{now[2], then[2]};
@@ -105,7 +121,7 @@ struct GridSampler {
         Vec3 v(xy0[0], xy0[1], z[0]);
         if (velocity1)
             v += (t - time0) / interval * (Vec3(xy1[0], xy1[1], z[1]) - v);
-        return gaps && !finite(v) ? beside_gaps(at, t) : v;
+        return gaps && !finite(v) ? beside_gaps(at, first, second, t) : v;
     }
 
     /// (grad v) w: the exact derivative of the trilinear field within its cell; 0 in a cell with a gap.
@@ -123,8 +139,10 @@ struct GridSampler {
     /// The same as a function of w, for as long as the field.
     auto gradient(const Vec3& p, double t) const {
         const CellPoint at = locate(*grid, p);
-        const Slopes now = slopes(velocity0, at);
-        const Slopes then = velocity1 ? slopes(velocity1, at) : now;
+        const StoredCell stored = stored_cell(at.cell, at.node);
+        const Slopes now = slopes(at_first(velocity0, stored), stored.strides, at.fraction);
+        const Slopes then =
+            velocity1 ? slopes(at_first(velocity1, stored), stored.strides, at.fraction) : now;
         return [this, t, now, then, size = cell_size(*grid, at.cell)](const Vec3& w) {
             const Vec3 step = w / size;
             Vec3 result = sum(now, step);
@@ -155,7 +173,7 @@ struct GridSampler {
         const CellMask::State state = cells->state(cell.node);
         if (state == CellMask::Solid)
             return PointStatus::InObstacle;
-        if (gaps && gap(cell.node))
+        if (gaps && gap(cell.cell))
             return PointStatus::OutsideDomain;
         if (state == CellMask::Fluid)
             return PointStatus::Inside;
@@ -182,12 +200,51 @@ struct GridSampler {
     }
 
     /// True where a node of the cell has a velocity that is not finite in either time-step.
-    bool gap(std::size_t first_node) const {
+    bool gap(const std::array<std::size_t, 3>& cell) const {
+        const StoredCell stored = stored_cell(cell, first_node(cell));
+        const float* const first = at_first(velocity0, stored);
+        const float* const second = velocity1 ? at_first(velocity1, stored) : first;
         float zero = 0.0f; // a product with what is not finite is NaN
-        for (const std::size_t node : cell_nodes(strides(*grid), first_node))
+        for (const std::size_t node : cell_nodes(stored.strides, 0))
             for (std::size_t i = 3 * node; i < 3 * node + 3; ++i)
-                zero += 0.0f * velocity0[i] + (velocity1 ? 0.0f * velocity1[i] : 0.0f);
+                zero += 0.0f * first[i] + 0.0f * second[i];
         return zero != 0.0f;
+    }
+
+    /// Where a cell's values are in a time-step: its lowest node, and from there.
+    struct StoredCell {
+        std::size_t brick;
+        std::size_t node; ///< in the brick
+        Strides strides;
+    };
+
+    StoredCell stored_cell(const std::array<std::size_t, 3>& cell, std::size_t grid_node) const {
+        if (layout == nullptr)
+            return {0, grid_node, core::strides(*grid)};
+        const std::size_t within = layout->cells() - 1;
+        const std::size_t row = layout->brick_nodes()[0];
+        const Strides stride{row, row * layout->brick_nodes()[1]};
+        return {layout->brick_of(cell),
+                (cell[0] & within) + stride.row * (cell[1] & within) +
+                    stride.slice * (cell[2] & within),
+                stride};
+    }
+
+    /// The velocity of the cell's lowest node.
+    const float* at_first(const StepNodes& step, const StoredCell& cell) const {
+        if (step.bricks == nullptr)
+            return step.whole + 3 * cell.node;
+        const float* brick = step.bricks->at(cell.brick);
+        if (brick == nullptr)
+            brick = misses.note(cell.brick);
+        else
+            step.bricks->use(cell.brick, misses.age());
+        return brick + 3 * cell.node;
+    }
+
+    std::size_t first_node(const std::array<std::size_t, 3>& cell) const {
+        const Strides stride = strides(*grid);
+        return cell[0] + stride.row * cell[1] + stride.slice * cell[2];
     }
 
   private:
@@ -210,9 +267,9 @@ struct GridSampler {
     /// Change of the velocity across the cell along each axis.
     using Slopes = std::array<Vec3, 3>;
 
-    Slopes slopes(const float* velocity, const CellPoint& at) const {
-        const auto node = cell_nodes(strides(*grid), at.node);
-        const Vec3 part[2] = {1.0 - at.fraction, at.fraction};
+    static Slopes slopes(const float* velocity, const Strides& stride, const Vec3& fraction) {
+        const auto node = cell_nodes(stride, 0);
+        const Vec3 part[2] = {1.0 - fraction, fraction};
         Slopes result;
         for (int axis = 0; axis < 3; ++axis) {
             const int first = axis == 0 ? 1 : 0;
@@ -238,14 +295,14 @@ struct GridSampler {
     }
 
     /// Mean of the nodes that have a velocity, by their weights: meets the trilinear field at faces without a gap.
-    Vec3 beside_gaps(const Corners& at, double t) const {
+    Vec3 beside_gaps(const Corners& at, const float* first, const float* second, double t) const {
         Vec3 total(0.0);
         double weights = 0.0;
         for (std::size_t i = 0; i < 8; ++i) {
-            const float* now = velocity0 + 3 * at.node[i];
+            const float* now = first + 3 * at.node[i];
             Vec3 v(now[0], now[1], now[2]);
             if (velocity1) {
-                const float* then = velocity1 + 3 * at.node[i];
+                const float* then = second + 3 * at.node[i];
                 v += (t - time0) / interval * (Vec3(then[0], then[1], then[2]) - v);
             }
             if (!finite(v))

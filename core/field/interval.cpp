@@ -14,7 +14,8 @@ constexpr std::size_t tight = 8;
 
 Intervals::Intervals(std::shared_ptr<TimeStepCache> cache)
     : cache_(std::move(cache)),
-      tight_(cache_->status().budget < tight * cache_->source().bytes_per_step()) {}
+      tight_(!cache_->bricks() &&
+             cache_->status().budget < tight * cache_->source().bytes_per_step()) {}
 
 Result<Interval> Intervals::acquire(std::size_t k, Needs needs, const std::stop_token& stop) const {
     Result<Interval> got;
@@ -71,6 +72,14 @@ Intervals::try_acquire(std::size_t k, Needs needs, const std::stop_token& stop) 
         taken = take(k + 2, interval.after);
     if (!taken)
         return tl::unexpected(taken.error());
+    if (cache_->bricks()) {
+        std::vector<std::size_t> steps;
+        for (const auto* step :
+             {&interval.before, &interval.first, &interval.second, &interval.after})
+            if (*step)
+                steps.push_back((*step)->index);
+        interval.missing = std::make_shared<MissingBricks>(cache_->bricks(), std::move(steps));
+    }
     return interval;
 }
 

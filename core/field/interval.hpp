@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/doorbell.hpp"
+#include "core/dataset/missing_bricks.hpp"
 #include "core/dataset/time_step_cache.hpp"
 
 #include <memory>
@@ -16,6 +17,7 @@ struct Interval {
     std::shared_ptr<const TimeStep> first;
     std::shared_ptr<const TimeStep> second; ///< null where one time-step is all that is needed
     std::shared_ptr<const TimeStep> after;  ///< null unless asked for, and at the end of the series
+    std::shared_ptr<MissingBricks> missing{}; ///< null where the time-steps are in one piece
 };
 
 /// Thread safety: concurrent calls are fine.

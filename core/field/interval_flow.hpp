@@ -105,6 +105,8 @@ class IntervalFlow final : public Flow {
             }
             const bool whole =
                 sampling_->advance(*interval, here, reached, direction, options, stop);
+            if (!whole && interval->missing && interval->missing->error())
+                return unreadable(*interval->missing->error(), index, direction, stop);
             if (!whole)
                 return fail(Error::Code::Cancelled, "the integration was cancelled");
         }
@@ -174,8 +176,8 @@ class IntervalFlow final : public Flow {
                 return tl::unexpected(held.error());
             if (sampling_->sample_at(*held, positions, time, velocities, smoothly, stop))
                 return {};
-            if (stop.stop_requested())
-                return fail(Error::Code::Cancelled, "sampling was cancelled");
+            if (stop.stop_requested() || (held->missing && held->missing->error()))
+                return outcome(false, *held);
         }
         const std::vector<double> times(positions.size(), time);
         std::vector<Vec3> exact(positions.size());
@@ -213,13 +215,14 @@ class IntervalFlow final : public Flow {
     /// Of an interval whose time-steps have gaps: calls `use(interval, i)` for each of the points, the interval cut to the one time-step
     /// that counts at its time where that is a stored one. A gap in the other is none then.
     template <class Use>
-    void each_at_its_steps(const Interval& held,
-                           std::span<const double> times,
-                           std::span<const std::uint32_t> chosen,
-                           std::size_t count,
-                           const Use& use) const {
-        const Interval first{nullptr, held.first, nullptr, nullptr};
-        const Interval second{nullptr, held.second, nullptr, nullptr};
+    Result<void> each_at_its_steps(const Interval& held,
+                                   std::span<const double> times,
+                                   std::span<const std::uint32_t> chosen,
+                                   std::size_t count,
+                                   const std::stop_token& stop,
+                                   const Use& use) const {
+        const Interval first{nullptr, held.first, nullptr, nullptr, held.missing};
+        const Interval second{nullptr, held.second, nullptr, nullptr, held.missing};
         const auto some = [&](std::size_t begin, std::size_t end) {
             for (std::size_t k = begin; k != end; ++k) {
                 const std::size_t i = chosen.empty() ? k : chosen[k];
@@ -229,7 +232,24 @@ class IntervalFlow final : public Flow {
                     use(held.second && times[i] == held.second->time ? second : held, i);
             }
         };
-        in_ranges(count, {}, some, 1024);
+        const auto round = [&](std::size_t begin, std::size_t end) {
+            const auto shifted = [&](std::size_t from, std::size_t to) {
+                some(begin + from, begin + to);
+            };
+            return in_ranges(end - begin, {}, shifted, 1024);
+        };
+        return outcome(MissingBricks::in_rounds(held.missing.get(), count, stop,
+                                                MissingBricks::Again::Redo, round),
+                       held);
+    }
+
+    /// Of something that has ended early where it is not `whole`.
+    static Result<void> outcome(bool whole, const Interval& held) {
+        if (whole)
+            return {};
+        if (held.missing && held.missing->error())
+            return tl::unexpected(*held.missing->error());
+        return fail(Error::Code::Cancelled, "sampling was cancelled");
     }
 
     Result<Interval> interval_of(std::span<const double> times,
@@ -262,10 +282,11 @@ class IntervalFlow final : public Flow {
             return tl::unexpected(held.error());
         if (!gaps_in(*held))
             return {};
-        each_at_its_steps(*held, times, chosen, count, [&](const Interval& steps, std::size_t i) {
+        const auto look = [&](const Interval& steps, std::size_t i) {
+            const BrickMisses misses(held->missing.get());
             const auto known = [&](std::size_t node) {
-                const auto speed = [node](const TimeStep& step) { // finite where all three are
-                    const float* v = step.velocity().data() + 3 * node;
+                const auto speed = [&](const TimeStep& step) { // finite where all three are
+                    const float* v = velocity_at(step, node, misses);
                     return std::abs(double{v[0]}) + std::abs(double{v[1]}) + std::abs(double{v[2]});
                 };
                 return speed(*steps.first) + (steps.second ? speed(*steps.second) : 0.0);
@@ -273,8 +294,8 @@ class IntervalFlow final : public Flow {
             const NodeShares shares = sampling_->shares(positions[i]);
             if (shares.status == PointStatus::Inside && std::isnan(weighed(shares, known)))
                 gap[i] = 1;
-        });
-        return {};
+        };
+        return each_at_its_steps(*held, times, chosen, count, stop, look);
     }
 
     /// Points whose times fall into one interval. @param chosen which of them; empty: all
@@ -292,6 +313,7 @@ class IntervalFlow final : public Flow {
         const auto held = interval_of(times, chosen, count, stop, smoothly);
         if (!held)
             return tl::unexpected(held.error());
+        bool whole = true;
         sampling_->with_field(*held, smoothly, [&](const auto& field) {
             const auto some = [&](const auto& view, std::size_t begin, std::size_t end) {
                 for (std::size_t i = begin; i != end; ++i) {
@@ -300,17 +322,27 @@ class IntervalFlow final : public Flow {
                     keep_cell(view, cell, i);
                 }
             };
-            in_blocks(field, count, {}, some, 4096);
+            whole = in_blocks(field, count, stop, some, 4096, MissingBricks::Again::Redo);
         });
-        if (gaps_in(*held))
-            each_at_its_steps(
-                *held, times, chosen, count, [&](const Interval& steps, std::size_t i) {
-                    if (held->second && !steps.second)
-                        sampling_->with_field(steps, smoothly, [&](const auto& field) {
-                            velocities[i] = field.velocity(positions[i], times[i]);
-                        });
+        if (!whole || !gaps_in(*held))
+            return outcome(whole, *held);
+        const auto again = [&](const Interval& steps, std::size_t i) {
+            if (held->second && !steps.second)
+                sampling_->with_field(steps, smoothly, [&](const auto& field) {
+                    velocities[i] = field.velocity(positions[i], times[i]);
                 });
-        return {};
+        };
+        return each_at_its_steps(*held, times, chosen, count, stop, again);
+    }
+
+    /// x, y and z at a node.
+    static const float*
+    velocity_at(const TimeStep& step, std::size_t node, const BrickMisses& misses) {
+        if (!step.bricks)
+            return step.velocity().data() + 3 * node;
+        const BrickLayout::BrickNode place = misses.all()->layout().place_of(node);
+        const float* brick = step.bricks->at(place.brick);
+        return (brick != nullptr ? brick : misses.note(place.brick)) + 3 * place.node;
     }
 
     static constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -357,9 +389,11 @@ class IntervalFlow final : public Flow {
                          const TraceOptions& options,
                          double limit,
                          const std::stop_token& stop) const {
-        if (!sampling_->trace(interval, curves, options, limit, stop))
-            return tl::unexpected(cut_short(options));
-        return {};
+        if (sampling_->trace(interval, curves, options, limit, stop))
+            return {};
+        if (interval.missing && interval.missing->error())
+            return tl::unexpected(*interval.missing->error());
+        return tl::unexpected(cut_short(options));
     }
 
     /// Says up to where the series can be read: to the end of the interval that was met first, unless that is what is broken.

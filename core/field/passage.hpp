@@ -15,6 +15,15 @@
 
 namespace wakesurf::core {
 
+/// Lanes that miss a brick, which the field's view notes.
+template <class Field>
+Rk4Batch::Bits note_missing(const Field& view, const Rk4Batch& batch) {
+    const Rk4Batch::Bits all = (Rk4Batch::Bits{1} << batch.count) - 1u;
+    for (Rk4Batch::Bits some = all & batch.missing; some != 0; some &= some - 1u)
+        view.note_missing(batch.missing_brick[std::countr_zero(some)]);
+    return all & batch.missing;
+}
+
 /// Particles of one range in the lanes of a batch. A particle takes a lane, all its steps there, and leaves
 /// the lane to the next: those that have more steps to go than others hold no one up.
 /// @tparam Field  computes in double the steps in which particles end
@@ -55,11 +64,19 @@ class Passage {
         if constexpr (smooth)
             share_time_steps();
         kernel_(pair_, batch_, particles_.tangents());
-        const Rk4Batch::Bits aboard = (Rk4Batch::Bits{1} << batch_.count) - 1u;
+        const Rk4Batch::Bits all = (Rk4Batch::Bits{1} << batch_.count) - 1u;
+        Rk4Batch::Bits aboard = all & ~note_missing(field_, batch_);
         Rk4Batch::Bits alone = aboard & (batch_.slow | (gaps() ? aboard : batch_.outside));
-        for (Rk4Batch::Bits some = alone & ~batch_.slow; some != 0; some &= some - 1u)
-            if (const auto lane = first_of(some); inside(lane))
-                alone &= ~(Rk4Batch::Bits{1} << lane);
+        for (Rk4Batch::Bits some = alone & ~batch_.slow; some != 0; some &= some - 1u) {
+            const Rk4Batch::Bits bit = some & -some;
+            if (inside(first_of(some)))
+                alone &= ~bit;
+            if (take_missed(field_))
+                aboard &= ~bit;
+        }
+        alone &= aboard;
+        // Those that miss something leave as they came, and go again once it is there.
+        ended_ = all & ~aboard;
         Rk4Batch::Bits leaving = aboard & batch_.last;
         if (alone == 0) {
             go_on();
@@ -150,10 +167,14 @@ class Passage {
         batch_.taken[lane] += 1.0;
     }
 
-    /// The step in double, which finds where the particle ends. False: it has, and is back among the others.
+    /// The step in double, which finds where the particle ends. False: it has, and is back among the others, or has to wait.
     bool step_alone(std::size_t lane) {
         ParticleState at = state(lane);
         rk4_particle_step(field_, at, batch_.dt[lane], options_, particles_.tangents());
+        if (take_missed(field_)) {
+            ended_ |= Rk4Batch::Bits{1} << lane;
+            return false;
+        }
         if (at.end != CurveEnd::Running) {
             put_back(particles_, particle_[lane], at);
             ended_ |= Rk4Batch::Bits{1} << lane;

@@ -18,7 +18,8 @@ bool RectilinearSampling::advance(const Interval& interval,
                                   const AdvanceOptions& options,
                                   const std::stop_token& stop) const {
     const GridSampler<RectilinearAxes> field = linear(interval);
-    end_in_gaps(field, particles, to, sign);
+    if (!end_in_gaps(field, particles, to, sign, stop))
+        return false;
     return options.method == AdvanceOptions::Method::Rk4
                ? advance_stored(field, kernel_, particles, to, sign, options, stop)
                : advance_particles(CellwiseSampler<RectilinearAxes>{field}, particles, to, sign,
@@ -41,7 +42,8 @@ bool RectilinearSampling::trace(const Interval& interval,
                                 double limit,
                                 const std::stop_token& stop) const {
     const GridSampler<RectilinearAxes> field = linear(interval);
-    end_in_gaps(field, curves);
+    if (!end_in_gaps(field, curves, stop))
+        return false;
     return trace_curves(CellwiseSampler<RectilinearAxes>{field}, curves, options, limit, stop);
 }
 

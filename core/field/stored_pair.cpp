@@ -9,12 +9,36 @@ void fill(double (&to)[3], const Vec3& v) {
         to[axis] = v[axis];
 }
 
+StoredBricks bricks_of(const StepNodes& step) {
+    return step.bricks != nullptr ? StoredBricks{step.bricks->pointers(), step.bricks->ages()}
+                                  : StoredBricks{};
+}
+
+BrickPlaces places_in(const BrickLayout& layout, const MissingBricks& missing) {
+    BrickPlaces places{};
+    places.zeros = missing.zeros();
+    places.age = missing.age();
+    places.cells = layout.cells();
+    places.per_cell = 1.0 / places.cells;
+    const auto& bricks = layout.bricks();
+    const auto& nodes = layout.brick_nodes();
+    fill(places.brick, Vec3(1.0, bricks[0], 1.0 * bricks[0] * bricks[1]));
+    fill(places.node, Vec3(1.0, nodes[0], 1.0 * nodes[0] * nodes[1]));
+    return places;
+}
+
 /// What does not depend on where the nodes are.
 template <class Grid>
 StoredPair pair_on(const GridSampler<Grid>& field, const AdvanceOptions& options) {
     StoredPair pair{};
-    pair.velocity0 = field.velocity0;
-    pair.velocity1 = field.velocity1;
+    pair.velocity0 = field.velocity0.whole;
+    pair.velocity1 = field.velocity1.whole;
+    pair.in_bricks = field.layout != nullptr;
+    if (pair.in_bricks) {
+        pair.bricks0 = bricks_of(field.velocity0);
+        pair.bricks1 = bricks_of(field.velocity1);
+        pair.places = places_in(*field.layout, *field.missing());
+    }
     pair.cell = field.cells->data();
     pair.time0 = field.time0;
     pair.per_interval = 1.0 / field.interval;
@@ -51,8 +75,12 @@ StoredPair stored_pair(const GridSampler<RectilinearAxes>& field, const AdvanceO
 StoredPair stored_pair(const CubicSampler& field, const AdvanceOptions& options) {
     StoredPair pair = stored_pair(field.linear, options);
     pair.smooth = true;
-    pair.before = field.before ? field.before : field.linear.velocity0;
-    pair.after = field.after ? field.after : field.linear.velocity0;
+    const StepNodes& before = field.before ? field.before : field.linear.velocity0;
+    const StepNodes& after = field.after ? field.after : field.linear.velocity0;
+    pair.before = before.whole;
+    pair.after = after.whole;
+    pair.bricks_before = bricks_of(before);
+    pair.bricks_after = bricks_of(after);
     pair.near_solid = field.round_cells ? field.round_cells->data() : nullptr;
     return pair;
 }

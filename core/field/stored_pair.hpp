@@ -27,12 +27,16 @@ StoredPair stored_pair_at(const Field& field, const StoredPair& pair, double tim
     }
     ();
     StoredPair then = pair;
-    if (pair.velocity1 == nullptr)
+    if (!steps.velocity1)
         return then;
-    if (time - steps.time0 == steps.interval)
+    if (time - steps.time0 == steps.interval) {
         then.velocity0 = pair.velocity1;
-    if (time == steps.time0 || time - steps.time0 == steps.interval)
+        then.bricks0 = pair.bricks1;
+    }
+    if (time == steps.time0 || time - steps.time0 == steps.interval) {
         then.velocity1 = nullptr;
+        then.bricks1 = {};
+    }
     return then;
 }
 

@@ -17,40 +17,63 @@ GridSampler<Grid> linear_sampler(const Grid& grid,
                                  const CellMask& cells,
                                  const SolidMask& mask,
                                  const Interval& interval) {
-    GridSampler<Grid> field{&grid, &cells, &mask, nullptr, nullptr};
+    GridSampler<Grid> field{&grid,
+                            &cells,
+                            &mask,
+                            nullptr,
+                            nullptr,
+                            0.0,
+                            1.0,
+                            false,
+                            interval.missing ? &interval.missing->layout() : nullptr,
+                            BrickMisses(interval.missing.get())};
     if (interval.first) {
-        field.velocity0 = interval.first->velocity().data();
+        field.velocity0 = interval.first->nodes();
         field.time0 = interval.first->time;
         field.gaps = interval.first->gaps;
     }
     if (interval.second) {
-        field.velocity1 = interval.second->velocity().data();
+        field.velocity1 = interval.second->nodes();
         field.interval = interval.second->time - interval.first->time;
         field.gaps = field.gaps || interval.second->gaps;
     }
     return field;
 }
 
-/// Ends the particles on their way to `to` that lie in a gap of the interval.
+/// Ends the particles on their way to `to` that lie in a gap of the interval. Returns false if `stop` fired.
 template <class Grid>
-void end_in_gaps(const GridSampler<Grid>& field, const Particles& particles, double to, int sign) {
+bool end_in_gaps(const GridSampler<Grid>& field,
+                 const Particles& particles,
+                 double to,
+                 int sign,
+                 const std::stop_token& stop) {
     if (!field.gaps)
-        return;
-    for (std::size_t i = 0; i < particles.count(); ++i)
-        if (still_to_go(particles, i, to, sign) &&
-            field.status(particles.position[i]) == PointStatus::OutsideDomain)
-            particles.end[i] = CurveEnd::Domain;
+        return true;
+    const auto some = [&](const auto& view, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i != end; ++i)
+            if (still_to_go(particles, i, to, sign) &&
+                view.status(particles.position[i]) == PointStatus::OutsideDomain &&
+                !take_missed(view))
+                particles.end[i] = CurveEnd::Domain;
+    };
+    return in_blocks(field, particles.count(), stop, some, 1024);
 }
 
 /// The same for curves that have come some way; those that have not yet begun find out themselves.
 template <class Grid>
-void end_in_gaps(const GridSampler<Grid>& field, std::span<Curve> curves) {
+bool end_in_gaps(const GridSampler<Grid>& field,
+                 std::span<Curve> curves,
+                 const std::stop_token& stop) {
     if (!field.gaps)
-        return;
-    for (Curve& curve : curves)
-        if (curve.end == CurveEnd::Running && !curve.steps.empty() &&
-            field.status(curve.last.position) == PointStatus::OutsideDomain)
-            curve.end = CurveEnd::Domain;
+        return true;
+    const auto some = [&](const auto& view, std::size_t begin, std::size_t end) {
+        for (Curve& curve : curves.subspan(begin, end - begin))
+            if (curve.end == CurveEnd::Running && !curve.steps.empty() &&
+                view.status(curve.last.position) == PointStatus::OutsideDomain &&
+                !take_missed(view))
+                curve.end = CurveEnd::Domain;
+    };
+    return in_blocks(field, curves.size(), stop, some, 1024);
 }
 
 } // namespace wakesurf::core

@@ -2,6 +2,7 @@
 // result is the same for any number of threads.
 #pragma once
 
+#include "core/dataset/missing_bricks.hpp"
 #include "core/field/field_in_series.hpp"
 #include "core/integrate/cursor_of.hpp"
 #include "core/integrate/runge_kutta_steps.hpp"
@@ -12,13 +13,14 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdint>
 #include <span>
-#include <utility>
+#include <vector>
 
 namespace wakesurf::core {
 
 /// Advances until the simulation time `limit` (infinite: to every curve's own end). Returns false if `stop` fired, or there is no memory
-/// for the steps: see cut_short.
+/// for the steps: see cut_short; or what is missing cannot be had: see MissingBricks::error.
 /// Isolated: a thread that waits here takes no work of another surface.
 template <VelocityField Field>
 bool trace_curves(const Field& field,
@@ -26,32 +28,53 @@ bool trace_curves(const Field& field,
                   const TraceOptions& options,
                   double limit,
                   const std::stop_token& stop) {
-    std::atomic<bool> whole{true};
-    const auto advance = [&](Curve& curve) {
-        const double until = curve.duration < 0.0 ? std::max(curve.duration, limit - curve.release)
-                                                  : std::min(curve.duration, limit - curve.release);
-        const double sign = curve.duration < 0.0 ? -1.0 : 1.0;
-        const auto go = [&](auto steps) {
-            if (!advance_curve(std::move(steps), curve, options, until, stop))
+    MissingBricks* missing = nullptr;
+    if constexpr (PagedField<Field>)
+        missing = field.missing();
+    const auto carry = [&](const auto& steps_of) {
+        using Steps = decltype(steps_of(cursor_of(field), 1.0));
+        std::vector<WaitingAt<Steps>> waiting(missing != nullptr ? curves.size() : 0);
+        std::vector<std::uint8_t> done(waiting.size());
+        std::atomic<bool> whole{true};
+        const auto advance = [&](std::size_t i) {
+            Curve& curve = curves[i];
+            const double until = curve.duration < 0.0
+                                     ? std::max(curve.duration, limit - curve.release)
+                                     : std::min(curve.duration, limit - curve.release);
+            const auto& view = cursor_of(field);
+            if (!advance_curve(steps_of(view, curve.duration < 0.0 ? -1.0 : 1.0), curve, options,
+                               until, stop, waiting.empty() ? nullptr : &waiting[i]))
                 whole = false;
+            if (!done.empty())
+                done[i] = missed(view) ? 0 : 1;
         };
-        if constexpr (FieldInSeries<Field>) {
-            if (options.method == TraceOptions::Method::Dopri5)
-                return go(field.series_steps(options, sign));
-        }
-        const auto& view = cursor_of(field);
-        go(RungeKuttaSteps(view, options, sign));
+        const auto round = [&](std::size_t begin, std::size_t end) {
+            tbb::this_task_arena::isolate([&] {
+                tbb::parallel_for(
+                    tbb::blocked_range<std::size_t>(begin, end, 4), [&](const auto& range) {
+                        for (std::size_t i = range.begin();
+                             i != range.end() && whole.load(std::memory_order_relaxed); ++i)
+                            if (curves[i].end == CurveEnd::Running && (done.empty() || !done[i]))
+                                advance(i);
+                    });
+            });
+            return whole.load();
+        };
+        return MissingBricks::in_rounds(missing, curves.size(), stop, MissingBricks::Again::GoOn,
+                                        round);
     };
-    tbb::this_task_arena::isolate([&] {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, curves.size(), 4),
-                          [&](const auto& range) {
-                              for (std::size_t i = range.begin();
-                                   i != range.end() && whole.load(std::memory_order_relaxed); ++i)
-                                  if (curves[i].end == CurveEnd::Running)
-                                      advance(curves[i]);
-                          });
-    });
-    return whole;
+    if constexpr (FieldInSeries<Field>) {
+        if (options.method == TraceOptions::Method::Dopri5)
+            return carry(
+                [&](const auto& view, double sign) { return view.series_steps(options, sign); });
+        else
+            return carry([&](const auto& view, double sign) {
+                return RungeKuttaSteps(view, options, sign);
+            });
+    } else {
+        return carry(
+            [&](const auto& view, double sign) { return RungeKuttaSteps(view, options, sign); });
+    }
 }
 
 } // namespace wakesurf::core

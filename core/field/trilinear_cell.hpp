@@ -51,7 +51,7 @@ class TrilinearCell {
     /// @param sign    +1 downstream, -1 upstream
     /// @param frozen  the field stays as it is at the time series() is asked for
     TrilinearCell(const GridSampler<Grid>& field, double sign, bool frozen)
-        : field_(field), strides_(strides(*field.grid)), sign_(sign) {
+        : field_(field), sign_(sign) {
         for (std::size_t axis = 0; axis < 3; ++axis)
             cells_[axis] = std::ptrdiff_t{dimensions(*field.grid)[axis]} - 1;
         rate_ = field.velocity1 && !frozen ? sign / field.interval : 0.0;
@@ -71,23 +71,23 @@ class TrilinearCell {
         for (std::size_t i = 0; i < 3; ++i)
             if (index[i] < 0 || index[i] >= cells_[i])
                 return false;
-        return !field_.gaps || !field_.gap(first_node(index));
+        return !field_.gaps || !field_.gap(unsigned_of(index));
     }
 
     void enter(const Index& index) {
-        const std::size_t node = first_node(index);
+        const auto cell = unsigned_of(index);
+        const std::size_t node = field_.first_node(cell);
         if (node == node_)
             return;
         node_ = node;
-        const std::array<std::size_t, 3> cell{static_cast<std::size_t>(index[0]),
-                                              static_cast<std::size_t>(index[1]),
-                                              static_cast<std::size_t>(index[2])};
         if constexpr (!std::is_same_v<Grid, UniformGrid>)
             measure(cell);
-        const auto corner = cell_nodes(strides_, node);
-        now_ = TrilinearPolynomial(field_.velocity0, corner, scale_);
+        const auto stored = field_.stored_cell(cell, node);
+        const auto corner = cell_nodes(stored.strides, 0);
+        now_ = TrilinearPolynomial(field_.at_first(field_.velocity0, stored), corner, scale_);
         if (field_.velocity1) {
-            change_ = TrilinearPolynomial(field_.velocity1, corner, scale_);
+            change_ =
+                TrilinearPolynomial(field_.at_first(field_.velocity1, stored), corner, scale_);
             for (std::size_t i = 0; i < 8; ++i)
                 change_.c[i] = change_.c[i] - now_.c[i];
         }
@@ -155,10 +155,9 @@ class TrilinearCell {
         return path;
     }
 
-    std::size_t first_node(const Index& index) const {
-        return static_cast<std::size_t>(index[0]) +
-               strides_.row * static_cast<std::size_t>(index[1]) +
-               strides_.slice * static_cast<std::size_t>(index[2]);
+    static std::array<std::size_t, 3> unsigned_of(const Index& index) {
+        return {static_cast<std::size_t>(index[0]), static_cast<std::size_t>(index[1]),
+                static_cast<std::size_t>(index[2])};
     }
 
     void measure(const std::array<std::size_t, 3>& cell) {
@@ -169,7 +168,6 @@ class TrilinearCell {
     }
 
     const GridSampler<Grid>& field_;
-    Strides strides_;
     Index cells_;
     double sign_;
     double rate_; ///< of the share of the second time-step; 0: frozen

@@ -81,6 +81,19 @@ class TrilinearSteps {
 
     const GridSampler<Grid>& field() const { return field_; }
 
+    struct Waypoint {
+        typename TrilinearCell<Grid>::Index index;
+        GrazingSteps grazing;
+    };
+
+    Waypoint waypoint() const { return {index_, grazing_}; }
+
+    PointStatus resume(const Waypoint& from) {
+        index_ = from.index;
+        grazing_ = from.grazing;
+        return cell_.inside(index_) ? PointStatus::Inside : PointStatus::OutsideDomain;
+    }
+
     PointStatus begin(const Curve& curve) {
         index_ = cell_.index_of(curve.last.position);
         return curve.steps.empty() ? field_.status(curve.seed) : PointStatus::Inside;

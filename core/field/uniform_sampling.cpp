@@ -15,7 +15,8 @@ bool UniformSampling::advance(const Interval& interval,
                               const AdvanceOptions& options,
                               const std::stop_token& stop) const {
     const GridSampler<UniformGrid> field = linear(interval);
-    end_in_gaps(field, particles, to, sign);
+    if (!end_in_gaps(field, particles, to, sign, stop))
+        return false;
     if (options.smooth) {
         const CubicSampler cubic = smooth(interval);
         return options.method == AdvanceOptions::Method::Rk4 && kernel_samples(cubic)
@@ -49,7 +50,8 @@ bool UniformSampling::trace(const Interval& interval,
                             double limit,
                             const std::stop_token& stop) const {
     const GridSampler<UniformGrid> field = linear(interval);
-    end_in_gaps(field, curves);
+    if (!end_in_gaps(field, curves, stop))
+        return false;
     return options.smooth
                ? trace_curves(smooth(interval), curves, options, limit, stop)
                : trace_curves(CellwiseSampler<UniformGrid>{field}, curves, options, limit, stop);
@@ -68,12 +70,12 @@ CubicSampler UniformSampling::smooth(const Interval& interval) const {
         field.round_cells = &*round_cells_;
     }
     if (interval.before) {
-        field.before = interval.before->velocity().data();
+        field.before = interval.before->nodes();
         field.time_before = interval.before->time;
         field.gaps = field.gaps || interval.before->gaps;
     }
     if (interval.after) {
-        field.after = interval.after->velocity().data();
+        field.after = interval.after->nodes();
         field.time_after = interval.after->time;
         field.gaps = field.gaps || interval.after->gaps;
     }

@@ -5,13 +5,16 @@
 
 #include "core/base/point_status.hpp"
 #include "core/integrate/at_rest.hpp"
+#include "core/integrate/cursor_of.hpp"
 #include "core/integrate/curve.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <concepts>
+#include <optional>
 #include <stop_token>
 #include <utility>
+#include <variant>
 
 namespace wakesurf::core {
 
@@ -119,18 +122,56 @@ inline void take_step(Curve& curve, const CurveStep& step, double theta) {
         curve.last.stretch = curve.stretches.back().at(theta);
 }
 
-/// Goes on from `curve.last` until `until` (time since release, same sign as the duration).
+/// Where steps stand between two of them, for curves that wait for values there.
+template <class Steps>
+struct WaypointOf {
+    using Type = std::monostate;
+};
+
+template <class Steps>
+requires requires {
+    typename Steps::Waypoint;
+}
+
+struct WaypointOf<Steps> {
+    using Type = typename Steps::Waypoint;
+};
+
+/// Of a curve that waits; nothing where it begins or goes on from `curve.last`.
+template <class Steps>
+using WaitingAt = std::optional<typename WaypointOf<Steps>::Type>;
+
+/// Goes on from `curve.last` until `until` (time since release, same sign as the duration), or until values are missing: the curve is
+/// then as it was before the step that met them.
 /// Returns false if `stop` fired or `keep` returned false. Thread safety: disjoint curves may be advanced concurrently.
 /// @param steps  of this curve, in the direction of its duration
 /// @param keep   keep(step) is called with each step that was taken; false: the curve cannot go on
+/// @param place  where it waits, from one call to the next. Null: a curve that meets missing values is good for nothing
 template <CurveSteps Steps, class Keep>
 bool advance_steps(Steps steps,
                    Curve& curve,
                    const TraceOptions& options,
                    double until,
                    const std::stop_token& stop,
-                   const Keep& keep) {
-    if (const PointStatus status = steps.begin(curve); status != PointStatus::Inside)
+                   const Keep& keep,
+                   WaitingAt<Steps>* place = nullptr) {
+    constexpr bool can_wait = requires {
+        typename Steps::Waypoint;
+    };
+    const auto wait_at = [&](const auto& here) {
+        if (place != nullptr)
+            *place = here;
+        return true;
+    };
+    const PointStatus status = [&] {
+        if constexpr (can_wait)
+            if (place != nullptr && *place)
+                return steps.resume(**place);
+        return steps.begin(curve);
+    }();
+    if (missed(steps.field()))
+        return true;
+    if (status != PointStatus::Inside)
         curve.end = end_at(status);
     CurveStep step;
     while (curve.end == CurveEnd::Running) {
@@ -146,8 +187,20 @@ bool advance_steps(Steps steps,
             curve.end = CurveEnd::Budget;
             return true;
         }
+        const auto here = [&] {
+            if constexpr (can_wait)
+                return steps.waypoint();
+            else
+                return std::monostate();
+        }();
+        const double next_dt = curve.next_dt;
         const StepOutcome outcome = steps.attempt(curve, left, step);
         ++curve.attempts;
+        if (missed(steps.field())) {
+            --curve.attempts;
+            curve.next_dt = next_dt;
+            return wait_at(here);
+        }
         if (outcome == StepOutcome::Stagnation)
             curve.end = end_at_rest(steps.field(), curve.last.position);
         if (outcome != StepOutcome::Taken)
@@ -159,6 +212,13 @@ bool advance_steps(Steps steps,
                 carry_stretch(steps, step, curve.last.stretch, curve.release, options.frozen));
         PointStatus met = PointStatus::Inside;
         const double theta = steps.inside_until(step, met);
+        if (missed(steps.field())) {
+            if (options.stretch)
+                curve.stretches.pop_back();
+            --curve.attempts;
+            curve.next_dt = next_dt;
+            return wait_at(here);
+        }
         take_step(curve, step, theta);
         if (!keep(step))
             return false;
@@ -168,7 +228,11 @@ bool advance_steps(Steps steps,
         }
         if (std::abs(step.dt) == left)
             curve.last.time = until;
-        if (!steps.arrive(curve))
+        const bool inside = steps.arrive(curve);
+        if constexpr (can_wait)
+            if (missed(steps.field())) // whether it is inside is looked up again
+                return wait_at(steps.waypoint());
+        if (!inside)
             curve.end = CurveEnd::Domain;
     }
     return true;
@@ -181,8 +245,9 @@ bool advance_curve(Steps steps,
                    Curve& curve,
                    const TraceOptions& options,
                    double until,
-                   const std::stop_token& stop) {
-    if (curve.steps.empty())
+                   const std::stop_token& stop,
+                   WaitingAt<Steps>* place = nullptr) {
+    if (curve.steps.empty() && (place == nullptr || !*place))
         curve.last = {curve.seed, 0.0, 0.0, curve.seed_tangent};
     const auto keep = [&](const CurveStep& step) {
         if (options.watch == nullptr)
@@ -191,7 +256,7 @@ bool advance_curve(Steps steps,
             curve.end = CurveEnd::Time;
         return true;
     };
-    return advance_steps(std::move(steps), curve, options, until, stop, keep);
+    return advance_steps(std::move(steps), curve, options, until, stop, keep, place);
 }
 
 } // namespace wakesurf::core

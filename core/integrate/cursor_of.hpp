@@ -1,5 +1,7 @@
 // One particle's view of a field: fields in which finding a place costs something offer a cursor that starts where the
-// particle was last. Particles and curves take one each, without a hint, so that none depends on another.
+// particle was last. Particles and curves take one each, without a hint, so that none depends on another. A field some of whose values
+// may not be in memory yet has a view for each thread, which notes what was missing: what it made of that is thrown away, and done again
+// when it is there.
 #pragma once
 
 #include <cstddef>
@@ -13,13 +15,38 @@ concept FieldWithCursor = requires(const Field& field) {
     field.cursor();
 };
 
-/// The field itself where it has no cursor.
+/// A copy is a view of its own. missed(): the view has met something missing since the last take_missed().
+template <class Field>
+concept PagedField = requires(const Field& field) {
+    field.missed();
+    field.take_missed();
+};
+
+/// A copy of a paged field; the field itself where it has no cursor.
 template <class Field>
 decltype(auto) cursor_of(const Field& field) {
     if constexpr (FieldWithCursor<Field>)
         return field.cursor();
+    else if constexpr (PagedField<Field>)
+        return Field(field);
     else
         return (field);
+}
+
+template <class View>
+bool missed(const View& view) {
+    if constexpr (PagedField<View>)
+        return view.missed();
+    else
+        return false;
+}
+
+template <class View>
+bool take_missed(const View& view) {
+    if constexpr (PagedField<View>)
+        return view.take_missed();
+    else
+        return false;
 }
 
 /// A view goes on to particle i. @param cell  empty, or where each may be

@@ -20,6 +20,16 @@ class RungeKuttaSteps {
 
     const Field& field() const { return field_; }
 
+    /// The velocity where the curve ends, as the step before has it.
+    using Waypoint = Vec3;
+
+    Waypoint waypoint() const { return velocity_; }
+
+    PointStatus resume(const Waypoint& from) {
+        velocity_ = from;
+        return PointStatus::Inside;
+    }
+
     PointStatus begin(const Curve& curve) {
         velocity_ = velocity(curve, curve.last.position, curve.release + curve.last.time);
         return curve.steps.empty() ? field_.status(curve.seed) : PointStatus::Inside;

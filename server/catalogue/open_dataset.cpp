@@ -39,6 +39,15 @@ std::size_t fixed_bytes(const store::StoreReader& reader) {
            2 * reader.mask().fluid.size() + reader.scalar_memory();
 }
 
+/// What a dataset needs besides its grid, in words.
+std::string least_words(const store::StoreReader& reader, std::size_t bytes) {
+    if (bytes < core::TimeStepCache::smallest_window(reader))
+        return fmt::format("for bricks of time-steps of {:.1f} MiB",
+                           static_cast<double>(reader.bytes_per_step()) / mebi);
+    return fmt::format("for {} time-steps of {:.1f} MiB", bytes / reader.bytes_per_step(),
+                       static_cast<double>(reader.bytes_per_step()) / mebi);
+}
+
 /// What of the budget is left for time-steps. Error: OverLimit where that is too little to follow a particle.
 core::Result<std::size_t> cache_budget(const store::StoreReader& reader, std::size_t budget) {
     const std::size_t fixed = fixed_bytes(reader);
@@ -49,10 +58,9 @@ core::Result<std::size_t> cache_budget(const store::StoreReader& reader, std::si
     return core::over_limit(
         budget,
         fmt::format(
-            "the dataset needs at least {:.0f} MiB of memory, for {} time-steps of {:.1f} MiB "
-            "and its grid, but may use only {:.0f} MiB",
-            up(fixed + steps), steps / reader.bytes_per_step(),
-            static_cast<double>(reader.bytes_per_step()) / mebi,
+            "the dataset needs at least {:.0f} MiB of memory, {} and its grid, but may use only "
+            "{:.0f} MiB",
+            up(fixed + steps), least_words(reader, steps),
             std::floor(static_cast<double>(budget) / mebi)),
         fmt::format("start with --memory {:.0f}MiB or more; several datasets share it evenly",
                     up(fixed + steps)));
@@ -74,10 +82,9 @@ counted(const store::StoreReader& reader, const core::MemoryAccount& account) {
     return core::over_limit(
         account.budget(),
         fmt::format(
-            "the dataset needs at least {:.0f} MiB of memory, for {} time-steps of {:.1f} MiB "
-            "and its grid, but of the {:.0f} MiB of --memory only {:.0f} MiB are free",
-            up(fixed + steps), steps / reader.bytes_per_step(),
-            static_cast<double>(reader.bytes_per_step()) / mebi,
+            "the dataset needs at least {:.0f} MiB of memory, {} and its grid, but of the {:.0f} "
+            "MiB of --memory only {:.0f} MiB are free",
+            up(fixed + steps), least_words(reader, steps),
             std::floor(static_cast<double>(account.budget()) / mebi),
             std::floor(static_cast<double>(free) / mebi)),
         fmt::format("start with --memory {:.0f}MiB or more, or with fewer datasets",

@@ -48,6 +48,9 @@ void register_decode_benchmark();
 void register_advection_benchmarks();
 void register_sampling_benchmarks();
 
+/// Time-steps in bricks beside whole ones, and time-steps larger than memory.
+void register_bricks_benchmarks();
+
 /// The scalar of a family of stream surfaces at the nodes of 128^3: nodes a second.
 void register_family_benchmarks();
 

@@ -61,6 +61,7 @@ int measure(const server::BenchOptions& options) {
         return server::report_failure(loaded.error());
     register_advection_benchmarks();
     register_sampling_benchmarks();
+    register_bricks_benchmarks();
     register_family_benchmarks();
     register_cells_benchmarks();
     register_stream_surface_benchmarks();

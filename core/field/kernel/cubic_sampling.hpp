@@ -42,8 +42,167 @@ struct NodesInTwo {
     }
 };
 
-/// @tparam Times  4 time-steps, or 1 for a frozen field
-template <class Lanes, std::size_t Times, bool Tangents>
+/// The 4^3 nodes of each particle, in time-steps that are in one piece.
+template <class Lanes, std::size_t Times>
+class WholeBlocks {
+    using Floats = typename Lanes::Floats;
+
+  public:
+    void take(const StoredPair& field,
+              Rk4Batch&,
+              const UniformPlaces<Lanes>& places,
+              std::size_t g,
+              const Floats (&begin)[3]) {
+        places.nodes(field, g, begin, node_ + g);
+        if constexpr (Times == 1) {
+            step_[0] = field.velocity0;
+        } else {
+            step_[0] = field.before;
+            step_[1] = field.velocity0;
+            step_[2] = field.velocity1;
+            step_[3] = field.after;
+        }
+        row_ = 3 * static_cast<std::int64_t>(field.stride[1]);
+        slice_ = 3 * static_cast<std::int64_t>(field.stride[2]);
+    }
+
+    const float* first(std::size_t lane, std::size_t step) const {
+        return step_[step] + 3 * node_[lane];
+    }
+
+    /// Floats from a row to the next, and from a slice.
+    std::int64_t row(std::size_t) const { return row_; }
+
+    std::int64_t slice(std::size_t) const { return slice_; }
+
+  private:
+    const float* step_[Times];
+    std::int64_t row_, slice_;
+    alignas(64) std::int64_t node_[Rk4Batch::most];
+};
+
+/// The same of time-steps in bricks. Nodes of several bricks, those of a particle in ten, are brought together: 64 nodes from as many as
+/// eight bricks. Marks lanes of which a brick is missing.
+template <class Lanes, std::size_t Times>
+class BrickBlocks {
+    using Floats = typename Lanes::Floats;
+    static constexpr std::size_t most = Rk4Batch::most;
+    static constexpr std::size_t block =
+        64 * 3 + 4; ///< floats, and what the last load reads beyond
+
+  public:
+    void take(const StoredPair& field,
+              Rk4Batch& batch,
+              const UniformPlaces<Lanes>& places,
+              std::size_t g,
+              const Floats (&begin)[3]) {
+        float first[3][Floats::size];
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            (places.first_cell(axis, g) + begin[axis]).store(first[axis]);
+        for (std::size_t i = 0; i < Floats::size; ++i) {
+            const std::int64_t node[3] = {static_cast<std::int64_t>(first[0][i]),
+                                          static_cast<std::int64_t>(first[1][i]),
+                                          static_cast<std::int64_t>(first[2][i])};
+            if (g + i < batch.count)
+                take_one(field, batch, g + i, node);
+            else
+                for (std::size_t t = 0; t < Times; ++t)
+                    first_[t][g + i] = field.places.zeros;
+        }
+    }
+
+    const float* first(std::size_t lane, std::size_t step) const { return first_[step][lane]; }
+
+    std::int64_t row(std::size_t lane) const { return row_[lane]; }
+
+    std::int64_t slice(std::size_t lane) const { return slice_[lane]; }
+
+  private:
+    void take_one(const StoredPair& field,
+                  Rk4Batch& batch,
+                  std::size_t lane,
+                  const std::int64_t (&first)[3]) {
+        const BrickPlaces& in = field.places;
+        const auto cells = static_cast<std::int64_t>(in.cells);
+        const std::int64_t along[3] = {static_cast<std::int64_t>(in.node[0]),
+                                       static_cast<std::int64_t>(in.node[1]),
+                                       static_cast<std::int64_t>(in.node[2])};
+        std::int64_t brick[3][2], node[3][2], split[3]; // nodes before `split` are in the first
+        bool one = true;
+        std::int64_t number = 0, within = 0;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const std::int64_t its = first[axis] / cells;
+            const auto stride = static_cast<std::int64_t>(in.brick[axis]);
+            const std::int64_t local = first[axis] - its * cells;
+            split[axis] = local + 3 <= cells ? 4 : cells + 1 - local;
+            brick[axis][0] = its * stride;
+            brick[axis][1] = brick[axis][0] + stride;
+            node[axis][0] = local * along[axis];
+            node[axis][1] = (local - cells) * along[axis];
+            one = one && split[axis] == 4;
+            number += brick[axis][0];
+            within += node[axis][0];
+        }
+        const StoredBricks four[4] = {field.bricks_before, field.bricks0, field.bricks1,
+                                      field.bricks_after};
+        const StoredBricks* steps = Times == 1 ? four + 1 : four;
+        if (one) {
+            row_[lane] = 3 * along[1];
+            slice_[lane] = 3 * along[2];
+            for (std::size_t t = 0; t < Times; ++t)
+                first_[t][lane] = at(steps[t], in, batch, lane, number) + 3 * within;
+            return;
+        }
+        row_[lane] = 12;
+        slice_[lane] = 48;
+        for (std::size_t t = 0; t < Times; ++t) {
+            float* to = brought_[t][lane];
+            first_[t][lane] = to;
+            for (std::int64_t z = 0; z < 4; ++z)
+                for (std::int64_t y = 0; y < 4; ++y) {
+                    const std::int64_t sy = y < split[1] ? 0 : 1, sz = z < split[2] ? 0 : 1;
+                    const std::int64_t b = brick[1][sy] + brick[2][sz];
+                    const std::int64_t n = node[1][sy] + y * along[1] + node[2][sz] + z * along[2];
+                    for (std::int64_t x = 0; x < 4;) {
+                        const std::int64_t sx = x < split[0] ? 0 : 1;
+                        const std::int64_t end = sx == 0 ? split[0] : 4;
+                        const float* from = at(steps[t], in, batch, lane, b + brick[0][sx]) +
+                                            3 * (n + node[0][sx] + x);
+                        for (; x < end; ++x, to += 3, from += 3) {
+                            to[0] = from[0];
+                            to[1] = from[1];
+                            to[2] = from[2];
+                        }
+                    }
+                }
+        }
+    }
+
+    static const float* at(const StoredBricks& step,
+                           const BrickPlaces& in,
+                           Rk4Batch& batch,
+                           std::size_t lane,
+                           std::int64_t brick) {
+        const float* found = __atomic_load_n(step.at + brick, __ATOMIC_ACQUIRE);
+        if (found == nullptr) {
+            batch.missing |= Rk4Batch::Bits{1} << lane;
+            batch.missing_brick[lane] = static_cast<std::uint32_t>(brick);
+            return in.zeros;
+        }
+        std::uint16_t* used = step.used + brick;
+        if (__atomic_load_n(used, __ATOMIC_RELAXED) != in.age)
+            __atomic_store_n(used, in.age, __ATOMIC_RELAXED);
+        return found;
+    }
+
+    const float* first_[Times][most];
+    std::int64_t row_[most], slice_[most];
+    alignas(64) float brought_[Times][most][block];
+};
+
+/// @tparam Times   4 time-steps, or 1 for a frozen field
+/// @tparam Blocks  WholeBlocks or BrickBlocks
+template <class Lanes, std::size_t Times, class Blocks, bool Tangents>
 class CubicSampling {
     using Floats = typename Lanes::Floats;
     using Nodes = typename Lanes::FourNodes;
@@ -59,6 +218,7 @@ class CubicSampling {
     void begin(const StoredPair&, const Rk4Batch&, std::size_t) {}
 
     void place(const StoredPair& field,
+               Rk4Batch& batch,
                const UniformPlaces<Lanes>& places,
                std::size_t g,
                const Floats (&cell)[3],
@@ -67,10 +227,11 @@ class CubicSampling {
         const Floats one = Floats::all(1.0f);
         Floats linear = none; // 1: near an obstacle
         if (field.near_solid != nullptr) {
-            places.nodes(field, g, cell, node_ + g);
+            std::int64_t node[Floats::size];
+            places.nodes(field, g, cell, node);
             float near[Floats::size];
             for (std::size_t i = 0; i < Floats::size; ++i)
-                near[i] = field.near_solid[node_[g + i]] != 0 ? 1.0f : 0.0f;
+                near[i] = field.near_solid[node[i]] != 0 ? 1.0f : 0.0f;
             linear = Floats::load(near);
         }
         Floats begin[3];
@@ -96,7 +257,7 @@ class CubicSampling {
                 shared(slope, {none, none - one, one, none}, linear, at, to_last, slope_[axis], g);
             }
         }
-        places.nodes(field, g, begin, node_ + g);
+        blocks_.take(field, batch, places, g, begin);
         if constexpr (!Tangents)
             for (std::size_t z = 0; z < 4; ++z)
                 for (std::size_t y = 0; y < 4; ++y)
@@ -135,16 +296,17 @@ class CubicSampling {
         };
 
         One sample_one(std::size_t i) const {
-            const std::int64_t at = 3 * of_->node_[i];
             const auto& value = of_->value_;
             const auto& slope = of_->slope_;
-            const std::int64_t rows[4] = {0, row_[1], row_[2], row_[3]};
+            const std::int64_t row = of_->blocks_.row(i);
+            const std::int64_t rows[4] = {0, row, 2 * row, 3 * row};
+            const std::int64_t to_next = of_->blocks_.slice(i);
             const float* slice[Times];
             for (std::size_t t = 0; t < Times; ++t)
-                slice[t] = step_[t] + at;
+                slice[t] = of_->blocks_.first(i, t);
             const auto next_slice = [&] {
                 for (std::size_t t = 0; t < Times; ++t)
-                    slice[t] += slice_;
+                    slice[t] += to_next;
             };
             if constexpr (Tangents) {
                 Nodes total = Nodes::none(), along_y = Nodes::none(), along_z = Nodes::none();
@@ -199,26 +361,12 @@ class CubicSampling {
 
         const CubicSampling* of_;
         const float (*share_)[most]; ///< of the time-steps
-        const float* step_[Times];
-        std::int64_t row_[4]; ///< floats from a slice's first row
-        std::int64_t slice_;  ///< from a slice to the next
     };
 
-    Stage stage(const StoredPair& field, const Rk4Batch& batch, std::size_t time) const {
+    Stage stage(const StoredPair&, const Rk4Batch& batch, std::size_t time) const {
         Stage stage;
         stage.of_ = this;
         stage.share_ = batch.share[time];
-        if constexpr (Times == 1) {
-            stage.step_[0] = field.velocity0;
-        } else {
-            stage.step_[0] = field.before;
-            stage.step_[1] = field.velocity0;
-            stage.step_[2] = field.velocity1;
-            stage.step_[3] = field.after;
-        }
-        for (std::int64_t k = 0; k < 4; ++k)
-            stage.row_[k] = 3 * k * static_cast<std::int64_t>(field.stride[1]);
-        stage.slice_ = 3 * static_cast<std::int64_t>(field.stride[2]);
         return stage;
     }
 
@@ -256,7 +404,7 @@ class CubicSampling {
     alignas(
         32) float row_share_[16]
                             [most]; ///< of the rows in the value, those of the first slice first
-    alignas(64) std::int64_t node_[most];
+    Blocks blocks_;
 };
 
 } // namespace wakesurf::core

@@ -2,7 +2,7 @@
 // is the best of 14 layouts (docs/measurements.md, The limit of the kernel). Twin: cubic_sampling.hpp.
 #pragma once
 
-#include "core/field/kernel/rk4_batch.hpp"
+#include "core/field/kernel/stored_nodes.hpp"
 
 namespace wakesurf::core {
 
@@ -15,7 +15,8 @@ struct KernelSample {
 };
 
 /// @tparam Places  UniformPlaces or RectilinearPlaces
-template <class Lanes, class Places, bool Unsteady, bool Tangents>
+/// @tparam Nodes   WholeNodes or BrickNodes
+template <class Lanes, class Places, class Nodes, bool Unsteady, bool Tangents>
 class LinearSampling {
     using Floats = typename Lanes::Floats;
     using Quad = typename Lanes::Quad;
@@ -52,13 +53,14 @@ class LinearSampling {
 
     /// The places of lanes from `g` on, a vector of them, at the next stage.
     void place(const StoredPair& field,
+               Rk4Batch& batch,
                const Places& places,
                std::size_t g,
                const Floats (&cell)[3],
                const Floats (&fraction)[3]) {
         for (std::size_t axis = 0; axis < 3; ++axis)
             fraction[axis].store(fraction_[axis] + g);
-        places.nodes(field, g, cell, node_ + g);
+        nodes_.template take<Unsteady ? 2 : 1>(field, batch, places, g, cell);
     }
 
     /// What a stage's samples are taken with, by value: kept in registers while particles are written.
@@ -66,15 +68,17 @@ class LinearSampling {
       public:
         /// Of particle `i` and those that go together with it.
         KernelSample<Lanes> sample(std::size_t i) const {
-            std::int64_t at[Lanes::together];
-            for (std::size_t k = 0; k < Lanes::together; ++k)
-                at[k] = 3 * of_->node_[i + k];
+            std::int64_t at[Lanes::together], then[Lanes::together];
+            for (std::size_t k = 0; k < Lanes::together; ++k) {
+                at[k] = of_->nodes_.template offset<0>(i + k);
+                then[k] = of_->nodes_.template offset<1>(i + k);
+            }
             const Floats earlier = Floats::load(earlier_ + of_->stride_ * i);
             const Floats later = Floats::load(later_ + of_->stride_ * i);
             const auto row = [&](std::int64_t beyond) {
                 if constexpr (Unsteady)
                     return Floats::rows(velocity0_ + beyond, at) * earlier +
-                           Floats::rows(velocity1_ + beyond, at) * later;
+                           Floats::rows(velocity1_ + beyond, then) * later;
                 else
                     return Floats::rows(velocity0_ + beyond, at);
             };
@@ -117,10 +121,10 @@ class LinearSampling {
     Stage stage(const StoredPair& field, const Rk4Batch&, std::size_t time) const {
         Stage stage;
         stage.of_ = this;
-        stage.velocity0_ = field.velocity0;
-        stage.velocity1_ = field.velocity1;
-        stage.y_ = 3 * static_cast<std::int64_t>(field.stride[1]);
-        stage.z_ = 3 * static_cast<std::int64_t>(field.stride[2]);
+        stage.velocity0_ = Nodes::base(field, field.velocity0);
+        stage.velocity1_ = Nodes::base(field, field.velocity1);
+        stage.y_ = 3 * static_cast<std::int64_t>(Nodes::strides(field)[1]);
+        stage.z_ = 3 * static_cast<std::int64_t>(Nodes::strides(field)[2]);
         stage.yz_ = stage.y_ + stage.z_;
         stage.earlier_ = earlier_[time];
         stage.later_ = later_[time];
@@ -134,7 +138,7 @@ class LinearSampling {
     alignas(64) float earlier_[3][row * Rk4Batch::most];
     alignas(64) float later_[3][row * Rk4Batch::most];
     std::size_t stride_; ///< from a particle's to the next one's
-    alignas(64) std::int64_t node_[Rk4Batch::most];
+    Nodes nodes_;
 };
 
 } // namespace wakesurf::core

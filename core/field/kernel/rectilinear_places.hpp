@@ -98,6 +98,12 @@ class RectilinearPlaces {
         cells[2] = w.template each<2>() * Floats::each_of(scale_[2] + i);
     }
 
+    /// Of lanes from `g` on. Exact: an axis has fewer than 2^24 cells.
+    Floats first_cell(std::size_t axis, std::size_t g) const {
+        return Floats::both(Wide::load(cell_[axis] + g).narrow(),
+                            Wide::load(cell_[axis] + g + Wide::size).narrow());
+    }
+
     double first_node(std::size_t lane) const { return node_[lane]; }
 
   private:

@@ -31,10 +31,26 @@ struct AxisTable {
     const CellReach* cell;
 };
 
+/// A time-step in bricks: core/dataset/brick_table.hpp.
+struct StoredBricks {
+    const float* const* at; ///< by brick; null: missing
+    std::uint16_t* used;    ///< by brick
+};
+
+/// Where cells are in bricks. Vectors are x, y, z.
+struct BrickPlaces {
+    const float* zeros; ///< in place of a brick that is missing
+    std::uint16_t age;  ///< for those that are used
+    double cells;       ///< on an axis of a brick
+    double per_cell;    ///< 1 / cells
+    double brick[3];    ///< bricks between neighbours on each axis
+    double node[3];     ///< nodes within a brick, likewise
+};
+
 /// Time-steps of a uniform or a rectilinear grid. Vectors are x, y, z.
 struct StoredPair {
-    const float* velocity0;
-    const float* velocity1;   ///< null: frozen at the first
+    const float* velocity0;   ///< null: in bricks
+    const float* velocity1;   ///< null: frozen at the first, or in bricks
     const std::uint8_t* cell; ///< CellMask, by lowest node; null: no obstacle
 
     /// Cubic in space and, unless frozen, in time; a neighbour that the series does not have may be any time-step, of share 0.
@@ -43,6 +59,10 @@ struct StoredPair {
     const float* before;
     const float* after;
     const std::uint8_t* near_solid; ///< by a cell's lowest node: linear in space; null: no obstacle
+
+    bool in_bricks;
+    StoredBricks bricks0, bricks1, bricks_before, bricks_after; ///< as the four above
+    BrickPlaces places;
 
     double time0;
     double per_interval; ///< 1 / time between the two
@@ -95,9 +115,11 @@ struct Rk4Batch {
     Bits slow = 0;    ///< may stand still
     Bits outside = 0; ///< next is outside the domain, or in a cell with a solid node
     Bits last = 0;    ///< this step is the last to take
+    Bits missing = 0; ///< a brick was missing: nothing else of the lane counts
+    std::uint32_t missing_brick[most]; ///< of lanes that miss one: its number
 };
 
-/// One step of every particle: fills next, slow, outside and last. Or several at once: `straight`.
+/// One step of every particle: fills next, slow, outside, last and missing. Or several at once: `straight`.
 using Rk4Kernel = void (*)(const StoredPair&, Rk4Batch&, bool tangents);
 
 void rk4_portable(const StoredPair& field, Rk4Batch& batch, bool tangents);

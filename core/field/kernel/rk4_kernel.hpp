@@ -56,7 +56,7 @@ class Rk4KernelOf {
           end_((batch.count + Floats::size - 1) / Floats::size * Floats::size) {}
 
     void set_out() {
-        batch_.slow = batch_.outside = batch_.last = 0;
+        batch_.slow = batch_.outside = batch_.last = batch_.missing = 0;
         for (std::size_t g = 0; g < end_; g += Wide::size) {
             const Wide dt = Wide::load(batch_.dt + g);
             dt.narrow().store(dt_ + g);
@@ -70,7 +70,7 @@ class Rk4KernelOf {
         sampling_.begin(field_, batch_, end_);
         for (std::size_t g = 0; g < end_; g += Floats::size)
             places_.stay(g, [&](const auto& cell, const auto& fraction) {
-                sampling_.place(field_, places_, g, cell, fraction);
+                sampling_.place(field_, batch_, places_, g, cell, fraction);
             });
     }
 
@@ -138,7 +138,7 @@ class Rk4KernelOf {
             }
             if constexpr (Stage < 3)
                 places_.move(field_, g, by, [&](const auto& cell, const auto& fraction) {
-                    sampling_.place(field_, places_, g, cell, fraction);
+                    sampling_.place(field_, batch_, places_, g, cell, fraction);
                 });
         }
     }
@@ -208,26 +208,38 @@ class Rk4KernelOf {
 
 template <class Lanes, bool Tangents>
 void rk4_step_with(const StoredPair& field, Rk4Batch& batch) {
-    const bool unsteady = field.velocity1 != nullptr;
-    const auto linear = [&]<class Places>() {
+    const bool unsteady = field.velocity1 != nullptr || field.bricks1.at != nullptr;
+    const auto linear_in = [&]<class Places, class Nodes>() {
         if (unsteady)
-            Rk4KernelOf<Lanes, Places, LinearSampling<Lanes, Places, true, Tangents>,
+            Rk4KernelOf<Lanes, Places, LinearSampling<Lanes, Places, Nodes, true, Tangents>,
                         Tangents>::carry(field, batch);
         else
-            Rk4KernelOf<Lanes, Places, LinearSampling<Lanes, Places, false, Tangents>,
+            Rk4KernelOf<Lanes, Places, LinearSampling<Lanes, Places, Nodes, false, Tangents>,
                         Tangents>::carry(field, batch);
     };
+    const auto linear = [&]<class Places>() {
+        if (field.in_bricks)
+            linear_in.template operator()<Places, BrickNodes<Lanes>>();
+        else
+            linear_in.template operator()<Places, WholeNodes<Lanes>>();
+    };
     using Uniform = UniformPlaces<Lanes>;
+    const auto cubic = [&]<std::size_t Times, class Blocks>() {
+        Rk4KernelOf<Lanes, Uniform, CubicSampling<Lanes, Times, Blocks, Tangents>, Tangents>::carry(
+            field, batch);
+    };
     if (field.axis != nullptr)
         linear.template operator()<RectilinearPlaces<Lanes, Tangents>>();
     else if (!field.smooth)
         linear.template operator()<Uniform>();
+    else if (unsteady && field.in_bricks)
+        cubic.template operator()<4, BrickBlocks<Lanes, 4>>();
     else if (unsteady)
-        Rk4KernelOf<Lanes, Uniform, CubicSampling<Lanes, 4, Tangents>, Tangents>::carry(field,
-                                                                                        batch);
+        cubic.template operator()<4, WholeBlocks<Lanes, 4>>();
+    else if (field.in_bricks)
+        cubic.template operator()<1, BrickBlocks<Lanes, 1>>();
     else
-        Rk4KernelOf<Lanes, Uniform, CubicSampling<Lanes, 1, Tangents>, Tangents>::carry(field,
-                                                                                        batch);
+        cubic.template operator()<1, WholeBlocks<Lanes, 1>>();
 }
 
 template <class Lanes>

@@ -44,13 +44,13 @@ struct Stored {
                     return step->velocity().data();
             return nullptr;
         };
-        sampler.linear = {&grid_of(source),
-                          &cells,
-                          &source.mask(),
-                          find(k),
-                          find(k + 1),
-                          times[k],
-                          k + 1 < times.size() ? times[k + 1] - times[k] : 1.0};
+        sampler.linear.grid = &grid_of(source);
+        sampler.linear.cells = &cells;
+        sampler.linear.mask = &source.mask();
+        sampler.linear.velocity0 = find(k);
+        sampler.linear.velocity1 = find(k + 1);
+        sampler.linear.time0 = times[k];
+        sampler.linear.interval = k + 1 < times.size() ? times[k + 1] - times[k] : 1.0;
         sampler.before = k > 0 ? find(k - 1) : nullptr;
         sampler.time_before = k > 0 ? times[k - 1] : 0.0;
         sampler.after = find(k + 2);

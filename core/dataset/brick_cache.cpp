@@ -1,0 +1,475 @@
+#include "core/dataset/brick_cache.hpp"
+
+#include "core/base/doorbell.hpp"
+#include "core/dataset/slab.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <limits>
+#include <map>
+#include <mutex>
+#include <set>
+
+namespace wakesurf::core {
+
+namespace {
+
+// A particle's stages lie in up to eight bricks, of which cubics read four time-steps; a few particles at once.
+constexpr std::size_t fewest_slots = 128;
+
+// Bricks are taken from memory in pieces large enough for huge pages.
+constexpr std::size_t most_slots_a_slab = 64;
+
+// Of time-steps that have bricks in memory: what two who sample by cubics hold.
+constexpr std::size_t most_tables = 8;
+
+// Of the account one part in so many, for what begins elsewhere.
+constexpr std::size_t left_free = 8;
+
+// Rounds of misses: a few intervals of a surface that is played.
+constexpr BrickTable::Age lately = 8;
+
+// Wide loads of the last row go beyond it.
+constexpr std::size_t padding = 64;
+
+std::size_t slot_bytes(const BrickLayout& layout) {
+    return (layout.nodes_per_brick() * 3 * sizeof(float) + padding + 63) / 64 * 64;
+}
+
+} // namespace
+
+std::size_t BrickCache::smallest_budget(const BrickLayout& layout) {
+    return std::min(fewest_slots, 4 * layout.count()) * slot_bytes(layout) +
+           most_tables * BrickTable::bytes(layout.count());
+}
+
+struct BrickCache::State {
+    /// Room for a brick.
+    struct Slot {
+        float* memory = nullptr;
+        BrickTable* table = nullptr; ///< null: free
+        std::size_t brick = 0;
+        bool loading = false;
+    };
+
+    /// A brick on its way, and those who wait for it.
+    struct Load {
+        std::optional<Error> error;
+        bool done = false;
+    };
+
+    struct Step {
+        std::shared_ptr<BrickTable> table;
+        std::size_t bricks = 0; ///< in memory or on their way
+        std::size_t loading = 0;
+        std::uint64_t asked = 0;
+    };
+
+    struct Leaving {
+        std::uint64_t since;
+        std::size_t slot;
+    };
+
+    State(const BrickSource& its_source, Options options)
+        : source(its_source), layout(its_source.layout()), bytes_a_slot(slot_bytes(layout)),
+          zero_brick(bytes_a_slot), budget(std::max(options.budget_bytes, smallest_budget(layout))),
+          account(std::move(options.account)), listener(std::move(options.changed)) {
+        if (account) {
+            budget = std::max(account->budget(), smallest_budget(layout));
+            share = account->open(MemoryUse::TimeSteps);
+        }
+        slots_a_slab = std::clamp<std::size_t>(
+            std::min(budget / bytes_a_slot / 16, 4 * layout.count()), 1, most_slots_a_slab);
+    }
+
+    const BrickSource& source;
+    const BrickLayout& layout;
+    std::size_t bytes_a_slot;
+    Slab zero_brick;
+    std::size_t budget;
+    std::optional<MemoryAccount> account;
+    MemoryAccount::Share share;
+    std::size_t slots_a_slab;
+
+    mutable std::mutex mutex;
+    Doorbell changed; ///< a brick has come, or room has
+    std::vector<Slab> slabs;
+    std::vector<Slot> slots;
+    std::vector<std::size_t> free;
+    std::vector<Leaving> leaving; ///< evicted, and perhaps still read
+    std::multiset<std::uint64_t> readings;
+    std::uint64_t evictions = 0;
+    std::size_t most_bytes = 0;
+    std::map<std::size_t, Step>
+        steps; ///< of which anything is in memory, or anyone holds the table
+    std::map<BrickName, std::shared_ptr<Load>> loads;
+    std::atomic<BrickTable::Age> age{1};
+    std::atomic<std::uint64_t> reads{0}, rounds{0};
+    std::stop_source closing;
+    std::shared_ptr<void> asked; ///< by others, for memory
+    std::function<void()> listener;
+    std::atomic<bool> news{false}; ///< for the listener
+
+    void tell() {
+        if (listener && news.exchange(false))
+            listener();
+    }
+
+    std::uint64_t asks = 0;
+
+    Step& step_of(std::size_t index) {
+        Step& step = steps[index];
+        if (!step.table) {
+            step.table = std::make_shared<BrickTable>(index, layout.count());
+            forget_steps();
+        }
+        return step;
+    }
+
+    /// Those that no one holds: the empty ones, and all bricks of the one asked for longest ago where there are too many.
+    void forget_steps() {
+        const auto held = [](const Step& step) { return step.table.use_count() > 1; };
+        const auto erase_empty = [&] {
+            std::erase_if(steps, [&](const auto& each) {
+                return each.second.bricks == 0 && each.second.asked != 0 && !held(each.second);
+            });
+        };
+        erase_empty();
+        if (steps.size() <= most_tables)
+            return;
+        const BrickTable* oldest = nullptr;
+        std::uint64_t asked = asks;
+        for (const auto& [index, step] : steps)
+            if (step.asked != 0 && step.asked < asked && !held(step)) {
+                oldest = step.table.get();
+                asked = step.asked;
+            }
+        ++evictions;
+        for (std::size_t i = 0; oldest != nullptr && i < slots.size(); ++i)
+            if (slots[i].table == oldest && !slots[i].loading)
+                leave(i);
+        reap();
+        erase_empty();
+    }
+
+    /// The brick goes; its room is free once no one can still read it.
+    void leave(std::size_t index) {
+        Slot& slot = slots[index];
+        slot.table->put(slot.brick, nullptr);
+        if (--steps.at(slot.table->step()).bricks == 0)
+            news = true;
+        slot.table = nullptr;
+        leaving.push_back({evictions, index});
+    }
+
+    std::size_t table_bytes() const {
+        return std::max(steps.size(), most_tables) * BrickTable::bytes(layout.count());
+    }
+
+    std::size_t bytes() const { return slots.size() * bytes_a_slot + table_bytes(); }
+
+    void reap() {
+        const std::uint64_t oldest =
+            readings.empty() ? std::numeric_limits<std::uint64_t>::max() : *readings.begin();
+        std::erase_if(leaving, [&](const Leaving& each) {
+            if (each.since > oldest)
+                return false;
+            free.push_back(each.slot);
+            return true;
+        });
+    }
+
+    bool grow() {
+        const std::size_t room = (budget - std::min(budget, bytes())) / bytes_a_slot;
+        const std::size_t more = std::min(room, slots_a_slab);
+        if (more == 0)
+            return false;
+        const std::size_t then = bytes() + more * bytes_a_slot;
+        if (account && !share.grow_within_free(then, account->budget() / left_free)) {
+            if (slots.size() >= fewest_slots) // those are always there
+                return false;
+            share.set(then);
+        }
+        slabs.emplace_back(more * bytes_a_slot);
+        auto* memory = reinterpret_cast<float*>(slabs.back().bytes().data());
+        for (std::size_t i = 0; i < more; ++i) {
+            free.push_back(slots.size());
+            slots.push_back({memory + i * (bytes_a_slot / sizeof(float)), nullptr, 0, false});
+        }
+        return true;
+    }
+
+    /// Gives memory back that no one reads just now, the slab that was taken last first. Returns how much.
+    std::size_t give_back(std::size_t wanted) {
+        std::size_t given = 0;
+        const std::scoped_lock lock(mutex);
+        while (given < wanted && slots.size() >= fewest_slots + slots_a_slab) {
+            const std::size_t its = slabs.back().bytes().size() / bytes_a_slot;
+            const std::size_t first = slots.size() - its;
+            const auto of_slab = [&](std::size_t slot) { return slot >= first; };
+            if (!readings.empty() ||
+                std::any_of(slots.begin() + static_cast<std::ptrdiff_t>(first), slots.end(),
+                            [](const Slot& slot) { return slot.loading; }))
+                break;
+            ++evictions;
+            for (std::size_t i = first; i < slots.size(); ++i)
+                if (slots[i].table != nullptr)
+                    leave(i);
+            reap();
+            std::erase_if(free, of_slab);
+            slots.resize(first);
+            slabs.pop_back();
+            given += its * bytes_a_slot;
+            share.shrink_to(bytes());
+        }
+        return given;
+    }
+
+    /// Makes room of the bricks not used for longest. @param keep  those used since then stay, where given
+    void evict(std::size_t count, std::optional<BrickTable::Age> keep) {
+        const BrickTable::Age now = age;
+        const auto idle = [&](std::size_t i) {
+            return static_cast<BrickTable::Age>(now - slots[i].table->used(slots[i].brick));
+        };
+        std::vector<std::pair<BrickTable::Age, std::size_t>> candidates;
+        for (std::size_t i = 0; i < slots.size(); ++i)
+            if (slots[i].table && !slots[i].loading)
+                if (!keep || idle(i) > static_cast<BrickTable::Age>(now - *keep))
+                    candidates.emplace_back(idle(i), i);
+        const std::size_t some = std::min(count, candidates.size());
+        std::nth_element(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(some),
+                         candidates.end(), std::greater<>());
+        ++evictions;
+        for (std::size_t i = 0; i < some; ++i)
+            leave(candidates[i].second);
+        reap();
+    }
+
+    struct Begun {
+        std::size_t slot;
+        std::shared_ptr<Load> load;
+    };
+
+    /// What start() has begun.
+    struct Batch {
+        std::vector<std::shared_ptr<Load>> waiting; ///< for these
+        std::vector<BrickRead> reads;               ///< to be started without the lock
+        std::vector<Begun> begun;                   ///< one a read
+        bool all = false;                           ///< there was room for all
+    };
+
+    /// Takes room for what neither is there nor on its way.
+    Batch start(std::span<const BrickName> bricks, std::optional<BrickTable::Age> keep) {
+        Batch batch;
+        std::vector<BrickName> wanted;
+        for (const BrickName& name : bricks)
+            if (const auto under_way = loads.find(name); under_way != loads.end())
+                batch.waiting.push_back(under_way->second);
+            else if (BrickTable& table = *step_of(name.step).table; table.at(name.brick) == nullptr)
+                wanted.push_back(name);
+            else
+                table.use(name.brick, age);
+        while (free.size() < wanted.size() && grow())
+            ;
+        if (free.size() < wanted.size())
+            evict(wanted.size() - free.size(), keep);
+        most_bytes = std::max(most_bytes, bytes());
+        batch.all = free.size() >= wanted.size();
+        wanted.resize(std::min(wanted.size(), free.size()));
+        for (const BrickName& name : wanted) {
+            Slot& slot = slots[free.back()];
+            Step& step = step_of(name.step);
+            step.asked = ++asks;
+            if (++step.bricks == 1)
+                news = true;
+            ++step.loading;
+            slot.table = step.table.get();
+            slot.brick = name.brick;
+            slot.loading = true;
+            const auto load = std::make_shared<Load>();
+            loads.emplace(name, load);
+            batch.waiting.push_back(load);
+            batch.reads.push_back(
+                {name.step, name.brick, {slot.memory, layout.nodes_per_brick() * 3}});
+            batch.begun.push_back({free.back(), load});
+            free.pop_back();
+        }
+        return batch;
+    }
+
+    /// Without the lock: a source may answer at once.
+    void read(const std::shared_ptr<State>& self, Batch& batch) {
+        if (batch.reads.empty())
+            return;
+        reads += batch.reads.size();
+        source.read(std::move(batch.reads), closing.get_token(),
+                    [self, begun = std::move(batch.begun)](std::size_t i, Result<void> outcome) {
+                        self->finish(begun[i], std::move(outcome));
+                    });
+    }
+
+    void finish(const Begun& of, Result<void> outcome) {
+        {
+            const std::scoped_lock lock(mutex);
+            Slot& slot = slots[of.slot];
+            loads.erase({slot.table->step(), slot.brick});
+            slot.loading = false;
+            Step& step = steps.at(slot.table->step());
+            if (step.loading-- == step.bricks)
+                news = true;
+            of.load->done = true;
+            if (outcome) {
+                slot.table->use(slot.brick, age);
+                slot.table->put(slot.brick, slot.memory);
+            } else {
+                of.load->error = outcome.error();
+                --step.bricks;
+                slot.table = nullptr;
+                free.push_back(of.slot);
+            }
+        }
+        changed.ring_all();
+        tell();
+    }
+};
+
+BrickCache::BrickCache(const BrickSource& source, Options options)
+    : state_(std::make_shared<State>(source, std::move(options))) {
+    if (state_->account)
+        state_->asked = state_->account->on_need(
+            GiveBack::TimeSteps,
+            [state = state_.get()](std::size_t bytes) { state->give_back(bytes); });
+}
+
+BrickCache::~BrickCache() {
+    state_->asked.reset();
+    state_->closing.request_stop();
+    std::unique_lock lock(state_->mutex);
+    for (auto seen = state_->changed.rings(); !state_->loads.empty();
+         seen = state_->changed.rings())
+        state_->changed.wait(lock, seen);
+}
+
+const BrickLayout& BrickCache::layout() const {
+    return state_->layout;
+}
+
+std::shared_ptr<const BrickTable> BrickCache::table(std::size_t step) {
+    const std::scoped_lock lock(state_->mutex);
+    State::Step& found = state_->step_of(step);
+    found.asked = ++state_->asks;
+    return found.table;
+}
+
+const float* BrickCache::zeros() const {
+    return reinterpret_cast<const float*>(state_->zero_brick.bytes().data());
+}
+
+BrickTable::Age BrickCache::age() const {
+    return state_->age;
+}
+
+BrickCache::Reading::Reading(BrickCache& cache) : cache_(cache) {
+    const std::scoped_lock lock(cache_.state_->mutex);
+    began_ = cache_.state_->evictions;
+    cache_.state_->readings.insert(began_);
+}
+
+BrickCache::Reading::~Reading() {
+    State& state = *cache_.state_;
+    bool room = false;
+    {
+        const std::scoped_lock lock(state.mutex);
+        state.readings.erase(state.readings.find(began_));
+        const std::size_t before = state.free.size();
+        state.reap();
+        room = state.free.size() > before;
+    }
+    if (room)
+        state.changed.ring_all();
+}
+
+std::size_t BrickCache::most_at_once() const {
+    const std::scoped_lock lock(state_->mutex);
+    const std::size_t slots =
+        (state_->budget - std::min(state_->budget, state_->table_bytes())) / state_->bytes_a_slot;
+    return std::max(slots / 2, fewest_slots / 2);
+}
+
+Result<void> BrickCache::fetch(std::span<const BrickName> bricks, const std::stop_token& stop) {
+    State& state = *state_;
+    const std::stop_callback wake(stop, [&] { state.changed.ring_all(); });
+    ++state.age;
+    ++state.rounds;
+    std::vector<std::shared_ptr<State::Load>> waiting;
+    for (bool all = false; !all;) {
+        State::Batch batch;
+        const auto seen = state.changed.rings();
+        {
+            const std::scoped_lock lock(state.mutex);
+            batch = state.start(bricks, std::nullopt);
+        }
+        waiting.insert(waiting.end(), batch.waiting.begin(), batch.waiting.end());
+        all = batch.all;
+        const bool none = batch.reads.empty();
+        state.read(state_, batch);
+        state.tell();
+        if (!all && none && !stop.stop_requested())
+            state.changed.wait(seen);
+        if (stop.stop_requested())
+            return fail(Error::Code::Cancelled, "waiting for bricks was cancelled");
+    }
+    std::unique_lock lock(state.mutex);
+    const auto done = [&] {
+        return std::all_of(waiting.begin(), waiting.end(),
+                           [](const auto& load) { return load->done; });
+    };
+    for (auto seen = state.changed.rings(); !done() && !stop.stop_requested();
+         seen = state.changed.rings())
+        state.changed.wait(lock, seen);
+    if (!done())
+        return fail(Error::Code::Cancelled, "waiting for bricks was cancelled");
+    for (const auto& load : waiting)
+        if (load->error)
+            return tl::unexpected(*load->error);
+    return {};
+}
+
+void BrickCache::prefetch(std::span<const BrickName> bricks) {
+    State::Batch batch;
+    ++state_->age;
+    {
+        const std::scoped_lock lock(state_->mutex);
+        batch = state_->start(bricks, static_cast<BrickTable::Age>(state_->age - lately));
+    }
+    state_->read(state_, batch);
+    state_->tell();
+}
+
+std::vector<std::uint32_t> BrickCache::used(std::size_t step, BrickTable::Age since) const {
+    const std::scoped_lock lock(state_->mutex);
+    std::vector<std::uint32_t> bricks;
+    const BrickTable::Age now = state_->age;
+    for (const State::Slot& slot : state_->slots)
+        if (slot.table && !slot.loading && slot.table->step() == step &&
+            static_cast<BrickTable::Age>(now - slot.table->used(slot.brick)) <=
+                static_cast<BrickTable::Age>(now - since))
+            bricks.push_back(static_cast<std::uint32_t>(slot.brick));
+    std::sort(bricks.begin(), bricks.end());
+    return bricks;
+}
+
+BrickCache::Held BrickCache::held(std::size_t step) const {
+    const std::scoped_lock lock(state_->mutex);
+    const auto found = state_->steps.find(step);
+    if (found == state_->steps.end())
+        return {};
+    return {found->second.bricks - found->second.loading, found->second.loading};
+}
+
+BrickCache::Status BrickCache::status() const {
+    const std::scoped_lock lock(state_->mutex);
+    return {state_->bytes(), state_->most_bytes, state_->budget, state_->reads, state_->rounds};
+}
+
+} // namespace wakesurf::core

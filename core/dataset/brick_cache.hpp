@@ -1,0 +1,111 @@
+// Bricks of time-steps in memory within a byte budget: what a time-step cache has for time-steps that are larger than memory. Who samples
+// finds out which bricks are missing, asks for all of them at once, and goes on when they are there.
+#pragma once
+
+#include "core/base/memory_account.hpp"
+#include "core/base/result.hpp"
+#include "core/dataset/brick_source.hpp"
+#include "core/dataset/brick_table.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+namespace wakesurf::core {
+
+/// A brick of a time-step.
+struct BrickName {
+    std::size_t step;
+    std::size_t brick;
+
+    auto operator<=>(const BrickName&) const = default;
+};
+
+/// Bricks that are not in use make room for others, those not used for longest first.
+/// Thread safety: every call may come from any thread.
+class BrickCache {
+    struct State;
+
+  public:
+    struct Options {
+        std::size_t budget_bytes = std::size_t{4} << 30; ///< raised to smallest_budget()
+        /// With one the budget is smallest_budget(), which is taken at once, and whatever others leave free.
+        std::optional<MemoryAccount> account{};
+        /// Called from any thread, without the cache's lock, when a time-step gets its first brick or has lost its last one.
+        std::function<void()> changed{};
+    };
+
+    struct Status {
+        std::size_t bytes = 0;      ///< of bricks and tables, those that are being read among them
+        std::size_t most_bytes = 0; ///< so far
+        std::size_t budget = 0;     ///< the most of them
+        std::uint64_t reads = 0;    ///< bricks read, asked for and ahead
+        std::uint64_t rounds = 0;   ///< times that someone had to wait for bricks
+    };
+
+    /// Room for one particle's step wherever it is.
+    static std::size_t smallest_budget(const BrickLayout& layout);
+
+    /// @param source  lives longer
+    BrickCache(const BrickSource& source, Options options);
+    ~BrickCache();
+    BrickCache(const BrickCache&) = delete;
+    BrickCache& operator=(const BrickCache&) = delete;
+
+    const BrickLayout& layout() const;
+
+    /// The bricks of a time-step, as they come and go. The table is the same for all while anyone holds it.
+    std::shared_ptr<const BrickTable> table(std::size_t step);
+
+    /// What is read in place of a brick that is missing.
+    const float* zeros() const;
+
+    /// What BrickTable::use notes.
+    BrickTable::Age age() const;
+
+    /// While it is held, no memory of a brick that its holder has seen gets other values. Short: the cache waits for it when it needs room.
+    class Reading {
+      public:
+        explicit Reading(BrickCache& cache);
+        ~Reading();
+        Reading(const Reading&) = delete;
+        Reading& operator=(const Reading&) = delete;
+
+      private:
+        BrickCache& cache_;
+        std::uint64_t began_;
+    };
+
+    /// How many bricks fetch() can bring together.
+    std::size_t most_at_once() const;
+
+    /// Waits until all are in memory; some may have gone again when it returns. REQUIRES: at most most_at_once(), and the caller holds no
+    /// Reading. Error: what reading one of them reports; Cancelled when `stop` fires first.
+    Result<void> fetch(std::span<const BrickName> bricks, const std::stop_token& stop);
+
+    /// Asks for what is not there yet, as far as there is room that no brick used lately has, and returns at once.
+    void prefetch(std::span<const BrickName> bricks);
+
+    /// Bricks of a time-step in memory that were used at `since` or later.
+    std::vector<std::uint32_t> used(std::size_t step, BrickTable::Age since) const;
+
+    struct Held {
+        std::size_t resident = 0; ///< bricks in memory
+        std::size_t loading = 0;  ///< on their way
+    };
+
+    /// Of a time-step.
+    Held held(std::size_t step) const;
+
+    Status status() const;
+
+  private:
+    std::shared_ptr<State> state_;
+};
+
+} // namespace wakesurf::core

@@ -1,0 +1,77 @@
+// Which bricks of a time-step are in memory and where: what the brick cache fills and samplers read. See step_nodes.hpp.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <memory>
+#include <new>
+
+namespace wakesurf::core {
+
+/// The bricks of one time-step: a pointer each, null while it is not in memory, and when it was last used. Costs 10 bytes a brick, of
+/// which only the pages that are touched are there. Thread safety: readers go on while the cache puts bricks and takes them away; what
+/// they have seen stays while they hold a BrickCache::Reading.
+class BrickTable {
+  public:
+    /// Counts on whenever bricks are asked for, and wraps round.
+    using Age = std::uint16_t;
+
+    /// Of a time-step, all of whose bricks are missing. Throws std::bad_alloc.
+    BrickTable(std::size_t step, std::size_t bricks)
+        : step_(step), at_(zeros<const float*>(bricks)), used_(zeros<Age>(bricks)) {}
+
+    /// The index of its time-step.
+    std::size_t step() const { return step_; }
+
+    /// Null where the brick is missing.
+    const float* at(std::size_t brick) const {
+        return __atomic_load_n(at_.get() + brick, __ATOMIC_ACQUIRE);
+    }
+
+    /// From now on the brick is there, or, null, it is not.
+    void put(std::size_t brick, const float* values) {
+        __atomic_store_n(at_.get() + brick, values, __ATOMIC_RELEASE);
+    }
+
+    /// When a brick was used last.
+    Age used(std::size_t brick) const {
+        return __atomic_load_n(used_.get() + brick, __ATOMIC_RELAXED);
+    }
+
+    /// Writes only what changes, as many threads use one brick.
+    void use(std::size_t brick, Age now) const {
+        if (used(brick) != now)
+            __atomic_store_n(used_.get() + brick, now, __ATOMIC_RELAXED);
+    }
+
+    /// As the batch kernel takes them.
+    const float* const* pointers() const { return at_.get(); }
+
+    /// The same of used().
+    Age* ages() const { return used_.get(); }
+
+    /// What the table of so many bricks can take.
+    static std::size_t bytes(std::size_t bricks) {
+        return bricks * (sizeof(const float*) + sizeof(Age));
+    }
+
+  private:
+    struct Free {
+        void operator()(void* memory) const { std::free(memory); }
+    };
+
+    template <class T>
+    static std::unique_ptr<T[], Free> zeros(std::size_t count) {
+        auto* memory = static_cast<T*>(std::calloc(count, sizeof(T)));
+        if (memory == nullptr)
+            throw std::bad_alloc();
+        return std::unique_ptr<T[], Free>(memory);
+    }
+
+    std::size_t step_;
+    std::unique_ptr<const float*[], Free> at_;
+    std::unique_ptr<Age[], Free> used_;
+};
+
+} // namespace wakesurf::core

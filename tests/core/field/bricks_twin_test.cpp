@@ -1,0 +1,154 @@
+// Surfaces through time-steps that come brick by brick, beside those through whole ones: the same bytes.
+#include "core/field/stored_flow.hpp"
+#include "core/surface/surface_builder.hpp"
+#include "tests/support/bricked_source.hpp"
+#include "tests/support/sampled_source.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace wakesurf::core::bricks_twin_test {
+
+using tests::BrickedSource;
+using tests::SampledSource;
+
+namespace {
+
+/// A vortex that drifts through a stream.
+Vec3 drifting(const Vec3& p, double t) {
+    const double x = p.x - 0.3 * t, y = p.y, r = 1.0 + x * x + y * y;
+    return {0.6 - y / r, x / r + 0.05 * std::sin(2.0 * p.z), 0.2 * std::cos(x + t)};
+}
+
+enum class Shape { Uniform, Rectilinear };
+enum class Inside { Fluid, Obstacle, Gap };
+
+std::shared_ptr<const TimeStepSource> series(Shape shape, Inside inside) {
+    const UniformGrid uniform{Vec3(-2.0, -1.5, -1.0), Vec3(0.11), {40, 29, 19}};
+    Grid grid = uniform;
+    if (shape == Shape::Rectilinear) {
+        RectilinearGrid stretched;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            for (std::uint32_t i = 0; i < uniform.dimensions[axis]; ++i) {
+                const int a = static_cast<int>(axis);
+                stretched.coordinates[axis].push_back(uniform.origin[a] + uniform.spacing[a] * i +
+                                                      0.03 * std::sin(0.4 * i));
+            }
+        grid = stretched;
+    }
+    const auto velocity = [inside](const Vec3& p, double t) {
+        const bool gap = inside == Inside::Gap && glm::length(p - Vec3(1.2, 0.2, 0.1)) < 0.3;
+        return gap ? Vec3(std::numeric_limits<double>::quiet_NaN()) : drifting(p, t);
+    };
+    SolidMask mask;
+    const SampledSource nodes(grid, {0.0}, velocity);
+    if (inside == Inside::Obstacle)
+        for (std::size_t node = 0; node < node_count(grid); ++node)
+            mask.fluid.push_back(glm::length(nodes.position(node) - Vec3(0.6, 0.1, 0.0)) > 0.35);
+    return std::make_shared<SampledSource>(grid, std::vector{0.0, 0.5, 0.9, 1.4, 2.0}, velocity,
+                                           mask);
+}
+
+std::unique_ptr<Flow>
+flow_of(std::shared_ptr<const TimeStepSource> source, std::size_t budget, bool by_brick) {
+    TimeStepCache::Options options;
+    options.budget_bytes = budget;
+    options.by_brick = by_brick;
+    return make_stored_flow(std::make_shared<TimeStepCache>(std::move(source), options));
+}
+
+template <class T>
+bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
+}
+
+/// The first array that differs; empty where none does.
+std::string difference(const QuadComplex& a, const QuadComplex& b) {
+    return !same_bytes(a.position, b.position)   ? "positions"
+           : !same_bytes(a.velocity, b.velocity) ? "velocities"
+           : !same_bytes(a.s, b.s)               ? "seed parameters"
+           : !same_bytes(a.t, b.t)               ? "release times"
+           : !same_bytes(a.error, b.error)       ? "errors"
+           : a.cells.size() != b.cells.size()    ? "cells"
+                                                 : "";
+}
+
+struct Case {
+    Shape shape;
+    Inside inside;
+    SurfaceKind kind;
+    Accuracy accuracy;
+    Interpolation interpolation;
+};
+
+SurfaceParameters parameters_of(const Case& each) {
+    SurfaceParameters parameters;
+    parameters.kind = each.kind;
+    parameters.accuracy = each.accuracy;
+    parameters.interpolation = each.interpolation;
+    parameters.to = 1.9;
+    if (each.kind == SurfaceKind::Time)
+        parameters.sweep = Vec3(0.4, 0.0, 0.0);
+    return parameters;
+}
+
+class BricksTwin : public testing::TestWithParam<Case> {};
+
+} // namespace
+
+TEST_P(BricksTwin, HasTheSameBytesInAnyBricksAndOrderOfArrival) {
+    const Case& each = GetParam();
+    const auto whole = series(each.shape, each.inside);
+    const Rake rake{Rake::Kind::Line, {{-1.6, -0.9, -0.4}, {-1.6, 0.9, 0.5}}, 9};
+    const auto flow = flow_of(whole, std::size_t{1} << 30, false);
+    const auto flat = build_surface(*flow, rake, parameters_of(each));
+    ASSERT_TRUE(flat) << flat.error().message;
+    ASSERT_GT(flat->mesh.cells.size(), 20u);
+    for (const std::uint32_t cells :
+         each.accuracy == Accuracy::Balanced ? std::array{4u, 16u} : std::array{8u, 32u}) {
+        const auto bricked = std::make_shared<BrickedSource>(whole, cells, 7 * cells);
+        const auto paged = flow_of(bricked, std::size_t{1} << 19, true);
+        const auto surface = build_surface(*paged, rake, parameters_of(each));
+        ASSERT_TRUE(surface) << surface.error().message;
+        EXPECT_GT(bricked->read_so_far(), 0u);
+        EXPECT_EQ(difference(flat->mesh, surface->mesh), "")
+            << "bricks of " << cells << ": " << surface->mesh.vertices() << " vertices for "
+            << flat->mesh.vertices();
+    }
+}
+
+namespace {
+
+std::vector<Case> cases() {
+    std::vector<Case> all;
+    for (const SurfaceKind kind :
+         {SurfaceKind::Stream, SurfaceKind::Path, SurfaceKind::Streak, SurfaceKind::Time})
+        for (const Accuracy accuracy : {Accuracy::Fast, Accuracy::Balanced, Accuracy::Exact})
+            for (const Inside inside : {Inside::Fluid, Inside::Obstacle, Inside::Gap})
+                for (const auto& [shape, interpolation] :
+                     {std::pair(Shape::Uniform, Interpolation::Linear),
+                      std::pair(Shape::Uniform, Interpolation::Smooth),
+                      std::pair(Shape::Rectilinear, Interpolation::Linear)})
+                    all.push_back({shape, inside, kind, accuracy, interpolation});
+    return all;
+}
+
+std::string name_of(const testing::TestParamInfo<Case>& info) {
+    const Case& c = info.param;
+    return std::array{"Stream", "Path", "Streak", "Time"}[static_cast<std::size_t>(c.kind)] +
+           std::string(
+               std::array{"Fast", "Balanced", "Exact"}[static_cast<std::size_t>(c.accuracy)]) +
+           std::array{"Fluid", "Obstacle", "Gap"}[static_cast<std::size_t>(c.inside)] +
+           (c.shape == Shape::Rectilinear              ? "Rectilinear"
+            : c.interpolation == Interpolation::Smooth ? "Smooth"
+                                                       : "Uniform");
+}
+
+} // namespace
+
+INSTANTIATE_TEST_SUITE_P(AllKinds, BricksTwin, testing::ValuesIn(cases()), name_of);
+
+} // namespace wakesurf::core::bricks_twin_test
