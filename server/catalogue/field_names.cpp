@@ -61,7 +61,8 @@ core::Error no_such_field(std::string_view parameter,
             ? "a vector field that was not stored as such when the dataset was imported, since a "
               "store holds one vector: "
             : "a field that was not stored when the dataset was imported: ";
-    return {core::Error::Code::NotFound, fmt::format("`{}` names {}{}", parameter, problem, name),
+    return {core::Error::Code::NotFound,
+            fmt::format("`{}` names {}{}", parameter, problem, name.substr(0, 64)),
             field_hint(name, there)};
 }
 

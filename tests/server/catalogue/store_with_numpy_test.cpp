@@ -1,4 +1,6 @@
 // What store/README.md promises to people with numpy: its very lines are run on stores made here.
+#include "core/base/crc32c.hpp"
+#include "core/base/disk.hpp"
 #include "server/catalogue/child_process.hpp"
 #include "store/store_generation.hpp"
 #include "store/store_grid.hpp"
@@ -42,7 +44,7 @@ class StoreWithNumpy : public testing::Test {
         const auto found = python("import numpy");
         ASSERT_EQ(found.first, 0) << debian_python << " has no numpy: install python3-numpy\n"
                                   << found.second;
-        ASSERT_EQ(snippets().size(), 2u);
+        ASSERT_EQ(snippets().size(), 3u);
     }
 
     fs::path store() const { return folder_ / "store"; }
@@ -125,6 +127,25 @@ TEST_F(StoreWithNumpy, TheLinesForCellMeshesPrintPositionsAndVelocitiesOfACell) 
     EXPECT_EQ(numbers_in(output), (std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0, 0,  0,  1, //
                                                       1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}))
         << output;
+}
+
+TEST_F(StoreWithNumpy, TheLinesForBricksPrintTheFirstNodeAndItsBricksChecksum) {
+    store::GenerateRequest request;
+    request.flow = "abc";
+    request.grid = {{0, 0, 0}, {0.1, 0.2, 0.3}, {34, 33, 40}};
+    request.times = {0.25};
+    request.placement = store::StepPlacement::Bricks;
+    ASSERT_TRUE(store::generate_store(request, store(), [](const store::ImportProgress&) {}, {}));
+    const auto [status, output] = python(snippets()[2]);
+    ASSERT_EQ(status, 0) << output;
+    const auto step = reader()->load(0, {}).value();
+    const auto numbers = numbers_in(output);
+    ASSERT_EQ(numbers.size(), 4u) << output;
+    for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_NEAR(numbers[i], step->velocity()[i], 1e-6f) << output;
+    std::vector<std::byte> brick(std::size_t{33} * 33 * 33 * 12);
+    ASSERT_TRUE(core::PosixDisk().read(store() / "velocity_000000.f32", 0, brick));
+    EXPECT_EQ(numbers[3], static_cast<float>(core::crc32c(brick, 0)));
 }
 
 } // namespace
