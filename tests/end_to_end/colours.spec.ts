@@ -113,8 +113,10 @@ describe('a film', () => {
         // Another surface, whose colours nobody has seen yet.
         await page.getByRole('tab', { name: 'Flow' }).click();
         await page.locator('wakesurf-rake').getByRole('button', { name: 'Start' }).first().focus();
+        const before = await ask(page, (hook) => hook.displayed?.epoch ?? 0);
         await page.keyboard.press('ArrowUp');
-        await page.waitForFunction(() => window.wakesurf!.phase !== 'final');
+        // The epoch stays: that a phase is not the last one can be over before a slow page is asked.
+        await page.waitForFunction((old) => (window.wakesurf?.displayed?.epoch ?? 0) > old, before);
         await finalSurface(page);
         await page.getByRole('tab', { name: 'Export' }).click();
         await page.locator('#film-fps').selectOption('12');
