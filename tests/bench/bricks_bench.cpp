@@ -97,6 +97,7 @@ double carry(const core::Flow& flow, CarriedParticles& particles, const Case& wh
         options.method = core::AdvanceOptions::Method::Rk4;
         options.step = 0.01;
     } else {
+        options.method = core::AdvanceOptions::Method::Dopri5;
         options.tolerance = 1e-6;
         options.longest_step = 0.05;
     }
