@@ -81,8 +81,8 @@ class WholeBlocks {
     alignas(64) std::int64_t node_[Rk4Batch::most];
 };
 
-/// The same of time-steps in bricks. Nodes of several bricks, those of a particle in ten, are brought together: 64 nodes from as many as
-/// eight bricks. Marks lanes of which a brick is missing.
+/// The same of time-steps in bricks. Nodes of several bricks, as one particle in four has them where bricks have 32 cells, are brought
+/// together: 64 nodes from as many as eight bricks. Marks lanes of which a brick is missing.
 template <class Lanes, std::size_t Times>
 class BrickBlocks {
     using Floats = typename Lanes::Floats;
