@@ -48,6 +48,8 @@ class WholeBlocks {
     using Floats = typename Lanes::Floats;
 
   public:
+    void begin(const StoredPair&, Rk4Batch&) {}
+
     void take(const StoredPair& field,
               Rk4Batch&,
               const UniformPlaces<Lanes>& places,
@@ -81,123 +83,157 @@ class WholeBlocks {
     alignas(64) std::int64_t node_[Rk4Batch::most];
 };
 
-/// The same of time-steps in bricks. Nodes of several bricks, as one particle in four has them where bricks have 32 cells, are brought
-/// together: 64 nodes from as many as eight bricks. Marks lanes of which a brick is missing.
+/// The same of time-steps in bricks. Nodes of several bricks, as one particle in six has them where bricks have 32 cells, are brought
+/// together and kept: 64 nodes from as many as eight bricks. Marks lanes of which a brick is missing.
 template <class Lanes, std::size_t Times>
 class BrickBlocks {
     using Floats = typename Lanes::Floats;
+    using Quad = typename Lanes::Quad;
+    using LookUp = BrickLookUp<Lanes>;
     static constexpr std::size_t most = Rk4Batch::most;
-    static constexpr std::size_t block =
-        64 * 3 + 4; ///< floats, and what the last load reads beyond
 
   public:
+    void begin(const StoredPair& field, Rk4Batch& batch) {
+        LookUp::begin(field, batch.kept);
+        row_ = 3 * static_cast<std::int64_t>(field.places.node[1]);
+        slice_ = 3 * static_cast<std::int64_t>(field.places.node[2]);
+    }
+
     void take(const StoredPair& field,
               Rk4Batch& batch,
               const UniformPlaces<Lanes>& places,
               std::size_t g,
               const Floats (&begin)[3]) {
-        float first[3][Floats::size];
+        KeptBricks& kept = batch.kept;
+        Floats at[3], left[3];
         for (std::size_t axis = 0; axis < 3; ++axis)
-            (places.first_cell(axis, g) + begin[axis]).store(first[axis]);
-        for (std::size_t i = 0; i < Floats::size; ++i) {
-            const std::int64_t node[3] = {static_cast<std::int64_t>(first[0][i]),
-                                          static_cast<std::int64_t>(first[1][i]),
-                                          static_cast<std::int64_t>(first[2][i])};
-            if (g + i < batch.count)
-                take_one(field, batch, g + i, node);
-            else
-                for (std::size_t t = 0; t < Times; ++t)
-                    first_[t][g + i] = field.places.zeros;
+            at[axis] = places.first_cell(axis, g) + begin[axis];
+        unsigned apart = LookUp::outside(field, kept, g, at, 2.0f, left);
+        if (apart != 0) {
+            float node[3][Floats::size];
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                at[axis].store(node[axis]);
+            for (unsigned others = apart; others != 0; others &= others - 1u) {
+                const auto i = static_cast<std::size_t>(__builtin_ctz(others));
+                const float first[3] = {node[0][i], node[1][i], node[2][i]};
+                if (in_one(field, first)) {
+                    LookUp::keep(field, batch, g + i, first);
+                    apart &= ~(1u << i);
+                } else if (kept.block_at[0][g + i] != 1.0f + first[0] ||
+                           kept.block_at[1][g + i] != 1.0f + first[1] ||
+                           kept.block_at[2][g + i] != 1.0f + first[2]) {
+                    bring_together(field, batch, g + i, first);
+                }
+            }
+            LookUp::outside(field, kept, g, at, 2.0f, left);
+        }
+        std::int64_t nodes[Floats::size];
+        LookUp::nodes_left(field, left, nodes);
+        for (std::size_t t = 0; t < Times; ++t) {
+            const std::int64_t* end = kept.end[kept.slot[in_order[t]]] + g;
+            for (std::size_t i = 0; i < Floats::size; ++i)
+                first_[t][g + i] = field.places.zeros + (end[i] - 3 * nodes[i]);
+        }
+        brought_ = (brought_ & ~(Rk4Batch::Bits{all_lanes} << g)) | Rk4Batch::Bits{apart} << g;
+        for (; apart != 0; apart &= apart - 1u) {
+            const std::size_t lane = g + static_cast<std::size_t>(__builtin_ctz(apart));
+            for (std::size_t t = 0; t < Times; ++t)
+                first_[t][lane] = kept.block[kept.slot[in_order[t]]][lane];
         }
     }
 
     const float* first(std::size_t lane, std::size_t step) const { return first_[step][lane]; }
 
-    std::int64_t row(std::size_t lane) const { return row_[lane]; }
+    std::int64_t row(std::size_t lane) const { return brought(lane) ? 12 : row_; }
 
-    std::int64_t slice(std::size_t lane) const { return slice_[lane]; }
+    std::int64_t slice(std::size_t lane) const { return brought(lane) ? 48 : slice_; }
 
   private:
-    void take_one(const StoredPair& field,
-                  Rk4Batch& batch,
-                  std::size_t lane,
-                  const std::int64_t (&first)[3]) {
-        const BrickPlaces& in = field.places;
-        const auto cells = static_cast<std::int64_t>(in.cells);
-        const std::int64_t along[3] = {static_cast<std::int64_t>(in.node[0]),
-                                       static_cast<std::int64_t>(in.node[1]),
-                                       static_cast<std::int64_t>(in.node[2])};
-        std::int64_t brick[3][2], node[3][2], split[3]; // nodes before `split` are in the first
-        bool one = true;
-        std::int64_t number = 0, within = 0;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const std::int64_t its = first[axis] / cells;
-            const auto stride = static_cast<std::int64_t>(in.brick[axis]);
-            const std::int64_t local = first[axis] - its * cells;
-            split[axis] = local + 3 <= cells ? 4 : cells + 1 - local;
-            brick[axis][0] = its * stride;
-            brick[axis][1] = brick[axis][0] + stride;
-            node[axis][0] = local * along[axis];
-            node[axis][1] = (local - cells) * along[axis];
-            one = one && split[axis] == 4;
-            number += brick[axis][0];
-            within += node[axis][0];
-        }
-        const StoredBricks four[4] = {field.bricks_before, field.bricks0, field.bricks1,
-                                      field.bricks_after};
-        const StoredBricks* steps = Times == 1 ? four + 1 : four;
-        if (one) {
-            row_[lane] = 3 * along[1];
-            slice_[lane] = 3 * along[2];
-            for (std::size_t t = 0; t < Times; ++t)
-                first_[t][lane] = at(steps[t], in, batch, lane, number) + 3 * within;
-            return;
-        }
-        row_[lane] = 12;
-        slice_[lane] = 48;
-        for (std::size_t t = 0; t < Times; ++t) {
-            float* to = brought_[t][lane];
-            first_[t][lane] = to;
-            for (std::int64_t z = 0; z < 4; ++z)
-                for (std::int64_t y = 0; y < 4; ++y) {
-                    const std::int64_t sy = y < split[1] ? 0 : 1, sz = z < split[2] ? 0 : 1;
-                    const std::int64_t b = brick[1][sy] + brick[2][sz];
-                    const std::int64_t n = node[1][sy] + y * along[1] + node[2][sz] + z * along[2];
-                    for (std::int64_t x = 0; x < 4;) {
-                        const std::int64_t sx = x < split[0] ? 0 : 1;
-                        const std::int64_t end = sx == 0 ? split[0] : 4;
-                        const float* from = at(steps[t], in, batch, lane, b + brick[0][sx]) +
-                                            3 * (n + node[0][sx] + x);
-                        for (; x < end; ++x, to += 3, from += 3) {
-                            to[0] = from[0];
-                            to[1] = from[1];
-                            to[2] = from[2];
-                        }
-                    }
-                }
-        }
+    /// Which of KeptBricks::slot is the time-step before, the pair's, and after.
+    static constexpr std::size_t in_order[4] = {Times == 1 ? 0 : 2, 0, 1, 3};
+
+    static bool in_one(const StoredPair& field, const float (&first)[3]) {
+        const auto within = static_cast<std::int64_t>(field.places.cells) - 1;
+        for (const float node : first)
+            if ((static_cast<std::int64_t>(node) & within) > within - 2)
+                return false;
+        return true;
     }
 
-    static const float* at(const StoredBricks& step,
-                           const BrickPlaces& in,
-                           Rk4Batch& batch,
-                           std::size_t lane,
-                           std::int64_t brick) {
-        const float* found = __atomic_load_n(step.at + brick, __ATOMIC_ACQUIRE);
-        if (found == nullptr) {
-            batch.missing |= Rk4Batch::Bits{1} << lane;
-            batch.missing_brick[lane] = static_cast<std::uint32_t>(brick);
-            return in.zeros;
-        }
-        std::uint16_t* used = step.used + brick;
-        if (__atomic_load_n(used, __ATOMIC_RELAXED) != in.age)
-            __atomic_store_n(used, in.age, __ATOMIC_RELAXED);
-        return found;
+    /// A part of four neighbouring nodes on an axis that is in one brick: where it begins, its first node in the brick, and what the
+    /// brick adds to the number.
+    struct Part {
+        std::int64_t from, to, node, brick;
+    };
+
+    /// One part or two.
+    static int parts_of(const BrickPlaces& in, std::size_t axis, float first, Part (&part)[2]) {
+        const auto cells = static_cast<std::int64_t>(in.cells);
+        const auto its = static_cast<std::int64_t>(first * in.per_cell);
+        const std::int64_t local = static_cast<std::int64_t>(first) - its * cells;
+        const auto stride = static_cast<std::int64_t>(in.brick[axis]);
+        const std::int64_t split = local + 3 <= cells ? 4 : cells + 1 - local;
+        part[0] = {0, split, local, its * stride};
+        part[1] = {split, 4, 1, (its + 1) * stride};
+        return split == 4 ? 1 : 2;
     }
+
+    static void bring_together(const StoredPair& field,
+                               Rk4Batch& batch,
+                               std::size_t lane,
+                               const float (&first)[3]) {
+        const BrickPlaces& in = field.places;
+        KeptBricks& kept = batch.kept;
+        Part parts[3][2];
+        int count[3];
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            count[axis] = parts_of(in, axis, first[axis], parts[axis]);
+        kept.absent &= ~(std::uint64_t{1} << lane);
+        for (int part = 0; part < count[0] * count[1] * count[2]; ++part) {
+            const Part& x = parts[0][part % count[0]];
+            const Part& y = parts[1][part / count[0] % count[1]];
+            const Part& z = parts[2][part / (count[0] * count[1])];
+            for (std::size_t slot = 0; slot < 4; ++slot)
+                if (kept.of[slot].at != nullptr)
+                    copy(field, x, y, z,
+                         LookUp::in_memory(in, batch, lane, kept.of[slot],
+                                           x.brick + y.brick + z.brick),
+                         kept.block[slot][lane]);
+        }
+        const bool all = (kept.absent >> lane & 1u) == 0;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            kept.block_at[axis][lane] = all ? 1.0f + first[axis] : 0.0f;
+    }
+
+    static void copy(const StoredPair& field,
+                     const Part& x,
+                     const Part& y,
+                     const Part& z,
+                     const float* brick,
+                     float* block) {
+        const auto row = 3 * static_cast<std::int64_t>(field.places.node[1]);
+        const auto slice = 3 * static_cast<std::int64_t>(field.places.node[2]);
+        for (std::int64_t k = z.from; k < z.to; ++k)
+            for (std::int64_t j = y.from; j < y.to; ++j) {
+                const float* from = brick + 3 * x.node + row * (y.node + j - y.from) +
+                                    slice * (z.node + k - z.from);
+                float* to = block + 48 * k + 12 * j + 3 * x.from;
+                if (x.from == 0 && x.to == 4)
+                    for (std::int64_t i = 0; i < 12; i += 4)
+                        Lanes::Vector::load(from + i).store(to + i);
+                else
+                    for (std::int64_t i = 0; i < 3 * (x.to - x.from); ++i)
+                        to[i] = from[i];
+            }
+    }
+
+    bool brought(std::size_t lane) const { return (brought_ >> lane & 1u) != 0; }
+
+    static constexpr unsigned all_lanes = (1u << Floats::size) - 1u;
 
     const float* first_[Times][most];
-    std::int64_t row_[most], slice_[most];
-    alignas(64) float brought_[Times][most][block];
+    Rk4Batch::Bits brought_ = 0; ///< a bit a lane: its nodes are those of KeptBricks::block
+    std::int64_t row_, slice_;   ///< of bricks
 };
 
 /// @tparam Times   4 time-steps, or 1 for a frozen field
@@ -215,7 +251,9 @@ class CubicSampling {
     };
 
   public:
-    void begin(const StoredPair&, const Rk4Batch&, std::size_t) {}
+    void begin(const StoredPair& field, Rk4Batch& batch, std::size_t) {
+        blocks_.begin(field, batch);
+    }
 
     void place(const StoredPair& field,
                Rk4Batch& batch,

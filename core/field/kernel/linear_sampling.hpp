@@ -25,7 +25,8 @@ class LinearSampling {
 
   public:
     /// For a step of lanes 0 to `end`.
-    void begin(const StoredPair& field, const Rk4Batch& batch, std::size_t end) {
+    void begin(const StoredPair& field, Rk4Batch& batch, std::size_t end) {
+        nodes_.begin(field, batch);
         if constexpr (!Unsteady)
             return;
         // Of those that have the same time, the first's are enough.
@@ -60,7 +61,7 @@ class LinearSampling {
                const Floats (&fraction)[3]) {
         for (std::size_t axis = 0; axis < 3; ++axis)
             fraction[axis].store(fraction_[axis] + g);
-        nodes_.template take<Unsteady ? 2 : 1>(field, batch, places, g, cell);
+        nodes_.take(field, batch, places, g, cell);
     }
 
     /// What a stage's samples are taken with, by value: kept in registers while particles are written.
@@ -71,7 +72,7 @@ class LinearSampling {
             std::int64_t at[Lanes::together], then[Lanes::together];
             for (std::size_t k = 0; k < Lanes::together; ++k) {
                 at[k] = of_->nodes_.template offset<0>(i + k);
-                then[k] = of_->nodes_.template offset<1>(i + k);
+                then[k] = Unsteady ? of_->nodes_.template offset<1>(i + k) : 0;
             }
             const Floats earlier = Floats::load(earlier_ + of_->stride_ * i);
             const Floats later = Floats::load(later_ + of_->stride_ * i);

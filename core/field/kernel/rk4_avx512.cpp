@@ -24,7 +24,11 @@ struct Avx512Lanes {
     struct Vector {
         __m128 v;
 
+        static Vector load(const float* from) { return {_mm_loadu_ps(from)}; }
+
         static Vector all(float value) { return {_mm_set1_ps(value)}; }
+
+        void store(float* to) const { _mm_storeu_ps(to, v); }
 
         friend Vector operator+(Vector a, Vector b) { return {_mm_add_ps(a.v, b.v)}; }
 

@@ -77,11 +77,33 @@ struct StoredPair {
     float stagnation2; ///< a slower particle (speed squared) may stand still
 };
 
+/// Where the lanes of a batch were found in bricks last: most are found there again, stage by stage and step by step, without a look
+/// into the tables. All of it holds as long as nothing is taken from memory, for the time-steps in `of`.
+struct KeptBricks {
+    static constexpr std::size_t lanes = 32;
+    static constexpr std::size_t block_floats =
+        64 * 3 + 4; ///< 4^3 nodes, and what the last load reads beyond
+
+    StoredBricks of[4] = {}; ///< what has been looked up, by slot
+    std::size_t slot[4] = {0, 1, 2,
+                           3}; ///< of the pair's first time-step, its second, before, after
+    std::uint64_t absent = 0;  ///< a bit a lane: its brick is missing
+    alignas(64) float beyond[3][lanes] =
+        {}; ///< the first cell after the brick on each axis; 0: none is kept
+    alignas(64) std::int64_t end
+        [4]
+        [lanes]; ///< by slot: of the node there, were it in the brick; floats from BrickPlaces::zeros
+
+    // Of cubics, where nodes of several bricks were brought together.
+    alignas(64) float block_at[3][lanes] = {}; ///< 1 + the lowest node; 0: there is none
+    alignas(64) float block[4][lanes][block_floats];
+};
+
 /// Particles that take a step together, stage by stage: while one waits for its samples another computes (one at
 /// a time is 1.5-1.8 times slower: docs/measurements.md, The limit of the kernel). One array a coordinate: what is
 /// no load from the field is computed for 4 to 16 particles at once. Lanes beyond `count` hold any numbers.
 struct Rk4Batch {
-    static constexpr std::size_t most = 32;
+    static constexpr std::size_t most = KeptBricks::lanes;
 
     using Bits = std::uint64_t; ///< a bit a lane
 
@@ -117,6 +139,8 @@ struct Rk4Batch {
     Bits last = 0;    ///< this step is the last to take
     Bits missing = 0; ///< a brick was missing: nothing else of the lane counts
     std::uint32_t missing_brick[most]; ///< of lanes that miss one: its number
+
+    KeptBricks kept; ///< between calls; of whatever lanes were then
 };
 
 /// One step of every particle: fills next, slow, outside, last and missing. Or several at once: `straight`.

@@ -1,7 +1,7 @@
 // Where the lowest nodes of the particles' cells are in memory: in time-steps that are in one piece, or in their bricks.
 #pragma once
 
-#include "core/field/kernel/rk4_batch.hpp"
+#include "core/field/kernel/kept_bricks.hpp"
 
 namespace wakesurf::core {
 
@@ -16,8 +16,10 @@ class WholeNodes {
     /// Nodes between neighbours on each axis.
     static const double (&strides(const StoredPair& field))[3] { return field.stride; }
 
-    /// Of lanes from `g` on, a vector of them, in so many time-steps; cells count from the places' first ones.
-    template <std::size_t Steps, class Places>
+    void begin(const StoredPair&, Rk4Batch&) {}
+
+    /// Of lanes from `g` on, a vector of them; cells count from the places' first ones.
+    template <class Places>
     void take(const StoredPair& field,
               Rk4Batch&,
               const Places& places,
@@ -39,62 +41,49 @@ class WholeNodes {
 template <class Lanes>
 class BrickNodes {
     using Floats = typename Lanes::Floats;
-    using Wide = typename Lanes::Wide;
+    using LookUp = BrickLookUp<Lanes>;
 
   public:
     static const float* base(const StoredPair& field, const float*) { return field.places.zeros; }
 
     static const double (&strides(const StoredPair& field))[3] { return field.places.node; }
 
-    template <std::size_t Steps, class Places>
+    void begin(const StoredPair& field, Rk4Batch& batch) {
+        LookUp::begin(field, batch.kept);
+        for (std::size_t step = 0; step < 2; ++step)
+            end_[step] = batch.kept.end[batch.kept.slot[step]];
+    }
+
+    template <class Places>
     void take(const StoredPair& field,
               Rk4Batch& batch,
               const Places& places,
               std::size_t g,
               const Floats (&cell)[3]) {
-        const Floats cells = Floats::all(static_cast<float>(field.places.cells));
-        const Floats per_cell = Floats::all(static_cast<float>(field.places.per_cell));
-        Wide brick[2] = {Wide::all(0.0), Wide::all(0.0)};
-        Floats within = Floats::all(0.0f); // exact: a brick has few nodes
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const Floats at = places.first_cell(axis, g) + cell[axis];
-            const Floats its = (at * per_cell).floor();
-            const Wide stride = Wide::all(field.places.brick[axis]);
-            brick[0] = brick[0] + its.low().widen() * stride;
-            brick[1] = brick[1] + its.high().widen() * stride;
-            within = within +
-                     (at - its * cells) * Floats::all(static_cast<float>(field.places.node[axis]));
-        }
-        std::int64_t number[Floats::size];
-        float node[Floats::size];
-        brick[0].integers(number);
-        brick[1].integers(number + Wide::size);
-        within.store(node);
-        const StoredBricks steps[2] = {field.bricks0, field.bricks1};
-        for (std::size_t i = 0; i < Floats::size; ++i) {
-            const auto in_brick = 3 * static_cast<std::int64_t>(node[i]);
-            for (std::size_t step = 0; step < Steps; ++step) {
-                const float* at = __atomic_load_n(steps[step].at + number[i], __ATOMIC_ACQUIRE);
-                if (at == nullptr) {
-                    at = field.places.zeros;
-                    batch.missing |= Rk4Batch::Bits{1} << (g + i);
-                    batch.missing_brick[g + i] = static_cast<std::uint32_t>(number[i]);
-                } else if (std::uint16_t* used = steps[step].used + number[i];
-                           __atomic_load_n(used, __ATOMIC_RELAXED) != field.places.age) {
-                    __atomic_store_n(used, field.places.age, __ATOMIC_RELAXED);
-                }
-                at_[step][g + i] = (at - field.places.zeros) + in_brick;
+        Floats at[3], left[3];
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            at[axis] = places.first_cell(axis, g) + cell[axis];
+        if (unsigned others = LookUp::outside(field, batch.kept, g, at, 0.0f, left); others != 0) {
+            float cells[3][Floats::size];
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                at[axis].store(cells[axis]);
+            for (; others != 0; others &= others - 1u) {
+                const auto i = static_cast<std::size_t>(__builtin_ctz(others));
+                LookUp::keep(field, batch, g + i, {cells[0][i], cells[1][i], cells[2][i]});
             }
+            LookUp::outside(field, batch.kept, g, at, 0.0f, left);
         }
+        LookUp::nodes_left(field, left, left_ + g);
     }
 
     template <std::size_t Step>
     std::int64_t offset(std::size_t lane) const {
-        return at_[Step][lane];
+        return end_[Step][lane] - 3 * left_[lane];
     }
 
   private:
-    alignas(64) std::int64_t at_[2][Rk4Batch::most];
+    const std::int64_t* end_[2];
+    alignas(64) std::int64_t left_[Rk4Batch::most]; ///< nodes to the end
 };
 
 } // namespace wakesurf::core
