@@ -114,13 +114,13 @@ TEST_F(Cancel, BoundsTheCallsThatAreOpen) {
 
 TEST_F(Cancel, ProgressBeginsReportsAndEndsBeforeTheAnswer) {
     const json rake = client.result(
-        "rake.set", {{"kind", "line"}, {"points", {{-5, 0, 0}, {5, 0.1, 0}}}, {"seeds", 128}});
+        "rake.set", {{"kind", "line"}, {"points", {{-5, 0, 0}, {5, 0.1, 0}}}, {"seeds", 64}});
     const std::string surface = client.result("surface.set", {{"rake", rake["rake"]},
                                                               {"kind", "stream"},
                                                               {"dataset", "abc"},
                                                               {"from", 0},
                                                               {"to", 8},
-                                                              {"separation", 0.02}})["surface"];
+                                                              {"separation", 0.05}})["surface"];
     const auto start = std::chrono::steady_clock::now();
     client.send({{"jsonrpc", "2.0"},
                  {"id", "w"},
