@@ -319,9 +319,11 @@ void MemoryAccount::make_room(std::size_t bytes) const {
 }
 
 Error MemoryAccount::refusal(std::string_view what, std::size_t bytes) const {
+    const std::size_t kept = bytes > small() ? kept_for_small() : 0;
+    const std::size_t for_it = free() - std::min(free(), kept);
     return {Error::Code::OverLimit,
             std::string(what) + " needs " + mebibytes(bytes) + " of memory, but of the " +
-                mebibytes(budget()) + " of --memory only " + mebibytes(free()) + " are free",
+                mebibytes(budget()) + " of --memory only " + mebibytes(for_it) + " are free for it",
             refusal_hint,
             {},
             budget()};

@@ -389,11 +389,15 @@ BrickCache::Reading::~Reading() {
         state.changed.ring_all();
 }
 
-std::size_t BrickCache::most_at_once() const {
+std::size_t BrickCache::capacity() const {
     const std::scoped_lock lock(state_->mutex);
     const std::size_t slots =
         (state_->budget - std::min(state_->budget, state_->table_bytes())) / state_->bytes_a_slot;
-    return std::max(slots / 2, fewest_slots / 2);
+    return std::max(slots, fewest_slots);
+}
+
+std::size_t BrickCache::most_at_once() const {
+    return capacity() / 2;
 }
 
 Result<void> BrickCache::fetch(std::span<const BrickName> bricks, const std::stop_token& stop) {

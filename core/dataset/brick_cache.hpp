@@ -81,6 +81,9 @@ class BrickCache {
         std::uint64_t began_;
     };
 
+    /// How many bricks the budget holds.
+    std::size_t capacity() const;
+
     /// How many bricks fetch() can bring together.
     std::size_t most_at_once() const;
 

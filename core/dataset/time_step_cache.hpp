@@ -51,6 +51,12 @@ class TimeStepCache {
     /// Four time-steps, or all where they are fewer.
     static std::size_t smallest_window(const TimeStepSource& source);
 
+    /// Whether time-steps are had brick by brick, as they are where the source has bricks and four time-steps do not fit.
+    static bool pages(const TimeStepSource& source, std::size_t budget_bytes);
+
+    /// What an account of so many bytes leaves to them at most.
+    static std::size_t room_in(std::size_t account_bytes) { return account_bytes / 2; }
+
     /// Loads nothing yet.
     TimeStepCache(std::shared_ptr<const TimeStepSource> source, Options options);
     ~TimeStepCache();

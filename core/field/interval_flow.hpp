@@ -432,7 +432,9 @@ class IntervalFlow final : public Flow {
             prefetch(index, direction, options.smooth);
             const double limit = times[direction > 0 ? index + 1 : index];
             if (auto done = advance(*interval, curves, options, limit, stop); !done)
-                return tl::unexpected(done.error());
+                return interval->missing && interval->missing->error()
+                           ? unreadable(done.error(), index, direction, stop)
+                           : tl::unexpected(done.error());
             if (std::none_of(curves.begin(), curves.end(), running))
                 break;
         }

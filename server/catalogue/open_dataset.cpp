@@ -29,6 +29,9 @@ core::Simd simd_wanted() {
 
 constexpr double mebi = 1024.0 * 1024.0;
 
+// What a first surface takes beside the dataset, so that the memory that is asked for is enough for one.
+constexpr std::size_t first_surface = std::size_t{32} << 20;
+
 /// What stays in memory beside the velocity's time-steps: the grid, what finds cells in a mesh, the solid mask by node and by cell; and
 /// what sampling a scalar takes.
 std::size_t fixed_bytes(const store::StoreReader& reader) {
@@ -88,8 +91,9 @@ counted(const store::StoreReader& reader, const core::MemoryAccount& account) {
             std::floor(static_cast<double>(account.budget()) / mebi),
             std::floor(static_cast<double>(free) / mebi)),
         fmt::format("start with --memory {:.0f}MiB or more, or with fewer datasets",
-                    up(account.budget() - std::min(account.budget(), free) + fixed + steps +
-                       account.budget() / 8)));
+                    up((account.budget() - std::min(account.budget(), free) + fixed + steps +
+                        first_surface) *
+                       8 / 7))); // an eighth is kept for small work
 }
 
 } // namespace

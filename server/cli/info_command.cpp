@@ -11,6 +11,7 @@
 #include "server/cli/failure.hpp"
 #include "server/cli/stop_on_signal.hpp"
 #include "server/cli/tell.hpp"
+#include "server/metrics/process_account.hpp"
 #include "store/store_manifest.hpp"
 #include "store/store_reader.hpp"
 
@@ -34,7 +35,26 @@ struct Described {
     core::DatasetInfo info;
     std::vector<core::FamilyRecord> families;
     std::string stored{}; ///< how the time-steps of a store lie on the disk
+    bool by_brick = false;
+    std::string served{}; ///< how a server on this machine would have them in memory, and why
 };
+
+/// With the memory that a server takes where nothing else is said.
+void say_how_served(const store::StoreReader& reader, Described& out) {
+    const std::size_t memory = default_memory();
+    const std::size_t window = core::TimeStepCache::smallest_window(reader);
+    out.by_brick = core::TimeStepCache::pages(reader, core::TimeStepCache::room_in(memory));
+    const bool fits = window <= core::TimeStepCache::room_in(memory);
+    const auto mebibytes = [](std::size_t bytes) {
+        return fmt::format("{:.1f} MiB", static_cast<double>(bytes) / (1 << 20));
+    };
+    out.served =
+        fmt::format("{}: {} time-steps take {}, {} half of a server's memory here ({}, --memory){}",
+                    out.by_brick ? "brick by brick" : "whole time-steps",
+                    window / std::max<std::size_t>(1, reader.bytes_per_step()), mebibytes(window),
+                    fits ? "less than" : "more than", mebibytes(memory),
+                    !fits && !out.by_brick ? "; bricks need a store with --layout bricks" : "");
+}
 
 /// Of a store whose import did not end, or has not ended yet, the note says so.
 core::Result<Described> describe_store(const std::filesystem::path& folder) {
@@ -57,9 +77,11 @@ core::Result<Described> describe_store(const std::filesystem::path& folder) {
     const auto scalars = store::StoreScalars::open(*reader, disk);
     list_families(manifest->info, *scalars);
     const auto cells = manifest->layout.brick_cells;
-    return Described{std::move(manifest->info), scalars->families(),
-                     cells == 0 ? std::string("whole time-steps")
-                                : fmt::format("bricks of {} cells", cells)};
+    Described out{std::move(manifest->info), scalars->families(),
+                  cells == 0 ? std::string("whole time-steps")
+                             : fmt::format("bricks of {} cells", cells)};
+    say_how_served(**reader, out);
+    return out;
 }
 
 /// Families are kept in the store that the source was imported into.
@@ -125,6 +147,11 @@ void print_family(const core::FamilyRecord& family) {
 json described_json(const Described& described) {
     json out = protocol::dataset_json(described.info);
     out["surfaceFields"] = carried_fields(described.info);
+    if (!described.served.empty()) {
+        out["stored"] = described.stored;
+        out["served"] = {{"by", described.by_brick ? "brick" : "timeStep"},
+                         {"why", described.served}};
+    }
     for (const core::FamilyRecord& each : described.families)
         out["families"].push_back(protocol::family_json(each));
     return out;
@@ -161,6 +188,8 @@ void print_text(const Described& described) {
     if (half || !stored.empty())
         tell("  stored    {}{}{}\n", stored, half && !stored.empty() ? ", " : "",
              half ? "in half precision" : "");
+    if (!described.served.empty())
+        tell("  served    {}\n", described.served);
     if (!info.note.empty())
         tell("  note      {}\n", info.note);
     for (const auto& field : info.fields)

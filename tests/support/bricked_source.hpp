@@ -69,6 +69,8 @@ class BrickedSource final : public core::TimeStepSource, public core::BrickSourc
     std::size_t read_so_far() const { return read_; }
 
     std::atomic<std::size_t> broken{~std::size_t{0}}; ///< the brick that cannot be read
+    std::atomic<std::size_t> broken_from{
+        ~std::size_t{0}}; ///< the first time-step without any that can
 
   private:
     static std::array<std::uint32_t, 3> dimensions_of(const core::Grid& grid) {
@@ -81,7 +83,7 @@ class BrickedSource final : public core::TimeStepSource, public core::BrickSourc
     }
 
     core::Result<void> fill(const core::BrickRead& read) const {
-        if (read.brick == broken)
+        if (read.brick == broken || read.step >= broken_from)
             return core::fail(core::Error::Code::Corrupt,
                               "brick " + std::to_string(read.brick) + " is damaged");
         const auto first = layout_.first_node(read.brick);

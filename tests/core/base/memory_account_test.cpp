@@ -317,7 +317,11 @@ TEST(MemoryAccount, ARefusalNamesTheLimitWhatWasWantedWhatIsFreeAndACure) {
     EXPECT_EQ(error.limit, 300 * mebi);
     EXPECT_EQ(error.message,
               "a surface of 4000000 quads needs 1800 MiB of memory, but of the 300 MiB of "
-              "--memory only 50.0 MiB are free");
+              "--memory only 12.5 MiB are free for it")
+        << "an eighth is kept for small work";
+    EXPECT_EQ(account.refusal("a file", 2 * mebi).message,
+              "a file needs 2.0 MiB of memory, but of the 300 MiB of --memory only 50.0 MiB are "
+              "free for it");
     EXPECT_NE(error.hint.find("--memory"), std::string::npos);
 }
 

@@ -120,6 +120,32 @@ TEST_P(BricksTwin, HasTheSameBytesInAnyBricksAndOrderOfArrival) {
     }
 }
 
+TEST(DamagedBricks, EndTheSurfaceAtTheLastTimeBeforeThemAndSaySo) {
+    const auto whole = series(Shape::Uniform, Inside::Fluid);
+    const Rake rake{Rake::Kind::Line, {{-1.6, -0.9, -0.4}, {-1.6, 0.9, 0.5}}, 9};
+    for (const SurfaceKind kind : {SurfaceKind::Path, SurfaceKind::Streak, SurfaceKind::Time})
+        for (const Interpolation interpolation : {Interpolation::Linear, Interpolation::Smooth}) {
+            SurfaceParameters parameters = parameters_of(
+                {Shape::Uniform, Inside::Fluid, kind, Accuracy::Balanced, interpolation});
+            const auto bricked = std::make_shared<BrickedSource>(whole, 8);
+            bricked->broken_from = 3;
+            const auto flow = flow_of(bricked, std::size_t{1} << 19, true);
+            const auto ended = build_surface(*flow, rake, parameters);
+            ASSERT_TRUE(ended) << ended.error().message;
+            // Cubics in time need the time-step after as well.
+            const double last = interpolation == Interpolation::Smooth ? 0.5 : 0.9;
+            EXPECT_EQ(ended->ended, last);
+            EXPECT_NE(ended->statistics.stopped.find("is damaged"), std::string::npos)
+                << ended->statistics.stopped;
+            parameters.to = last;
+            const auto shorter =
+                build_surface(*flow_of(whole, std::size_t{1} << 30, false), rake, parameters);
+            ASSERT_TRUE(shorter);
+            EXPECT_EQ(difference(ended->mesh, shorter->mesh), "")
+                << static_cast<int>(kind) << " " << static_cast<int>(interpolation);
+        }
+}
+
 namespace {
 
 std::vector<Case> cases() {

@@ -144,6 +144,11 @@ TEST_F(GenerateCommand, LaysTimeStepsInBricksWhereAskedToWithTheSameValues) {
     const auto info = wakesurf({"info", store()});
     EXPECT_NE(info.output.find("  stored    bricks of 32 cells\n"), std::string::npos)
         << info.output;
+    EXPECT_NE(info.output.find("  served    whole time-steps: "), std::string::npos)
+        << "they fit: " << info.output;
+    const auto described = nlohmann::json::parse(wakesurf({"info", store(), "--json"}).output);
+    EXPECT_EQ(described["stored"], "bricks of 32 cells");
+    EXPECT_EQ(described["served"]["by"], "timeStep");
     const auto open = [&] {
         return store::StoreReader::open(store::store_layout(manifest(), store()),
                                         std::make_shared<core::PosixDisk>())
