@@ -1,4 +1,4 @@
-"""./check where everything is built: a test of browser or timing that fails is run once more. The set-up and the tests are of paper."""
+"""./check where everything is built: a test of cpp, browser or timing that fails is named, and run once more. The set-up and the tests are of paper."""
 import json
 import os
 import shutil
@@ -34,19 +34,30 @@ def written(path, result):
     sys.exit(0 if "fails" not in json.dumps(result) else 1)
 
 
+def failed_programs(*programs):
+    """As ctest ends."""
+    print("The following tests FAILED:", *(f"\\t  {i} - {each}" for i, each in enumerate(programs, 1)), "Errors while running CTest", sep="\\n")
+
+
 def google(tests, turn):
     return {"testsuites": [{"name": "Clock", "testsuite": [
         {"name": test, "result": "COMPLETED", **({"failures": [{"failure": f"{test} fails, turn {turn}"}]} if runs[turn] == "fails" else {})}
         for test, runs in tests.items()]}]}
 
 
+part = "timing" if "timing_test" in "".join([name, *arguments]) else "cpp"
 if name == "ctest":
-    if suites["timing"] == "crashes":
-        sys.exit(8)
-    written(os.path.join(here, "../build/release/results/timing_test.0.json"), google(suites["timing"], 0))
-if name == "timing_test":
+    print("[ RUN      ] Clock.Strikes\\n[       OK ] Clock.Strikes (0 ms)\\nThe end of the output")
+    crashes = suites[part].pop("crashes", None)
+    if crashes:
+        print(f"[ RUN      ] Clock.{crashes}")
+        failed_programs("core_test.1 (SEGFAULT)", *(["core_test.0 (Failed)"] if suites[part] else []))
+        if not suites[part]:
+            sys.exit(8)
+    written(os.path.join(here, f"../build/release/results/{'core' if part == 'cpp' else part}_test.0.json"), google(suites[part], 0))
+if name in ("core_test", "timing_test"):
     test = value("--gtest_filter").removeprefix("Clock.")
-    written(value("--gtest_output").removeprefix("json:"), google({test: suites["timing"][test]}, 1))
+    written(value("--gtest_output").removeprefix("json:"), google({test: suites[part][test]}, 1))
 project = arguments[arguments.index("run") + 1].removeprefix("test:")
 tests = suites[project if project == "browser" else "page"]
 turn, pattern = 0, None
@@ -72,8 +83,9 @@ class CheckScriptTest(unittest.TestCase):
         for program in ("bin/npm", "bin/ctest"):
             self.write(program, RUNNER)
         os.makedirs(os.path.join(self.clone, "build/release/bin"))
-        os.symlink(os.path.join(self.clone, "bin/timing_test"), os.path.join(self.clone, "build/release/bin/timing_test"))
-        self.write("bin/timing_test", RUNNER)
+        for name in ("core_test", "timing_test"):
+            self.write("bin/" + name, RUNNER)
+            os.symlink(os.path.join(self.clone, "bin", name), os.path.join(self.clone, "build/release/bin", name))
         for name in ("check", "tests/read_results"):
             os.makedirs(os.path.dirname(os.path.join(self.clone, name)), exist_ok=True)
             shutil.copy(os.path.join(ROOT, name), os.path.join(self.clone, name))
@@ -135,8 +147,28 @@ class CheckScriptTest(unittest.TestCase):
         self.assertIn("Ticks fails, turn 0", shown)
 
     def test_counts_a_crash_as_a_failure_that_is_not_run_again(self):
-        self.assertEqual(self.checked("timing", timing="crashes")[:2], (1, ["1 passed, 1 failed"]))
+        status, last, shown = self.checked("timing", timing={"crashes": "Ticks"})
+        self.assertEqual((status, last), (1, ["1 passed, 1 failed"]))
         self.assertEqual([each.split()[0] for each in self.runs()], ["ctest", "npm"])
+        self.assertIn("\nfailed: Clock.Ticks: it did not end\n", shown)
+        self.assertNotIn("failed: Clock.Strikes", shown)
+
+    def test_runs_a_test_in_cpp_once_more_by_its_program(self):
+        status, last, shown = self.checked("cpp", cpp={"Ticks": ["fails", "passes"], "Tocks": ["passes"]})
+        self.assertEqual((status, last), (0, ["unstable: Clock.Ticks", "1 unstable", "2 passed, 0 failed"]))
+        self.assertIn("failed: Clock.Ticks\n", shown)
+        self.assertEqual(self.runs()[1].split()[0], "core_test")
+
+    def test_names_last_the_tests_that_failed_and_what_they_said(self):
+        status, last, shown = self.checked("cpp", cpp={"Ticks": ["fails", "fails"], "Tocks": ["passes"]})
+        self.assertEqual((status, last), (1, ["1 passed, 1 failed"]))
+        self.assertLess(shown.index("The end of the output"), shown.index("failed: Clock.Ticks\n    Ticks fails, turn 0\n"))
+
+    def test_excuses_no_crash_beside_a_test_that_failed(self):
+        status, last, shown = self.checked("cpp", cpp={"Ticks": ["fails", "passes"], "crashes": "Strays"})
+        self.assertEqual((status, last), (1, ["0 passed, 1 failed"]))
+        self.assertEqual(len(self.runs()), 1)
+        self.assertIn("failed: Clock.Strays: it did not end\n", shown)
 
 
 if __name__ == "__main__":
