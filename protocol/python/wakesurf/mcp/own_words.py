@@ -10,7 +10,8 @@ from ..own_words import named_methods, names
 TOOL_OF: Mapping[str, str] = {
     "dataset.list": "open", "dataset.describe": "open", "dataset.open": "open", "dataset.suggest": "suggest", "rake.set": "rake",
     "rake.list": "open", "rake.delete": "rake", "surface.set": "surface", "surface.list": "open", "surface.delete": "surface",
-    "surface.wait": "wait", "surface.stats": "numbers", "history.undo": "undo"}
+    "surface.wait": "wait", "surface.stats": "explain", "history.undo": "undo", "history.redo": "undo", "session.state": "open",
+    "session.create": "open"}
 
 
 def in_tools(words: str) -> str:
