@@ -85,6 +85,11 @@ class Session {
     /// What its moving surfaces can be played over; nothing without any.
     std::optional<std::array<double, 2>> moving_range() const { return builds_.moving_range(); }
 
+    /// As SurfaceBuilds::check_time.
+    core::Result<void> check_time(const char* name, double time) const {
+        return builds_.check_time(name, time);
+    }
+
     /// As ChangeLog::since; the clock as it is now.
     std::optional<std::vector<Patch>> changes_since(std::uint64_t seq) const;
 

@@ -103,7 +103,7 @@ const std::string_view methods_10 = R"json({
     "value": {"redo": 0, "redone": [{"id": "a1", "op": "put", "rev": 2, "type": "annotation"}], "seq": 14, "skipped": [], "undo": 7}}}]},
 {
  "name": "time.set",
- "summary": "Jumps to a time. Path, streak and time surfaces are shown as they are at this time, within their own `from` and `to`.",
+ "summary": "Jumps to a time of the data. Path, streak and time surfaces are shown as they are at this time, within their own `from` and `to`. A time that neither the data of the session's surfaces nor a surface has is refused; any will do where a surface is of a flow that is steady or a formula.",
  "tags": [{"name": "time"}],
  "paramStructure": "by-name",
  "params": [
@@ -143,7 +143,7 @@ const std::string_view methods_10 = R"json({
    "result": {"name": "result", "value": {"clock": {"from": null, "loop": false, "playing": false, "speed": 1, "time": 1, "to": null}}}}]},
 {
  "name": "time.play",
- "summary": "Starts the clock, from where it stands or from the beginning.",
+ "summary": "Starts the clock, from where it stands or from the beginning. `from` and `to` are times of the data, as in `time.set`.",
  "tags": [{"name": "time"}],
  "paramStructure": "by-name",
  "params": [

@@ -42,8 +42,10 @@ nlohmann::json clock_json(const ClockRecord& record);
 /// As it is kept: what read() reads.
 nlohmann::json kept_json(const ClockRecord& record);
 
-/// Parameters of time.set: Jumps to a time. Path, streak and time surfaces are shown as they are at
-/// this time, within their own `from` and `to`.
+/// Parameters of time.set: Jumps to a time of the data. Path, streak and time surfaces are shown as
+/// they are at this time, within their own `from` and `to`. A time that neither the data of the
+/// session's surfaces nor a surface has is refused; any will do where a surface is of a flow that
+/// is steady or a formula.
 struct TimeSet {
     static constexpr std::string_view method = "time.set";
 
@@ -59,7 +61,8 @@ struct TimeSet {
 
 void read(CheckedJson& in, TimeSet& out);
 
-/// Parameters of time.play: Starts the clock, from where it stands or from the beginning.
+/// Parameters of time.play: Starts the clock, from where it stands or from the beginning. `from`
+/// and `to` are times of the data, as in `time.set`.
 struct PlaySetting {
     static constexpr std::string_view method = "time.play";
 

@@ -171,7 +171,8 @@ class Session(SurfaceMaker[Surface], HasId, Helpful):
         return self.api.history.redo()
 
     def set_time(self, time: Optional[float]) -> ClockAnswer:
-        """Sets the clock that everyone in the session shares; None: no time, surfaces are shown at their end.
+        """Sets the clock that everyone in the session shares; None: no time, surfaces are shown at their end. Error:
+        OutsideTimeRange, where the data of its surfaces do not reach so far.
 
         >>> session.set_time(0.5)["clock"]["time"]
         0.5
@@ -181,7 +182,7 @@ class Session(SurfaceMaker[Surface], HasId, Helpful):
     @named
     def play(self, speed: Optional[float] = None, loop: Optional[bool] = None, from_: Optional[float] = None,
              to: Optional[float] = None) -> ClockAnswer:
-        """Lets the clock run, as `time.play` does."""
+        """Lets the clock run, as `time.play` does. Error: OutsideTimeRange."""
         return self.api.time.play(speed=speed, loop=loop, from_=from_, to=to)
 
     def pause(self) -> ClockAnswer:

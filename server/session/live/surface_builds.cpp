@@ -1,14 +1,29 @@
 #include "server/session/live/surface_builds.hpp"
 
+#include "core/base/rounding.hpp"
 #include "core/surface/level/level_surface.hpp"
 #include "core/surface/playback/surface_age.hpp"
 #include "server/base/loop.hpp"
 #include "server/session/data/datasets.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
 namespace wakesurf::server {
+
+namespace {
+
+using Range = std::array<double, 2>;
+
+Range widened(const std::optional<Range>& range, double one, double other) {
+    const auto [first, last] = std::minmax(one, other);
+    return range ? Range{std::min((*range)[0], first), std::max((*range)[1], last)}
+                 : Range{first, last};
+}
+
+} // namespace
 
 SurfaceBuilds::SurfaceBuilds(std::string session,
                              const SessionServices& services,
@@ -128,16 +143,31 @@ void SurfaceBuilds::show(std::optional<double> time, bool playing, bool jumped) 
 }
 
 std::optional<std::array<double, 2>> SurfaceBuilds::moving_range() const {
-    std::optional<std::array<double, 2>> range;
+    std::optional<Range> range;
     for (const auto& [id, record] : records_.all<protocol::SurfaceRecord>()) {
         const core::SurfaceParameters& p = record.parameters;
-        if (!core::moves(p))
-            continue;
-        const auto [first, last] = std::minmax({p.from, p.to});
-        range = range ? std::array{std::min((*range)[0], first), std::max((*range)[1], last)}
-                      : std::array{first, last};
+        if (core::moves(p))
+            range = widened(range, p.from, p.to);
     }
     return range;
+}
+
+core::Result<void> SurfaceBuilds::check_time(const char* name, double time) const {
+    std::optional<Range> range;
+    for (const auto& [id, record] : records_.all<protocol::SurfaceRecord>()) {
+        const auto open = services_.datasets.open(record.dataset);
+        const auto data = open && !open->info.steady ? open->flow->time_range() : std::nullopt;
+        if (!data)
+            return {};
+        range = widened(widened(range, (*data)[0], (*data)[1]), record.parameters.from,
+                        record.parameters.to);
+    }
+    if (!range || core::within_rounding(time, (*range)[0], (*range)[1]))
+        return {};
+    return core::fail(
+        core::Error::Code::OutOfTime,
+        fmt::format("`{}` {} is outside the data's {} to {}", name, time, (*range)[0], (*range)[1]),
+        fmt::format("choose a time from {} to {}", (*range)[0], (*range)[1]));
 }
 
 bool SurfaceBuilds::dataset_changed(const std::string& dataset) {

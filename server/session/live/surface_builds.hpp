@@ -73,6 +73,10 @@ class SurfaceBuilds {
     /// From the first time at which one of the moving surfaces is shown to the last; nothing without any.
     std::optional<std::array<double, 2>> moving_range() const;
 
+    /// Whether the clock may show `time`: within the times of the data of the surfaces, or of a surface, which may reach further. Any where
+    /// there is no surface, or one of data that are there at all times. Error: OutOfTime, with `name` for the time.
+    core::Result<void> check_time(const char* name, double time) const;
+
     /// Builds what ended early for want of time-steps again, as soon as it is not being built already; lets go of a
     /// dataset that has become a longer one. Where its values are others now, everything of it is built anew at once, also what is being
     /// built or rests: then true.

@@ -1,7 +1,9 @@
 // The session's clock and the frames that follow it, over a real socket: two clients fold what they are sent.
 #include "protocol/wire/mesh_decoder.hpp"
+#include "store/store_generation.hpp"
 #include "tests/support/server/server_process.hpp"
 #include "tests/support/server/websocket_client.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -175,6 +177,50 @@ TEST_F(TimeMethods, HoldsUpdatesBackFromWhoDoesNotAcknowledgeThem) {
     client.result("time.pause");
     EXPECT_GE(counted("wakesurf_catching_up_total"), 1);
     EXPECT_GE(counted("wakesurf_frames_dropped_total"), 1);
+}
+
+TEST(TimesOfData, AreThoseThatTheClockMayShowUnlessASurfaceIsOfAFormula) {
+    const TemporaryFolder folder;
+    store::GenerateRequest request;
+    request.flow = "double-gyre";
+    request.grid = {{0, 0, -1}, {0.25, 0.25, 0.5}, {9, 5, 5}};
+    request.times = {2, 3, 4};
+    ASSERT_TRUE(
+        store::generate_store(request, folder / "gyre", [](const store::ImportProgress&) {}, {}));
+    const ServerProcess server({folder / "gyre", "flow:oscillating"});
+    WebSocketClient client(server);
+    client.result("dataset.open", {{"dataset", "gyre"}});
+    const auto error = [&](const std::string& method, const json& parameters) {
+        return client.call(method, parameters).value("error", json::object());
+    };
+    client.result("time.set", {{"time", 900}}); // no surface is shown at it
+
+    const json rake = client.result(
+        "rake.set",
+        {{"kind", "line"}, {"points", {{0.5, 0.5, 0}, {1.5, 0.5, 0}}}, {"seeds", 5}})["rake"];
+    const auto surface = [&](const std::string& dataset, double from, double to) {
+        client.result(
+            "surface.set",
+            {{"rake", rake}, {"kind", "stream"}, {"dataset", dataset}, {"from", from}, {"to", to}});
+    };
+    surface("gyre", 2, 3);
+    json refused = error("time.set", {{"time", 900}});
+    EXPECT_EQ(refused["code"], -32013) << refused;
+    EXPECT_EQ(refused["data"]["kind"], "outsideTimeRange");
+    EXPECT_EQ(refused["message"], "`time` 900 is outside the data's 2 to 4");
+    EXPECT_EQ(refused["data"]["hint"], "choose a time from 2 to 4");
+    EXPECT_EQ(error("time.play", {{"from", 1}, {"to", 4}})["message"],
+              "`from` 1 is outside the data's 2 to 4");
+    EXPECT_EQ(error("time.play", {{"from", 2}, {"to", 4.5}})["message"],
+              "`to` 4.5 is outside the data's 2 to 4");
+    for (const json& time : {json(2), json(4), json(4.0 + 1e-12), json(nullptr)})
+        EXPECT_TRUE(error("time.set", {{"time", time}}).empty()) << time;
+
+    surface("gyre", 2, 7); // followed for five in the field of time 2
+    EXPECT_TRUE(error("time.set", {{"time", 7}}).empty());
+    EXPECT_FALSE(error("time.set", {{"time", 7.5}}).empty());
+    surface("oscillating", 0, 1);
+    EXPECT_TRUE(error("time.set", {{"time", 900}}).empty());
 }
 
 TEST_F(TimeMethods, RefusesNumbersThatAreNoneAndSaysWhich) {

@@ -273,11 +273,15 @@ export interface Methods {
     /** Repeats the caller's newest edit that was taken back. */
     'history.redo': { params: HistoryRedoParams; result: HistoryRedoResult };
     /**
-     * Jumps to a time. Path, streak and time surfaces are shown as they are at this time, within their own `from` and
-     * `to`.
+     * Jumps to a time of the data. Path, streak and time surfaces are shown as they are at this time, within their own
+     * `from` and `to`. A time that neither the data of the session's surfaces nor a surface has is refused; any will
+     * do where a surface is of a flow that is steady or a formula.
      */
     'time.set': { params: TimeSetParams; result: ClockAnswer };
-    /** Starts the clock, from where it stands or from the beginning. */
+    /**
+     * Starts the clock, from where it stands or from the beginning. `from` and `to` are times of the data, as in
+     * `time.set`.
+     */
     'time.play': { params: TimePlayParams; result: ClockAnswer };
     /** Stops the clock where it is. */
     'time.pause': { params: TimePauseParams; result: ClockAnswer };

@@ -17,8 +17,9 @@ class TimeMethods(Noun):
 
     @named
     def set(self, *, time: Optional[float], session: Optional[str] = None) -> ClockAnswer:
-        """Jumps to a time. Path, streak and time surfaces are shown as they are at this time, within their own
-        `from` and `to`.
+        """Jumps to a time of the data. Path, streak and time surfaces are shown as they are at this time, within
+        their own `from` and `to`. A time that neither the data of the session's surfaces nor a surface has is
+        refused; any will do where a surface is of a flow that is steady or a formula.
 
         `time`: simulation time; null: no time, and surfaces are shown at their end (the dataset's unit of time); -1e+30
             or more.
@@ -35,7 +36,8 @@ class TimeMethods(Noun):
     @named
     def play(self, *, speed: Optional[float] = None, loop: Optional[bool] = None, from_: Optional[float] = None,
              to: Optional[float] = None, session: Optional[str] = None) -> ClockAnswer:
-        """Starts the clock, from where it stands or from the beginning.
+        """Starts the clock, from where it stands or from the beginning. `from` and `to` are times of the data, as in
+        `time.set`.
 
         `speed`: how fast the clock runs; if left out, as before, at first 1 (simulation time a second); 1e-09 to
             1,000,000.
