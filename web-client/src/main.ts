@@ -20,6 +20,7 @@ import { Measuring } from './session/tools/measuring.ts';
 import { Noting } from './session/tools/noting.ts';
 import { hideSurfaces } from './session/picture/shownSurfaces.ts';
 import { BodyFlow } from './session/picture/bodyFlow.ts';
+import { tellLackedFields } from './session/picture/lackedFields.ts';
 import { showLooks } from './session/picture/looksInPicture.ts';
 import { measurePixels } from './session/picture/pixelSize.ts';
 import { ImportWait } from './session/importWait.ts';
@@ -122,6 +123,7 @@ function start(app: App): void {
     const outcomes = new SurfaceOutcomes({ state, worker });
     const views = new Views({ state, view, scene, url });
     const ownCopy = new OwnCopy({ state, calls, views });
+    tellLackedFields({ state, view, ownCopy });
     connectRakes({ state, view, scene, edits, people, ownCopy });
     const imports = new ImportWait({ state, worker });
     const thumbnails = new Thumbnails({

@@ -19,11 +19,15 @@ export interface FieldsWanted {
 /** What goes first where there is no room: of one of these, nothing is left without the others. */
 const dispensable: readonly (readonly string[])[] = [normalNames, [deformation], flowNames];
 
+/** What a look cannot be drawn without. */
+export function neededFields(look: SurfaceLook): string[] {
+    const colour = attributeOf(look.colourBy);
+    return [...new Set([...(colour === null || colour === 'speed' ? [] : [colour]), ...(needsFlow(look) ? flowNames : [])])];
+}
+
 /** A surface's fields with those that a look needs. */
 export function fieldsWith(fields: readonly string[], look: SurfaceLook): FieldsWanted {
-    const colour = attributeOf(look.colourBy);
-    const needed = [...(colour === null || colour === 'speed' ? [] : [colour]), ...(needsFlow(look) ? flowNames : [])];
-    const wanted = [...new Set(needed)];
+    const wanted = neededFields(look);
     let others = fields.filter((name) => !wanted.includes(name));
     const tooMany = (): boolean => others.length + wanted.length > limits.fields;
     for (const group of dispensable) if (tooMany()) others = others.filter((name) => !group.includes(name));
