@@ -86,10 +86,12 @@ void FileBricks::read_run(const Asked& asked,
     for (const std::size_t i : which)
         to.push_back(asked.reads[i].to);
     const BrickRead& first = asked.reads[which.front()];
-    bricks_.read(first.field, first.step, bricks_.place_of(first.brick), to,
-                 [&](std::size_t i, core::Result<void> outcome) {
-                     asked.done(which[i], std::move(outcome));
-                 });
+    bricks_.read(
+        first.field, first.step, bricks_.place_of(first.brick), to,
+        [&](std::size_t i, core::Result<void> outcome) {
+            asked.done(which[i], std::move(outcome));
+        },
+        asked.stop);
 }
 
 } // namespace wakesurf::store

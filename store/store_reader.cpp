@@ -31,10 +31,6 @@ static_assert(std::endian::native == std::endian::little, "stores are little-end
 
 namespace {
 
-// Read in pieces so that a cancelled load ends within a few milliseconds, and what is checked is still in the processor's
-// cache.
-constexpr std::size_t piece_bytes = std::size_t{1} << 20;
-
 constexpr const char* again = "import the dataset again";
 
 std::string step_name(std::size_t index, const std::string& file) {
@@ -92,7 +88,8 @@ void StoreReader::open_bricks(std::size_t threads) {
             return fail(Error::Code::NotFound, "it is not in the store",
                         std::string("wait for the import to reach it, or ") + again);
         });
-    bricks_ = std::make_unique<FileBricks>(*stored_bricks_, threads);
+    bricks_ = std::make_unique<FileBricks>(*stored_bricks_,
+                                           threads != 0 ? threads : disk_->pace().readers);
 }
 
 Result<void> StoreReader::load_mask() {
@@ -220,6 +217,8 @@ Result<bool> StoreReader::read(std::size_t column,
     bool gaps = known && known->gaps;
     const auto file = layout_.folder / name;
     const bool half = layout_.precision == Precision::Half;
+    // In pieces, so that a cancelled load ends soon, and what is checked is still in the processor's cache where a disk is near.
+    const std::size_t piece_bytes = disk_->pace().piece;
     std::vector<std::uint16_t> halves(half ? piece_bytes / sizeof(float) : 0);
     std::uint32_t sum = 0;
     for (std::size_t at = 0; at < out.size(); at += piece_bytes) {
@@ -230,7 +229,7 @@ Result<bool> StoreReader::read(std::size_t column,
         const auto stored =
             half ? std::as_writable_bytes(std::span(halves).first(piece.size() / sizeof(float)))
                  : piece;
-        if (auto got = disk_->read(file, half ? at / 2 : at, stored); !got)
+        if (auto got = disk_->read_stoppable(file, half ? at / 2 : at, stored, stop); !got)
             return tl::unexpected(got.error());
         if (!known)
             sum = core::crc32c(stored, sum);
@@ -270,7 +269,7 @@ Result<bool> StoreReader::read_bricks(std::size_t column,
     const auto& layout = stored_bricks_->layout();
     const std::size_t brick_values = stored_bricks_->values(column);
     const std::size_t at_once =
-        std::max<std::size_t>(1, piece_bytes / (brick_values * sizeof(float)));
+        std::max<std::size_t>(1, disk_->pace().piece / (brick_values * sizeof(float)));
     const std::size_t node = components_of(column) * sizeof(float);
     std::vector<float> values(at_once * brick_values);
     Result<void> outcome;
@@ -281,7 +280,7 @@ Result<bool> StoreReader::read_bricks(std::size_t column,
         std::vector<std::span<float>> to;
         for (std::size_t i = 0; i < std::min(at_once, layout.count() - place); ++i)
             to.push_back(std::span(values).subspan(i * brick_values, brick_values));
-        stored_bricks_->read(column, index, place, to, [&](std::size_t i, Result<void> told) {
+        const auto take = [&](std::size_t i, Result<void> told) {
             if (!told && outcome)
                 outcome = std::move(told);
             const auto* const brick = reinterpret_cast<const std::byte*>(to[i].data());
@@ -290,7 +289,8 @@ Result<bool> StoreReader::read_bricks(std::size_t column,
                             std::memcpy(out.data() + first * node, brick + from * node,
                                         nodes * node);
                         });
-        });
+        };
+        stored_bricks_->read(column, index, place, to, take, stop);
     }
     if (!outcome)
         return tl::unexpected(outcome.error());

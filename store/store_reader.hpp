@@ -33,9 +33,9 @@ class StoredBricks;
 class StoreReader final : public core::TimeStepSource, public core::ScalarSource {
   public:
     /// Reads the grid and the mask. Error: InvalidArgument (grid or times make no sense), NotFound, Io, Corrupt.
-    /// @param brick_threads  that read for bricks(); they begin when the first brick is asked for
+    /// @param brick_threads  that read for bricks(), 0: as many as the disk likes; they begin when the first brick is asked for
     static core::Result<std::shared_ptr<const StoreReader>>
-    open(StoreLayout layout, std::shared_ptr<const core::Disk> disk, std::size_t brick_threads = 4);
+    open(StoreLayout layout, std::shared_ptr<const core::Disk> disk, std::size_t brick_threads = 0);
     ~StoreReader() override;
 
     /// As the source had it.
@@ -47,6 +47,9 @@ class StoreReader final : public core::TimeStepSource, public core::ScalarSource
 
     /// Which files it reads.
     const StoreLayout& layout() const { return layout_; }
+
+    /// Where its files are.
+    const std::shared_ptr<const core::Disk>& disk() const { return disk_; }
 
     bool ready(std::size_t index) const override;
 

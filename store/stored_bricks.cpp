@@ -42,31 +42,31 @@ Result<bool> StoredBricks::gaps(std::size_t column, std::size_t index) const {
 }
 
 // What is known of another file than `file` counts for nothing.
+StoredBricks::KnownFile StoredBricks::kept(const Key& key,
+                                           const std::optional<FileIdentity>& file) const {
+    const std::scoped_lock lock(mutex_);
+    const auto found = std::find_if(kept_.begin(), kept_.end(),
+                                    [&](const auto& each) { return each.first == key; });
+    if (found == kept_.end() || (file && found->second->file != *file))
+        return nullptr;
+    kept_.splice(kept_.begin(), kept_, found);
+    return found->second;
+}
+
 Result<StoredBricks::KnownFile> StoredBricks::known(std::size_t column,
                                                     std::size_t index,
                                                     const std::optional<FileIdentity>& file) const {
     const Key key{index, column};
-    const auto place = [&] {
-        return std::find_if(kept_.begin(), kept_.end(),
-                            [&](const auto& each) { return each.first == key; });
-    };
-    {
-        const std::scoped_lock lock(mutex_);
-        const auto found = place();
-        if (found != kept_.end() && (!file || found->second->file == *file)) {
-            kept_.splice(kept_.begin(), kept_, found);
-            return found->second;
-        }
-    }
+    if (auto found = kept(key, file))
+        return found;
+    const std::scoped_lock one_looks(looking_[(index * columns() + column) % looking_.size()]);
+    if (auto found = kept(key, file)) // another thread was as fast
+        return found;
     auto looked = look_at(column, index);
     if (!looked)
         return looked;
     const std::scoped_lock lock(mutex_);
-    if (const auto found = place(); found != kept_.end()) {
-        if (found->second->file == (*looked)->file) // another thread was as fast
-            return found->second;
-        kept_.erase(found);
-    }
+    std::erase_if(kept_, [&](const auto& each) { return each.first == key; });
     kept_.emplace_front(key, *looked);
     const std::size_t most =
         std::max<std::size_t>(fewest_kept, kept_bytes / (bytes_known * bricks_.count()));
@@ -128,7 +128,8 @@ void StoredBricks::read(std::size_t column,
                         std::size_t index,
                         std::size_t place,
                         std::span<const std::span<float>> to,
-                        const Told& told) const {
+                        const Told& told,
+                        const std::stop_token& stop) const {
     std::size_t next = 0; // of those that were told of
     const auto tell = [&](Result<void> outcome) {
         const std::size_t which = next++;
@@ -159,7 +160,7 @@ void StoredBricks::read(std::size_t column,
         return tell_rest({Error::Code::OverLimit, "there is not enough memory to read it", ""});
     }
     const auto stored = in_place ? std::as_writable_bytes(to.front()) : std::span(staged);
-    if (auto got = disk_->read(file, std::uint64_t{place} * bytes, stored); !got)
+    if (auto got = disk_->read_stoppable(file, std::uint64_t{place} * bytes, stored, stop); !got)
         return tell_rest(got.error());
     if (const auto after = disk_->identity(file); !after || *after != (*found)->file)
         return tell_rest({Error::Code::Corrupt, "its file changed while it was read", "try again"});

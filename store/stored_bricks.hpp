@@ -8,6 +8,7 @@
 #include "store/brick_index.hpp"
 #include "store/store_layout.hpp"
 
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -17,6 +18,7 @@
 #include <mutex>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <utility>
 #include <vector>
@@ -65,12 +67,13 @@ class StoredBricks {
     core::Result<bool> gaps(std::size_t column, std::size_t index) const;
 
     /// Reads neighbours in one go, from `place` on: each where `to` says, which has values(column) numbers.
-    /// Error of a brick: NotFound, Io, Corrupt, naming it.
+    /// Error of a brick: NotFound, Io, Corrupt, Cancelled where the disk was slow and `stop` fired; naming it.
     void read(std::size_t column,
               std::size_t index,
               std::size_t place,
               std::span<const std::span<float>> to,
-              const Told& told) const;
+              const Told& told,
+              const std::stop_token& stop = {}) const;
 
     /// "brick 17 of time-step 3 (velocity_000003.f32)".
     std::string name_of(std::size_t column, std::size_t index, std::size_t brick) const;
@@ -89,6 +92,7 @@ class StoredBricks {
     core::Result<KnownFile> known(std::size_t column,
                                   std::size_t index,
                                   const std::optional<core::FileIdentity>& file) const;
+    KnownFile kept(const Key& key, const std::optional<core::FileIdentity>& file) const;
     core::Result<KnownFile> look_at(std::size_t column, std::size_t index) const;
     core::Result<void>
     check(std::size_t column, std::size_t index, std::uint32_t found, std::uint32_t written) const;
@@ -99,7 +103,9 @@ class StoredBricks {
     core::BrickLayout bricks_;
     std::vector<std::uint32_t> order_;
     std::vector<std::uint32_t> places_;
-    mutable std::mutex mutex_;                          ///< guards kept_
+    mutable std::array<std::mutex, 16>
+        looking_;              ///< at a file: one reads its index for all who want it
+    mutable std::mutex mutex_; ///< guards kept_
     mutable std::list<std::pair<Key, KnownFile>> kept_; ///< used last first
 };
 

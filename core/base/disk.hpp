@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <stop_token>
 
 namespace wakesurf::core {
 
@@ -36,6 +37,23 @@ class Disk {
     virtual Result<void> read(const std::filesystem::path& file,
                               std::uint64_t offset,
                               std::span<std::byte> out) const = 0;
+
+    /// The same; what may take long ends as Cancelled where `stop` fires.
+    virtual Result<void> read_stoppable(const std::filesystem::path& file,
+                                        std::uint64_t offset,
+                                        std::span<std::byte> out,
+                                        const std::stop_token& stop) const {
+        (void)stop;
+        return read(file, offset, out);
+    }
+
+    /// How it is read fastest.
+    struct Pace {
+        std::size_t readers = 4;                  ///< at the same time
+        std::size_t piece = std::size_t{1} << 20; ///< bytes of a long file in one go
+    };
+
+    virtual Pace pace() const { return {}; } ///< of all its files
 };
 
 /// The real one: pread in a loop (EINTR and short reads handled), never mmap, because a file

@@ -1,6 +1,7 @@
 #include "server/catalogue/dataset_argument.hpp"
 
 #include "core/base/plain_text.hpp"
+#include "server/web/web_address.hpp"
 #include "store/store_manifest.hpp"
 
 #include <cstdint>
@@ -14,6 +15,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view flow_prefix = "flow:";
+constexpr std::size_t longest_file_name = 255; // of a file
 
 // flow_*.vtu or flow_%04d.vtu: the importer finds the files.
 bool is_pattern(const std::string& name) {
@@ -33,8 +35,7 @@ DatasetArgument resolve_path(const fs::path& path) {
     } else {
         out.name = path.stem().string();
     }
-    constexpr std::size_t longest_name = 255; // of a file
-    out.name = core::display_name(out.name, longest_name);
+    out.name = core::display_name(out.name, longest_file_name);
     return out;
 }
 
@@ -43,7 +44,7 @@ DatasetArgument resolve_path(const fs::path& path) {
 core::Result<DatasetArgument> resolve_dataset(const std::string& argument) {
     if (argument.empty())
         return core::fail(Error::Code::InvalidArgument, "the name of the dataset is empty",
-                          "give a file, a folder or flow:NAME");
+                          "give a file, a folder, the address of a store, or flow:NAME");
     if (argument.starts_with(flow_prefix)) {
         DatasetArgument out;
         out.kind = DatasetArgument::Kind::Flow;
@@ -51,6 +52,14 @@ core::Result<DatasetArgument> resolve_dataset(const std::string& argument) {
         out.name = out.flow;
         return out;
     }
+    if (is_web_address(argument))
+        return store_address(argument).map([](const std::string& address) {
+            DatasetArgument out;
+            out.kind = DatasetArgument::Kind::Store;
+            out.path = address;
+            out.name = core::display_name(out.path.filename().string(), longest_file_name);
+            return out;
+        });
     try {
         const fs::path path(argument);
         const bool there = fs::exists(path);

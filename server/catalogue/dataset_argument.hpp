@@ -16,11 +16,11 @@ struct DatasetArgument {
     std::string name; ///< for people, without a path
     std::string flow; ///< what follows `flow:`
     std::filesystem::path
-        path; ///< canonical: the store's folder, or the file, folder or pattern to import
+        path; ///< canonical: the store's folder or web address, or the file, folder or pattern to import
 };
 
 /// A folder that is no store stands for the one dataset in it, which the importer finds; a last part with * or % for the
-/// files of a series. Error: NotFound, Io.
+/// files of a series; https://HOST/PATH/STORE for a store on the web, which is not asked yet. Error: NotFound, Io; as store_address().
 core::Result<DatasetArgument> resolve_dataset(const std::string& argument);
 
 /// Times and velocities can be told of sources only: what is stored, or computed, has its own. Error: InvalidArgument, beginning with the option.

@@ -3,6 +3,7 @@
 #include "core/field/analytic_flow.hpp"
 #include "core/field/stored_flow.hpp"
 #include "server/catalogue/import_process.hpp"
+#include "server/web/dataset_disk.hpp"
 #include "store/open_store.hpp"
 #include "store/store_manifest.hpp"
 
@@ -109,11 +110,15 @@ core::Result<LoadedDataset> open_flow(const DatasetArgument& argument) {
 
 core::Result<LoadedDataset> open_store(const std::filesystem::path& folder,
                                        const core::TimeStepCache::Options& options) {
-    auto opened = store::open_store(folder);
+    const auto disk = disk_of(folder);
+    if (!disk)
+        return tl::unexpected(disk.error());
+    auto opened = store::open_store(folder, *disk);
     if (!opened)
         return tl::unexpected(opened.error());
     const auto& reader = opened->reader;
     core::TimeStepCache::Options cached = options;
+    cached.by_brick = cached.by_brick || is_on_the_web(folder); // the less is read, the better
     std::shared_ptr<core::MemoryAccount::Share> memory;
     if (options.account) {
         auto share = counted(*reader, *options.account);
@@ -149,7 +154,7 @@ void list_families(core::DatasetInfo& info, const store::StoreScalars& scalars) 
 LoadedDataset with_families(LoadedDataset open, const core::TimeStepCache::Options& cache) {
     if (!open.store)
         return open;
-    auto scalars = store::StoreScalars::open(open.store, std::make_shared<core::PosixDisk>());
+    auto scalars = store::StoreScalars::open(open.store, open.store->disk());
     if (open.scalars && open.scalars->mark() == scalars->mark()) {
         list_families(open.info, *open.scalars);
         return open;
@@ -184,6 +189,8 @@ bool has_all_of(const store::StoreManifest& now, const store::StoreReader& open)
 core::Result<LoadedDataset> open_again(const LoadedDataset& open,
                                        const std::filesystem::path& folder,
                                        const core::TimeStepCache::Options& cache) {
+    if (is_on_the_web(folder)) // as it was when it was opened
+        return open;
     const auto manifest = store::read_store_manifest(folder, core::PosixDisk());
     if (!manifest || !open.store || manifest->layout.times != open.store->times() ||
         !has_all_of(*manifest, *open.store))
@@ -194,7 +201,7 @@ core::Result<LoadedDataset> open_again(const LoadedDataset& open,
 }
 
 bool still_there(const LoadedDataset& open) {
-    if (!open.store)
+    if (!open.store || is_on_the_web(open.store->layout().folder))
         return true;
     const auto now = store::read_store_manifest(open.store->layout().folder, core::PosixDisk());
     return now && has_all_of(*now, *open.store);

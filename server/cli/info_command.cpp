@@ -12,6 +12,7 @@
 #include "server/cli/stop_on_signal.hpp"
 #include "server/cli/tell.hpp"
 #include "server/metrics/process_account.hpp"
+#include "server/web/dataset_disk.hpp"
 #include "store/store_manifest.hpp"
 #include "store/store_reader.hpp"
 
@@ -41,6 +42,11 @@ struct Described {
 
 /// With the memory that a server takes where nothing else is said.
 void say_how_served(const store::StoreReader& reader, Described& out) {
+    if (reader.bricks() != nullptr && is_on_the_web(reader.layout().folder)) {
+        out.by_brick = true;
+        out.served = "brick by brick: the store is on the web";
+        return;
+    }
     const std::size_t memory = default_memory();
     const std::size_t window = core::TimeStepCache::smallest_window(reader);
     out.by_brick = core::TimeStepCache::pages(reader, core::TimeStepCache::room_in(memory));
@@ -58,7 +64,10 @@ void say_how_served(const store::StoreReader& reader, Described& out) {
 
 /// Of a store whose import did not end, or has not ended yet, the note says so.
 core::Result<Described> describe_store(const std::filesystem::path& folder) {
-    const auto disk = std::make_shared<core::PosixDisk>();
+    const auto opened_disk = disk_of(folder);
+    if (!opened_disk)
+        return tl::unexpected(opened_disk.error());
+    const std::shared_ptr<const core::Disk>& disk = *opened_disk;
     auto manifest = store::read_store_manifest(folder, *disk);
     if (!manifest)
         return tl::unexpected(manifest.error());

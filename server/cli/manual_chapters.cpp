@@ -11,6 +11,16 @@ Defaults of what \fBwakesurf serve\fR takes by the option of that name.
 \fBWAKESURF_URL\fR
 Address of the server that \fBwakesurf sessions\fR, \fBwakesurf mcp\fR and scripts talk to.
 .TP
+\fBWAKESURF_HTTP_TOKEN\fR
+Sent as a bearer\(aqs token to the web servers that stores are read from.
+.TP
+\fBWAKESURF_HTTP_S3_REGION\fR
+Requests to them are signed for S3 in that region, with \fBAWS_ACCESS_KEY_ID\fR, \fBAWS_SECRET_ACCESS_KEY\fR and, where it is set,
+\fBAWS_SESSION_TOKEN\fR.
+.TP
+\fBSSL_CERT_FILE\fR
+Whom of them to trust, beside those whom the system trusts.
+.TP
 \fBBROWSER\fR
 What opens the page, several with colons between them, \fI%s\fR for its address; else \fBxdg\-open\fR(1).
 .TP

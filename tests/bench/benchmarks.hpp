@@ -51,6 +51,9 @@ void register_sampling_benchmarks();
 /// Time-steps in bricks beside whole ones, and time-steps larger than memory.
 void register_bricks_benchmarks();
 
+/// The first coarse surface of a store that is far away.
+void register_http_benchmarks();
+
 /// The scalar of a family of stream surfaces at the nodes of 128^3: nodes a second.
 void register_family_benchmarks();
 

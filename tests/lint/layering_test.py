@@ -63,6 +63,8 @@ FORBIDDEN = [
        "a format knows no other") for one in FORMATS),
     (r"server/state/", r"server/(net|rpc|catalogue)/|nlohmann/", "what keeps records knows neither clients nor JSON"),
     (r"(core|protocol|store|server/(?!state/))", r"sqlite3\.h", "only server/state knows SQLite"),
+    (r"(core|protocol|store|server/(?!web/))", r"curl/", "only server/web knows libcurl"),
+    (r"server/web/", r"server/(?!web/|base/)", "what reads the web knows no dataset, session or client"),
     # Inside the engine.
     (r"core/base/", r"core/(dataset|integrate|field|surface)/", "base stands below the rest of core"),
     (r"core/dataset/", r"core/(integrate|field|surface)/", "dataset knows no flow"),
@@ -194,6 +196,8 @@ BAD = [
     (wrong_includes, "server/session/session.cpp", "#include <nlohmann/json.hpp>\n"),
     (wrong_includes, "server/session/session.cpp", '#include "listener.hpp"\n'),
     (wrong_includes, "server/session/session.cpp", "#include <sqlite3.h>\n"),
+    (wrong_includes, "store/store_reader.cpp", "#include <curl/curl.h>\n"),
+    (wrong_includes, "server/web/web_disk.cpp", '#include "server/catalogue/open_dataset.hpp"\n'),
     (wrong_includes, "server/state/state_store.cpp", "#include <nlohmann/json.hpp>\n"),
     (wrong_includes, "server/compute/budgets.hpp", '#include "server/session/people/grants.hpp"\n'),
     (wrong_includes, "server/session/records/observer.hpp", '#include "server/compute/pass_budgets.hpp"\n'),
@@ -213,6 +217,7 @@ BAD = [
 ]
 GOOD = [
     (wrong_includes, "server/state/database.cpp", "#include <sqlite3.h>\n"),
+    (wrong_includes, "server/web/curl_transport.cpp", "#include <curl/curl.h>\n"),
     (wrong_includes, "protocol/frame.cpp", '#include "core/surface/rake.hpp"\n#include <draco/mesh/mesh.h>\n'),
     (wrong_includes, "protocol/frame.hpp", "#include <nlohmann/json_fwd.hpp>\n"),
     (wrong_includes, "server/import/reader.cpp", "#include <vtkImageData.h>\n"),
