@@ -15,4 +15,7 @@ std::string server_program();
 /// `wakesurf-import`.
 std::string importer_program();
 
+/// `wakesurf-bricks`, which is not there in builds without WAKESURF_MPI.
+std::string bricks_program();
+
 } // namespace wakesurf::tests

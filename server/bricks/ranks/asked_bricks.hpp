@@ -1,0 +1,42 @@
+// Rank 0: takes what the server asks for by the socket, gets it from the ranks into the memory that both share, and says so.
+#pragma once
+
+#include "core/base/result.hpp"
+#include "server/bricks/ranks/brick_window.hpp"
+#include "server/bricks/shared_slots.hpp"
+
+#include <filesystem>
+#include <vector>
+
+namespace wakesurf::server {
+
+class AskedBricks {
+  public:
+    /// Meets the server at `door`. Error: Io; it is not there, or wants no such job.
+    static core::Result<AskedBricks>
+    meet(const std::filesystem::path& door, const RankStore& store, BrickWindow& window);
+
+    /// Does what there is to do. False when the server has gone, or asks for what there cannot be.
+    /// @param wait  for the server, where nothing else is to be done
+    bool look(bool wait);
+
+    /// Waits for what is under way. Before its end.
+    void finish();
+
+  private:
+    AskedBricks(OpenFile server, SharedSlots slots, const RankStore& store, BrickWindow& window)
+        : server_(std::move(server)), slots_(std::move(slots)), store_(&store), window_(&window) {}
+
+    bool take_asks();
+    bool answer();
+
+    OpenFile server_;
+    SharedSlots slots_;
+    const RankStore* store_;
+    BrickWindow* window_;
+    std::vector<MPI_Request> requests_;
+    std::vector<std::uint32_t> coming_; ///< the slot of each request
+    std::vector<std::uint32_t> filled_; ///< to be told
+};
+
+} // namespace wakesurf::server
