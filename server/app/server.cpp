@@ -4,6 +4,7 @@
 #include "server/base/late_file.hpp"
 #include "server/base/log_text.hpp"
 #include "server/base/waking_clock.hpp"
+#include "server/catalogue/shipped_files.hpp"
 #include "server/compute/thread_priority.hpp"
 #include "server/limits.hpp"
 #include "server/metrics/process_account.hpp"
@@ -140,6 +141,11 @@ struct Server::Parts {
                 const auto status = (*open)->cache->status();
                 out.caches.push_back(
                     {each.dataset, status.hits, status.loads, status.bytes, status.budget});
+                if ((*open)->ranks) {
+                    const auto bricks = (*open)->ranks->ranks().status();
+                    out.bricks.push_back(
+                        {each.dataset, bricks.by_ranks, bricks.by_files, bricks.ranks});
+                }
             }
         return out;
     }
@@ -344,6 +350,12 @@ core::Result<std::unique_ptr<Server>> Server::open(const ServerOptions& options)
     open.store_root = options.store_root;
     open.taken = options.taken;
     open.cache.account = all->memory.account();
+    if (!options.brick_words.empty()) {
+        open.ranks.emplace();
+        open.ranks->words = options.brick_words;
+        open.ranks->program = this_program().parent_path() / "wakesurf-bricks";
+        open.ranks->memory = options.brick_memory;
+    }
     auto catalogue =
         DatasetCatalogue::open(options.datasets, open, [all](const std::string& dataset) {
             all->loop.post([all, dataset] { all->tell_all(dataset); });

@@ -28,9 +28,11 @@ struct ServerOptions {
     std::vector<std::string> origins;
     std::vector<std::string> frame_origins; ///< pages of these may show ours in a frame
     TrustedProxies proxies;
-    std::filesystem::path certificate; ///< empty: plain HTTP
-    std::filesystem::path key;         ///< the certificate's
-    std::filesystem::path web;         ///< the built client; empty: where it was built or installed
+    std::filesystem::path certificate;    ///< empty: plain HTTP
+    std::filesystem::path key;            ///< the certificate's
+    std::vector<std::string> brick_words; ///< start wakesurf-bricks; empty: nobody does
+    std::size_t brick_memory = 0;         ///< of each of its ranks; 0: what it takes
+    std::filesystem::path web; ///< the built client; empty: where it was built or installed
 };
 
 class Server {

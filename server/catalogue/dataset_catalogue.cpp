@@ -62,7 +62,7 @@ core::Result<void> DatasetCatalogue::add(const std::string& text) {
         return tl::unexpected(argument.error());
     if (auto fit = check_source_options(*argument, options_.taken); !fit)
         return fit;
-    auto entry = std::make_unique<Entry>(mutex_, options_.cache);
+    auto entry = std::make_unique<Entry>(mutex_, options_.of_store());
     entry->argument = std::move(*argument);
     entry->taken = options_.taken;
     if (entry->argument.kind == DatasetArgument::Kind::Source && entry->taken.velocity.empty())

@@ -8,6 +8,7 @@
 #include "store/store_manifest.hpp"
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <cmath>
@@ -99,6 +100,26 @@ counted(const store::StoreReader& reader, const core::MemoryAccount& account) {
 
 } // namespace
 
+namespace {
+
+/// Null where no job is wanted, or the store is none of bricks.
+std::shared_ptr<RankedStore> with_ranks(const std::shared_ptr<const store::StoreReader>& reader,
+                                        const std::filesystem::path& folder,
+                                        const StoreOptions& options) {
+    if (!options.ranks || reader->bricks() == nullptr)
+        return nullptr;
+    if (is_on_the_web(folder)) {
+        spdlog::warn("event=bricks_job_not_possible message=\"ranks hold stores of a folder, not "
+                     "of the web\"");
+        return nullptr;
+    }
+    RankBricks::Options ranks = *options.ranks;
+    ranks.store = std::filesystem::absolute(folder);
+    return std::make_shared<RankedStore>(reader, std::move(ranks));
+}
+
+} // namespace
+
 core::Result<LoadedDataset> open_flow(const DatasetArgument& argument) {
     auto info = core::describe_analytic_flow(argument.flow);
     if (!info)
@@ -109,7 +130,8 @@ core::Result<LoadedDataset> open_flow(const DatasetArgument& argument) {
 }
 
 core::Result<LoadedDataset> open_store(const std::filesystem::path& folder,
-                                       const core::TimeStepCache::Options& options) {
+                                       const StoreOptions& how) {
+    const core::TimeStepCache::Options& options = how.cache;
     const auto disk = disk_of(folder);
     if (!disk)
         return tl::unexpected(disk.error());
@@ -130,11 +152,21 @@ core::Result<LoadedDataset> open_store(const std::filesystem::path& folder,
     } else {
         return tl::unexpected(budget.error());
     }
-    auto cache = std::make_shared<core::TimeStepCache>(reader, std::move(cached));
+    const auto ranked = with_ranks(reader, folder, how);
+    auto cache = std::make_shared<core::TimeStepCache>(
+        ranked ? std::shared_ptr<const core::TimeStepSource>(ranked) : reader, std::move(cached));
+    if (ranked && cache->bricks()) {
+        ranked->ranks().begin();
+        if (memory)
+            memory->set(fixed_bytes(*reader) + ranked->ranks().shared_bytes());
+    } else if (ranked) {
+        spdlog::info("event=bricks_job_not_needed message=\"four time-steps fit into memory\"");
+    }
     const std::shared_ptr<const core::Flow> flow =
         core::make_stored_flow(cache, std::make_shared<core::SteadyClock>(), simd_wanted());
-    return with_families(
-        LoadedDataset{std::move(opened->info), flow, cache, reader, std::move(memory)}, options);
+    LoadedDataset open{std::move(opened->info), flow, cache, reader, std::move(memory)};
+    open.ranks = ranked;
+    return with_families(std::move(open), options);
 }
 
 void list_families(core::DatasetInfo& info, const store::StoreScalars& scalars) {
@@ -188,16 +220,16 @@ bool has_all_of(const store::StoreManifest& now, const store::StoreReader& open)
 
 core::Result<LoadedDataset> open_again(const LoadedDataset& open,
                                        const std::filesystem::path& folder,
-                                       const core::TimeStepCache::Options& cache) {
+                                       const StoreOptions& options) {
     if (is_on_the_web(folder)) // as it was when it was opened
         return open;
     const auto manifest = store::read_store_manifest(folder, core::PosixDisk());
     if (!manifest || !open.store || manifest->layout.times != open.store->times() ||
         !has_all_of(*manifest, *open.store))
-        return open_store(folder, cache);
+        return open_store(folder, options);
     LoadedDataset whole = open;
     whole.info = manifest->info;
-    return with_families(std::move(whole), cache);
+    return with_families(std::move(whole), options.cache);
 }
 
 bool still_there(const LoadedDataset& open) {
@@ -228,12 +260,12 @@ open_dataset(const DatasetArgument& argument,
     if (argument.kind == DatasetArgument::Kind::Flow)
         return open_flow(argument);
     if (argument.kind == DatasetArgument::Kind::Store)
-        return open_store(argument.path, options.cache);
+        return open_store(argument.path, options.of_store());
     const auto folder = store_folder(options.store_root, argument, options.taken);
     ImportCommand command{argument.path, folder, {}, {}, options.importer};
     command.taken = options.taken;
     return run_import_process(command, listener, stop).and_then([&] {
-        return open_store(folder, options.cache);
+        return open_store(folder, options.of_store());
     });
 }
 

@@ -6,6 +6,7 @@
 #include "core/dataset/time_step_cache.hpp"
 #include "core/field/flow.hpp"
 #include "server/base/source_options.hpp"
+#include "server/bricks/ranked_store.hpp"
 #include "server/catalogue/dataset_argument.hpp"
 #include "server/levels/level_sets.hpp"
 #include "store/import_progress.hpp"
@@ -16,6 +17,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stop_token>
 
 namespace wakesurf::server {
@@ -30,6 +32,14 @@ struct LoadedDataset {
     std::shared_ptr<const store::StoreScalars>
         scalars{}; ///< of the store; null for a built-in flow
     std::shared_ptr<core::MemoryAccount::Share> family_memory{}; ///< of its families; likewise
+    std::shared_ptr<const RankedStore> ranks{}; ///< who holds its bricks; null where nobody does
+};
+
+/// How a store is opened.
+struct StoreOptions {
+    core::TimeStepCache::Options cache;
+    /// A job beside the server holds bricks, where time-steps do not fit; the store's folder is filled in.
+    std::optional<RankBricks::Options> ranks{};
 };
 
 struct OpenOptions {
@@ -40,21 +50,24 @@ struct OpenOptions {
         2000};             ///< how often a server looks whether data have changed
     std::size_t lanes = 4; ///< imports at a time
     SourceOptions taken{}; ///< of all sources; times are refused for what is no source
+    std::optional<RankBricks::Options> ranks{}; ///< as in StoreOptions
+
+    StoreOptions of_store() const { return {cache, ranks}; }
 };
 
 /// Error: InvalidArgument, NotFound (the list of names).
 core::Result<LoadedDataset> open_flow(const DatasetArgument& argument);
 
-/// A store, whole or still being written. @param cache  the budget, or the account, is for its grid as well.
+/// A store, whole or still being written. @param options  the budget, or the account, is for its grid as well.
 /// Error: as read_store_manifest and StoreReader::open; OverLimit where that does not hold the grid and 4 time-steps.
 core::Result<LoadedDataset> open_store(const std::filesystem::path& folder,
-                                       const core::TimeStepCache::Options& cache);
+                                       const StoreOptions& options);
 
 /// The same store as what is open of it: with its cache, and with ranges known now, as long as it is the same series of the same values.
 /// Error: as open_store.
 core::Result<LoadedDataset> open_again(const LoadedDataset& open,
                                        const std::filesystem::path& folder,
-                                       const core::TimeStepCache::Options& cache);
+                                       const StoreOptions& options);
 
 /// The families become fields of the dataset, in the place of those listed before.
 void list_families(core::DatasetInfo& info, const store::StoreScalars& scalars);

@@ -52,15 +52,15 @@ SourceOptions ServedDataset::taken_now() const {
 // What is open stays open as long as it is the same series, of the same values. What took its place may need its memory.
 core::Result<LoadedDataset> ServedDataset::reopened(const std::filesystem::path& folder) {
     if (!open)
-        return open_store(folder, cache_);
-    auto opened = open_again(*open, folder, cache_);
+        return open_store(folder, options_);
+    auto opened = open_again(*open, folder, options_);
     if (opened || opened.error().code != Error::Code::OverLimit || still_there(*open))
         return opened;
     {
         const std::scoped_lock lock(guard_);
         open.reset();
     }
-    return open_store(folder, cache_);
+    return open_store(folder, options_);
 }
 
 // The log has each once, for a source that failed is looked at again and again; and none where the server ends, or someone stopped it.
@@ -110,7 +110,7 @@ bool ServedDataset::show(const store::ImportProgress& progress,
         return false;
     std::shared_ptr<const LoadedDataset> first;
     if (progress.done > 0 && !open)
-        if (auto opened = open_store(folder, cache_)) {
+        if (auto opened = open_store(folder, options_)) {
             opened->info.dataset = status.dataset;
             opened->info.name = status.name;
             first = std::make_shared<const LoadedDataset>(std::move(*opened));
@@ -173,7 +173,7 @@ void ServedDataset::look_for_families() {
         }();
         if (!before)
             return;
-        auto now = std::make_shared<const LoadedDataset>(with_families(*before, cache_));
+        auto now = std::make_shared<const LoadedDataset>(with_families(*before, options_.cache));
         const std::scoped_lock lock(guard_);
         if (open != before) // opened again meanwhile, perhaps without the newest of them
             continue;

@@ -49,8 +49,8 @@ class ServedDataset {
     enum class Ending { Whole, Stopped };
 
     /// @param guard  of what others look at; it is taken by each method
-    ServedDataset(std::mutex& guard, core::TimeStepCache::Options cache)
-        : guard_(guard), cache_(std::move(cache)) {}
+    ServedDataset(std::mutex& guard, StoreOptions options)
+        : guard_(guard), options_(std::move(options)) {}
 
     DatasetState state() const;
     SourceOptions taken_now() const;
@@ -88,7 +88,7 @@ class ServedDataset {
     void keep_error(const core::Error& error);
 
     std::mutex& guard_;
-    core::TimeStepCache::Options cache_;
+    StoreOptions options_;
 };
 
 } // namespace wakesurf::server

@@ -3,6 +3,7 @@
 #include "server/app/server.hpp"
 #include "server/base/memory_size.hpp"
 #include "server/base/private_file.hpp"
+#include "server/bricks/bricks_job.hpp"
 #include "server/catalogue/dataset_argument.hpp"
 #include "server/catalogue/shipped_files.hpp"
 #include "server/cli/environment.hpp"
@@ -188,6 +189,19 @@ core::Result<void> check_folders(const ServeOptions& options, const ServerOption
     return {};
 }
 
+/// What starts wakesurf-bricks. Error: InvalidArgument; Unsupported where there is no such program.
+core::Result<std::vector<std::string>> brick_words(const std::string& text) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(this_program().parent_path() / "wakesurf-bricks", ignored))
+        return fail(Error::Code::Unsupported,
+                    "--bricks: wakesurf-bricks is not beside this program",
+                    "build wakesurf with -DWAKESURF_MPI=ON");
+    return program_words(text).map_error([](Error error) {
+        error.message = "--bricks: " + error.message;
+        return error;
+    });
+}
+
 /// Error: InvalidArgument, wrong usage; anything else, a file or folder that cannot be used.
 core::Result<Prepared> prepare(const ServeOptions& options) {
     const auto address = parse_address(options.listen);
@@ -216,6 +230,13 @@ core::Result<Prepared> prepare(const ServeOptions& options) {
     server.state = options.state;
     server.memory = options.memory;
     server.threads = options.threads;
+    if (!options.bricks.empty()) {
+        auto words = brick_words(options.bricks);
+        if (!words)
+            return tl::unexpected(words.error());
+        server.brick_words = std::move(*words);
+        server.brick_memory = options.brick_memory;
+    }
     server.token = *token;
     server.origins = options.origins;
     server.frame_origins = options.frame_origins;
@@ -346,6 +367,16 @@ void add_serve_options(CLI::App& command, ServeOptions& options) {
         .add_option("--threads", options.threads,
                     "number of compute threads (default: one per core)")
         ->check(CLI::Range(1, 1024));
+    auto* const bricks = command.add_option(
+        "--bricks", options.bricks,
+        "hold the bricks of time-steps that are larger than memory in the memory of an MPI job, "
+        "which these words start: \"mpirun -n 4\"");
+    command
+        .add_option("--bricks-memory", options.brick_memory,
+                    "memory of each rank for bricks, for example 64GiB (default: a quarter of its "
+                    "node's memory, shared by the ranks there)")
+        ->transform(as_memory_size())
+        ->needs(bricks);
     auto* const file =
         command.add_option("--token-file", options.token_file,
                            "take the token from this file, which is created if missing "

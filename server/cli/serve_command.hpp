@@ -21,6 +21,8 @@ struct ServeOptions {
     std::string state;
     std::uint64_t memory = 0; ///< 0: by the machine and the control group
     unsigned threads = 0;
+    std::string bricks;             ///< what starts wakesurf-bricks; empty: nobody does
+    std::uint64_t brick_memory = 0; ///< of each rank; 0: what it takes
     std::string token_file;
     bool new_token = false;
     std::string url_file;

@@ -82,6 +82,17 @@ void collect(const Standing& standing, Registry& registry) {
         bytes.Add(labels).Set(static_cast<double>(each.bytes));
         budget.Add(labels).Set(static_cast<double>(each.budget));
     }
+    auto& bricks =
+        counters(registry, "wakesurf_bricks_total", "Bricks read, by where they came from.");
+    auto& ranks = gauges(registry, "wakesurf_brick_ranks",
+                         "Ranks of the MPI job that holds bricks; 0 while there is none.");
+    for (const BricksStanding& each : standing.bricks) {
+        bricks.Add({{"dataset", each.dataset}, {"from", "ranks"}})
+            .Increment(static_cast<double>(each.by_ranks));
+        bricks.Add({{"dataset", each.dataset}, {"from", "files"}})
+            .Increment(static_cast<double>(each.by_files));
+        ranks.Add({{"dataset", each.dataset}}).Set(static_cast<double>(each.ranks));
+    }
 }
 
 } // namespace

@@ -21,6 +21,14 @@ struct CacheStanding {
     std::size_t budget = 0;
 };
 
+/// Bricks of a dataset that has an MPI job to hold them.
+struct BricksStanding {
+    std::string dataset;
+    std::uint64_t by_ranks = 0;
+    std::uint64_t by_files = 0;
+    std::uint64_t ranks = 0; ///< of the job; 0: it is not there
+};
+
 /// How many datasets are in a state.
 struct DatasetCount {
     std::string_view state;
@@ -51,6 +59,7 @@ struct Standing {
     std::size_t participants = 0;
     std::vector<DatasetCount> datasets; ///< of each state
     std::vector<CacheStanding> caches;
+    std::vector<BricksStanding> bricks;
     MemoryStanding memory;
 };
 
