@@ -54,6 +54,9 @@ void register_bricks_benchmarks();
 /// The first coarse surface of a store that is far away.
 void register_http_benchmarks();
 
+/// Bricks from the memory of an MPI job's ranks beside files, and a surface after one of them was killed.
+void register_ranks_benchmarks();
+
 /// The scalar of a family of stream surfaces at the nodes of 128^3: nodes a second.
 void register_family_benchmarks();
 

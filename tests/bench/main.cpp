@@ -63,6 +63,7 @@ int measure(const server::BenchOptions& options) {
     register_sampling_benchmarks();
     register_bricks_benchmarks();
     register_http_benchmarks();
+    register_ranks_benchmarks();
     register_family_benchmarks();
     register_cells_benchmarks();
     register_stream_surface_benchmarks();
