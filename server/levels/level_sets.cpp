@@ -67,8 +67,7 @@ LevelSets::LevelSets(std::shared_ptr<const core::Flow> flow,
                      Options options,
                      std::shared_ptr<const store::StoreScalars> scalars)
     : flow_(std::move(flow)), store_(std::move(store)),
-      scalars_(scalars ? std::move(scalars)
-                       : store::StoreScalars::open(store_, store_->disk())),
+      scalars_(scalars ? std::move(scalars) : store::StoreScalars::open(store_, store_->disk())),
       velocity_(std::move(velocity)), options_(std::move(options)) {
     if (options_.clock == nullptr)
         options_.clock = &machine_clock();
