@@ -45,7 +45,9 @@ TEST(AnyMemory, MakesTheSameBytesOfEveryKindWhetherTheSeriesFitsOrNot) {
             };
             const std::string all_in_memory = bytes("4GiB"); // the series takes 53 MB
             ASSERT_GT(all_in_memory.size(), 10'000u);
-            EXPECT_TRUE(bytes("44MiB") == all_in_memory) << kind[1] << ", " << accuracy;
+            // Two thirds of the series fit. With less than 52 MiB the largest surface does now and then not: what the
+            // program itself takes, 16 MiB, is as the allocator has it.
+            EXPECT_TRUE(bytes("64MiB") == all_in_memory) << kind[1] << ", " << accuracy;
         }
 }
 
