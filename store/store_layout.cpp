@@ -20,7 +20,8 @@ namespace {
 
 // Lengths beyond this, or below its inverse, overflow when squared further down the path.
 constexpr double largest = 1e100;
-constexpr std::uint32_t most_brick_cells = 256;
+// The batch kernel counts a brick's nodes in float, which is exact up to 2^24: 129^3 are fewer, 257^3 are more.
+constexpr std::uint32_t most_brick_cells = 128;
 constexpr std::uint64_t most_nodes = std::numeric_limits<std::int64_t>::max() / (3 * sizeof(float));
 
 std::uint64_t product(const std::array<std::uint32_t, 3>& dimensions) {
@@ -113,7 +114,7 @@ Result<void> check_bricks(const StoreLayout& layout) {
         return fail(Error::Code::InvalidArgument, "a mesh of cells does not lie in bricks");
     if (!std::has_single_bit(layout.brick_cells) || layout.brick_cells > most_brick_cells)
         return fail(Error::Code::InvalidArgument,
-                    "the cells of a brick's axis are no power of two up to 256");
+                    "the cells of a brick's axis are no power of two up to 128");
     const auto bricks = layout.bricks();
     const std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
     if (std::uint64_t{bricks.bricks()[0]} * bricks.bricks()[1] > most / bricks.bricks()[2] ||

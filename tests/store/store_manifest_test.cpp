@@ -71,8 +71,11 @@ TEST(StoreManifest, IsOfVersion3WhereTimeStepsLieInBricksAndOnlyThere) {
     json older = json::parse(text);
     older["version"] = 2;
     EXPECT_EQ(error_of(older), core::Error::Code::Corrupt);
+    json largest = json::parse(text);
+    largest["bricks"] = json{{"cells", 128}};
+    EXPECT_TRUE(parse_store_manifest(largest.dump()));
     for (const json& bricks : {json(32), json::object(), json{{"cells", 0}}, json{{"cells", 33}},
-                               json{{"cells", 512}}, json{{"cells", -32}}, json{{"cells", "32"}}}) {
+                               json{{"cells", 256}}, json{{"cells", -32}}, json{{"cells", "32"}}}) {
         json wrong = json::parse(text);
         wrong["bricks"] = bricks;
         EXPECT_EQ(error_of(wrong), core::Error::Code::Corrupt) << bricks;
