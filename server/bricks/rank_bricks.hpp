@@ -4,14 +4,12 @@
 
 #include "core/dataset/brick_source.hpp"
 #include "server/bricks/job_talk.hpp"
+#include "server/bricks/rank_options.hpp"
 
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <memory>
 #include <stop_token>
-#include <string>
 #include <vector>
 
 namespace wakesurf::server {
@@ -20,20 +18,8 @@ namespace wakesurf::server {
 /// while, each time a longer one until one is there again. Thread safety: concurrent calls are fine.
 class RankBricks final : public core::BrickSource {
   public:
-    using Duration = std::chrono::milliseconds;
-
-    struct Options {
-        /// Before the program: "mpirun", "-n", "4".
-        std::vector<std::string> words;
-        std::filesystem::path program; ///< wakesurf-bricks
-        std::filesystem::path store;
-        std::uint64_t memory = 0;  ///< of each rank; 0: what the program takes
-        Duration first_rest{1000}; ///< before a job is started again; then twice as long each time
-        Duration longest_rest{60'000};
-        Duration coming{120'000}; ///< for the job to say who it is
-        Duration patience{1000};  ///< for a brick; then it is read from files
-        Duration hung{30'000};    ///< without any answer: the job is ended
-    };
+    using Options = RankOptions;
+    using Duration = RankOptions::Duration;
 
     /// How it stands.
     struct Status {

@@ -2,7 +2,7 @@
 #include "server/bricks/bricks_job.hpp"
 #include "server/bricks/local_socket.hpp"
 #include "tests/server/bricks/bricks_fixture.hpp"
-#include "tests/support/places.hpp"
+#include "tests/server/bricks/fake_job.hpp"
 
 #include <sys/stat.h>
 
@@ -16,16 +16,6 @@ using namespace std::chrono_literals;
 
 /// Longer than any machine takes.
 constexpr auto at_most = 300s;
-
-std::string hex(std::span<const std::byte> bytes) {
-    std::string out;
-    for (const std::byte each : bytes) {
-        constexpr const char* digits = "0123456789abcdef";
-        out += digits[std::to_integer<int>(each >> 4)];
-        out += digits[std::to_integer<int>(each & std::byte{15})];
-    }
-    return out;
-}
 
 class BadJobs : public testing::Test {
   protected:
@@ -49,13 +39,8 @@ class BadJobs : public testing::Test {
 
     /// @param marks  of the store that the job says it holds
     RankBricks::Options job(const std::string& how, const std::string& marks) const {
-        std::vector<std::byte> words(sizeof(hello) + marks.size());
-        std::memcpy(words.data(), &hello, sizeof(hello));
-        std::memcpy(words.data() + sizeof(hello), marks.data(), marks.size());
         RankBricks::Options options;
-        options.words = {"/usr/bin/python3",
-                         (source_folder() / "tests/server/bricks/fake_job.py").string(), how,
-                         hex(words)};
+        options.words = fake_job(how, hello, marks);
         options.program = "wakesurf-bricks";
         options.store = *folder_ / "s";
         options.first_rest = options.longest_rest = 1ms;

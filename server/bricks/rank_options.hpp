@@ -1,0 +1,35 @@
+// How a job that holds bricks is started, and how long it is waited for.
+#pragma once
+
+#include "core/base/clock.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace wakesurf::server {
+
+struct RankOptions {
+    using Duration = std::chrono::milliseconds;
+
+    /// Before the program: "mpirun", "-n", "4".
+    std::vector<std::string> words;
+    std::filesystem::path program; ///< wakesurf-bricks
+    std::filesystem::path store;
+    std::uint64_t memory = 0;  ///< of each rank; 0: what the program takes
+    Duration first_rest{1000}; ///< before a job is started again; then twice as long each time
+    Duration longest_rest{60'000};
+    Duration coming{120'000};           ///< for the job to say who it is
+    Duration patience{1000};            ///< for a brick; then it is read from files
+    Duration hung{30'000};              ///< without any answer: the job is ended
+    const core::Clock* clock = nullptr; ///< the machine's without; lives longer
+
+    const core::Clock& wall() const {
+        static const core::SteadyClock machine;
+        return clock == nullptr ? machine : *clock;
+    }
+};
+
+} // namespace wakesurf::server
