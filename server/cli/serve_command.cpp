@@ -195,7 +195,7 @@ core::Result<std::vector<std::string>> brick_words(const std::string& text) {
     if (!std::filesystem::exists(this_program().parent_path() / "wakesurf-bricks", ignored))
         return fail(Error::Code::Unsupported,
                     "--bricks: wakesurf-bricks is not beside this program",
-                    "build wakesurf with -DWAKESURF_MPI=ON");
+                    "install the package wakesurf-bricks, or build with -DWAKESURF_MPI=ON");
     return program_words(text).map_error([](Error error) {
         error.message = "--bricks: " + error.message;
         return error;

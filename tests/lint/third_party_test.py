@@ -13,7 +13,7 @@ HEADERS = {"boost/": "libboost-dev", "nlohmann/": "nlohmann-json3-dev", "glm/": 
            "CLI/": "libcli11-dev", "fmt/": "libfmt-dev", "spdlog/": "libspdlog-dev", "draco/": "libdraco-dev",
            "tbb/": "libtbb-dev", "oneapi/tbb/": "libtbb-dev", "prometheus/": "prometheus-cpp-dev", "openssl/": "libssl-dev"}
 PLAIN = {"tiny_gltf.h": "libtinygltf-dev", "sqlite3.h": "libsqlite3-dev", "curl/curl.h": "libcurl4-openssl-dev", "zlib.h": "zlib1g-dev", "seccomp.h": "libseccomp-dev",
-         "udunits2.h": "libudunits2-dev", "netcdf.h": "libnetcdf-dev", "hdf5.h": "libhdf5-dev"}
+         "udunits2.h": "libudunits2-dev", "mpi.h": "libopenmpi-dev", "netcdf.h": "libnetcdf-dev", "hdf5.h": "libhdf5-dev"}
 SYSTEM = re.compile(r"(sys|linux|bits|arpa|netinet|net|asm)/|[a-z_0-9]+(\.h)?$")  # of the C++ library and the system
 
 
@@ -56,7 +56,7 @@ def sources():
 class ThirdParty(unittest.TestCase):
     maxDiff = None
 
-    @unittest.skipUnless(all(os.path.exists(os.path.join(TREE, "bin", name)) for name in ("wakesurf", "wakesurf-import")), "nothing is built")
+    @unittest.skipUnless(all(os.path.exists(os.path.join(TREE, "bin", name)) for name in load_script().PROGRAMS), "not all is built")
     def test_names_each_library_that_the_programs_link_and_by_which(self):
         script = load_script()
         made, faults = script.corrected(text(), script.of_tree(TREE))
@@ -71,11 +71,11 @@ class TheLinter(unittest.TestCase):
     TABLE = "zlib\n    package   zlib1g-dev\n    use       shared library\n    libraries libz\n    linked by wakesurf\n\n-----\nrest"
 
     def test_writes_who_links_a_library(self):
-        made, faults = load_script().corrected(self.TABLE, {"wakesurf": {"libz"}, "wakesurf-import": {"libz"}})
+        made, faults = load_script().corrected(self.TABLE, {"wakesurf": {"libz"}, "wakesurf-import": {"libz"}, "wakesurf-bricks": set()})
         self.assertEqual((made, faults), (self.TABLE.replace("by wakesurf", "by wakesurf, wakesurf-import"), []))
 
     def test_flags_a_library_without_entry_and_an_entry_without_library(self):
-        _, faults = load_script().corrected(self.TABLE, {"wakesurf": {"libhdf5"}, "wakesurf-import": set()})
+        _, faults = load_script().corrected(self.TABLE, {"wakesurf": {"libhdf5"}, "wakesurf-import": set(), "wakesurf-bricks": set()})
         self.assertEqual(faults, ["libz is not linked by any program", "wakesurf links libhdf5, which no entry names"])
 
     def test_flags_headers_of_a_library_without_entry(self):

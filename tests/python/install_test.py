@@ -45,6 +45,16 @@ class InstallTest(unittest.TestCase):
         self.assertEqual(sorted(libraries), ["libwakesurf_draco.so",  # what the Python client decodes live frames with
                                              "wakesurf.service"])
 
+    @unittest.skipUnless(os.path.exists(os.path.join(os.path.dirname(BINARY), "wakesurf-bricks")), "WAKESURF_MPI is off")
+    def test_the_ranks_of_an_mpi_job_are_a_component_of_their_own_with_their_manual_page(self):
+        with tempfile.TemporaryDirectory() as prefix:
+            tree = os.path.dirname(os.path.dirname(os.path.abspath(BINARY)))
+            subprocess.run(["cmake", "--install", tree, "--component", "bricks", "--prefix", prefix], check=True, stdout=subprocess.DEVNULL)
+            files = [os.path.relpath(os.path.join(folder, name), prefix) for folder, _, names in os.walk(prefix) for name in names]
+            self.assertEqual(sorted(files), ["bin/wakesurf-bricks", "share/man/man1/wakesurf-bricks.1"])
+            with open(os.path.join(prefix, "share/man/man1/wakesurf-bricks.1"), encoding="utf-8") as page:
+                self.assertTrue(page.read().startswith(".TH WAKESURF\\-BRICKS"))
+
     def text_of(self, path):
         with open(os.path.join(self.prefix, path), encoding="utf-8") as file:
             return file.read()

@@ -20,6 +20,10 @@ using namespace wakesurf;
 constexpr unsigned ending_patience = 10; // s
 constexpr std::chrono::microseconds idle_look{50};
 
+constexpr const char* chapters = R"(.SH SEE ALSO
+\fBwakesurf\fR(1), \fBmpirun\fR(1), \fBsrun\fR(1)
+)";
+
 struct Wish {
     std::string store, socket;
     std::uint64_t memory = 0;
@@ -115,7 +119,7 @@ int main(int argc, char** argv) {
     app.add_flag_callback(
            "--man-page",
            [&] {
-               throw CLI::CallForVersion(server::manual_page(app, {WAKESURF_VERSION, ""}), 0);
+               throw CLI::CallForVersion(server::manual_page(app, {WAKESURF_VERSION, chapters}), 0);
            })
         ->group("");
     CLI11_PARSE(app, argc, argv);
