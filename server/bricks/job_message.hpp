@@ -9,7 +9,7 @@
 namespace wakesurf::server {
 
 inline constexpr std::uint32_t job_magic = 0x6b727742; ///< "Bwrk"
-inline constexpr std::uint32_t job_version = 1;        ///< of these messages
+inline constexpr std::uint32_t job_version = 2;        ///< of these messages
 
 /// What the bricks of a store are. Job and server must have the same.
 struct BrickShape {
@@ -37,6 +37,8 @@ struct ServerWelcome {
     std::uint32_t magic = job_magic;
     std::uint32_t slots = 0;
     std::uint64_t slot_bytes = 0;
+    std::uint64_t patience =
+        0; ///< milliseconds, after which a rank that has not answered is asked for nothing until it does
 };
 
 /// Then the server sends one or more of these in a message, each for a slot that is free, and gets the numbers of filled slots back

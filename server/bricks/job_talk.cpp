@@ -54,7 +54,8 @@ Result<std::optional<JobTalk>> JobTalk::meet(OpenFile& guest, const WantedJob& w
                           "the job holds other values than the store that is served",
                           "the store was written again: the next job reads the new one");
     const ServerWelcome welcome{job_magic, static_cast<std::uint32_t>(wanted.slots),
-                                brick_record_bytes(wanted.shape.values)};
+                                brick_record_bytes(wanted.shape.values),
+                                static_cast<std::uint64_t>(wanted.patience.count())};
     auto slots = SharedSlots::make(wanted.slots, welcome.slot_bytes);
     if (!slots)
         return tl::unexpected(slots.error());

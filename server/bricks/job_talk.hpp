@@ -7,6 +7,7 @@
 #include "server/bricks/job_message.hpp"
 #include "server/bricks/shared_slots.hpp"
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -23,6 +24,8 @@ struct WantedJob {
     /// The values are certainly others than those that the job tells of: store::StoreReader::contradicts.
     std::function<bool(std::string_view marks)> contradicts;
     std::size_t slots = 16; ///< bricks that are on their way at a time
+    /// With a rank; then the job asks it for nothing until it has answered.
+    std::chrono::milliseconds patience{1000};
 };
 
 /// One thread at a time.

@@ -27,7 +27,9 @@ using core::Result;
 struct RankBricks::State {
     State(const core::BrickSource& from_files, WantedJob its_job, Options how)
         : wanted(std::move(its_job)), options(std::move(how)),
-          bell(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)), files(from_files) {}
+          bell(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)), files(from_files) {
+        wanted.patience = options.patience;
+    }
 
     WantedJob wanted;
     Options options;

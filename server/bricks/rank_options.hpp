@@ -23,7 +23,7 @@ struct RankOptions {
     Duration longest_rest{60'000};
     Duration coming{120'000};           ///< for the job to say who it is
     Duration patience{1000};            ///< for a brick; then it is read from files
-    Duration hung{30'000};              ///< without any answer: the job is ended
+    Duration hung{30'000};              ///< for a brick; then the job is ended
     const core::Clock* clock = nullptr; ///< the machine's without; lives longer
 
     const core::Clock& wall() const {

@@ -7,14 +7,11 @@ namespace wakesurf::server {
 
 void ReadsOnTheirWay::add(std::span<const std::uint32_t> slots, std::vector<WaitingRead> reads) {
     const Time now = options_.wall().now();
-    if (by_slot_.empty())
-        heard_ = now; // it owed nothing until now
     for (std::size_t i = 0; i < slots.size(); ++i)
         by_slot_.insert_or_assign(slots[i], OnItsWay{std::move(reads[i]), now});
 }
 
 std::optional<WaitingRead> ReadsOnTheirWay::take(std::uint32_t slot) {
-    heard_ = options_.wall().now();
     auto found = by_slot_.extract(slot);
     return found ? std::move(found.mapped().read) : std::nullopt;
 }
@@ -34,13 +31,16 @@ bool ReadsOnTheirWay::nobody_waits() const {
 }
 
 bool ReadsOnTheirWay::hung() const {
-    return !by_slot_.empty() && options_.wall().now() - heard_ >= options_.hung;
+    const Time now = options_.wall().now();
+    return std::ranges::any_of(
+        by_slot_, [&](const auto& each) { return now - each.second.since >= options_.hung; });
 }
 
 ReadsOnTheirWay::Time ReadsOnTheirWay::due() const {
     Time out = Time::max();
     for (const auto& [slot, each] : by_slot_)
-        out = std::min(out, each.read ? each.since + options_.patience : heard_ + options_.hung);
+        out =
+            std::min(out, each.read ? each.since + options_.patience : each.since + options_.hung);
     return out;
 }
 

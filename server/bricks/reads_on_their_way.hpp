@@ -33,7 +33,7 @@ class ReadsOnTheirWay {
     /// No read waits for the job: none was asked for, or all are late.
     bool nobody_waits() const;
 
-    /// The job owes an answer, and has given none for too long.
+    /// The job owes an answer for too long, whatever else it answers: one of its ranks may hang.
     bool hung() const;
 
     /// When one of both becomes so, if the job says nothing. Time::max(): never.
@@ -50,7 +50,6 @@ class ReadsOnTheirWay {
 
     const RankOptions& options_;
     std::map<std::uint32_t, OnItsWay> by_slot_;
-    Time heard_{};
 };
 
 } // namespace wakesurf::server

@@ -25,6 +25,17 @@ inline std::vector<pid_t> ranks_of(const std::filesystem::path& store) {
     return out;
 }
 
+/// The one of that number in its job; -1 where there is none.
+inline pid_t rank_of(const std::filesystem::path& store, int number) {
+    const std::string wanted = "OMPI_COMM_WORLD_RANK=" + std::to_string(number) + '\0';
+    for (const pid_t each : ranks_of(store)) {
+        std::ifstream file("/proc/" + std::to_string(each) + "/environ", std::ios::binary);
+        if (std::string(std::istreambuf_iterator<char>(file), {}).find(wanted) != std::string::npos)
+            return each;
+    }
+    return -1;
+}
+
 /// What starts them here: also as root, and more than there are cores.
 inline std::vector<std::string> mpirun(int ranks) {
     ::setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);

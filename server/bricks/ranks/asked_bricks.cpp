@@ -4,6 +4,7 @@
 
 #include <poll.h>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <new>
@@ -54,7 +55,9 @@ AskedBricks::meet(const std::filesystem::path& door, const RankStore& store, Bri
                           "its log says why: event=bricks_job");
     return SharedSlots::take(std::move(came.passed), welcome.slots, welcome.slot_bytes)
         .map([&](SharedSlots slots) {
-            return AskedBricks(std::move(*server), std::move(slots), store, window);
+            AskedBricks out(std::move(*server), std::move(slots), store, window);
+            out.patience_ = std::chrono::milliseconds(welcome.patience);
+            return out;
         });
 }
 
@@ -86,14 +89,22 @@ bool AskedBricks::take_asks() {
                 return false;
             const auto slot = slots_.slot(ask.slot);
             new (slot.data()) BrickHead{}; // until something comes: nobody has it
-            if (const auto request = window_->get(ask.step, ask.brick, slot)) {
-                requests_.push_back(*request);
-                coming_.push_back(ask.slot);
+            const auto rank = window_->rank_of(ask.step, ask.brick);
+            const Time now = std::chrono::steady_clock::now();
+            if (rank && !is_late(*rank, now)) {
+                requests_.push_back(window_->get(ask.step, ask.brick, slot));
+                coming_.push_back({ask.slot, *rank, now});
             } else {
                 filled_.push_back(ask.slot);
             }
         }
     }
+}
+
+bool AskedBricks::is_late(int rank, Time now) const {
+    return std::ranges::any_of(coming_, [&](const Coming& each) {
+        return each.rank == rank && now - each.since >= patience_;
+    });
 }
 
 bool AskedBricks::answer() {
@@ -104,7 +115,7 @@ bool AskedBricks::answer() {
             ++i;
             continue;
         }
-        filled_.push_back(coming_[i]);
+        filled_.push_back(coming_[i].slot);
         requests_[i] = requests_.back();
         coming_[i] = coming_.back();
         requests_.pop_back();

@@ -5,6 +5,7 @@
 #include "server/bricks/ranks/brick_window.hpp"
 #include "server/bricks/shared_slots.hpp"
 
+#include <chrono>
 #include <filesystem>
 #include <vector>
 
@@ -24,18 +25,29 @@ class AskedBricks {
     void finish();
 
   private:
+    using Time = std::chrono::steady_clock::time_point;
+
+    struct Coming {
+        std::uint32_t slot;
+        int rank; ///< who has it
+        Time since;
+    };
+
     AskedBricks(OpenFile server, SharedSlots slots, const RankStore& store, BrickWindow& window)
         : server_(std::move(server)), slots_(std::move(slots)), store_(&store), window_(&window) {}
 
     bool take_asks();
+    /// Owes an answer for too long: it may hang, and the server has files.
+    bool is_late(int rank, Time now) const;
     bool answer();
 
     OpenFile server_;
     SharedSlots slots_;
     const RankStore* store_;
     BrickWindow* window_;
+    std::chrono::milliseconds patience_{};
     std::vector<MPI_Request> requests_;
-    std::vector<std::uint32_t> coming_; ///< the slot of each request
+    std::vector<Coming> coming_;        ///< of each request
     std::vector<std::uint32_t> filled_; ///< to be told
 };
 

@@ -48,16 +48,19 @@ bool BrickWindow::load_next() {
     return true;
 }
 
-std::optional<MPI_Request>
-BrickWindow::get(std::uint64_t step, std::uint32_t brick, std::span<std::byte> to) {
+std::optional<int> BrickWindow::rank_of(std::uint64_t step, std::uint32_t brick) const {
     const std::uint64_t place = store_.place_of(step, brick);
     const auto ranks = static_cast<std::uint64_t>(ranks_);
     const auto owner = static_cast<std::size_t>(place % ranks);
-    if (place / ranks >= rooms_[owner])
-        return std::nullopt;
+    return place / ranks < rooms_[owner] ? std::optional(static_cast<int>(owner)) : std::nullopt;
+}
+
+MPI_Request BrickWindow::get(std::uint64_t step, std::uint32_t brick, std::span<std::byte> to) {
+    const std::uint64_t place = store_.place_of(step, brick);
+    const auto ranks = static_cast<std::uint64_t>(ranks_);
     MPI_Request request = MPI_REQUEST_NULL;
     const int bytes = static_cast<int>(record_);
-    MPI_Rget(to.data(), bytes, MPI_BYTE, static_cast<int>(owner),
+    MPI_Rget(to.data(), bytes, MPI_BYTE, static_cast<int>(place % ranks),
              static_cast<MPI_Aint>(place / ranks * record_), bytes, MPI_BYTE, window_, &request);
     return request;
 }

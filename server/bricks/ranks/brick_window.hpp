@@ -30,10 +30,12 @@ class BrickWindow {
     /// Reads the next brick of this rank into its memory. False when there are no more.
     bool load_next();
 
-    /// Begins to bring a brick with its head to memory of brick_record_bytes(). Nothing where no rank has room for it. A brick that is not
-    /// read yet comes with a head that says so, one that is being read with a checksum that does not fit.
-    std::optional<MPI_Request>
-    get(std::uint64_t step, std::uint32_t brick, std::span<std::byte> to);
+    /// Who has room for a brick, or nobody.
+    std::optional<int> rank_of(std::uint64_t step, std::uint32_t brick) const;
+
+    /// Begins to bring a brick with its head to memory of brick_record_bytes(). A brick that is not read yet comes with a head that says so,
+    /// one that is being read with a checksum that does not fit. REQUIRES: a rank has room for it.
+    MPI_Request get(std::uint64_t step, std::uint32_t brick, std::span<std::byte> to);
 
   private:
     const RankStore& store_;

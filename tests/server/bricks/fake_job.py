@@ -20,11 +20,11 @@ def main():
     if how == "closes before a word":
         return
     server.send(hello[:-40] if how == "cuts its first message off" else hello)
-    words, rights, _, _ = server.recvmsg(16, socket.CMSG_SPACE(4))
-    if len(words) < 16:
+    words, rights, _, _ = server.recvmsg(24, socket.CMSG_SPACE(4))
+    if len(words) < 24:
         print("refused")
         return
-    _, slots, slot_bytes = struct.unpack("<IIQ", words)
+    _, slots, slot_bytes, _ = struct.unpack("<IIQQ", words)
     file = array.array("i", rights[0][2])[0]
     memory = mmap.mmap(file, slots * slot_bytes)
     if how == "closes after the greeting":

@@ -49,6 +49,11 @@ class RankBricksTest : public testing::Test {
         return options;
     }
 
+    /// Without osc ^sm one machine's window is shared memory, whatever carries messages.
+    static std::vector<std::string> over_tcp() {
+        return {"--mca", "pml", "ob1", "--mca", "btl", "tcp,self", "--mca", "osc", "^sm"};
+    }
+
     /// Reads all until ranks have brought all: they serve while they still read their share.
     static void read_until_held(const RankedStore& source) {
         const auto until = std::chrono::steady_clock::now() + at_most;
@@ -93,9 +98,7 @@ TEST_F(RankBricksTest, SurfacesHaveTheSameBytesFromOneTwoAndFourRanks) {
 }
 
 TEST_F(RankBricksTest, SurfacesHaveTheSameBytesOverTcp) {
-    // Without osc ^sm one machine's window is shared memory, whatever carries messages.
-    expect_the_same(
-        job(2, {"--mca", "pml", "ob1", "--mca", "btl", "tcp,self", "--mca", "osc", "^sm"}));
+    expect_the_same(job(2, over_tcp()));
 }
 
 TEST_F(RankBricksTest, WhatTheRanksHaveNoMemoryForComesFromFiles) {
@@ -126,6 +129,45 @@ TEST_F(RankBricksTest, AKilledRankCostsNoSurfaceAndTheJobIsStartedAgain) {
     ASSERT_TRUE(source->ranks().wait_for_job(3, at_most));
     read_until_held(*source);
     EXPECT_EQ(difference(streak_through(source, true), flat_), "");
+}
+
+TEST_F(RankBricksTest, ARankThatHangsKeepsOnlyItsOwnBricksAndIsAskedAgainWhenItGoesOn) {
+    RankBricks::Options options = job(4, over_tcp());
+    options.patience = 200ms;
+    const auto source = std::make_shared<RankedStore>(reader_, options);
+    source->ranks().begin();
+    ASSERT_TRUE(source->ranks().wait_for_job(1, at_most));
+    read_until_held(*source);
+    ::kill(rank_of(store(), 3), SIGSTOP);
+    const auto before = source->ranks().status();
+    EXPECT_EQ(difference(streak_through(source, true), flat_), "");
+    EXPECT_EQ(all_bricks(*source->bricks()), all_bricks(*reader_->bricks()));
+    const auto after = source->ranks().status();
+    EXPECT_GE(after.by_files - before.by_files, bricks_in_all / 4);
+    EXPECT_GT(after.by_ranks, before.by_ranks);
+    ::kill(rank_of(store(), 3), SIGCONT);
+    read_until_held(*source);
+    EXPECT_EQ(source->ranks().status().jobs, 1u);
+}
+
+TEST_F(RankBricksTest, AJobIsEndedWithTheRankThatHangsAndStartedAgain) {
+    for (const int which : {0, 3}) {
+        SCOPED_TRACE(which);
+        RankBricks::Options options = job(4, over_tcp());
+        options.patience = 200ms;
+        options.hung = 1s;
+        const auto source = std::make_shared<RankedStore>(reader_, options);
+        source->ranks().begin();
+        ASSERT_TRUE(source->ranks().wait_for_job(1, at_most));
+        const pid_t hangs = rank_of(store(), which);
+        ::kill(hangs, SIGSTOP);
+        EXPECT_EQ(difference(streak_through(source, true), flat_), "");
+        ASSERT_TRUE(source->ranks().wait_for_job(2, at_most));
+        const auto until = std::chrono::steady_clock::now() + at_most;
+        while (::kill(hangs, 0) == 0) // mpirun ends it in its time
+            ASSERT_LT(std::chrono::steady_clock::now(), until);
+        read_until_held(*source);
+    }
 }
 
 TEST_F(RankBricksTest, NoRankOutlivesItsServer) {

@@ -60,6 +60,18 @@ TEST_F(ReadsOnTheirWayTest, AnAnswerThatComesTooLateIsForNobody) {
     EXPECT_EQ(reads.take(3)->read().brick, 3u);
 }
 
+TEST_F(ReadsOnTheirWayTest, AJobHangsThatAnswersAllButOne) {
+    ask(1);
+    for (int i = 0; i < 9; ++i) {
+        clock.time += options.hung / 10;
+        ask(2);
+        EXPECT_TRUE(reads.take(2));
+        EXPECT_FALSE(reads.hung());
+    }
+    clock.time += options.hung / 10;
+    EXPECT_TRUE(reads.hung());
+}
+
 TEST_F(ReadsOnTheirWayTest, AJobThatOwesNothingNeverHangs) {
     ask(1);
     EXPECT_TRUE(reads.take(1));
