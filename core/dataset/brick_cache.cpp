@@ -58,6 +58,13 @@ struct BrickCache::State {
         bool done = false;
     };
 
+    /// A field at a time-step.
+    struct StepName {
+        std::size_t step, field;
+
+        auto operator<=>(const StepName&) const = default;
+    };
+
     struct Step {
         std::shared_ptr<BrickTable> table;
         std::size_t bricks = 0; ///< in memory or on their way
@@ -100,8 +107,7 @@ struct BrickCache::State {
     std::multiset<std::uint64_t> readings;
     std::uint64_t evictions = 0;
     std::size_t most_bytes = 0;
-    std::map<std::size_t, Step>
-        steps; ///< of which anything is in memory, or anyone holds the table
+    std::map<StepName, Step> steps; ///< of which anything is in memory, or anyone holds the table
     std::map<BrickName, std::shared_ptr<Load>> loads;
     std::atomic<BrickTable::Age> age{1};
     std::atomic<std::uint64_t> reads{0}, rounds{0};
@@ -117,10 +123,10 @@ struct BrickCache::State {
 
     std::uint64_t asks = 0;
 
-    Step& step_of(std::size_t index) {
-        Step& step = steps[index];
+    Step& step_of(const StepName& name) {
+        Step& step = steps[name];
         if (!step.table) {
-            step.table = std::make_shared<BrickTable>(index, layout.count());
+            step.table = std::make_shared<BrickTable>(name.step, layout.count(), name.field);
             forget_steps();
         }
         return step;
@@ -152,12 +158,14 @@ struct BrickCache::State {
         erase_empty();
     }
 
+    static StepName name_of(const BrickTable& table) { return {table.step(), table.field()}; }
+
     /// The brick goes; its room is free once no one can still read it.
     void leave(std::size_t index) {
         Slot& slot = slots[index];
         slot.table->put(slot.brick, nullptr);
-        if (--steps.at(slot.table->step()).bricks == 0)
-            news = true;
+        --steps.at(name_of(*slot.table)).bricks;
+        news = true;
         slot.table = nullptr;
         leaving.push_back({evictions, index});
     }
@@ -265,7 +273,8 @@ struct BrickCache::State {
         for (const BrickName& name : bricks)
             if (const auto under_way = loads.find(name); under_way != loads.end())
                 batch.waiting.push_back(under_way->second);
-            else if (BrickTable& table = *step_of(name.step).table; table.at(name.brick) == nullptr)
+            else if (BrickTable& table = *step_of({name.step, name.field}).table;
+                     table.at(name.brick) == nullptr)
                 wanted.push_back(name);
             else
                 table.use(name.brick, age);
@@ -278,11 +287,11 @@ struct BrickCache::State {
         wanted.resize(std::min(wanted.size(), free.size()));
         for (const BrickName& name : wanted) {
             Slot& slot = slots[free.back()];
-            Step& step = step_of(name.step);
+            Step& step = step_of({name.step, name.field});
             step.asked = ++asks;
-            if (++step.bricks == 1)
-                news = true;
+            ++step.bricks;
             ++step.loading;
+            news = true;
             slot.table = step.table.get();
             slot.brick = name.brick;
             slot.loading = true;
@@ -290,7 +299,10 @@ struct BrickCache::State {
             loads.emplace(name, load);
             batch.waiting.push_back(load);
             batch.reads.push_back(
-                {name.step, name.brick, {slot.memory, layout.nodes_per_brick() * 3}});
+                {name.step,
+                 name.brick,
+                 {slot.memory, layout.nodes_per_brick() * (name.field == 0 ? 3 : 1)},
+                 name.field});
             batch.begun.push_back({free.back(), load});
             free.pop_back();
         }
@@ -312,11 +324,11 @@ struct BrickCache::State {
         {
             const std::scoped_lock lock(mutex);
             Slot& slot = slots[of.slot];
-            loads.erase({slot.table->step(), slot.brick});
+            loads.erase({slot.table->step(), slot.brick, slot.table->field()});
             slot.loading = false;
-            Step& step = steps.at(slot.table->step());
-            if (step.loading-- == step.bricks)
-                news = true;
+            Step& step = steps.at(name_of(*slot.table));
+            --step.loading;
+            news = true;
             of.load->done = true;
             if (outcome) {
                 slot.table->use(slot.brick, age);
@@ -336,9 +348,11 @@ struct BrickCache::State {
 BrickCache::BrickCache(const BrickSource& source, Options options)
     : state_(std::make_shared<State>(source, std::move(options))) {
     if (state_->account)
-        state_->asked = state_->account->on_need(
-            GiveBack::TimeSteps,
-            [state = state_.get()](std::size_t bytes) { state->give_back(bytes); });
+        state_->asked = state_->account->on_need(GiveBack::TimeSteps,
+                                                 [state = state_.get()](std::size_t bytes) {
+                                                     state->give_back(bytes);
+                                                     state->tell();
+                                                 });
 }
 
 BrickCache::~BrickCache() {
@@ -354,11 +368,16 @@ const BrickLayout& BrickCache::layout() const {
     return state_->layout;
 }
 
-std::shared_ptr<const BrickTable> BrickCache::table(std::size_t step) {
-    const std::scoped_lock lock(state_->mutex);
-    State::Step& found = state_->step_of(step);
-    found.asked = ++state_->asks;
-    return found.table;
+std::shared_ptr<const BrickTable> BrickCache::table(std::size_t step, std::size_t field) {
+    std::shared_ptr<const BrickTable> table;
+    {
+        const std::scoped_lock lock(state_->mutex);
+        State::Step& found = state_->step_of({step, field});
+        found.asked = ++state_->asks;
+        table = found.table;
+    }
+    state_->tell(); // another may have made room for it
+    return table;
 }
 
 const float* BrickCache::zeros() const {
@@ -455,7 +474,7 @@ std::vector<std::uint32_t> BrickCache::used(std::size_t step, BrickTable::Age si
     std::vector<std::uint32_t> bricks;
     const BrickTable::Age now = state_->age;
     for (const State::Slot& slot : state_->slots)
-        if (slot.table && !slot.loading && slot.table->step() == step &&
+        if (slot.table && !slot.loading && slot.table->step() == step && slot.table->field() == 0 &&
             static_cast<BrickTable::Age>(now - slot.table->used(slot.brick)) <=
                 static_cast<BrickTable::Age>(now - since))
             bricks.push_back(static_cast<std::uint32_t>(slot.brick));
@@ -463,12 +482,13 @@ std::vector<std::uint32_t> BrickCache::used(std::size_t step, BrickTable::Age si
     return bricks;
 }
 
-BrickCache::Held BrickCache::held(std::size_t step) const {
+std::map<std::size_t, BrickCache::Held> BrickCache::held() const {
     const std::scoped_lock lock(state_->mutex);
-    const auto found = state_->steps.find(step);
-    if (found == state_->steps.end())
-        return {};
-    return {found->second.bricks - found->second.loading, found->second.loading};
+    std::map<std::size_t, Held> held;
+    for (const auto& [name, step] : state_->steps)
+        if (name.field == 0 && step.bricks > 0)
+            held[name.step] = {step.bricks - step.loading, step.loading};
+    return held;
 }
 
 BrickCache::Status BrickCache::status() const {

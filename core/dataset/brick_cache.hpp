@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -22,6 +23,7 @@ namespace wakesurf::core {
 struct BrickName {
     std::size_t step;
     std::size_t brick;
+    std::size_t field = 0; ///< as in BrickRead
 
     auto operator<=>(const BrickName&) const = default;
 };
@@ -36,7 +38,7 @@ class BrickCache {
         std::size_t budget_bytes = std::size_t{4} << 30; ///< raised to smallest_budget()
         /// With one the budget is smallest_budget(), which is taken at once, and whatever others leave free.
         std::optional<MemoryAccount> account{};
-        /// Called from any thread, without the cache's lock, when a time-step gets its first brick or has lost its last one.
+        /// Called from any thread, without the cache's lock, when what held() returns has changed.
         std::function<void()> changed{};
     };
 
@@ -59,8 +61,8 @@ class BrickCache {
 
     const BrickLayout& layout() const;
 
-    /// The bricks of a time-step, as they come and go. The table is the same for all while anyone holds it.
-    std::shared_ptr<const BrickTable> table(std::size_t step);
+    /// The bricks of a field at a time-step, as they come and go. The table is the same for all while anyone holds it.
+    std::shared_ptr<const BrickTable> table(std::size_t step, std::size_t field = 0);
 
     /// What is read in place of a brick that is missing.
     const float* zeros() const;
@@ -94,7 +96,7 @@ class BrickCache {
     /// Asks for what is not there yet, as far as there is room that no brick used lately has, and returns at once.
     void prefetch(std::span<const BrickName> bricks);
 
-    /// Bricks of a time-step in memory that were used at `since` or later.
+    /// Bricks of velocity of a time-step in memory that were used at `since` or later.
     std::vector<std::uint32_t> used(std::size_t step, BrickTable::Age since) const;
 
     struct Held {
@@ -102,8 +104,8 @@ class BrickCache {
         std::size_t loading = 0;  ///< on their way
     };
 
-    /// Of a time-step.
-    Held held(std::size_t step) const;
+    /// How much of the velocity is there, by time-step; those without a brick are left out. Cost: a few time-steps, however many bricks.
+    std::map<std::size_t, Held> held() const;
 
     Status status() const;
 

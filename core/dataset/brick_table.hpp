@@ -9,7 +9,7 @@
 
 namespace wakesurf::core {
 
-/// The bricks of one time-step: a pointer each, null while it is not in memory, and when it was last used. Costs 10 bytes a brick, of
+/// The bricks of a field at one time-step: a pointer each, null while it is not in memory, and when it was last used. Costs 10 bytes a brick, of
 /// which only the pages that are touched are there. Thread safety: readers go on while the cache puts bricks and takes them away; what
 /// they have seen stays while they hold a BrickCache::Reading.
 class BrickTable {
@@ -18,11 +18,15 @@ class BrickTable {
     using Age = std::uint16_t;
 
     /// Of a time-step, all of whose bricks are missing. Throws std::bad_alloc.
-    BrickTable(std::size_t step, std::size_t bricks)
-        : step_(step), at_(zeros<const float*>(bricks)), used_(zeros<Age>(bricks)) {}
+    /// @param field  as in BrickRead
+    BrickTable(std::size_t step, std::size_t bricks, std::size_t field = 0)
+        : step_(step), field_(field), at_(zeros<const float*>(bricks)), used_(zeros<Age>(bricks)) {}
 
     /// The index of its time-step.
     std::size_t step() const { return step_; }
+
+    /// 0: velocity; a scalar: 1 + its index.
+    std::size_t field() const { return field_; }
 
     /// Null where the brick is missing.
     const float* at(std::size_t brick) const {
@@ -70,6 +74,7 @@ class BrickTable {
     }
 
     std::size_t step_;
+    std::size_t field_;
     std::unique_ptr<const float*[], Free> at_;
     std::unique_ptr<Age[], Free> used_;
 };

@@ -27,7 +27,7 @@ MissingBricks::Outcome MissingBricks::fetch(const std::stop_token& stop, bool an
     std::vector<BrickName> wanted;
     for (const std::size_t step : steps_)
         for (const std::uint32_t brick : bricks)
-            wanted.push_back({step, brick});
+            wanted.push_back({step, brick, field_});
     if (auto fetched = cache_->fetch(wanted, stop); !fetched) {
         error_ = fetched.error();
         return Outcome::Failed;

@@ -14,8 +14,11 @@ namespace wakesurf::core {
 class MissingBricks {
   public:
     /// @param steps  what a brick is wanted of: the time-steps that are sampled together
-    MissingBricks(std::shared_ptr<BrickCache> cache, std::vector<std::size_t> steps)
-        : cache_(std::move(cache)), steps_(std::move(steps)) {}
+    /// @param field  likewise, as in BrickRead
+    MissingBricks(std::shared_ptr<BrickCache> cache,
+                  std::vector<std::size_t> steps,
+                  std::size_t field = 0)
+        : cache_(std::move(cache)), steps_(std::move(steps)), field_(field) {}
 
     const BrickLayout& layout() const { return cache_->layout(); }
 
@@ -100,6 +103,7 @@ class MissingBricks {
 
     std::shared_ptr<BrickCache> cache_;
     std::vector<std::size_t> steps_;
+    std::size_t field_;
     std::mutex mutex_;
     std::vector<std::uint32_t> bricks_;
     std::optional<Error> error_;

@@ -46,12 +46,6 @@ class Patience {
     int deadlocked_looks_ = 0;
 };
 
-StepState state_of(const BrickCache::Held& bricks) {
-    return bricks.resident > 0  ? StepState::Resident
-           : bricks.loading > 0 ? StepState::Loading
-                                : StepState::Cold;
-}
-
 } // namespace
 
 struct TimeStepCache::State {
@@ -367,16 +361,24 @@ TimeStepCache::Status TimeStepCache::status() const {
         const BrickCache::Status bricks = state_->bricks->status();
         status.bytes = bricks.bytes;
         status.loads = bricks.reads;
-        for (std::size_t i = 0; i < window.entries.size(); ++i)
-            status.steps.push_back(state_of(state_->bricks->held(i)));
+        const BrickLayout& layout = state_->bricks->layout();
+        const std::size_t brick = layout.nodes_per_brick() * 3 * sizeof(float);
+        status.step_bytes = layout.count() * brick;
+        status.steps.resize(window.entries.size());
+        for (const auto& [step, held] : state_->bricks->held())
+            status.steps[step] = {held.resident * brick, held.loading * brick};
         return status;
     }
     status.bytes = window.used * state_->step_bytes;
     status.hits = window.hits;
     status.loads = window.loads;
+    status.step_bytes = state_->step_bytes;
     status.steps.reserve(window.entries.size());
-    for (const StepEntry& entry : window.entries)
-        status.steps.push_back(entry.state);
+    for (const StepEntry& entry : window.entries) {
+        const StepState state = entry.state;
+        status.steps.push_back({state == StepState::Resident ? status.step_bytes : 0,
+                                state == StepState::Loading ? status.step_bytes : 0});
+    }
     return status;
 }
 

@@ -21,6 +21,21 @@ class BrickCache;
 
 enum class StepState { Cold, Loading, Resident };
 
+/// How many bytes of a time-step's velocity are in memory, and how many are being read: all or none, or, brick by brick, a part.
+struct StepHeld {
+    std::size_t resident = 0; ///< in memory
+    std::size_t loading = 0;  ///< on their way
+
+    /// Resident where anything is.
+    StepState state() const {
+        return resident > 0  ? StepState::Resident
+               : loading > 0 ? StepState::Loading
+                             : StepState::Cold;
+    }
+
+    bool operator==(const StepHeld&) const = default;
+};
+
 /// Thread safety: every call may come from any thread. A time-step handed out stays valid as long as its
 /// holder keeps it; it counts against the budget until then.
 class TimeStepCache {
@@ -37,11 +52,12 @@ class TimeStepCache {
 
     /// What is in memory, for people.
     struct Status {
-        std::vector<StepState> steps; ///< one a time-step of the series
-        std::size_t bytes = 0;        ///< accounted: resident, handed out and in flight
-        std::size_t budget = 0;       ///< what it may take; with an account: as it stands now
-        std::uint64_t hits = 0;       ///< acquire() calls that found their time-step resident
-        std::uint64_t loads = 0;      ///< time-steps read, demanded and ahead
+        std::vector<StepHeld> steps; ///< one a time-step of the series
+        std::size_t step_bytes = 0;  ///< of a time-step that is all there
+        std::size_t bytes = 0;       ///< accounted: resident, handed out and in flight
+        std::size_t budget = 0;      ///< what it may take; with an account: as it stands now
+        std::uint64_t hits = 0;      ///< acquire() calls that found their time-step resident
+        std::uint64_t loads = 0;     ///< time-steps read, demanded and ahead
     };
 
     /// Room for one caller who interpolates by cubics in time: 4 time-steps, or all where they are fewer, or some bricks where the source
@@ -88,7 +104,7 @@ class TimeStepCache {
     /// As things are at the moment; what changes meanwhile may be in one of the numbers and not yet in another. Waits for no one.
     Status status() const;
 
-    /// Called (from a load thread, without the cache's lock) whenever a step's state changes. Returns when
+    /// Called (from any thread, without the cache's lock) whenever what is held of a step changes. Returns when
     /// the previous listener is not running any more; a listener must not set another one.
     void on_change(std::function<void()> listener);
 

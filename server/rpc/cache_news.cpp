@@ -22,7 +22,7 @@ constexpr std::chrono::milliseconds rest{100};
 struct CacheNews::Watched {
     std::string dataset;
     std::weak_ptr<core::TimeStepCache> cache;
-    std::vector<core::StepState> told;
+    std::vector<core::StepHeld> told;
     std::atomic<bool> pending{false}; ///< an announcement is on its way
     std::shared_ptr<void> timer;
 };
@@ -67,7 +67,7 @@ void CacheNews::changed(const std::shared_ptr<Watched>& watched) {
     const auto status = cache->status();
     const auto message = cache_changes_json(watched->dataset, watched->told, status);
     watched->told = status.steps;
-    if (!message["changes"].empty())
+    if (!message["held"].empty())
         announce_(protocol::rpc_notification("cache.patched", message));
 }
 

@@ -60,7 +60,10 @@ const std::string_view methods_2 = R"json({
    "required": true,
    "description": "an id from dataset.list",
    "schema": {"type": "string", "maxLength": 256, "description": "an id from dataset.list"}}],
- "result": {"name": "result", "description": "Which time-steps are in memory.", "schema": {"$ref": "#/components/schemas/CacheStatus"}},
+ "result": {
+  "name": "result",
+  "description": "Which time-steps are in memory, and how much of each.",
+  "schema": {"$ref": "#/components/schemas/CacheStatus"}},
  "errors": [
   {"$ref": "#/components/errors/invalidParameters"},
   {"$ref": "#/components/errors/internal"},
@@ -75,7 +78,7 @@ const std::string_view methods_2 = R"json({
   {
    "name": "cache.status",
    "params": [{"name": "dataset", "value": "lamb-oseen"}],
-   "result": {"name": "result", "value": {"budget": 0, "bytes": 0, "dataset": "lamb-oseen", "steps": []}}}]},
+   "result": {"name": "result", "value": {"budget": 0, "bytes": 0, "bytesPerStep": 0, "dataset": "lamb-oseen", "held": [], "steps": []}}}]},
 {
  "name": "probe.sample",
  "summary": "Returns the values of fields at points and one time, interpolated as at the vertices of surfaces.",

@@ -368,34 +368,28 @@ const std::string_view schemas_1 =
  "additionalProperties": false},
 "CacheStatus": {
  "type": "object",
- "description": "Which time-steps are in memory.",
+ "description": "Which time-steps are in memory, and how much of each.",
  "properties": {
   "dataset": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the dataset"},
   "steps": {
    "type": "array",
    "description": "state of each time-step; empty for a built-in flow",
-   "items": {"enum": ["resident", "loading", "cold"], "description": "resident: in memory; loading: being read; cold: not in memory"}},
+   "items": {
+    "enum": ["resident", "loading", "cold"],
+    "description": "resident: in memory, or a part of it is; loading: being read; cold: not in memory"}},
+  "held": {
+   "type": "array",
+   "description": "of the velocity of each time-step, how many bytes are in memory and how many are being read, as [resident, loading]: all or none, or a part where large time-steps are read by brick",
+   "items": {
+    "type": "array",
+    "minItems": 2,
+    "maxItems": 2,
+    "description": "how much of a time-step is in memory, and how much is being read",
+    "x-unit": "bytes"}},
+  "bytesPerStep": {"type": "integer", "minimum": 0, "description": "of a time-step that is in memory as a whole, in `held`", "x-unit": "bytes"},
   "bytes": {"type": "integer", "minimum": 0, "description": "memory that the time-steps take", "x-unit": "bytes"},
   "budget": {"type": "integer", "minimum": 0, "description": "memory that the time-steps may take", "x-unit": "bytes"}},
- "required": ["dataset", "steps", "bytes", "budget"],
- "additionalProperties": false},
-"FamilyStep": {
- "type": "object",
- "description": "What came of a family at one time-step.",
- "properties": {
-  "index": {"type": "integer", "minimum": 0, "description": "index of the time-step"},
-  "time": {"type": "number", "description": "its time", "x-unit": "the dataset's unit of time"},
-  "nodes": {"type": "integer", "minimum": 0, "description": "number of nodes"},
-  "reached": {"type": "integer", "minimum": 0, "description": "nodes whose way leads to the source: only these have a value"},
-  "atRest": {"type": "integer", "minimum": 0, "description": "nodes that are at rest, or come to rest"},
-  "obstacle": {"type": "integer", "minimum": 0, "description": "nodes in an obstacle, or whose way ends at one"},
-  "lost": {
-   "type": "integer",
-   "minimum": 0,
-   "description": "nodes that were followed for `length` without an end, as where the flow turns in circles"},
-  "outside": {"type": "integer", "minimum": 0, "description": "nodes whose way leaves the domain beside the source, and nodes without a velocity"},
-  "range": {"type": "array", "minItems": 2, "maxItems": 2, "description": "smallest and largest value", "items": {"type": "number"}}},
- "required": ["index", "time", "nodes", "reached", "atRest", "obstacle", "lost", "outside", "range"],
+ "required": ["dataset", "steps", "held", "bytesPerStep", "bytes", "budget"],
  "additionalProperties": false})json";
 
 } // namespace wakesurf::protocol::openrpc

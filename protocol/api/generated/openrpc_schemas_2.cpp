@@ -3,7 +3,25 @@
 
 namespace wakesurf::protocol::openrpc {
 
-const std::string_view schemas_2 = R"json("Family": {
+const std::string_view schemas_2 = R"json("FamilyStep": {
+ "type": "object",
+ "description": "What came of a family at one time-step.",
+ "properties": {
+  "index": {"type": "integer", "minimum": 0, "description": "index of the time-step"},
+  "time": {"type": "number", "description": "its time", "x-unit": "the dataset's unit of time"},
+  "nodes": {"type": "integer", "minimum": 0, "description": "number of nodes"},
+  "reached": {"type": "integer", "minimum": 0, "description": "nodes whose way leads to the source: only these have a value"},
+  "atRest": {"type": "integer", "minimum": 0, "description": "nodes that are at rest, or come to rest"},
+  "obstacle": {"type": "integer", "minimum": 0, "description": "nodes in an obstacle, or whose way ends at one"},
+  "lost": {
+   "type": "integer",
+   "minimum": 0,
+   "description": "nodes that were followed for `length` without an end, as where the flow turns in circles"},
+  "outside": {"type": "integer", "minimum": 0, "description": "nodes whose way leaves the domain beside the source, and nodes without a velocity"},
+  "range": {"type": "array", "minItems": 2, "maxItems": 2, "description": "smallest and largest value", "items": {"type": "number"}}},
+ "required": ["index", "time", "nodes", "reached", "atRest", "obstacle", "lost", "outside", "range"],
+ "additionalProperties": false},
+"Family": {
  "type": "object",
  "description": "A family of stream surfaces of a dataset, with what it was made from.",
  "properties": {
@@ -360,48 +378,6 @@ const std::string_view schemas_2 = R"json("Family": {
     "items": {"type": "number"}}},
   "seeds": {"type": "integer", "minimum": 2, "maximum": 4096, "description": "number of seeds on the rake"}},
  "required": ["kind", "points", "seeds"],
- "additionalProperties": false},
-"Rake": {
- "type": "object",
- "description": "A rake as the session keeps it.",
- "properties": {
-  "rake": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the rake"},
-  "rev": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "counts the edits of a record"},
-  "kind": {
-   "enum": ["line", "polyline", "circle", "points"],
-   "description": "what the points are; line: 2 points; polyline and points: 2 or more; circle: the centre and two points on the rim"},
-  "points": {
-   "type": "array",
-   "maxItems": 1024,
-   "description": "where the rake lies; parts outside the domain are cut off, and a circle releases from its longest arc inside",
-   "x-unit": "the dataset's unit of length",
-   "items": {
-    "type": "array",
-    "minItems": 3,
-    "maxItems": 3,
-    "description": "[x, y, z], finite as 32-bit floats",
-    "x-unit": "the dataset's unit of length",
-    "items": {"type": "number"}}},
-  "seeds": {"type": "integer", "minimum": 2, "maximum": 4096, "description": "number of seeds on the rake"},
-  "name": {"type": "string", "maxLength": 120, "description": "display name"},
-  "colour": {"type": "string", "pattern": "^#[0-9a-fA-F]{6}$", "description": "#rrggbb"},
-  "author": {"type": "string", "maxLength": 120, "description": "name of the one who made it"},
-  "clipped": {"type": "boolean", "description": "true: a part was outside the domain and was cut off; a circle's points stay"},
-  "dragging": {"type": "boolean", "description": "true: someone holds the lease at the moment"},
-  "leasedBy": {"type": "string", "description": "id of the participant who holds the lease; only present while someone does"}},
- "required": ["rake", "rev", "kind", "points", "seeds", "name", "colour", "author", "clipped", "dragging"],
- "additionalProperties": false},
-"SurfaceEpoch": {
- "type": "object",
- "description": "A surface that is being built again.",
- "properties": {
-  "surface": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the surface"},
-  "epoch": {
-   "type": "integer",
-   "minimum": 0,
-   "maximum": 4294967295,
-   "description": "counts the surfaces that have been built for the record; it never decreases"}},
- "required": ["surface", "epoch"],
  "additionalProperties": false})json";
 
 } // namespace wakesurf::protocol::openrpc

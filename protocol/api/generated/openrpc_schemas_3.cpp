@@ -3,7 +3,49 @@
 
 namespace wakesurf::protocol::openrpc {
 
-const std::string_view schemas_3 = R"json("SurfaceFields": {
+const std::string_view schemas_3 = R"json("Rake": {
+ "type": "object",
+ "description": "A rake as the session keeps it.",
+ "properties": {
+  "rake": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the rake"},
+  "rev": {"type": "integer", "minimum": 0, "maximum": 9007199254740992, "description": "counts the edits of a record"},
+  "kind": {
+   "enum": ["line", "polyline", "circle", "points"],
+   "description": "what the points are; line: 2 points; polyline and points: 2 or more; circle: the centre and two points on the rim"},
+  "points": {
+   "type": "array",
+   "maxItems": 1024,
+   "description": "where the rake lies; parts outside the domain are cut off, and a circle releases from its longest arc inside",
+   "x-unit": "the dataset's unit of length",
+   "items": {
+    "type": "array",
+    "minItems": 3,
+    "maxItems": 3,
+    "description": "[x, y, z], finite as 32-bit floats",
+    "x-unit": "the dataset's unit of length",
+    "items": {"type": "number"}}},
+  "seeds": {"type": "integer", "minimum": 2, "maximum": 4096, "description": "number of seeds on the rake"},
+  "name": {"type": "string", "maxLength": 120, "description": "display name"},
+  "colour": {"type": "string", "pattern": "^#[0-9a-fA-F]{6}$", "description": "#rrggbb"},
+  "author": {"type": "string", "maxLength": 120, "description": "name of the one who made it"},
+  "clipped": {"type": "boolean", "description": "true: a part was outside the domain and was cut off; a circle's points stay"},
+  "dragging": {"type": "boolean", "description": "true: someone holds the lease at the moment"},
+  "leasedBy": {"type": "string", "description": "id of the participant who holds the lease; only present while someone does"}},
+ "required": ["rake", "rev", "kind", "points", "seeds", "name", "colour", "author", "clipped", "dragging"],
+ "additionalProperties": false},
+"SurfaceEpoch": {
+ "type": "object",
+ "description": "A surface that is being built again.",
+ "properties": {
+  "surface": {"type": "string", "minLength": 1, "maxLength": 256, "description": "id of the surface"},
+  "epoch": {
+   "type": "integer",
+   "minimum": 0,
+   "maximum": 4294967295,
+   "description": "counts the surfaces that have been built for the record; it never decreases"}},
+ "required": ["surface", "epoch"],
+ "additionalProperties": false},
+"SurfaceFields": {
  "type": "object",
  "description": "The parameters of a surface.",
  "properties": {
@@ -351,39 +393,6 @@ const std::string_view schemas_3 = R"json("SurfaceFields": {
   "seconds",
   "peakBytes",
   "stateSum"],
- "additionalProperties": false},
-"ValueRange": {
- "type": "object",
- "description": "What the values of an attribute range over, for colours.",
- "properties": {
-  "attribute": {
-   "type": "string",
-   "description": "name of the attribute, as in the frames; `t` stands for the age: of a streak surface the time since the release"},
-  "low": {
-   "type": "number",
-   "description": "lower end, without the last per cent of the surface's area where there are values below zero and it would take more than a fifth of the range"},
-  "high": {
-   "type": "number",
-   "description": "upper end, without the last per cent of the surface's area where it would take more than a fifth of the range"},
-  "least": {"type": "number", "description": "the least of all values"},
-  "greatest": {"type": "number", "description": "the greatest of all values"}},
- "required": ["attribute", "low", "high", "least", "greatest"],
- "additionalProperties": false},
-"BookmarkFields": {
- "type": "object",
- "description": "The content of a bookmark.",
- "properties": {
-  "view": {
-   "type": "object",
-   "description": "camera, colours and so on, in whatever form the client chooses; at most 4 KiB as JSON text",
-   "additionalProperties": true},
-  "time": {
-   "type": "number",
-   "minimum": -3.4028234663852886e+38,
-   "maximum": 3.4028234663852886e+38,
-   "description": "the session's time that belongs to the view",
-   "x-unit": "the dataset's unit of time"}},
- "required": ["view"],
  "additionalProperties": false})json";
 
 } // namespace wakesurf::protocol::openrpc

@@ -3,7 +3,40 @@
 
 namespace wakesurf::protocol::openrpc {
 
-const std::string_view schemas_4 = R"json("Bookmark": {
+const std::string_view schemas_4 = R"json("ValueRange": {
+ "type": "object",
+ "description": "What the values of an attribute range over, for colours.",
+ "properties": {
+  "attribute": {
+   "type": "string",
+   "description": "name of the attribute, as in the frames; `t` stands for the age: of a streak surface the time since the release"},
+  "low": {
+   "type": "number",
+   "description": "lower end, without the last per cent of the surface's area where there are values below zero and it would take more than a fifth of the range"},
+  "high": {
+   "type": "number",
+   "description": "upper end, without the last per cent of the surface's area where it would take more than a fifth of the range"},
+  "least": {"type": "number", "description": "the least of all values"},
+  "greatest": {"type": "number", "description": "the greatest of all values"}},
+ "required": ["attribute", "low", "high", "least", "greatest"],
+ "additionalProperties": false},
+"BookmarkFields": {
+ "type": "object",
+ "description": "The content of a bookmark.",
+ "properties": {
+  "view": {
+   "type": "object",
+   "description": "camera, colours and so on, in whatever form the client chooses; at most 4 KiB as JSON text",
+   "additionalProperties": true},
+  "time": {
+   "type": "number",
+   "minimum": -3.4028234663852886e+38,
+   "maximum": 3.4028234663852886e+38,
+   "description": "the session's time that belongs to the view",
+   "x-unit": "the dataset's unit of time"}},
+ "required": ["view"],
+ "additionalProperties": false},
+"Bookmark": {
  "type": "object",
  "description": "A bookmark as the session keeps it.",
  "properties": {

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
+#include <functional>
 #include <map>
 #include <mutex>
 #include <random>
@@ -28,14 +30,17 @@ class OneValueABrick final : public BrickSource {
         read_ += reads.size();
         const std::scoped_lock lock(mutex_);
         for (std::size_t i = 0; i < reads.size(); ++i)
-            waiting_.push_back([read = reads[i], done, i, this] {
-                if (read.brick == broken) {
-                    done(i, fail(Error::Code::Corrupt, "brick " + std::to_string(read.brick)));
-                    return;
-                }
-                std::fill(read.to.begin(), read.to.end(), value(read.step, read.brick));
-                done(i, {});
-            });
+            waiting_.push_back(
+                {reads[i].step, reads[i].field,
+                 [read = reads[i], done, i, this] {
+                     if (read.brick == broken) {
+                         done(i, fail(Error::Code::Corrupt, "brick " + std::to_string(read.brick)));
+                         return;
+                     }
+                     std::fill(read.to.begin(), read.to.end(), value(read.step, read.brick));
+                     done(i, {});
+                 },
+                 [done, i] { done(i, fail(Error::Code::Io, "the disk")); }});
         if (!patient)
             answer_all();
     }
@@ -47,19 +52,46 @@ class OneValueABrick final : public BrickSource {
 
     std::size_t reads() const { return read_; }
 
+    /// How many bricks of a time-step's velocity were asked for and have not come.
+    std::size_t on_their_way(std::size_t step) const {
+        const std::scoped_lock lock(mutex_);
+        return static_cast<std::size_t>(
+            std::count_if(waiting_.begin(), waiting_.end(), [&](const Waiting& each) {
+                return each.step == step && each.field == 0;
+            }));
+    }
+
+    /// Some of what is waited for, the last first; every one in `faulty` fails.
+    void answer_some(std::size_t count, std::size_t faulty) const {
+        const std::scoped_lock lock(mutex_);
+        for (std::size_t i = 0; i < count && !waiting_.empty(); ++i) {
+            const Waiting last = std::move(waiting_.back());
+            waiting_.pop_back();
+            if (i % faulty == 0)
+                last.fail();
+            else
+                last.go();
+        }
+    }
+
     std::atomic<bool> patient{false};
     std::atomic<std::size_t> broken{~std::size_t{0}};
 
   private:
+    struct Waiting {
+        std::size_t step, field;
+        std::function<void()> go, fail;
+    };
+
     void answer_all() const {
-        for (const auto& each : waiting_)
-            each();
+        for (const Waiting& each : waiting_)
+            each.go();
         waiting_.clear();
     }
 
     BrickLayout layout_{{65, 65, 65}, 4};
     mutable std::recursive_mutex mutex_;
-    mutable std::vector<std::function<void()>> waiting_;
+    mutable std::vector<Waiting> waiting_;
     mutable std::atomic<std::size_t> read_{0};
 };
 
@@ -91,7 +123,7 @@ TEST(BrickCache, HasTheValuesOfTheBricksThatWereFetched) {
         ASSERT_NE(table->at(brick), nullptr);
         EXPECT_EQ(*table->at(brick), OneValueABrick::value(3, brick));
     }
-    EXPECT_EQ(bench.cache.held(3).resident, 20u);
+    EXPECT_EQ(bench.cache.held()[3].resident, 20u);
     EXPECT_EQ(table->at(30), nullptr);
 }
 
@@ -202,8 +234,64 @@ TEST(BrickCache, ReadsAheadWithoutTakingRoomFromWhatIsInUse) {
     ASSERT_TRUE(bench.cache.fetch(names(0, 0, slots / 2), {}));
     ASSERT_TRUE(bench.cache.fetch(names(0, slots / 2, slots / 2), {}));
     bench.cache.prefetch(names(1, 0, slots));
-    EXPECT_EQ(bench.cache.held(0).resident, slots);
-    EXPECT_EQ(bench.cache.held(1).resident, 0u);
+    EXPECT_EQ(bench.cache.held()[0].resident, slots);
+    EXPECT_EQ(bench.cache.held()[1].resident, 0u);
+}
+
+TEST(BrickCache, CountsWhatItHoldsOfEachTimeStepWhateverIsDone) {
+    constexpr std::size_t steps = 4;
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        Bench bench(50);
+        bench.source.patient = true;
+        std::mt19937 random(seed);
+        std::vector<std::shared_ptr<const BrickTable>> tables;
+        for (std::size_t step = 0; step < steps; ++step)
+            tables.push_back(bench.cache.table(step));
+        const auto check = [&](int operation) {
+            auto held = bench.cache.held();
+            for (std::size_t step = 0; step < steps; ++step) {
+                std::size_t resident = 0;
+                for (std::size_t brick = 0; brick < bench.cache.layout().count(); ++brick)
+                    resident += tables[step]->at(brick) != nullptr ? 1 : 0;
+                ASSERT_EQ(held[step].resident, resident) << operation;
+                ASSERT_EQ(held[step].loading, bench.source.on_their_way(step)) << operation;
+            }
+        };
+        for (int operation = 0; operation < 60; ++operation) {
+            auto wanted = names(random() % steps, random() % 4000, 1 + random() % 40);
+            for (BrickName& name : wanted)
+                name.field = random() % 4 == 0 ? 1 : 0;
+            switch (random() % 3) {
+            case 0:
+                bench.cache.prefetch(wanted);
+                break;
+            case 1:
+                bench.source.answer_some(random() % 60, 5);
+                break;
+            case 2: // what is on its way comes, and takes the place of others
+                bench.source.answer_some(1000, 1000);
+                bench.source.patient = false;
+                ASSERT_TRUE(bench.cache.fetch(wanted, {}));
+                bench.source.patient = true;
+                break;
+            }
+            check(operation);
+        }
+        bench.source.answer();
+    }
+}
+
+TEST(BrickCache, TellsWhenWhatItHoldsChanges) {
+    OneValueABrick source;
+    std::atomic<int> told{0};
+    BrickCache cache(source, {BrickCache::smallest_budget(source.layout()), {}, [&] { ++told; }});
+    ASSERT_TRUE(cache.fetch(names(0, 0, 5), {}));
+    const int first = told;
+    EXPECT_GT(first, 0);
+    ASSERT_TRUE(cache.fetch(names(0, 0, 5), {}));
+    EXPECT_EQ(told, first) << "all of it was there";
+    ASSERT_TRUE(cache.fetch(names(0, 3, 5), {}));
+    EXPECT_GT(told, first) << "a larger part of the same time-step";
 }
 
 TEST(MissingBricks, AreFetchedInPartsWhereTheyDoNotFitTogether) {

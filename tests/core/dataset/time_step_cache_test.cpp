@@ -47,7 +47,7 @@ struct Bench {
     void wait_for_resident(std::vector<std::size_t> steps) {
         wait_until([&](const TimeStepCache::Status& status) {
             return std::all_of(steps.begin(), steps.end(), [&](std::size_t i) {
-                return status.steps[i] == StepState::Resident;
+                return status.steps[i].state() == StepState::Resident;
             });
         });
     }
@@ -76,7 +76,7 @@ TEST(TimeStepCache, TwoCallersOfOneColdStepCauseOneLoad) {
         std::jthread first([&] { got[0] = bench.cache.acquire(5).value(); });
         std::jthread second([&] { got[1] = bench.cache.acquire(5).value(); });
         bench.source->wait_for_loads(1);
-        EXPECT_EQ(bench.cache.status().steps[5], StepState::Loading);
+        EXPECT_EQ(bench.cache.status().steps[5].state(), StepState::Loading);
         bench.source->open();
     }
     EXPECT_EQ(got[0].get(), got[1].get());
@@ -97,7 +97,8 @@ TEST(TimeStepCache, ShowsWhatIsColdLoadingAndResident) {
     std::jthread waiting([&] { (void)bench.cache.acquire(1); });
     bench.source->wait_for_loads(2);
     EXPECT_EQ(bench.cache.status().steps,
-              (std::vector{StepState::Resident, StepState::Loading, StepState::Cold}));
+              (std::vector{StepHeld{step_bytes, 0}, StepHeld{0, step_bytes}, StepHeld{}}));
+    EXPECT_EQ(bench.cache.status().step_bytes, step_bytes);
     EXPECT_EQ(bench.cache.status().bytes, 2 * step_bytes);
     bench.source->open();
 }
@@ -117,9 +118,9 @@ TEST(TimeStepCache, EvictsTheLeastRecentlyUsedStep) {
     for (const std::size_t i : {0u, 1u, 2u, 3u, 0u, 4u}) // 4 takes the place of 1
         ASSERT_TRUE(bench.cache.acquire(i).has_value());
     const auto status = bench.cache.status();
-    EXPECT_EQ(status.steps[1], StepState::Cold);
+    EXPECT_EQ(status.steps[1].state(), StepState::Cold);
     for (const std::size_t i : {0u, 2u, 3u, 4u})
-        EXPECT_EQ(status.steps[i], StepState::Resident) << i;
+        EXPECT_EQ(status.steps[i].state(), StepState::Resident) << i;
 }
 
 TEST(TimeStepCache, KeepsStepsInUseWhateverComes) {

@@ -17,6 +17,8 @@ export interface ServerOptions {
     data?: string;
     /** Further datasets. */
     more?: readonly string[];
+    /** Of the server, as "160MiB"; by itself a part of the machine's. */
+    memory?: string;
     /** Kept between servers of one test, so that only the first imports. */
     store: string;
 }
@@ -31,9 +33,18 @@ export class ServerProcess {
         this.link = link;
     }
 
-    static async start({ port = 0, tokenFile, state, origin, data, more = [], store }: ServerOptions): Promise<ServerProcess> {
+    static async start({
+        port = 0,
+        tokenFile,
+        state,
+        origin,
+        memory,
+        data,
+        more = [],
+        store,
+    }: ServerOptions): Promise<ServerProcess> {
         const binary = process.env['WAKESURF_BINARY'] ?? join(projectRoot, 'build/release/bin/wakesurf');
-        const optional = Object.entries({ '--token-file': tokenFile, '--state': state, '--origin': origin });
+        const optional = Object.entries({ '--token-file': tokenFile, '--state': state, '--origin': origin, '--memory': memory });
         const given = optional.flatMap(([name, value]) => (value === undefined ? [] : [name, value]));
         const child = spawn(
             binary,

@@ -118,9 +118,13 @@ TEST_F(DatasetMethods, TheCacheTellsWhichTimeStepsAreInMemory) {
     const auto after = call("cache.status", {{"dataset", "gyre"}})["result"];
     EXPECT_EQ(after["steps"][4], "resident");
     EXPECT_EQ(after["steps"][5], "resident");
+    EXPECT_GE(after["bytesPerStep"].get<std::uint64_t>(), 17u * 9 * 5 * 12);
+    EXPECT_EQ(after["held"][4], json::array({after["bytesPerStep"], 0}));
     EXPECT_GE(after["bytes"].get<std::uint64_t>(), 2u * 17 * 9 * 5 * 12);
     EXPECT_LE(after["bytes"].get<std::uint64_t>(), after["budget"].get<std::uint64_t>());
-    EXPECT_EQ(call("cache.status", {{"dataset", "abc"}})["result"]["steps"], json::array());
+    const auto none = call("cache.status", {{"dataset", "abc"}})["result"];
+    EXPECT_EQ(none["steps"], json::array());
+    EXPECT_EQ(none["held"], json::array());
 }
 
 TEST_F(DatasetMethods, ChangesOfTheCacheAreAnnounced) {
@@ -129,6 +133,8 @@ TEST_F(DatasetMethods, ChangesOfTheCacheAreAnnounced) {
     client.result("dataset.open", {{"dataset", "gyre"}});
     client.result("probe.sample",
                   {{"dataset", "gyre"}, {"points", {{0.5, 0.5, 0.0}}}, {"time", 0.5}});
+    const auto whole =
+        client.result("cache.status", {{"dataset", "gyre"}})["bytesPerStep"].get<std::uint64_t>();
     std::set<int> resident;
     while (resident.size() < 2) {
         const auto news = client.notification("cache.patched");
@@ -136,6 +142,10 @@ TEST_F(DatasetMethods, ChangesOfTheCacheAreAnnounced) {
         for (const auto& change : news["changes"])
             if (change[1] == "resident")
                 resident.insert(change[0].get<int>());
+        for (const auto& change : news["held"])
+            if (resident.contains(change[0].get<int>())) {
+                EXPECT_EQ(change, json::array({change[0], whole, 0}));
+            }
     }
     EXPECT_EQ(resident, (std::set{0, 1}));
 }

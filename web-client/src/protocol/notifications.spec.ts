@@ -16,7 +16,7 @@ describe('readNotification', () => {
             ['server.notice', { kind: 'catchingUp', surface: 's1', subscription: 3 }],
             ['$/progress', { token: 'a', value: { kind: 'report', message: 'refining', percentage: 25, quads: 7 } }],
             ['dataset.patched', { dataset: 'd', name: 'D', state: 'importing', progress: 0.2, steps: { ready: 3, total: 16 } }],
-            ['cache.patched', { dataset: 'd', changes: [[3, 'resident']], bytes: 1, budget: 2 }],
+            ['cache.patched', { dataset: 'd', changes: [[3, 'resident']], held: [[3, 1, 0]], bytes: 1, budget: 2 }],
             ['session.patched', { session: 'a', seq: 4, patches: [] }],
             ['presence.patched', { session: 'a', participants: [], left: ['p3'] }],
             ['surface.progress', { surface: 's1', epoch: 2, phase: 'coarse' }],
@@ -148,13 +148,14 @@ describe('what has changed of people', () => {
 });
 
 describe('which time-steps are in memory', () => {
-    it('are pairs, of which those that are not as described are left out, and the page hears why', () => {
-        const changes = [[3, 'resident'], [4, 'melting'], [5], 'loading', ['6', 'cold']];
-        const { notification, faults } = readNotification('cache.patched', { dataset: 'd', changes, bytes: 1, budget: 2 });
-        expect(notification).toMatchObject({ changes: [[3, 'resident']] });
+    it('are told with their bytes; those that are not as described are left out, and the page hears why', () => {
+        const held = [[3, 64, 0], [4, 'all', 0], [5], 'loading', ['6', 0, 0]];
+        const patch = { dataset: 'd', changes: [], held, bytes: 1, budget: 2 };
+        const { notification, faults } = readNotification('cache.patched', patch);
+        expect(notification).toMatchObject({ held: [[3, 64, 0]] });
         expect(faults).toEqual([
-            'in a change of time-steps in memory, [1] is not one of resident, loading, cold',
-            'a change of time-steps in memory has 1 entries, not 2',
+            'in a change of time-steps in memory, [1] is not a whole number',
+            'a change of time-steps in memory has 1 entries, not 3',
             'a change of time-steps in memory is not a list',
             'in a change of time-steps in memory, [0] is not a whole number',
         ]);

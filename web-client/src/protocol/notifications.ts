@@ -1,7 +1,7 @@
 // Notifications of the server, checked as they come: what this client does not know is left out, and of what it cannot trust it says
 // why. Shapes: docs/api.md.
 import type { Check } from './checks.ts';
-import { stepChangeCheck } from './generated/dataset.ts';
+import { heldChangeCheck } from './generated/dataset.ts';
 import { notificationChecks, type Notifications, type SessionPatched } from './generated/notifications.ts';
 import { participantChangeCheck } from './generated/presence.ts';
 import { patchCheck } from './generated/session.ts';
@@ -9,7 +9,7 @@ import { isObject } from './jsonRpc.ts';
 import { recordChecks } from './records.ts';
 import { faultIn } from './unreadable.ts';
 
-export type { StepChange } from './generated/dataset.ts';
+export type { HeldChange } from './generated/dataset.ts';
 export type { SurfaceDone } from './generated/notifications.ts';
 export type { ParticipantChange } from './generated/presence.ts';
 
@@ -49,7 +49,7 @@ interface Sieve {
 const sieves: { [Method in keyof Notifications]?: Sieve } = {
     'session.patched': { list: 'patches', faultOf: patchFault },
     'presence.patched': { list: 'participants', faultOf: participantFault },
-    'cache.patched': { list: 'changes', faultOf: stepChangeFault },
+    'cache.patched': { list: 'held', faultOf: heldChangeFault },
 };
 
 export function readNotification(method: string, params: Record<string, unknown>): Reading {
@@ -96,7 +96,7 @@ function participantFault(change: unknown): string | null {
     return typeof id === 'string' ? `participant ${id}${fault}` : `a participant${fault}`;
 }
 
-function stepChangeFault(change: unknown): string | null {
-    const fault = stepChangeCheck(change);
+function heldChangeFault(change: unknown): string | null {
+    const fault = heldChangeCheck(change);
     return fault === null ? null : faultIn('a change of time-steps in memory', fault);
 }

@@ -15,6 +15,7 @@ export type {
     DatasetEntry,
     DatasetState,
     Field as FieldDescription,
+    StepHeld,
     StepState,
 } from './generated/dataset.ts';
 export { datasetStates } from './generated/dataset.ts';

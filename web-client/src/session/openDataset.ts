@@ -1,10 +1,10 @@
 // The dataset that the page shows: waits for its import, puts its domain and body into the picture, follows its growth.
-import { type DatasetDescription, type DatasetEntry, errorWords, type StepChange } from '../protocol/messages.ts';
+import { type DatasetDescription, type DatasetEntry, errorWords, type HeldChange } from '../protocol/messages.ts';
 import type { FlowScene } from '../scene/scene.ts';
 import type { AppState } from '../state/appState.ts';
 import type { WorkerClient } from '../worker/workerClient.ts';
 import type { ImportWait } from './importWait.ts';
-import { StepStates } from './time/stepStates.ts';
+import { StepsHeld } from './time/stepsHeld.ts';
 
 const importPollMs = 1000;
 
@@ -17,13 +17,13 @@ export interface OpenDatasetOptions {
 
 export class OpenDataset {
     private readonly options: OpenDatasetOptions;
-    private readonly stepStates: StepStates;
+    private readonly stepsHeld: StepsHeld;
     /** What the values of the data that are shown are told from others by. */
     private values: string | undefined;
 
     constructor(options: OpenDatasetOptions) {
         this.options = options;
-        this.stepStates = new StepStates(options.state, options.worker);
+        this.stepsHeld = new StepsHeld(options.state, options.worker);
     }
 
     /** Until some of its time-steps can be used, and as long as its user wants to wait; null when `gone`. @param id null: the first one */
@@ -56,7 +56,7 @@ export class OpenDataset {
         const values = state.datasetEntry.value?.values;
         const description = await worker.call('dataset.describe', { dataset });
         state.dataset.value = description;
-        void this.stepStates.load(dataset);
+        void this.stepsHeld.load(dataset);
         const before = this.values;
         this.values = values;
         if (!sameValues(before, values)) state.suggestion.value = null;
@@ -87,8 +87,8 @@ export class OpenDataset {
         if (entry.state === 'ready' || entry.state === 'incomplete') void this.describe(dataset).catch(() => undefined);
     }
 
-    stepsPatched(dataset: string, changes: readonly StepChange[]): void {
-        this.stepStates.patched(dataset, changes);
+    stepsPatched(dataset: string, changes: readonly HeldChange[]): void {
+        this.stepsHeld.patched(dataset, changes);
     }
 }
 

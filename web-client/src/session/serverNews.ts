@@ -59,7 +59,7 @@ export class ServerNews {
                 people.patched(notification.participants, notification.left);
                 break;
             case 'cache.patched':
-                dataset.stepsPatched(notification.dataset, notification.changes);
+                dataset.stepsPatched(notification.dataset, notification.held);
                 break;
             case 'surface.progress':
                 feed.progressed(notification.surface, notification.epoch, notification.seconds ?? null);

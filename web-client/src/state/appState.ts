@@ -15,7 +15,7 @@ import type {
     RakeRecord,
     ResultOf,
     Role,
-    StepState,
+    StepHeld,
     SurfaceRecord,
     Vec3,
     SurfaceStats,
@@ -63,6 +63,14 @@ export interface GoneSession {
     remembered: boolean;
 }
 
+/** How much of the dataset's time-steps is in the server's memory, or on its way there; of large ones a part, which is read by brick. */
+export interface HeldSteps {
+    /** Bytes of each. */
+    steps: readonly StepHeld[];
+    /** Bytes of one that is all there. */
+    whole: number;
+}
+
 export class AppState {
     /** Why nothing can be shown at all; null when all is well. */
     readonly fatal = signal<string | null>(null);
@@ -91,8 +99,8 @@ export class AppState {
     /** That people of this session have typed; an empty one is as the dataset says. */
     readonly typedUnits = signal<Units>(noUnits);
     readonly gone = signal<GoneSession | null>(null);
-    /** Of the dataset's time-steps, what is in the server's memory; empty where that is not told. */
-    readonly stepStates = signal<readonly StepState[]>([]);
+    /** Empty where it is not told. */
+    readonly heldSteps = signal<HeldSteps>({ steps: [], whole: 0 });
     /** The surface that the panel and the time bar act on: one of the active rake's, if that has any. */
     readonly activeSurface = signal<string | null>(null);
     readonly activeRake = signal<string | null>(null);

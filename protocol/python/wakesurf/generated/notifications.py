@@ -65,11 +65,12 @@ class DatasetPatched(Notification):
 
 @dataclass(frozen=True)
 class CachePatched(Notification):
-    """Time-steps have been read into memory or removed from it."""
+    """Time-steps, or parts of them, have been read into memory or removed from it."""
 
     method: ClassVar[str] = "cache.patched"
     dataset: str  # id of the dataset
     changes: List[Any]  # the time-steps that changed, each as [index, state]
+    held: List[Any]  # the time-steps of which another part is in memory or being read, each as [index, resident, ...
     bytes: int  # memory that the time-steps take (bytes)
     budget: int  # memory that the time-steps may take (bytes)
 

@@ -208,28 +208,50 @@ export interface SuggestedRake {
 
 export const suggestedRakeCheck = members<SuggestedRake>({ kind: oneOf(['line']), points: list(point, 2), seeds: whole });
 
-/** resident: in memory; loading: being read; cold: not in memory */
+/** resident: in memory, or a part of it is; loading: being read; cold: not in memory */
 export const stepStates = ['resident', 'loading', 'cold'] as const;
 export type StepState = (typeof stepStates)[number];
 export const stepStateCheck = oneOf(stepStates);
+
+/** how much of a time-step is in memory, and how much is being read */
+export type StepHeld = [number, number];
+export const stepHeldCheck = tuple<StepHeld>([whole, whole]);
+
+/** the index of a time-step, how many bytes of it are in memory now, and how many are being read */
+export type HeldChange = [number, number, number];
+export const heldChangeCheck = tuple<HeldChange>([whole, whole, whole]);
 
 /** the index of a time-step, and its state now */
 export type StepChange = [number, StepState];
 export const stepChangeCheck = tuple<StepChange>([whole, stepStateCheck]);
 
-/** Which time-steps are in memory. */
+/** Which time-steps are in memory, and how much of each. */
 export interface CacheStatus {
     /** id of the dataset */
     dataset: string;
     /** state of each time-step; empty for a built-in flow */
     steps: StepState[];
+    /**
+     * of the velocity of each time-step, how many bytes are in memory and how many are being read, as [resident,
+     * loading]: all or none, or a part where large time-steps are read by brick
+     */
+    held: StepHeld[];
+    /** of a time-step that is in memory as a whole, in `held` (bytes) */
+    bytesPerStep: number;
     /** memory that the time-steps take (bytes) */
     bytes: number;
     /** memory that the time-steps may take (bytes) */
     budget: number;
 }
 
-export const cacheStatusCheck = members<CacheStatus>({ dataset: text, steps: list(stepStateCheck), bytes: whole, budget: whole });
+export const cacheStatusCheck = members<CacheStatus>({
+    dataset: text,
+    steps: list(stepStateCheck),
+    held: list(stepHeldCheck),
+    bytesPerStep: whole,
+    bytes: whole,
+    budget: whole,
+});
 
 /** What dataset.list answers. */
 export interface DatasetListResult {

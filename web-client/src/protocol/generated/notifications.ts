@@ -1,6 +1,13 @@
 // Made by protocol/api/generate from *.schema.json: do not edit.
 import { type Check, list, members, number, oneOf, optional, text, token, whole } from '../checks.ts';
-import { type DatasetEntry, type StepChange, datasetEntryCheck, stepChangeCheck } from './dataset.ts';
+import {
+    type DatasetEntry,
+    type HeldChange,
+    type StepChange,
+    datasetEntryCheck,
+    heldChangeCheck,
+    stepChangeCheck,
+} from './dataset.ts';
 import { type ParticipantChange, participantChangeCheck } from './presence.ts';
 import { type Patch, patchCheck } from './session.ts';
 import { type Problem, problemCheck } from './shared.ts';
@@ -54,12 +61,14 @@ export interface Progress {
     };
 }
 
-/** Time-steps have been read into memory or removed from it. */
+/** Time-steps, or parts of them, have been read into memory or removed from it. */
 export interface CachePatched {
     /** id of the dataset */
     dataset: string;
     /** the time-steps that changed, each as [index, state] */
     changes: StepChange[];
+    /** the time-steps of which another part is in memory or being read, each as [index, resident, loading] */
+    held: HeldChange[];
     /** memory that the time-steps take (bytes) */
     bytes: number;
     /** memory that the time-steps may take (bytes) */
@@ -147,7 +156,7 @@ export interface Notifications {
     '$/progress': Progress;
     /** A dataset is being imported, or its import has ended. Sent to all clients. */
     'dataset.patched': DatasetEntry;
-    /** Time-steps have been read into memory or removed from it. */
+    /** Time-steps, or parts of them, have been read into memory or removed from it. */
     'cache.patched': CachePatched;
     /** Records have changed. Sent to the author of the change as well. */
     'session.patched': SessionPatched;
@@ -189,7 +198,13 @@ export const notificationChecks: { [Name in keyof Notifications]: Check<Notifica
         }),
     }),
     'dataset.patched': datasetEntryCheck,
-    'cache.patched': members<CachePatched>({ dataset: text, changes: list(stepChangeCheck), bytes: whole, budget: whole }),
+    'cache.patched': members<CachePatched>({
+        dataset: text,
+        changes: list(stepChangeCheck),
+        held: list(heldChangeCheck),
+        bytes: whole,
+        budget: whole,
+    }),
     'session.patched': members<SessionPatched>({ session: text, seq: whole, patches: list(patchCheck) }),
     'presence.patched': members<PresencePatched>({ session: text, participants: list(participantChangeCheck), left: list(text) }),
     'surface.progress': members<SurfaceProgress>({

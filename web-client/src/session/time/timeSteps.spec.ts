@@ -1,16 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import type { StepState } from '../../protocol/messages.ts';
-import {
-    clampTo,
-    nearestStep,
-    otherSide,
-    releasedSpan,
-    residentWords,
-    stepFrom,
-    stepMarks,
-    timelineSpan,
-    stepTicks,
-} from './timeSteps.ts';
+import { clampTo, nearestStep, otherSide, releasedSpan, stepFrom, timelineSpan, stepTicks } from './timeSteps.ts';
 
 const times = [8.5, 9, 10, 10.25, 16];
 
@@ -70,32 +59,6 @@ describe('time-steps', () => {
         expect(timelineSpan(times, null)).toEqual([8.5, 16]);
         expect(timelineSpan([0], [0, 40])).toEqual([0, 40]);
         expect(timelineSpan([], null)).toEqual([0, 1]);
-    });
-
-    it('have a mark each, or a run a mark that says the least of them', () => {
-        const states: StepState[] = ['resident', 'resident', 'loading', 'cold', 'resident'];
-        expect(stepMarks(states, 10).map(({ state }) => state)).toEqual(states);
-        const marks = stepMarks(states, 3);
-        expect(marks).toEqual([
-            { first: 0, last: 1, state: 'resident' },
-            { first: 2, last: 3, state: 'loading' },
-            { first: 4, last: 4, state: 'resident' },
-        ]);
-        for (const count of [1, 7, 239, 240, 241, 5000]) {
-            const many = Array.from({ length: count }, (_, i) => states[Math.floor(i / 50) % 5]!);
-            const drawn = stepMarks(many, 240);
-            expect(drawn.length).toBeLessThanOrEqual(240);
-            expect(drawn.reduce((sum, { first, last }) => sum + last - first + 1, 0)).toBe(count);
-            for (const { first, last, state } of drawn) {
-                if (state === 'resident') expect(many.slice(first, last + 1).every((each) => each === 'resident')).toBe(true);
-            }
-        }
-        expect(stepMarks(Array<StepState>(5000).fill('cold'), 240)).toEqual([{ first: 0, last: 4999, state: 'cold' }]);
-    });
-
-    it('are counted in words', () => {
-        expect(residentWords(['resident', 'cold', 'loading'])).toBe('1 of 3 time-steps in memory, 1 loading');
-        expect(residentWords(['cold'])).toBe('0 of 1 time-step in memory');
     });
 });
 

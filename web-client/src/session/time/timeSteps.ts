@@ -1,5 +1,5 @@
-// Arithmetic of the time-steps: the nearest, the next, what the timeline spans, and the marks on it.
-import type { StepState, SurfaceKind } from '../../protocol/messages.ts';
+// Arithmetic of the time-steps: the nearest, the next, what the timeline spans, and its numbers.
+import type { SurfaceKind } from '../../protocol/messages.ts';
 import { labelForm } from '../../scene/base/numbers.ts';
 import { niceTicks, type Ticks } from '../../scene/base/ticks.ts';
 
@@ -56,38 +56,6 @@ export function timelineSpan(times: readonly number[], surface: Span | null): Sp
     const low = all.length === 0 ? 0 : Math.min(...all);
     const high = all.length === 0 ? 1 : Math.max(...all);
     return high > low ? [low, high] : [low, low + 1];
-}
-
-/** One time-step on the timeline, or a run of neighbours where there are too many to draw. */
-export interface StepMark {
-    first: number;
-    last: number;
-    state: StepState;
-}
-
-/**
- * A mark for each time-step; where they are more than `atMost`, one for each run of the same state, for which neighbours count
- * as far as the least of them: resident only if all are.
- */
-export function stepMarks(states: readonly StepState[], atMost: number): StepMark[] {
-    const width = Math.max(1, Math.ceil(states.length / Math.max(1, atMost)));
-    const marks: StepMark[] = [];
-    for (let first = 0; first < states.length; first += width) {
-        const run = states.slice(first, first + width);
-        const state = run.includes('loading') ? 'loading' : run.includes('cold') ? 'cold' : 'resident';
-        const [last, before] = [first + run.length - 1, marks.at(-1)];
-        if (width > 1 && before?.state === state) before.last = last;
-        else marks.push({ first, last, state });
-    }
-    return marks;
-}
-
-/** "12 of 40 time-steps in memory, 2 loading". */
-export function residentWords(states: readonly StepState[]): string {
-    const count = (wanted: StepState): number => states.filter((state) => state === wanted).length;
-    const loading = count('loading');
-    const steps = states.length === 1 ? 'time-step' : 'time-steps';
-    return `${count('resident')} of ${states.length} ${steps} in memory${loading === 0 ? '' : `, ${loading} loading`}`;
 }
 
 /** Every how many time-steps there may be a number. */

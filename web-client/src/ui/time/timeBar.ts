@@ -4,7 +4,7 @@ import { live } from 'lit/directives/live.js';
 import type { SurfaceKind } from '../../protocol/messages.ts';
 import { shortNumber } from '../../scene/base/numbers.ts';
 import { timeSteps } from '../../session/out/panelSteps.ts';
-import { residentWords } from '../../session/time/timeSteps.ts';
+import { residentWords } from '../../session/time/stepMarks.ts';
 import { withUnit } from '../../session/picture/unitsInPicture.ts';
 import { timeField, timeWords } from '../../session/picture/writtenNumbers.ts';
 import type { Edits } from '../../session/edits/edits.ts';
@@ -177,16 +177,16 @@ export class TimeBar extends SignalElement {
     }
 
     private legend(): TemplateResult {
-        const states = this.model.state.stepStates.value;
-        if (states.length === 0) return html`<span></span>`;
+        const held = this.model.state.heldSteps.value;
+        if (held.steps.length === 0) return html`<span></span>`;
         const sign = (fill: string): TemplateResult =>
             html`<svg width="9" height="11" viewBox="0 0 9 11" aria-hidden="true">
                 <path d=${fill} />
                 <rect x="0.5" y="0.5" width="8" height="10" />
             </svg>`;
         return html`<span class="legend">
-            <span>${sign('M0 0h9v11h-9z')}<span id="resident">${residentWords(states)}</span></span>
-            <span aria-hidden="true">${sign('M0 5.5h9v5.5h-9z')}loading</span>
+            <span>${sign('M0 0h9v11h-9z')}<span id="resident">${residentWords(held)}</span></span>
+            <span aria-hidden="true">${sign('M0 0h4.5v11h-4.5z')}loading</span>
             <span aria-hidden="true">${sign('')}on disk</span>
         </span>`;
     }

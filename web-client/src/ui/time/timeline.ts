@@ -3,16 +3,8 @@
 import { html, noChange, nothing, svg, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { signal } from '@preact/signals-core';
-import type { StepState } from '../../protocol/messages.ts';
-import {
-    otherSide,
-    releasedSpan,
-    type Span,
-    type StepMark,
-    stepMarks,
-    stepTicks,
-    timelineSpan,
-} from '../../session/time/timeSteps.ts';
+import { otherSide, releasedSpan, type Span, stepTicks, timelineSpan } from '../../session/time/timeSteps.ts';
+import { markWords, type StepMark, stepMarks } from '../../session/time/stepMarks.ts';
 import { withUnit } from '../../session/picture/unitsInPicture.ts';
 import { timeWords } from '../../session/picture/writtenNumbers.ts';
 import type { Edits } from '../../session/edits/edits.ts';
@@ -90,7 +82,7 @@ export class Timeline extends SignalElement {
                         : nothing
                 }
                 ${moving && this.bothWays ? this.otherNow(time.value, at) : nothing}
-                ${stepMarks(state.stepStates.value, this.width.value / pxPerMark).map((mark) => this.mark(mark, at))}
+                ${stepMarks(state.heldSteps.value, this.width.value / pxPerMark).map((mark) => this.mark(mark, at))}
                 ${ticks.map(({ value, label }, i) => {
                     const words = i === ticks.length - 1 ? withUnit(label, this.unit) : label;
                     return svg`<text class="tick" x=${at(value)} y="49">${words}</text>`;
@@ -138,20 +130,33 @@ export class Timeline extends SignalElement {
             }`;
     }
 
-    /** Full in memory, half while it is loaded, hollow on the disk. */
-    private mark({ first, last, state }: StepMark, at: (time: number) => string): TemplateResult {
+    /** As high as its part in memory, above that half as wide what is being read, hollow on the disk. */
+    private mark(mark: StepMark, at: (time: number) => string): TemplateResult {
+        const { first, last, state, resident, loading } = mark;
         const times = this.model.state.dataset.value?.times ?? [];
         const [low, high] = [parseFloat(at(times[first] ?? 0)), parseFloat(at(times[last] ?? 0))];
         const width = Math.min(1.2, ((last > first ? 1 : 0.7) * 100) / Math.max(1, times.length - 1));
         const [x, across] = [`${(low - width / 2).toFixed(3)}%`, `${(high - low + width).toFixed(3)}%`];
-        return svg`<g data-step=${first} data-state=${state}>
+        const there = heightOf(resident);
+        const coming = Math.min(heightOf(loading), markHeight - there);
+        const bar = (name: string, base: number, height: number, wide: string): TemplateResult | typeof nothing =>
+            height === 0 ? nothing : svg`<rect class=${name} x=${x} width=${wide} y=${base - height} height=${height} />`;
+        return svg`<g class="mark" data-step=${first} data-state=${state}>
+            <title>${this.markTitle(mark)}</title>
             <rect class="hollow" x=${x} width=${across} y="23.5" height="9" />
-            ${
-                fills[state] === 0
-                    ? nothing
-                    : svg`<rect class="filled" x=${x} width=${across} y=${33 - fills[state]} height=${fills[state]} />`
-            }
+            ${bar('filled', markBase, there, across)}
+            ${bar('coming', markBase - there, coming, `${((high - low + width) / 2).toFixed(3)}%`)}
         </g>`;
+    }
+
+    private markTitle(mark: StepMark): string {
+        const { dataset, heldSteps } = this.model.state;
+        const time = (step: number): string => this.words(dataset.value?.times[step] ?? 0);
+        const steps =
+            mark.first === mark.last
+                ? `Time-step ${mark.first} at ${time(mark.first)}`
+                : `Time-steps ${mark.first} to ${mark.last} at ${time(mark.first)} to ${time(mark.last)}`;
+        return `${steps}: ${markWords(mark, heldSteps.value.whole)}`;
     }
 
     private clockSlider(line: Span): TemplateResult {
@@ -267,7 +272,15 @@ export class Timeline extends SignalElement {
     }
 }
 
-const fills: Record<StepState, number> = { resident: 10, loading: 5, cold: 0 };
+/** Lowest edge of the marks, and how high they are. */
+const markBase = 33;
+const markHeight = 10;
+/** Of what is there at all, however little. */
+const leastHeight = 1.5;
+
+function heightOf(share: number): number {
+    return share === 0 ? 0 : Math.max(leastHeight, markHeight * share);
+}
 
 function stepsOf(key: string): number {
     const steps: Record<string, number> = {

@@ -50,8 +50,12 @@ export const timelineStyles = css`
         stroke: var(--quiet);
         stroke-width: 1;
     }
-    .filled {
+    .filled,
+    .coming {
         fill: var(--quiet);
+    }
+    .mark {
+        pointer-events: all;
     }
     text {
         fill: var(--quiet);

@@ -93,10 +93,12 @@ class SuggestedRake(TypedDict, total=False):
 
 
 class CacheStatus(TypedDict, total=False):
-    """Which time-steps are in memory."""
+    """Which time-steps are in memory, and how much of each."""
 
     dataset: str  # id of the dataset
     steps: List[Literal["resident", "loading", "cold"]]  # state of each time-step; empty for a built-in flow
+    held: List[Any]  # of the velocity of each time-step, how many bytes are in memory and how many are being read, ...
+    bytesPerStep: int  # of a time-step that is in memory as a whole, in `held` (bytes)
     bytes: int  # memory that the time-steps take (bytes)
     budget: int  # memory that the time-steps may take (bytes)
 
