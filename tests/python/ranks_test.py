@@ -45,6 +45,24 @@ def until(what):
     return found
 
 
+def metrics(server):
+    """How many ranks there are (`job`), and bricks that came from `ranks` and from `files`."""
+    address = urllib.parse.urlsplit(server.url)
+    asked = urllib.request.Request(f"http://{address.netloc}/metrics",
+                                   headers={"Authorization": "Bearer " + address.fragment.removeprefix("token=")})
+    with urllib.request.urlopen(asked) as answer:
+        text = answer.read().decode()
+    found = re.findall(r'^wakesurf_brick(?:s_total\{.*from="(\w+)"|_(ranks)\{).* (\d+)$', text, re.MULTILINE)
+    return {("job" if ranks else where): int(number) for where, ranks, number in found}
+
+
+def streak(session, height):
+    rake = session.rake(line=[(0.4, 0.5, 0.1), (0.6, 0.5, height)], seeds=16)
+    surface = session.surface(rake, "streak", dataset="tornado", to=3.5, separation=0.02)
+    surface.wait()
+    return surface.download("ply")
+
+
 @unittest.skipUnless(os.path.exists(BRICKS), "wakesurf-bricks is not built: WAKESURF_MPI is off")
 class Ranks(unittest.TestCase):
     @classmethod
@@ -65,47 +83,31 @@ class Ranks(unittest.TestCase):
         client = wakesurf.Client(server.url)
         return server, client.create_session("ranks")
 
-    @staticmethod
-    def metrics(server):
-        address = urllib.parse.urlsplit(server.url)
-        asked = urllib.request.Request(f"http://{address.netloc}/metrics",
-                                       headers={"Authorization": "Bearer " + address.fragment.removeprefix("token=")})
-        with urllib.request.urlopen(asked) as answer:
-            text = answer.read().decode()
-        found = re.findall(r'^wakesurf_brick(?:s_total\{.*from="(\w+)"|_(ranks)\{).* (\d+)$', text, re.MULTILINE)
-        return {("job" if ranks else where): int(number) for where, ranks, number in found}
-
-    def streak(self, session, height):
-        rake = session.rake(line=[(0.4, 0.5, 0.1), (0.6, 0.5, height)], seeds=16)
-        surface = session.surface(rake, "streak", dataset="tornado", to=3.5, separation=0.02)
-        surface.wait()
-        return surface.download("ply")
-
     def test_surfaces_are_the_same_while_ranks_are_killed(self):
         _, alone = self.start()
         heights = (0.5, 0.6, 0.7)
-        wanted = [self.streak(alone, each) for each in heights]
+        wanted = [streak(alone, each) for each in heights]
         server, session = self.start("--bricks", START)
         for height, mesh in zip(heights, wanted):
-            until(lambda: self.metrics(server)["job"] == 2)
+            until(lambda: metrics(server)["job"] == 2)
             ranks = until(lambda: ranks_of(self.store))
             os.kill(ranks[-1], signal.SIGKILL)
-            self.assertEqual(self.streak(session, height), mesh)
-        self.assertGreater(self.metrics(server)["files"], 0)
+            self.assertEqual(streak(session, height), mesh)
+        self.assertGreater(metrics(server)["files"], 0)
         self.assertIsNone(server.process.poll())
 
     def test_ranks_end_with_a_server_that_is_killed(self):
         server, _ = self.start("--bricks", START)
-        until(lambda: self.metrics(server)["job"] == 2)
+        until(lambda: metrics(server)["job"] == 2)
         self.assertEqual(len(ranks_of(self.store)), 2)
         server.process.kill()
         until(lambda: not ranks_of(self.store))
 
     def test_words_that_start_nothing_leave_files(self):
         server, session = self.start("--bricks", "/no/such/program")
-        self.streak(session, 0.5)
-        self.assertEqual(self.metrics(server)["ranks"], 0)
-        self.assertGreater(self.metrics(server)["files"], 0)
+        streak(session, 0.5)
+        self.assertEqual(metrics(server)["ranks"], 0)
+        self.assertGreater(metrics(server)["files"], 0)
 
     def test_what_cannot_be_is_wrong_usage(self):
         done = subprocess.run([BINARY, "serve", self.store, "--bricks", " "], capture_output=True, text=True, check=False)

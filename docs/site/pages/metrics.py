@@ -32,9 +32,10 @@ MOST_SCRAPES = 300
 
 def scraped():
     with tempfile.TemporaryDirectory() as folder:
-        said("generate", "tornado", folder + "/store", "--grid", "8,8,8", "--times", "0:1:4")  # for the cache of its time-steps
+        said("generate", "tornado", folder + "/store", "--grid", "8,8,8", "--times", "0:1:4",
+             "--layout", "bricks")  # for the cache of its time-steps, and its bricks
         command = [binary(), "serve", folder + "/store", "--listen", "127.0.0.1:0", "--store", folder + "/imported",
-                   "--state", folder + "/state"]
+                   "--state", folder + "/state", "--bricks", "false"]  # counted from the first try on, also where no rank ever comes
         with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as server:
             try:
                 address, token = server.stdout.readline().split()[1].split("/#token=")
@@ -63,4 +64,6 @@ def text():
                          for label in re.findall(r'(\w+)="', line)} - {"le"})
         rows.append([f"`{name}`", kinds[name], ", ".join(f"`{each}`" for each in labels), words])
     return (MADE.format(source="/metrics of a running server") + INTRO + table(["name", "type", "labels", "what"], rows)
-            + "\nA family is there from its first value on: `wakesurf_cache_*` with the first dataset whose time-steps are stored.\n")
+            + "\nA family is there from its first value on: `wakesurf_cache_*` with the first dataset whose time-steps are stored,\n"
+              "`wakesurf_brick*` with the first that an MPI job is to hold (`serve --bricks`).\n"
+              "`wakesurf_brick_ranks == 0` for minutes says that there is no job: the log says why (`event=bricks_job_ended`).\n")
