@@ -1,6 +1,7 @@
 #include "store/store_grid.hpp"
 
 #include "core/base/crc32c.hpp"
+#include "core/base/machine_memory.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -179,6 +180,14 @@ std::vector<GridFile> grid_files(const Grid& grid) {
     return {};
 }
 
+Result<void> check_fits(const std::string& what, std::uint64_t bytes) {
+    const std::uint64_t granted = core::granted_memory();
+    if (granted == 0 || bytes <= granted)
+        return {};
+    return core::over_limit(granted, what + " takes " + std::to_string(bytes) +
+                                         " bytes, more than the memory that this process may have");
+}
+
 Result<std::vector<std::byte>> read_fixed_file(const StoreLayout& layout,
                                                const std::string& name,
                                                std::uint64_t size,
@@ -193,9 +202,17 @@ Result<std::vector<std::byte>> read_fixed_file(const StoreLayout& layout,
     if (*found != size)
         return damaged(name + " has " + std::to_string(*found) + " bytes instead of " +
                        std::to_string(size));
-    std::vector<std::byte> bytes(static_cast<std::size_t>(size));
-    if (auto read = disk.read(file, 0, bytes); !read)
-        return tl::unexpected(read.error());
+    if (auto fits = check_fits(name, size); !fits)
+        return tl::unexpected(fits.error());
+    constexpr std::uint64_t piece = std::uint64_t{16} << 20;
+    std::vector<std::byte> bytes;
+    bytes.reserve(static_cast<std::size_t>(size)); // taken when it is written to
+    while (bytes.size() < size) {
+        const std::size_t at = bytes.size();
+        bytes.resize(at + static_cast<std::size_t>(std::min(piece, size - at)));
+        if (auto read = disk.read(file, at, std::span(bytes).subspan(at)); !read)
+            return tl::unexpected(read.error());
+    }
     if (checksum->second != core::crc32c(bytes))
         return damaged(name + " has changed since it was written: its checksum differs");
     return bytes;

@@ -22,8 +22,11 @@ StoredGrid stored_grid(const core::Grid& grid, bool curvilinear = false);
 /// The files of the grid but store.json; none for a uniform one.
 std::vector<GridFile> grid_files(const core::Grid& grid);
 
-/// Reads a file that all time-steps share. Error: NotFound, Io, Corrupt for another size or
-/// checksum than the layout says, and without a checksum.
+/// Error: OverLimit where this process may never have so much memory. What a manifest or a web server says of sizes is a stranger's word.
+core::Result<void> check_fits(const std::string& what, std::uint64_t bytes);
+
+/// Reads a file that all time-steps share, and takes no more memory than what has come and the next piece. Error: NotFound, Io, Corrupt for
+/// another size or checksum than the layout says, and without a checksum; OverLimit as check_fits.
 core::Result<std::vector<std::byte>> read_fixed_file(const StoreLayout& layout,
                                                      const std::string& name,
                                                      std::uint64_t size,

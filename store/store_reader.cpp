@@ -95,6 +95,8 @@ void StoreReader::open_bricks(std::size_t threads) {
 Result<void> StoreReader::load_mask() {
     if (!layout_.mask)
         return {};
+    if (auto fits = check_fits("the mask of the grid's nodes", nodes_); !fits)
+        return fits;
     if (layout_.brick_cells != 0)
         return read_brick_mask(layout_, *disk_).map([&](const BrickMask& mask) {
             mask_ = flat_mask(mask, layout_.bricks());
@@ -338,6 +340,10 @@ Result<WallGeometry> StoreReader::load_walls() const {
         const auto size = disk_->size(layout_.folder / name);
         if (!size)
             return tl::unexpected(size.error());
+        constexpr std::uint64_t most = std::uint64_t{1} << 30;
+        if (*size > most)
+            return core::over_limit(most, std::string(name) + " has " + std::to_string(*size) +
+                                              " bytes, and walls may have 1 GiB");
         const auto whole = *size / sizeof(Value) * sizeof(Value);
         return read_fixed_file(layout_, name, whole, *disk_).map([&](const auto& bytes) {
             values.resize(bytes.size() / sizeof(Value));
