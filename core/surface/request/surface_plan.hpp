@@ -30,7 +30,7 @@ struct SurfacePlan {
     /// Part of a rake was outside the domain and is left out.
     bool clipped = false;
 
-    /// Returns the largest speed on 7^3 points of the domain and 17 of the rake, at `from`: what "at rest" is measured by. It is no
+    /// Returns the largest speed on 3^3 points of the domain and 17 of the rake, at `from`: what "at rest" is measured by. It is no
     /// member, since it needs data to be loaded.
     Result<double> largest_speed(std::stop_token stop) const;
 
