@@ -1,5 +1,6 @@
 #include "core/dataset/brick_cache.hpp"
 
+#include "core/base/blocking_wait.hpp"
 #include "core/base/doorbell.hpp"
 #include "core/dataset/slab.hpp"
 
@@ -9,6 +10,7 @@
 #include <map>
 #include <mutex>
 #include <set>
+#include <utility>
 
 namespace wakesurf::core {
 
@@ -110,7 +112,7 @@ struct BrickCache::State {
     std::map<StepName, Step> steps; ///< of which anything is in memory, or anyone holds the table
     std::map<BrickName, std::shared_ptr<Load>> loads;
     std::atomic<BrickTable::Age> age{1};
-    std::atomic<std::uint64_t> reads{0}, rounds{0};
+    std::atomic<std::uint64_t> reads{0}, waits{0}, rounds{0};
     std::stop_source closing;
     std::shared_ptr<void> asked; ///< by others, for memory
     std::function<void()> listener;
@@ -320,6 +322,17 @@ struct BrickCache::State {
                     });
     }
 
+    /// Takes no room from bricks used lately.
+    void ahead(const std::shared_ptr<State>& self, std::span<const BrickName> bricks) {
+        Batch batch;
+        {
+            const std::scoped_lock lock(mutex);
+            batch = start(bricks, static_cast<BrickTable::Age>(age - lately));
+        }
+        read(self, batch);
+        tell();
+    }
+
     void finish(const Begun& of, Result<void> outcome) {
         {
             const std::scoped_lock lock(mutex);
@@ -419,11 +432,15 @@ std::size_t BrickCache::most_at_once() const {
     return capacity() / 2;
 }
 
-Result<void> BrickCache::fetch(std::span<const BrickName> bricks, const std::stop_token& stop) {
+Result<void> BrickCache::fetch(std::span<const BrickName> bricks,
+                               const std::stop_token& stop,
+                               std::span<const BrickName> soon) {
     State& state = *state_;
+    const BlockingWait blocked;
     const std::stop_callback wake(stop, [&] { state.changed.ring_all(); });
     ++state.age;
-    ++state.rounds;
+    ++state.waits;
+    bool asked = false;
     std::vector<std::shared_ptr<State::Load>> waiting;
     for (bool all = false; !all;) {
         State::Batch batch;
@@ -435,6 +452,7 @@ Result<void> BrickCache::fetch(std::span<const BrickName> bricks, const std::sto
         waiting.insert(waiting.end(), batch.waiting.begin(), batch.waiting.end());
         all = batch.all;
         const bool none = batch.reads.empty();
+        state.rounds += none || std::exchange(asked, true) ? 0 : 1;
         state.read(state_, batch);
         state.tell();
         if (!all && none && !stop.stop_requested())
@@ -442,6 +460,7 @@ Result<void> BrickCache::fetch(std::span<const BrickName> bricks, const std::sto
         if (stop.stop_requested())
             return fail(Error::Code::Cancelled, "waiting for bricks was cancelled");
     }
+    state.ahead(state_, soon);
     std::unique_lock lock(state.mutex);
     const auto done = [&] {
         return std::all_of(waiting.begin(), waiting.end(),
@@ -459,14 +478,8 @@ Result<void> BrickCache::fetch(std::span<const BrickName> bricks, const std::sto
 }
 
 void BrickCache::prefetch(std::span<const BrickName> bricks) {
-    State::Batch batch;
     ++state_->age;
-    {
-        const std::scoped_lock lock(state_->mutex);
-        batch = state_->start(bricks, static_cast<BrickTable::Age>(state_->age - lately));
-    }
-    state_->read(state_, batch);
-    state_->tell();
+    state_->ahead(state_, bricks);
 }
 
 std::vector<std::uint32_t> BrickCache::used(std::size_t step, BrickTable::Age since) const {
@@ -493,7 +506,8 @@ std::map<std::size_t, BrickCache::Held> BrickCache::held() const {
 
 BrickCache::Status BrickCache::status() const {
     const std::scoped_lock lock(state_->mutex);
-    return {state_->bytes(), state_->most_bytes, state_->budget, state_->reads, state_->rounds};
+    return {state_->bytes(), state_->most_bytes, state_->budget,
+            state_->reads,   state_->waits,      state_->rounds};
 }
 
 } // namespace wakesurf::core

@@ -47,7 +47,8 @@ class BrickCache {
         std::size_t most_bytes = 0; ///< so far
         std::size_t budget = 0;     ///< the most of them
         std::uint64_t reads = 0;    ///< bricks read, asked for and ahead
-        std::uint64_t rounds = 0;   ///< times that someone had to wait for bricks
+        std::uint64_t waits = 0;    ///< times that someone had to wait for bricks
+        std::uint64_t rounds = 0;   ///< of them for some that nobody had asked for before
     };
 
     /// Room for one particle's step wherever it is.
@@ -91,7 +92,10 @@ class BrickCache {
 
     /// Waits until all are in memory; some may have gone again when it returns. REQUIRES: at most most_at_once(), and the caller holds no
     /// Reading. Error: what reading one of them reports; Cancelled when `stop` fires first.
-    Result<void> fetch(std::span<const BrickName> bricks, const std::stop_token& stop);
+    /// @param soon  is asked for as by prefetch(), before the wait
+    Result<void> fetch(std::span<const BrickName> bricks,
+                       const std::stop_token& stop,
+                       std::span<const BrickName> soon = {});
 
     /// Asks for what is not there yet, as far as there is room that no brick used lately has, and returns at once.
     void prefetch(std::span<const BrickName> bricks);

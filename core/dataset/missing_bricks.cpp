@@ -14,21 +14,35 @@ bool MissingBricks::give_up() {
     return false;
 }
 
-MissingBricks::Outcome MissingBricks::fetch(const std::stop_token& stop, bool anyway) {
-    std::vector<std::uint32_t> bricks = std::exchange(bricks_, {});
-    if (bricks.empty())
-        return Outcome::None;
+namespace {
+
+std::vector<std::uint32_t> each_once(std::vector<std::uint32_t> bricks) {
     std::sort(bricks.begin(), bricks.end());
     bricks.erase(std::unique(bricks.begin(), bricks.end()), bricks.end());
+    return bricks;
+}
+
+} // namespace
+
+MissingBricks::Outcome MissingBricks::fetch(const std::stop_token& stop, bool anyway) {
+    std::vector<std::uint32_t> bricks = each_once(std::exchange(bricks_, {}));
+    const std::vector<std::uint32_t> ahead = each_once(std::exchange(ahead_, {}));
+    std::vector<BrickName> wanted, soon;
+    for (const std::size_t step : steps_)
+        for (const std::uint32_t brick : ahead)
+            soon.push_back({step, brick, field_});
+    if (bricks.empty() && !soon.empty())
+        cache_->prefetch(soon);
+    if (bricks.empty())
+        return Outcome::None;
     const std::size_t most = cache_->most_at_once() / steps_.size();
     if (bricks.size() > most && !anyway)
         return Outcome::TooMany;
     bricks.resize(std::min(bricks.size(), most));
-    std::vector<BrickName> wanted;
     for (const std::size_t step : steps_)
         for (const std::uint32_t brick : bricks)
             wanted.push_back({step, brick, field_});
-    if (auto fetched = cache_->fetch(wanted, stop); !fetched) {
+    if (auto fetched = cache_->fetch(wanted, stop, soon); !fetched) {
         error_ = fetched.error();
         return Outcome::Failed;
     }

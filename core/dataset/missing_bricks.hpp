@@ -31,6 +31,15 @@ class MissingBricks {
         bricks_.insert(bricks_.end(), bricks.begin(), bricks.end());
     }
 
+    /// Will be wanted soon: is read along with what is missing, where there is room. REQUIRES: called from one thread.
+    void look_ahead(std::size_t brick) {
+        if (ahead_.empty() || ahead_.back() != brick)
+            ahead_.push_back(static_cast<std::uint32_t>(brick));
+    }
+
+    /// In the first pass over an interval: looks ahead even where nothing is missing yet.
+    void begins() { begins_ = true; }
+
     enum class Outcome {
         None,    ///< nothing was missing
         Fetched, ///< it is there now
@@ -52,15 +61,21 @@ class MissingBricks {
         GoOn ///< those that are not done, from where they wait
     };
 
+    struct Nothing {
+        void operator()(std::size_t, std::size_t) const {}
+    };
+
     /// Calls `go(begin, end)` for ranges of `count` items, again for those of which some were waiting for bricks, until none is. Returns
     /// false where `go` did, or what was missing cannot be had.
     /// @param missing  null: all is there
-    template <class Go>
+    /// @param ahead    `ahead(begin, end)` is called where some are waiting or the interval begins, and may call look_ahead()
+    template <class Go, class Ahead = Nothing>
     static bool in_rounds(MissingBricks* missing,
                           std::size_t count,
                           const std::stop_token& stop,
                           Again again,
-                          Go&& go) {
+                          Go&& go,
+                          Ahead&& ahead = {}) {
         if (missing == nullptr)
             return go(std::size_t{0}, count);
         const int enough = again == Again::Redo ? 2 : again == Again::Restart ? 16 : most_rounds;
@@ -76,6 +91,8 @@ class MissingBricks {
                 const BrickCache::Reading reading(*missing->cache_);
                 if (!go(begin, end))
                     return false;
+                if (missing->begins_ || !missing->bricks_.empty())
+                    ahead(begin, end);
             }
             switch (missing->fetch(stop, end - begin == 1)) {
             case Outcome::None:
@@ -106,6 +123,8 @@ class MissingBricks {
     std::size_t field_;
     std::mutex mutex_;
     std::vector<std::uint32_t> bricks_;
+    std::vector<std::uint32_t> ahead_;
+    bool begins_ = false;
     std::optional<Error> error_;
 };
 
@@ -143,6 +162,12 @@ class BrickMisses {
     void want(std::size_t brick) const {
         if (bricks_.empty() || bricks_.back() != brick)
             bricks_.push_back(static_cast<std::uint32_t>(brick));
+    }
+
+    /// As if nothing had been missing.
+    void forget() const {
+        missed_ = false;
+        bricks_.clear();
     }
 
     bool any() const { return missed_; }

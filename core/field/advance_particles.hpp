@@ -4,6 +4,7 @@
 
 #include "core/dataset/missing_bricks.hpp"
 #include "core/field/field_in_series.hpp"
+#include "core/field/look_ahead.hpp"
 #include "core/integrate/advance_particle.hpp"
 #include "core/integrate/cursor_of.hpp"
 
@@ -36,16 +37,25 @@ bool in_ranges(std::size_t count,
     return whole;
 }
 
+struct NothingAhead {
+    void operator()(const auto&, std::size_t) const {}
+};
+
+// Of a surface's particles: they are much nearer to each other than bricks are large.
+inline constexpr std::size_t enough_ahead = 4096;
+
 /// Calls `advance(view, begin, end)` with a view of the field each: the field itself or a copy, or a cursor that serves a block of as many
 /// particles whatever the number of threads. Where values were missing it is called again: it leaves the particles that met them as they
 /// were. Returns as in_ranges, and false where what is missing cannot be had.
-template <class Field, class Advance>
+/// @param ahead  `ahead(view, i)` says of some of them what will be missing next
+template <class Field, class Advance, class Ahead = NothingAhead>
 bool in_blocks(const Field& field,
                std::size_t count,
                const std::stop_token& stop,
                const Advance& advance,
                std::size_t least = 16,
-               MissingBricks::Again again = MissingBricks::Again::Restart) {
+               MissingBricks::Again again = MissingBricks::Again::Restart,
+               const Ahead& ahead = {}) {
     if constexpr (FieldWithCursor<Field>) {
         const std::size_t block = std::clamp<std::size_t>(count / 64, 4, 64);
         const auto some = [&](std::size_t begin, std::size_t end) {
@@ -62,7 +72,13 @@ bool in_blocks(const Field& field,
             };
             return in_ranges(end - begin, stop, some, least);
         };
-        return MissingBricks::in_rounds(field.missing(), count, stop, again, round);
+        const auto some_ahead = [&](std::size_t begin, std::size_t end) {
+            const Field view = field;
+            const std::size_t stride = (end - begin) / enough_ahead + 1;
+            for (std::size_t i = begin; i < end; i += stride)
+                ahead(view, i);
+        };
+        return MissingBricks::in_rounds(field.missing(), count, stop, again, round, some_ahead);
     } else {
         const auto some = [&](std::size_t begin, std::size_t end) { advance(field, begin, end); };
         return in_ranges(count, stop, some, least);
@@ -91,6 +107,14 @@ inline void put_back(const Particles& p, std::size_t i, const ParticleState& at)
         p.along_s[i] = at.carried.along_s;
         p.along_t[i] = at.carried.along_t;
     }
+}
+
+/// For in_blocks.
+inline auto ahead_of(const Particles& p, int sign) {
+    return [&p, sign](const auto& view, std::size_t i) {
+        if (p.end[i] == CurveEnd::Running)
+            look_ahead(view, p.position[i], p.time[i], sign);
+    };
 }
 
 /// Advances those that have not yet reached `to`. Returns false if `stop` fired.
@@ -123,14 +147,17 @@ bool advance_particles(const Field& field,
                         whole = false;
                 });
             };
-            return in_blocks(field, p.count(), stop, block) && whole;
+            return in_blocks(field, p.count(), stop, block, 16, MissingBricks::Again::Restart,
+                             ahead_of(p, sign)) &&
+                   whole;
         }
     }
-    return in_blocks(
-        field, p.count(), stop, [&](const auto& view, std::size_t begin, std::size_t end) {
-            each(view, begin, end,
-                 [&](ParticleState& at) { advance_particle(view, at, to, options, p.tangents()); });
-        });
+    const auto block = [&](const auto& view, std::size_t begin, std::size_t end) {
+        each(view, begin, end,
+             [&](ParticleState& at) { advance_particle(view, at, to, options, p.tangents()); });
+    };
+    return in_blocks(field, p.count(), stop, block, 16, MissingBricks::Again::Restart,
+                     ahead_of(p, sign));
 }
 
 } // namespace wakesurf::core

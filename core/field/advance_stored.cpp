@@ -42,7 +42,8 @@ bool advance_in_batches(const Field& field,
         while (!passage.empty())
             passage.step();
     };
-    return in_blocks(field, particles.count(), stop, some);
+    return in_blocks(field, particles.count(), stop, some, 16, MissingBricks::Again::Restart,
+                     ahead_of(particles, sign));
 }
 
 template <class Field>

@@ -81,7 +81,7 @@ class IntervalFlow final : public Flow {
         auto k = static_cast<std::ptrdiff_t>(interval_at(from));
         if (direction < 0 && k > 0 && times[static_cast<std::size_t>(k)] == from)
             --k;
-        for (double reached = from; reached != to; k += direction) {
+        for (double reached = from; reached != to; from = reached, k += direction) {
             const auto index = static_cast<std::size_t>(k);
             const auto start = clock_->now();
             const auto interval = intervals_.acquire(index, needs(true, options.smooth), stop);
@@ -96,6 +96,9 @@ class IntervalFlow final : public Flow {
                 direction > 0 ? border >= to || k + 2 >= static_cast<std::ptrdiff_t>(times.size())
                               : border <= to || k == 0;
             reached = last ? to : border;
+            if (interval->missing &&
+                from == times[direction > 0 ? index : std::min(index + 1, times.size() - 1)])
+                interval->missing->begins();
             Particles here = particles;
             if (!cell.empty()) // from interval to interval
                 here.cell = cell;
@@ -430,6 +433,8 @@ class IntervalFlow final : public Flow {
             if (!interval)
                 return unreadable(interval.error(), index, direction, stop);
             prefetch(index, direction, options.smooth);
+            if (interval->missing)
+                interval->missing->begins();
             const double limit = times[direction > 0 ? index + 1 : index];
             if (auto done = advance(*interval, curves, options, limit, stop); !done)
                 return interval->missing && interval->missing->error()

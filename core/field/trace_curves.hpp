@@ -4,6 +4,7 @@
 
 #include "core/dataset/missing_bricks.hpp"
 #include "core/field/field_in_series.hpp"
+#include "core/field/look_ahead.hpp"
 #include "core/integrate/cursor_of.hpp"
 #include "core/integrate/runge_kutta_steps.hpp"
 
@@ -60,8 +61,18 @@ bool trace_curves(const Field& field,
             });
             return whole.load();
         };
+        const auto ahead = [&](std::size_t begin, std::size_t end) {
+            if constexpr (PagedField<Field>) {
+                const Field view = field;
+                for (const Curve& curve : curves.subspan(begin, end - begin))
+                    if (curve.end == CurveEnd::Running)
+                        look_ahead(view, curve.last.position,
+                                   curve.release + (options.frozen ? 0.0 : curve.last.time),
+                                   curve.duration < 0.0 ? -1 : 1, options.frozen);
+            }
+        };
         return MissingBricks::in_rounds(missing, curves.size(), stop, MissingBricks::Again::GoOn,
-                                        round);
+                                        round, ahead);
     };
     if constexpr (FieldInSeries<Field>) {
         if (options.method == TraceOptions::Method::Dopri5)

@@ -41,6 +41,8 @@ LongThreads::LongThreads(unsigned cores)
         threads_.emplace_back([this] { serve(LongLanes::Lane::Any); });
     for (unsigned i = 0; i < light_threads; ++i)
         threads_.emplace_back([this] { serve(LongLanes::Lane::Light); });
+    const std::lock_guard lock(mutex_);
+    least_ = threads_.size();
 }
 
 LongThreads::~LongThreads() {
@@ -57,6 +59,19 @@ LongThreads::~LongThreads() {
 void LongThreads::run(const std::string& session, FairQueue::Job job) {
     arrived_.push({session, std::move(job)});
     ring();
+}
+
+/// The thread that takes its place stays: it sleeps when there is less to do.
+void LongThreads::blocks() {
+    const std::lock_guard lock(mutex_);
+    ++blocked_;
+    if (!ending_ && threads_.size() < least_ + std::min(blocked_, most_more))
+        threads_.emplace_back([this] { serve(LongLanes::Lane::Any); });
+}
+
+void LongThreads::goes_on() {
+    const std::lock_guard lock(mutex_);
+    --blocked_;
 }
 
 void LongThreads::ring() {
@@ -80,6 +95,7 @@ void LongThreads::serve(LongLanes::Lane lane) {
     arena.initialize();
     const StepBack observer(arena);
     step_back(long_niceness);
+    core::BlockingWait::listen(this);
     for (;;) {
         const auto seen = bell(lane).rings();
         std::unique_lock lock(mutex_);

@@ -1,7 +1,8 @@
 // Threads for jobs that take long: each job's parallel loops use all cores, at a lower priority than the threads that answer a person. Which job is
-// next: long_lanes.
+// next: long_lanes. A job that waits for data holds no thread: another is started in its place.
 #pragma once
 
+#include "core/base/blocking_wait.hpp"
 #include "core/base/doorbell.hpp"
 #include "core/base/mailbox.hpp"
 #include "server/compute/long_lanes.hpp"
@@ -10,6 +11,7 @@
 
 #include <array>
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <mutex>
 #include <string>
@@ -19,7 +21,7 @@
 namespace wakesurf::server {
 
 /// Thread safety: run() may be called from any thread. The destructor waits for all jobs.
-class LongThreads {
+class LongThreads final : private core::BlockingWait::Listener {
   public:
     /// @param cores  that the loops of all jobs use together
     explicit LongThreads(unsigned cores);
@@ -30,6 +32,9 @@ class LongThreads {
     /// Waits for no other thread. @param session  empty: the job belongs to none, and has turns like a session of its own
     void run(const std::string& session, FairQueue::Job job);
 
+    /// Threads in the place of others that wait, at most.
+    static constexpr std::size_t most_more = 64;
+
   private:
     struct Arrived {
         std::string session;
@@ -38,6 +43,8 @@ class LongThreads {
 
     core::Doorbell& bell(LongLanes::Lane lane) { return bells_[static_cast<std::size_t>(lane)]; }
 
+    void blocks() override;
+    void goes_on() override;
     void ring();
     void sort();
     void serve(LongLanes::Lane lane);
@@ -47,9 +54,11 @@ class LongThreads {
     core::Mailbox<Arrived> arrived_;
     std::array<core::Doorbell, 2> bells_; ///< by lane
     std::atomic<bool> ending_{false};
-    std::mutex mutex_; ///< guards lanes_
+    std::mutex mutex_; ///< guards what follows, until `ending_`
     LongLanes lanes_;
+    std::size_t blocked_ = 0; ///< threads whose jobs wait for data
     std::vector<std::jthread> threads_;
+    std::size_t least_ = 0; ///< of them should be there for other jobs
 };
 
 } // namespace wakesurf::server

@@ -48,7 +48,7 @@ class BrickedSource final : public core::TimeStepSource, public core::BrickSourc
 
     bool gaps(std::size_t step) const override { return steps_[step]->gaps; }
 
-    /// From a thread of its own, one after the other.
+    /// From a thread of its own, one after the other, or at once.
     void read(std::vector<core::BrickRead> reads, std::stop_token, Done done) const override {
         std::vector<std::size_t> order(reads.size());
         std::iota(order.begin(), order.end(), std::size_t{0});
@@ -58,6 +58,11 @@ class BrickedSource final : public core::TimeStepSource, public core::BrickSourc
         }
         const std::scoped_lock lock(mutex_);
         read_ += reads.size();
+        if (at_once) {
+            for (const std::size_t i : order)
+                done(i, fill(reads[i]));
+            return;
+        }
         answer_ = std::make_unique<std::jthread>(
             [this, reads = std::move(reads), order = std::move(order), done = std::move(done),
              before = std::shared_ptr<std::jthread>(std::move(answer_))] {
@@ -68,6 +73,7 @@ class BrickedSource final : public core::TimeStepSource, public core::BrickSourc
 
     std::size_t read_so_far() const { return read_; }
 
+    bool at_once = false;                             ///< bricks are there when read() returns
     std::atomic<std::size_t> broken{~std::size_t{0}}; ///< the brick that cannot be read
     std::atomic<std::size_t> broken_from{
         ~std::size_t{0}}; ///< the first time-step without any that can

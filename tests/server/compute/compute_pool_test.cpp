@@ -1,4 +1,5 @@
 // The pool's own threads: who waits for whom, and at which priority.
+#include "core/base/blocking_wait.hpp"
 #include "server/compute/compute_pool.hpp"
 
 #include <gtest/gtest.h>
@@ -43,6 +44,21 @@ TEST(ComputePool, RunsAQuickJobOfOneSessionWhileAnotherHasMoreOfThemThanThreads)
     pool.run("light", Pace::Quick, [&] { quick.set_value(own_priority()); });
     EXPECT_EQ(quick.get_future().get(), own_priority());
     release.set_value();
+}
+
+TEST(ComputePool, RunsALongJobWhileAsManySessionsAsThereAreThreadsWaitForData) {
+    ComputePool pool(2);
+    std::promise<void> arrive;
+    const auto arrived = arrive.get_future().share();
+    for (int i = 0; i < 40; ++i)
+        pool.run("cold" + std::to_string(i), Pace::Long, [arrived] {
+            const core::BlockingWait blocked;
+            arrived.wait();
+        });
+    std::promise<void> warm;
+    pool.run("warm", Pace::Long, [&] { warm.set_value(); });
+    EXPECT_EQ(warm.get_future().wait_for(std::chrono::minutes(2)), std::future_status::ready);
+    arrive.set_value();
 }
 
 TEST(ComputePool, RunsTheManyQuickJobsOfASessionAtAPriorityBetweenAFewAndLongOnes) {
