@@ -52,6 +52,7 @@ void register_sampling_benchmarks();
 void register_bricks_benchmarks();
 
 /// The first coarse surface of a store that is far away.
+void register_disk_benchmarks();
 void register_http_benchmarks();
 
 /// Bricks from the memory of an MPI job's ranks beside files, and a surface after one of them was killed.

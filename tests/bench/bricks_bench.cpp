@@ -164,6 +164,8 @@ void measure_beyond_memory(benchmark::State& state, std::uint32_t side, std::siz
         state.counters["target_most_memory"] = target_times_the_budget;
         state.counters["rounds_an_interval"] =
             static_cast<double>(status.rounds) / static_cast<double>(times.size() - 1);
+        state.counters["waits_an_interval"] =
+            static_cast<double>(status.waits) / static_cast<double>(times.size() - 1);
         state.counters["target_rounds"] = target_rounds_an_interval;
         state.counters["megabytes_read"] =
             1e-6 * static_cast<double>(status.reads) * 33 * 33 * 33 * 12;
@@ -185,6 +187,9 @@ void register_bricks_benchmarks() {
             [each](benchmark::State& state) { measure_resident(state, each); });
     run("beyond_memory/512",
         [](benchmark::State& state) { measure_beyond_memory(state, 513, std::size_t{100} << 20); });
+    run("beyond_memory/1024", [](benchmark::State& state) {
+        measure_beyond_memory(state, 1025, std::size_t{806} << 20);
+    });
     run("beyond_memory/4096",
         [](benchmark::State& state) { measure_beyond_memory(state, 4097, std::size_t{4} << 30); });
 }

@@ -62,6 +62,7 @@ int measure(const server::BenchOptions& options) {
     register_advection_benchmarks();
     register_sampling_benchmarks();
     register_bricks_benchmarks();
+    register_disk_benchmarks();
     register_http_benchmarks();
     register_ranks_benchmarks();
     register_family_benchmarks();
