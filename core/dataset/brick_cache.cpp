@@ -2,14 +2,13 @@
 
 #include "core/base/blocking_wait.hpp"
 #include "core/base/doorbell.hpp"
+#include "core/dataset/retired_slots.hpp"
 #include "core/dataset/slab.hpp"
 
 #include <algorithm>
 #include <atomic>
-#include <limits>
 #include <map>
 #include <mutex>
-#include <set>
 #include <utility>
 
 namespace wakesurf::core {
@@ -74,11 +73,6 @@ struct BrickCache::State {
         std::uint64_t asked = 0;
     };
 
-    struct Leaving {
-        std::uint64_t since;
-        std::size_t slot;
-    };
-
     State(const BrickSource& its_source, Options options)
         : source(its_source), layout(its_source.layout()), bytes_a_slot(slot_bytes(layout)),
           zero_brick(bytes_a_slot), budget(std::max(options.budget_bytes, smallest_budget(layout))),
@@ -105,9 +99,7 @@ struct BrickCache::State {
     std::vector<Slab> slabs;
     std::vector<Slot> slots;
     std::vector<std::size_t> free;
-    std::vector<Leaving> leaving; ///< evicted, and perhaps still read
-    std::multiset<std::uint64_t> readings;
-    std::uint64_t evictions = 0;
+    RetiredSlots retired;
     std::size_t most_bytes = 0;
     std::map<StepName, Step> steps; ///< of which anything is in memory, or anyone holds the table
     std::map<BrickName, std::shared_ptr<Load>> loads;
@@ -152,11 +144,11 @@ struct BrickCache::State {
                 oldest = step.table.get();
                 asked = step.asked;
             }
-        ++evictions;
+        retired.next_epoch();
         for (std::size_t i = 0; oldest != nullptr && i < slots.size(); ++i)
             if (slots[i].table == oldest && !slots[i].loading)
                 leave(i);
-        reap();
+        retired.reclaim(free);
         erase_empty();
     }
 
@@ -169,7 +161,7 @@ struct BrickCache::State {
         --steps.at(name_of(*slot.table)).bricks;
         news = true;
         slot.table = nullptr;
-        leaving.push_back({evictions, index});
+        retired.retire(index);
     }
 
     std::size_t table_bytes() const {
@@ -177,17 +169,6 @@ struct BrickCache::State {
     }
 
     std::size_t bytes() const { return slots.size() * bytes_a_slot + table_bytes(); }
-
-    void reap() {
-        const std::uint64_t oldest =
-            readings.empty() ? std::numeric_limits<std::uint64_t>::max() : *readings.begin();
-        std::erase_if(leaving, [&](const Leaving& each) {
-            if (each.since > oldest)
-                return false;
-            free.push_back(each.slot);
-            return true;
-        });
-    }
 
     bool grow() {
         const std::size_t room = (budget - std::min(budget, bytes())) / bytes_a_slot;
@@ -217,15 +198,15 @@ struct BrickCache::State {
             const std::size_t its = slabs.back().bytes().size() / bytes_a_slot;
             const std::size_t first = slots.size() - its;
             const auto of_slab = [&](std::size_t slot) { return slot >= first; };
-            if (!readings.empty() ||
+            if (retired.being_read() ||
                 std::any_of(slots.begin() + static_cast<std::ptrdiff_t>(first), slots.end(),
                             [](const Slot& slot) { return slot.loading; }))
                 break;
-            ++evictions;
+            retired.next_epoch();
             for (std::size_t i = first; i < slots.size(); ++i)
                 if (slots[i].table != nullptr)
                     leave(i);
-            reap();
+            retired.reclaim(free);
             std::erase_if(free, of_slab);
             slots.resize(first);
             slabs.pop_back();
@@ -249,10 +230,10 @@ struct BrickCache::State {
         const std::size_t some = std::min(count, candidates.size());
         std::nth_element(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(some),
                          candidates.end(), std::greater<>());
-        ++evictions;
+        retired.next_epoch();
         for (std::size_t i = 0; i < some; ++i)
             leave(candidates[i].second);
-        reap();
+        retired.reclaim(free);
     }
 
     struct Begun {
@@ -403,8 +384,7 @@ BrickTable::Age BrickCache::age() const {
 
 BrickCache::Reading::Reading(BrickCache& cache) : cache_(cache) {
     const std::scoped_lock lock(cache_.state_->mutex);
-    began_ = cache_.state_->evictions;
-    cache_.state_->readings.insert(began_);
+    began_ = cache_.state_->retired.begin_reading();
 }
 
 BrickCache::Reading::~Reading() {
@@ -412,9 +392,9 @@ BrickCache::Reading::~Reading() {
     bool room = false;
     {
         const std::scoped_lock lock(state.mutex);
-        state.readings.erase(state.readings.find(began_));
+        state.retired.end_reading(began_);
         const std::size_t before = state.free.size();
-        state.reap();
+        state.retired.reclaim(state.free);
         room = state.free.size() > before;
     }
     if (room)
