@@ -63,7 +63,7 @@ class SlurmRanks(unittest.TestCase):
 
         def come():
             ranks[:] = ranks_test.ranks_of(self.store)
-            return len(ranks) == 2 and not set(ranks) & set(before) and ranks_test.metrics(server)["job"] == 2
+            return len(ranks) == 2 and not set(ranks) & set(before) and ranks_test.metrics(server).get("job") == 2
         self.cluster.until(come)
         return sorted(ranks, key=self.number)
 
