@@ -5,12 +5,11 @@ import re
 import signal
 import subprocess
 import tempfile
-import time
 import unittest
 import urllib.parse
 import urllib.request
 
-from real_server import BINARY, RealServer
+from real_server import BINARY, RealServer, until
 
 import wakesurf  # real_server says where
 
@@ -18,7 +17,6 @@ BRICKS = os.path.join(os.path.dirname(BINARY), "wakesurf-bricks")
 START = "mpirun -n 2 --oversubscribe --mca mpi_yield_when_idle 1"
 AS_ROOT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
 MEMORY = "112MiB"  # four time-steps of 19 MB do not fit in half of it
-LONGEST = 300  # seconds, longer than any machine takes
 
 
 def ranks_of(store):
@@ -35,16 +33,6 @@ def ranks_of(store):
     return out
 
 
-def until(what):
-    """Waits for what comes in its own time."""
-    end = time.monotonic() + LONGEST
-    while not (found := what()):
-        if time.monotonic() > end:
-            raise TimeoutError
-        time.sleep(0.05)
-    return found
-
-
 def metrics(server):
     """How many ranks there are (`job`), and bricks that came from `ranks` and from `files`."""
     address = urllib.parse.urlsplit(server.url)
@@ -57,6 +45,7 @@ def metrics(server):
 
 
 def streak(session, height):
+    session.client.api.dataset.open(dataset="tornado")  # the server answers before its data are open
     rake = session.rake(line=[(0.4, 0.5, 0.1), (0.6, 0.5, height)], seeds=16)
     surface = session.surface(rake, "streak", dataset="tornado", to=3.5, separation=0.02)
     surface.wait()

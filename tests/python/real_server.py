@@ -2,10 +2,22 @@
 import os
 import subprocess
 import sys
+import time
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 BINARY = os.environ.get("WAKESURF_BINARY", os.path.join(ROOT, "build/release/bin/wakesurf"))
 sys.path.insert(0, os.path.join(ROOT, "protocol/python"))
+LONGEST = 300  # seconds, longer than any machine takes
+
+
+def until(what):
+    """Waits for what comes in its own time."""
+    end = time.monotonic() + LONGEST
+    while not (found := what()):
+        if time.monotonic() > end:
+            raise TimeoutError
+        time.sleep(0.05)
+    return found
 
 
 class RealServer:

@@ -6,10 +6,10 @@ import shutil
 import socket
 import subprocess
 import tempfile
-import time
+
+from real_server import until
 
 DAEMONS = ("munged", "slurmctld", "slurmd", "sbatch", "srun")
-LONGEST = 120  # seconds, longer than any machine takes
 CONFIGURATION = """
 ClusterName=test
 SlurmctldHost={host}(127.0.0.1)
@@ -80,11 +80,11 @@ class Cluster:
     def start(self):
         self._begin("munged", "--foreground", "--force", *(f"--{name}={self.path('munge.' + end)}" for name, end in (
             ("key-file", "key"), ("socket", "socket"), ("pid-file", "pid"), ("log-file", "log"), ("seed-file", "seed"))))
-        self.until(lambda: os.path.exists(self.path("munge.socket")))
+        until(lambda: os.path.exists(self.path("munge.socket")))
         self._begin("slurmctld", "-D", "-c")
         for node in ("node1", "node2"):
             self._begin("slurmd", "-D", "-N", node)
-        self.until(lambda: self.output("sinfo", "-h", "-N", "-o", "%T").split() == ["idle", "idle"])
+        until(lambda: self.output("sinfo", "-h", "-N", "-o", "%T").split() == ["idle", "idle"])
 
     def _begin(self, *words):
         with open(self.path(words[0] + ".out"), "ab") as said:
@@ -101,19 +101,9 @@ class Cluster:
     def _as_user(self):
         return {"user": self.user, "group": self.user, "extra_groups": []} if os.getuid() == 0 else {}
 
-    @staticmethod
-    def until(what):
-        """Waits for what comes in its own time."""
-        end = time.monotonic() + LONGEST
-        while not (found := what()):
-            if time.monotonic() > end:
-                raise TimeoutError
-            time.sleep(0.05)
-        return found
-
     def stop(self):
         self.output("scancel", "--user", self.user)
-        self.until(lambda: not self.output("squeue", "-h").strip())
+        until(lambda: not self.output("squeue", "-h").strip())
         for each in reversed(self.daemons):
             each.terminate()
             each.wait()

@@ -11,7 +11,7 @@ import types
 import unittest
 
 import ranks_test
-from real_server import BINARY, ROOT
+from real_server import BINARY, ROOT, until
 from slurm_cluster import Cluster, installed
 
 import wakesurf  # real_server says where
@@ -49,13 +49,13 @@ class SlurmRanks(unittest.TestCase):
             os.path.join(ROOT, "examples/bricks.sbatch"), self.store, PATH=os.path.dirname(BINARY) + ":" + self.cluster.environment["PATH"],
             URL_FILE=link, MEMORY=ranks_test.MEMORY, BRICKS_MEMORY="200MiB").strip()
         self.addCleanup(self.end, job)
-        self.cluster.until(lambda: os.path.exists(link) and os.path.getsize(link) > 0)
+        until(lambda: os.path.exists(link) and os.path.getsize(link) > 0)
         with open(link, encoding="utf-8") as file:
             return job, types.SimpleNamespace(url=file.read().strip())
 
     def end(self, job):
         self.cluster.output("scancel", job)
-        self.cluster.until(lambda: not self.cluster.output("squeue", "-h").strip())
+        until(lambda: not self.cluster.output("squeue", "-h").strip())
 
     def ranks(self, server, before=()):
         """Both, by their numbers, when they are others than before."""
@@ -64,7 +64,7 @@ class SlurmRanks(unittest.TestCase):
         def come():
             ranks[:] = ranks_test.ranks_of(self.store)
             return len(ranks) == 2 and not set(ranks) & set(before) and ranks_test.metrics(server).get("job") == 2
-        self.cluster.until(come)
+        until(come)
         return sorted(ranks, key=self.number)
 
     @staticmethod
@@ -111,9 +111,9 @@ class SlurmRanks(unittest.TestCase):
             start = time.monotonic()
             self.assertEqual(ranks_test.streak(session, height), self.wanted[height])
             print(f"a rank hangs: a surface after {time.monotonic() - start:.2f} s", flush=True)
-        self.cluster.until(lambda: hangs not in ranks_test.ranks_of(self.store))
+        until(lambda: hangs not in ranks_test.ranks_of(self.store))
         self.ranks(server, ranks)
-        self.cluster.until(lambda: len(self.steps()) == 1)
+        until(lambda: len(self.steps()) == 1)
         self.assertNotEqual(self.steps(), before)
 
     def test_a_job_that_is_cancelled_leaves_nothing(self):
