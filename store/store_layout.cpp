@@ -78,6 +78,8 @@ std::vector<StepFile> step_files(const StoreLayout& layout, std::size_t column, 
     if (layout.brick_cells == 0)
         return {{values, size(layout.grid.nodes())}};
     const auto bricks = layout.bricks();
+    if (!layout.checked)
+        return {{values, size(bricks.count() * bricks.nodes_per_brick())}};
     return {{values, size(bricks.count() * bricks.nodes_per_brick())},
             {values.substr(0, values.rfind('.')) + std::string(bricks_suffix),
              BrickIndex::bytes(bricks.count())}};

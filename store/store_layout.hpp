@@ -50,8 +50,11 @@ struct StoreLayout {
     core::Precision precision = core::Precision::Single; ///< of velocity and scalars
     std::vector<StoredScalar> scalars;                   ///< in the order of the columns
     std::uint32_t brick_cells = 0; ///< an axis of a brick; 0: whole time-steps
-    bool mask = false;             ///< mask.u8 is there
-    bool walls = false;            ///< walls.f32 and walls.u32 are there
+    /// Of time-steps in bricks: each brick has a checksum. False for what was not written as a store and is read as one.
+    bool checked = true;
+    bool may_have_gaps = false; ///< of bricks without checksums: some values may not be finite
+    bool mask = false;          ///< mask.u8 is there
+    bool walls = false;         ///< walls.f32 and walls.u32 are there
     std::map<std::string, std::uint32_t>
         checksums; ///< CRC-32C of the files that all time-steps share
 
@@ -73,7 +76,7 @@ inline std::size_t components_of(std::size_t column) {
     return column == 0 ? 3 : 1;
 }
 
-/// A column's files at a time-step: the values and, where they lie in bricks, the bricks' checksums. The values are told from others
+/// A column's files at a time-step: the values and, where they lie in bricks that are checked, the bricks' checksums. The values are told from others
 /// by the CRC-32C of the last one, which is the record in checksums.u32.
 std::vector<StepFile> step_files(const StoreLayout& layout, std::size_t column, std::size_t index);
 

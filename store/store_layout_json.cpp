@@ -99,17 +99,24 @@ std::vector<StoredScalar> parse_scalars(protocol::JsonMembers& manifest) {
     return scalars;
 }
 
-std::uint32_t parse_brick_cells(protocol::JsonMembers& manifest) {
+void parse_bricks(protocol::JsonMembers& manifest, StoreLayout& layout) {
     if (!manifest.has("bricks"))
-        return 0;
+        return;
     protocol::JsonMembers members(manifest.object("bricks"));
     const auto cells = static_cast<std::uint32_t>(
         members.count("cells", std::numeric_limits<std::uint32_t>::max()));
+    layout.brick_cells = cells;
+    layout.checked = !members.has("unchecked");
+    if (!layout.checked) {
+        protocol::JsonMembers unchecked(members.object("unchecked"));
+        layout.may_have_gaps = unchecked.flag("gaps");
+        if (!unchecked.verdict())
+            members.fault("unchecked", unchecked.verdict().error().message);
+    }
     if (!members.verdict())
         manifest.fault("bricks", members.verdict().error().message);
     else if (cells == 0)
         manifest.fault("bricks", "must have cells");
-    return cells;
 }
 
 std::map<std::string, std::uint32_t> parse_checksums(protocol::JsonMembers& manifest) {
@@ -136,6 +143,8 @@ json store_layout_json(const StoreLayout& layout) {
              {"checksums", layout.checksums}};
     if (layout.brick_cells != 0)
         out["bricks"] = {{"cells", layout.brick_cells}};
+    if (layout.brick_cells != 0 && !layout.checked)
+        out["bricks"]["unchecked"] = {{"gaps", layout.may_have_gaps}};
     return out;
 }
 
@@ -148,7 +157,7 @@ StoreLayout parse_store_layout(protocol::JsonMembers& members) {
         members.fault("precision", "is neither single nor half");
     layout.precision = precision == "half" ? core::Precision::Half : core::Precision::Single;
     layout.scalars = parse_scalars(members);
-    layout.brick_cells = parse_brick_cells(members);
+    parse_bricks(members, layout);
     layout.mask = members.flag("mask");
     layout.walls = members.flag("walls");
     layout.checksums = parse_checksums(members);

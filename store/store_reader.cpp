@@ -296,6 +296,8 @@ Result<bool> StoreReader::read_bricks(std::size_t column,
     }
     if (!outcome)
         return tl::unexpected(outcome.error());
+    if (!layout_.checked && layout_.may_have_gaps) // by now it is known
+        return !all_finite(out, Precision::Single);
     return stored_bricks_->gaps(column, index);
 }
 

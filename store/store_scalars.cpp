@@ -30,7 +30,7 @@ StoreScalars::StoreScalars(std::shared_ptr<const StoreReader> reader,
         records_.push_back(each.record);
         mark_ += each.record.name + ":" + each.stem;
         for (const StoredFamily::Sums& sums : each.sums)
-            mark_ += "-" + std::to_string(sums.values);
+            mark_.append("-").append(std::to_string(sums.values));
         mark_ += " ";
     }
 }

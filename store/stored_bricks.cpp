@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstring>
 #include <new>
+#include <ranges>
 
 namespace wakesurf::store {
 
@@ -81,7 +82,7 @@ Result<StoredBricks::KnownFile> StoredBricks::look_at(std::size_t column, std::s
         return tl::unexpected(expected.error());
     const auto files = step_files(layout_, column, index);
     Result<FileIdentity> identity;
-    for (const auto& file : {files[1], files[0]}) {
+    for (const auto& file : files | std::views::reverse) {
         identity = disk_->identity(layout_.folder / file.name);
         if (!identity)
             return tl::unexpected(identity.error());
@@ -90,6 +91,11 @@ Result<StoredBricks::KnownFile> StoredBricks::look_at(std::size_t column, std::s
                         file.name + " has " + std::to_string(identity->size) +
                             " bytes instead of " + std::to_string(file.size),
                         "import the dataset again");
+    }
+    if (!layout_.checked) {
+        BrickIndex index_of_none(0);
+        index_of_none.gaps.assign(1, layout_.may_have_gaps ? 1 : 0);
+        return std::make_shared<const Known>(Known{std::move(index_of_none), *identity, nullptr});
     }
     const std::string& name = files[1].name;
     std::vector<std::byte> bytes(static_cast<std::size_t>(files[1].size));
@@ -171,11 +177,11 @@ void StoredBricks::read(std::size_t column,
                             to[i]);
         else if (!in_place)
             std::memcpy(to[i].data(), one.data(), bytes);
-        auto& checked = (*found)->checked[place + i];
         Result<void> outcome;
-        if (!checked) {
+        auto* const checked = layout_.checked ? &(*found)->checked[place + i] : nullptr;
+        if (checked != nullptr && !*checked) {
             outcome = check(column, index, core::crc32c(one), (*found)->index.checksums[place + i]);
-            checked = outcome.has_value();
+            *checked = outcome.has_value();
         }
         tell(std::move(outcome));
     }

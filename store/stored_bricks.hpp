@@ -83,7 +83,8 @@ class StoredBricks {
     struct Known {
         BrickIndex index;
         core::FileIdentity file;
-        std::unique_ptr<std::atomic<bool>[]> checked; ///< by place
+        std::unique_ptr<std::atomic<bool>[]>
+            checked; ///< by place; null where there are no checksums
     };
 
     using KnownFile = std::shared_ptr<const Known>;

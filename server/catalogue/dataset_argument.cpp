@@ -2,6 +2,7 @@
 
 #include "core/base/plain_text.hpp"
 #include "server/web/web_address.hpp"
+#include "server/zarr/zarr_group.hpp"
 #include "store/store_manifest.hpp"
 
 #include <cstdint>
@@ -25,7 +26,7 @@ bool is_pattern(const std::string& name) {
 DatasetArgument resolve_path(const fs::path& path) {
     DatasetArgument out;
     out.path = path;
-    if (fs::is_directory(path) && fs::exists(path / store::manifest_file_name)) {
+    if (fs::is_directory(path) && (fs::exists(path / store::manifest_file_name) || is_zarr(path))) {
         out.kind = DatasetArgument::Kind::Store;
         out.name = path.filename().string();
     } else if (path.filename() == store::manifest_file_name) {

@@ -4,7 +4,7 @@
 #include "core/field/velocity_gradient.hpp"
 #include "core/surface/vertex_attributes.hpp"
 #include "server/catalogue/field_names.hpp"
-#include "server/web/dataset_disk.hpp"
+#include "server/zarr/open_disk.hpp"
 #include "store/stored_families.hpp"
 
 #include <fmt/format.h>
@@ -122,10 +122,12 @@ Result<void> check_family(const LoadedDataset& dataset, const FamilyWish& wish) 
         return fail(Error::Code::Unsupported,
                     "a built-in flow has no nodes that a family could have values at",
                     "wakesurf generate writes it to a store, which has");
-    if (is_on_the_web(dataset.store->layout().folder))
-        return fail(Error::Code::Unsupported,
-                    "families are kept beside the data, and nothing can be written on the web",
-                    "copy the store to a folder, and make it there");
+    if (is_others(dataset.store->layout().folder))
+        return fail(
+            Error::Code::Unsupported,
+            "families are kept beside the data, and nothing is written on the web or into a "
+            "Zarr",
+            "make it of a store in a folder");
     const std::size_t nodes = core::node_count(dataset.store->grid());
     return check_name(dataset, wish.name)
         .and_then([&] { return scalar_of(dataset, wish.request); })
@@ -184,8 +186,8 @@ Result<core::FamilyRecord> make_family(const LoadedDataset& dataset,
 Result<void> remove_family(const LoadedDataset& dataset, const std::string& name) {
     if (!dataset.store)
         return fail(Error::Code::Unsupported, "a built-in flow has no families");
-    if (is_on_the_web(dataset.store->layout().folder))
-        return fail(Error::Code::Unsupported, "nothing can be removed on the web");
+    if (is_others(dataset.store->layout().folder))
+        return fail(Error::Code::Unsupported, "nothing can be removed on the web or in a Zarr");
     return store::remove_family(dataset.store->layout().folder, name);
 }
 

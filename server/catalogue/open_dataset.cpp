@@ -4,6 +4,7 @@
 #include "core/field/stored_flow.hpp"
 #include "server/catalogue/import_process.hpp"
 #include "server/web/dataset_disk.hpp"
+#include "server/zarr/open_disk.hpp"
 #include "store/open_store.hpp"
 #include "store/store_manifest.hpp"
 
@@ -34,14 +35,20 @@ constexpr double mebi = 1024.0 * 1024.0;
 // What a first surface takes beside the dataset, so that the memory that is asked for is enough for one.
 constexpr std::size_t first_surface = std::size_t{32} << 20;
 
-/// What stays in memory beside the velocity's time-steps: the grid, what finds cells in a mesh, the solid mask by node and by cell; and
-/// what sampling a scalar takes.
-std::size_t fixed_bytes(const store::StoreReader& reader) {
+/// What chunks of a Zarr may take beyond the least, of memory that is left: they are read again and again where they are larger than bricks.
+std::size_t more_chunks(std::size_t left) {
+    constexpr std::size_t most = std::size_t{512} << 20;
+    return std::min(left / 4, most);
+}
+
+/// What stays in memory beside the velocity's time-steps: the grid, what finds cells in a mesh, the solid mask by node and by cell; what
+/// sampling a scalar takes; and the chunks of a Zarr.
+std::size_t fixed_bytes(const store::StoreReader& reader, std::size_t chunk_bytes) {
     const auto* mesh = std::get_if<core::CellMesh>(&reader.grid());
     constexpr std::size_t locator_bytes =
         37; // a cell: core/field/cells/cell_locator.hpp, cell_walls.hpp
     return core::memory_of(reader.grid()) + (mesh ? locator_bytes * mesh->cells.size() : 0) +
-           2 * reader.mask().fluid.size() + reader.scalar_memory();
+           2 * reader.mask().fluid.size() + reader.scalar_memory() + chunk_bytes;
 }
 
 /// What a dataset needs besides its grid, in words.
@@ -54,8 +61,8 @@ std::string least_words(const store::StoreReader& reader, std::size_t bytes) {
 }
 
 /// What of the budget is left for time-steps. Error: OverLimit where that is too little to follow a particle.
-core::Result<std::size_t> cache_budget(const store::StoreReader& reader, std::size_t budget) {
-    const std::size_t fixed = fixed_bytes(reader);
+core::Result<std::size_t>
+cache_budget(const store::StoreReader& reader, std::size_t fixed, std::size_t budget) {
     const std::size_t steps = core::TimeStepCache::smallest_budget(reader);
     if (budget >= fixed && budget - fixed >= steps)
         return budget - fixed;
@@ -73,8 +80,7 @@ core::Result<std::size_t> cache_budget(const store::StoreReader& reader, std::si
 
 /// The same of the account, which then counts the grid, and has room for the time-steps.
 core::Result<std::shared_ptr<core::MemoryAccount::Share>>
-counted(const store::StoreReader& reader, const core::MemoryAccount& account) {
-    const std::size_t fixed = fixed_bytes(reader);
+counted(const store::StoreReader& reader, std::size_t fixed, const core::MemoryAccount& account) {
     const std::size_t steps = core::TimeStepCache::smallest_budget(reader);
     auto share =
         std::make_shared<core::MemoryAccount::Share>(account.open(core::MemoryUse::Meshes));
@@ -108,9 +114,9 @@ std::shared_ptr<RankedStore> with_ranks(const std::shared_ptr<const store::Store
                                         const StoreOptions& options) {
     if (!options.ranks || reader->bricks() == nullptr)
         return nullptr;
-    if (is_on_the_web(folder)) {
+    if (is_others(folder)) {
         spdlog::warn("event=bricks_job_not_possible message=\"ranks hold stores of a folder, not "
-                     "of the web\"");
+                     "of the web, and no Zarr\"");
         return nullptr;
     }
     RankBricks::Options ranks = *options.ranks;
@@ -132,23 +138,39 @@ core::Result<LoadedDataset> open_flow(const DatasetArgument& argument) {
 core::Result<LoadedDataset> open_store(const std::filesystem::path& folder,
                                        const StoreOptions& how) {
     const core::TimeStepCache::Options& options = how.cache;
-    const auto disk = disk_of(folder);
+    const std::size_t all = options.account ? options.account->budget() : options.budget_bytes;
+    const auto disk = open_disk(folder, scalar_bytes(all));
     if (!disk)
         return tl::unexpected(disk.error());
-    auto opened = store::open_store(folder, *disk);
+    auto opened = store::open_store(folder, disk->disk);
     if (!opened)
         return tl::unexpected(opened.error());
     const auto& reader = opened->reader;
+    const std::size_t chunk_bytes = disk->zarr ? disk->zarr->least_memory() : 0;
+    const std::size_t fixed = fixed_bytes(*reader, chunk_bytes);
     core::TimeStepCache::Options cached = options;
     cached.by_brick = cached.by_brick || is_on_the_web(folder); // the less is read, the better
     std::shared_ptr<core::MemoryAccount::Share> memory;
     if (options.account) {
-        auto share = counted(*reader, *options.account);
+        auto share = counted(*reader, fixed, *options.account);
         if (!share)
             return tl::unexpected(share.error());
         memory = std::move(*share);
-    } else if (const auto budget = cache_budget(*reader, options.budget_bytes)) {
+        const std::size_t more = more_chunks(options.account->budget() / 4);
+        if (disk->zarr &&
+            memory->grow_within_free(fixed + more, core::TimeStepCache::smallest_budget(*reader) +
+                                                       options.account->kept_for_small() +
+                                                       first_surface)) {
+            disk->zarr->use_memory(chunk_bytes + more);
+        }
+    } else if (const auto budget = cache_budget(*reader, fixed, options.budget_bytes)) {
         cached.budget_bytes = *budget;
+        if (disk->zarr) {
+            const std::size_t more =
+                more_chunks(*budget - core::TimeStepCache::smallest_budget(*reader));
+            disk->zarr->use_memory(chunk_bytes + more);
+            cached.budget_bytes -= more;
+        }
     } else {
         return tl::unexpected(budget.error());
     }
@@ -158,7 +180,7 @@ core::Result<LoadedDataset> open_store(const std::filesystem::path& folder,
     if (ranked && cache->bricks()) {
         ranked->ranks().begin();
         if (memory)
-            memory->set(fixed_bytes(*reader) + ranked->ranks().shared_bytes());
+            memory->set(fixed + ranked->ranks().shared_bytes());
     } else if (ranked) {
         spdlog::info("event=bricks_job_not_needed message=\"four time-steps fit into memory\"");
     }
@@ -221,7 +243,7 @@ bool has_all_of(const store::StoreManifest& now, const store::StoreReader& open)
 core::Result<LoadedDataset> open_again(const LoadedDataset& open,
                                        const std::filesystem::path& folder,
                                        const StoreOptions& options) {
-    if (is_on_the_web(folder)) // as it was when it was opened
+    if (is_others(folder)) // as it was when it was opened
         return open;
     const auto manifest = store::read_store_manifest(folder, core::PosixDisk());
     if (!manifest || !open.store || manifest->layout.times != open.store->times() ||
@@ -233,7 +255,7 @@ core::Result<LoadedDataset> open_again(const LoadedDataset& open,
 }
 
 bool still_there(const LoadedDataset& open) {
-    if (!open.store || is_on_the_web(open.store->layout().folder))
+    if (!open.store || is_others(open.store->layout().folder))
         return true;
     const auto now = store::read_store_manifest(open.store->layout().folder, core::PosixDisk());
     return now && has_all_of(*now, *open.store);

@@ -13,6 +13,7 @@
 #include "server/cli/tell.hpp"
 #include "server/metrics/process_account.hpp"
 #include "server/web/dataset_disk.hpp"
+#include "server/zarr/open_disk.hpp"
 #include "store/store_manifest.hpp"
 #include "store/store_reader.hpp"
 
@@ -64,10 +65,10 @@ void say_how_served(const store::StoreReader& reader, Described& out) {
 
 /// Of a store whose import did not end, or has not ended yet, the note says so.
 core::Result<Described> describe_store(const std::filesystem::path& folder) {
-    const auto opened_disk = disk_of(folder);
+    const auto opened_disk = open_disk(folder, scalar_bytes(default_memory()));
     if (!opened_disk)
         return tl::unexpected(opened_disk.error());
-    const std::shared_ptr<const core::Disk>& disk = *opened_disk;
+    const std::shared_ptr<const core::Disk>& disk = opened_disk->disk;
     auto manifest = store::read_store_manifest(folder, *disk);
     if (!manifest)
         return tl::unexpected(manifest.error());
@@ -87,8 +88,9 @@ core::Result<Described> describe_store(const std::filesystem::path& folder) {
     list_families(manifest->info, *scalars);
     const auto cells = manifest->layout.brick_cells;
     Described out{std::move(manifest->info), scalars->families(),
-                  cells == 0 ? std::string("whole time-steps")
-                             : fmt::format("bricks of {} cells", cells)};
+                  opened_disk->zarr ? std::string("chunks of a Zarr")
+                  : cells == 0      ? std::string("whole time-steps")
+                                    : fmt::format("bricks of {} cells", cells)};
     say_how_served(**reader, out);
     return out;
 }

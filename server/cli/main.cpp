@@ -108,8 +108,8 @@ int run(int argc, char** argv) {
         command("info", "Describe a dataset", [&] { return run_info(info); });
     info_command
         ->add_option("DATASET", info.dataset,
-                     "A file or folder of simulation results, a store or its https:// address, or "
-                     "flow:NAME[?k=v,...]")
+                     "A file or folder of simulation results, a store or a Zarr or the https:// "
+                     "address of one, or flow:NAME[?k=v,...]")
         ->required();
     add_source_options(*info_command, info.taken);
     info_command->add_flag("--json", info.json, "Print JSON");

@@ -342,8 +342,8 @@ void add_serve_options(CLI::App& command, ServeOptions& options) {
     options.state = from_environment("WAKESURF_STATE");
     options.token_file = from_environment("WAKESURF_TOKEN_FILE");
     command.add_option("DATASET", options.datasets,
-                       "files or folders VTK can read, stores or their https:// addresses, or "
-                       "flow:NAME[?k=v,...] (default: "
+                       "files or folders VTK can read, stores, Zarrs or the https:// addresses of "
+                       "either, or flow:NAME[?k=v,...] (default: "
                        "$WAKESURF_DATASET, or the bundled simulation)");
     command
         .add_option("--listen", options.listen,

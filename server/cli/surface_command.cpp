@@ -314,8 +314,8 @@ core::Result<void> make(const SurfaceOptions& options,
 void add_surface_options(CLI::App& command, SurfaceOptions& options) {
     command
         .add_option("DATASET", options.dataset,
-                    "A file or folder of simulation results, a store or its https:// address, or "
-                    "flow:NAME[?k=v,...]")
+                    "A file or folder of simulation results, a store or a Zarr or the https:// "
+                    "address of one, or flow:NAME[?k=v,...]")
         ->required();
     command.add_option(
         "--rake", options.rake,

@@ -1,6 +1,6 @@
 #include "server/import/velocity_choice.hpp"
 
-#include "server/import/velocity_names.hpp"
+#include "store/velocity_names.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,6 +12,12 @@ namespace wakesurf::server {
 
 using core::Error;
 using core::FieldInfo;
+using store::Components;
+using store::is_density;
+using store::meaning_of_vector;
+using store::momentum_components;
+using store::VectorName;
+using store::velocity_components;
 
 namespace {
 

@@ -64,9 +64,6 @@ core::Result<std::string> store_address(std::string_view text) {
         (address + "/").find("/../") != std::string::npos)
         return refused("the address of a store has no query, no fragment, no spaces and no `..`",
                        "spaces are written as %20; each file of the store is asked for below it");
-    if (address.ends_with(".zarr"))
-        return core::fail(Error::Code::Unsupported, "Zarr arrays are not read",
-                          "write them to a store: import their data, with --layout bricks");
     return address;
 }
 

@@ -67,6 +67,8 @@ FORBIDDEN = [
     (r"server/state/", r"server/(net|rpc|catalogue)/|nlohmann/", "what keeps records knows neither clients nor JSON"),
     (r"(core|protocol|store|server/(?!state/))", r"sqlite3\.h", "only server/state knows SQLite"),
     (r"(core|protocol|store|server/(?!web/))", r"curl/", "only server/web knows libcurl"),
+    (r"(core|protocol|store|server/(?!zarr/))", r"(blosc|zstd)\.h$", "only server/zarr knows what packs chunks"),
+    (r"server/zarr/", r"server/(?!zarr/|web/|base/)", "what reads a Zarr knows no dataset, session or client"),
     (r"server/web/", r"server/(?!web/|base/)", "what reads the web knows no dataset, session or client"),
     # Inside the engine.
     (r"core/base/", r"core/(dataset|integrate|field|surface)/", "base stands below the rest of core"),

@@ -12,7 +12,7 @@ TREE = os.path.join(ROOT, "build", "release")
 HEADERS = {"boost/": "libboost-dev", "nlohmann/": "nlohmann-json3-dev", "glm/": "libglm-dev", "tl/": "libexpected-dev",
            "CLI/": "libcli11-dev", "fmt/": "libfmt-dev", "spdlog/": "libspdlog-dev", "draco/": "libdraco-dev",
            "tbb/": "libtbb-dev", "oneapi/tbb/": "libtbb-dev", "prometheus/": "prometheus-cpp-dev", "openssl/": "libssl-dev"}
-PLAIN = {"tiny_gltf.h": "libtinygltf-dev", "sqlite3.h": "libsqlite3-dev", "curl/curl.h": "libcurl4-openssl-dev", "zlib.h": "zlib1g-dev", "seccomp.h": "libseccomp-dev",
+PLAIN = {"tiny_gltf.h": "libtinygltf-dev", "sqlite3.h": "libsqlite3-dev", "curl/curl.h": "libcurl4-openssl-dev", "zlib.h": "zlib1g-dev", "blosc.h": "libblosc-dev", "zstd.h": "libzstd-dev", "seccomp.h": "libseccomp-dev",
          "udunits2.h": "libudunits2-dev", "mpi.h": "libopenmpi-dev", "netcdf.h": "libnetcdf-dev", "hdf5.h": "libhdf5-dev"}
 SYSTEM = re.compile(r"(sys|linux|bits|arpa|netinet|net|asm)/|[a-z_0-9]+(\.h)?$")  # of the C++ library and the system
 

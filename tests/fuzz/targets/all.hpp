@@ -17,5 +17,6 @@ extern const Target gate_target;
 extern const Target ensight_target;
 extern const Target plot3d_target;
 extern const Target netcdf_target;
+extern const Target zarr_metadata_target;
 
 } // namespace wakesurf::fuzz

@@ -3,7 +3,7 @@
 #include "server/import/notes.hpp"
 #include "server/import/progress_marks.hpp"
 #include "server/import/sources/openfoam/openfoam_file.hpp"
-#include "server/import/velocity_names.hpp"
+#include "store/velocity_names.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -45,7 +45,7 @@ fields_at_times(const FoamCase& found, const std::string& part, const std::strin
 }
 
 bool is_of_something_else(const std::string& name) {
-    return meaning_of_vector(name) == VectorName::Other;
+    return store::meaning_of_vector(name) == store::VectorName::Other;
 }
 
 // What is asked for, U, or else the vector field that most times have and whose name does not say that it is something else.

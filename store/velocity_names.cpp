@@ -1,4 +1,4 @@
-#include "server/import/velocity_names.hpp"
+#include "store/velocity_names.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -6,7 +6,7 @@
 #include <set>
 #include <span>
 
-namespace wakesurf::server {
+namespace wakesurf::store {
 
 using core::FieldInfo;
 
@@ -257,4 +257,4 @@ std::vector<Components> momentum_components(const std::vector<FieldInfo>& fields
     return triples_of(fields, source, names);
 }
 
-} // namespace wakesurf::server
+} // namespace wakesurf::store

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace wakesurf::server {
+namespace wakesurf::store {
 
 enum class VectorName {
     Velocity,  ///< U, velocity, vel
@@ -35,4 +35,4 @@ std::vector<Components> velocity_components(const std::vector<core::FieldInfo>& 
 std::vector<Components> momentum_components(const std::vector<core::FieldInfo>& fields,
                                             core::FieldInfo::Source source);
 
-} // namespace wakesurf::server
+} // namespace wakesurf::store
