@@ -23,7 +23,7 @@ std::string ZarrArray::key(const std::vector<std::uint64_t>& at) const {
 }
 
 bool ZarrArray::may_miss_values() const {
-    return !missing.empty() || (fill && !std::isfinite(*fill));
+    return missing_is_nan || !missing.empty() || (fill && !std::isfinite(*fill));
 }
 
 bool is_plain_name(std::string_view name) {

@@ -31,6 +31,7 @@ struct ZarrArray {
     std::vector<std::string> dimensions; ///< one an axis, or none where they have no names
     std::string unit;                    ///< attribute `units`
     std::vector<double> missing;         ///< stored numbers that mean: no value
+    bool missing_is_nan = false;         ///< an attribute says that NaN means that
     double scale = 1.0;                  ///< a value is scale * number + offset
     double offset = 0.0;                 ///< likewise
 

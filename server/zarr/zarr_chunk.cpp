@@ -157,12 +157,18 @@ bool is_missing(const ZarrArray& array, double number) {
     });
 }
 
+bool is_scaled(const ZarrArray& array) {
+    return array.scale != 1.0 || array.offset != 0.0;
+}
+
 double value_of(const ZarrArray& array, double number) {
-    return is_missing(array, number) ? nothing : array.scale * number + array.offset;
+    if (is_missing(array, number))
+        return nothing;
+    return is_scaled(array) ? array.scale * number + array.offset : number; // -0 stays -0
 }
 
 bool plain(const ZarrArray& array) {
-    return array.missing.empty() && array.scale == 1.0 && array.offset == 0.0;
+    return array.missing.empty() && !is_scaled(array);
 }
 
 } // namespace

@@ -1,8 +1,8 @@
 #include "server/zarr/zarr_dataset.hpp"
 
 #include "core/base/crc32c.hpp"
+#include "server/zarr/zarr_velocity.hpp"
 #include "store/store_grid.hpp"
-#include "store/velocity_names.hpp"
 
 #include <algorithm>
 #include <span>
@@ -16,86 +16,8 @@ using core::Result;
 
 namespace {
 
-/// An array that has a value at each node.
-struct Field {
-    const ZarrArray* array;
-    ZarrAxes axes;
-};
-
-struct Choice {
-    std::vector<Field> parts; ///< one vector, or three scalars
-    std::string name;
-    std::string why;
-};
-
-std::string name_of(const Field& field) {
-    return field.array->name.empty() ? "velocity" : field.array->name;
-}
-
 FieldInfo field_info(const std::string& name, int components, const std::string& unit) {
     return {name, components, FieldInfo::Source::Point, {0.0, 0.0}, unit};
-}
-
-std::vector<Field> fields_of(const ZarrGroup& group) {
-    std::vector<Field> out;
-    for (const ZarrArray& array : group.arrays)
-        if (const auto axes = zarr_axes(array))
-            out.push_back({&array, *axes});
-    return out;
-}
-
-std::string listed(const ZarrGroup& group) {
-    std::string out;
-    for (const ZarrArray& array : group.arrays)
-        out += (out.empty() ? "there is " : ", ") + array.name;
-    for (const auto& [name, error] : group.refused)
-        out += (out.empty() ? "there is " : ", ") + name + " (" + error.message + ")";
-    return out.empty() ? "it has no arrays" : out;
-}
-
-Result<Choice> choose_velocity(const ZarrGroup& group, const std::vector<Field>& fields) {
-    std::vector<Field> vectors;
-    std::vector<Field> named;
-    std::vector<FieldInfo> scalars;
-    for (const Field& field : fields) {
-        const auto meaning = store::meaning_of_vector(name_of(field));
-        if (!field.axes.component)
-            scalars.push_back(field_info(field.array->name, 1, {}));
-        else if (meaning != store::VectorName::Other && meaning != store::VectorName::Momentum)
-            vectors.push_back(field);
-        if (field.axes.component && meaning == store::VectorName::Velocity)
-            named.push_back(field);
-    }
-    const auto triples = store::velocity_components(scalars, FieldInfo::Source::Point);
-    if (named.empty() && triples.empty() && vectors.size() == 1)
-        named = vectors;
-    if (named.size() > 1 || (named.empty() && (triples.size() > 1 || vectors.size() > 1)))
-        return fail(Error::Code::InvalidArgument, "it is not clear which array is the velocity",
-                    listed(group) + "; put the velocity into a group of its own");
-    if (named.size() == 1)
-        return Choice{named, name_of(named[0]),
-                      vectors.size() == 1 ? "the only array with three components"
-                                          : "the only vector with the name of a velocity"};
-    if (triples.empty())
-        return fail(
-            Error::Code::NotFound,
-            "the Zarr has no velocity: neither arrays u, v and w of the axes (time, z, y, x), "
-            "nor one with an axis of three components",
-            listed(group));
-    Choice out{{}, {}, "three arrays with the names of its components"};
-    for (const FieldInfo& part : triples[0]) {
-        const auto found =
-            std::ranges::find(fields, part.name, [](const Field& f) { return f.array->name; });
-        out.parts.push_back(*found);
-        out.name += (out.name.empty() ? "" : ", ") + part.name;
-        if (found->array->shape != out.parts[0].array->shape ||
-            found->array->dimensions != out.parts[0].array->dimensions)
-            return fail(Error::Code::Unsupported,
-                        out.parts[0].array->name + " and " + part.name +
-                            " are on different nodes, as of a staggered grid",
-                        "interpolate the velocity to common nodes first");
-    }
-    return out;
 }
 
 bool is_one_of(const std::string& text, std::initializer_list<const char*> list) {
@@ -120,7 +42,7 @@ Result<void> check_units(const ZarrArray& velocity, const ZarrCoordinates& at) {
     return {};
 }
 
-bool same_nodes(const Field& a, const Field& b) {
+bool same_nodes(const ZarrField& a, const ZarrField& b) {
     return a.axes.nodes(*a.array) == b.axes.nodes(*b.array) &&
            a.axes.steps(*a.array) == b.axes.steps(*b.array);
 }
@@ -135,11 +57,11 @@ class Description {
     }
 
     Result<ZarrDataset> run(const ChunkObjects& objects, std::uint64_t scalar_bytes) {
-        const auto fields = fields_of(group_);
-        const auto choice = choose_velocity(group_, fields);
+        const auto fields = zarr_fields(group_);
+        const auto choice = choose_zarr_velocity(group_, fields);
         if (!choice)
             return tl::unexpected(choice.error());
-        const Field& first = choice->parts[0];
+        const ZarrField& first = choice->parts[0];
         auto at = zarr_coordinates(group_, *first.array, first.axes, objects);
         if (!at)
             return tl::unexpected(at.error());
@@ -187,16 +109,16 @@ class Description {
         out_.grid = std::move(at.grid);
     }
 
-    std::size_t take(const Field& field) {
+    std::size_t take(const ZarrField& field) {
         out_.arrays.push_back(*field.array);
         out_.axes.push_back(field.axes);
         return out_.arrays.size() - 1;
     }
 
-    void take_velocity(const Choice& choice) {
+    void take_velocity(const ZarrVelocity& choice) {
         auto& info = out_.manifest.info;
         std::vector<ZarrPart> parts;
-        for (const Field& field : choice.parts) {
+        for (const ZarrField& field : choice.parts) {
             const std::size_t array = take(field);
             for (std::uint64_t c = 0; c < (field.axes.component ? 3u : 1u); ++c)
                 parts.push_back({array, c});
@@ -208,20 +130,20 @@ class Description {
         info.fields.push_back(field_info(choice.name, 3, choice.parts[0].array->unit));
     }
 
-    void take_scalars(const Choice& choice,
-                      const std::vector<Field>& fields,
+    void take_scalars(const ZarrVelocity& choice,
+                      const std::vector<ZarrField>& fields,
                       std::uint64_t scalar_bytes) {
         const auto is_part = [&](const ZarrArray& array) {
             return std::ranges::any_of(choice.parts,
-                                       [&](const Field& part) { return part.array == &array; });
+                                       [&](const ZarrField& part) { return part.array == &array; });
         };
-        std::vector<Field> scalars;
+        std::vector<ZarrField> scalars;
         std::string left_out;
         const auto leave = [&](const std::string& name, const std::string& why) {
             left_out += (left_out.empty() ? "" : ", ") + name + " (" + why + ")";
         };
         for (const ZarrArray& array : group_.arrays) {
-            const auto found = std::ranges::find(fields, &array, &Field::array);
+            const auto found = std::ranges::find(fields, &array, &ZarrField::array);
             if (is_part(array) || array.shape.size() < 2)
                 continue;
             if (found == fields.end() || !same_nodes(*found, choice.parts[0]))
@@ -236,7 +158,7 @@ class Description {
         const auto& info = out_.manifest.info;
         const std::uint64_t kept = std::min<std::uint64_t>(4, scalars.size()) *
                                    std::min<std::uint64_t>(2, info.times.size());
-        for (const Field& field : scalars)
+        for (const ZarrField& field : scalars)
             if (info.points * sizeof(float) > scalar_bytes / kept)
                 leave(field.array->name, "there is not enough memory for scalars");
             else
@@ -249,7 +171,7 @@ class Description {
                  "that a velocity usually has were looked for");
     }
 
-    void take_scalar(const Field& field) {
+    void take_scalar(const ZarrField& field) {
         auto& scalars = out_.manifest.layout.scalars;
         scalars.push_back({field.array->name, "scalar-" + std::to_string(scalars.size())});
         out_.columns.push_back({{take(field), 0}});

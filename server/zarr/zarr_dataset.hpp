@@ -25,9 +25,9 @@ struct ZarrDataset {
     core::Grid grid;                            ///< of all of them
 };
 
-/// A vector with the name of a velocity, else three arrays with the names of its components, else the only vector. Scalars on the same nodes come
-/// with it where two time-steps of four of them are no more than `scalar_bytes`, which is what is kept of them; what is left out is in the note.
-/// Error: NotFound, InvalidArgument (several velocities), Unsupported (staggered grids, units that do not fit each other); as zarr_coordinates.
+/// The velocity is that of choose_zarr_velocity. Scalars on the same nodes come with it where two time-steps of four of them are no more than
+/// `scalar_bytes`, which is what is kept of them; what is left out is in the note.
+/// Error: as choose_zarr_velocity and zarr_coordinates; Unsupported for units that do not fit each other.
 core::Result<ZarrDataset> describe_zarr(const std::string& name,
                                         const ZarrGroup& group,
                                         const ChunkObjects& objects,

@@ -2,12 +2,12 @@
 
 #include "protocol/api/json_members.hpp"
 #include "protocol/api/json_text.hpp"
+#include "server/zarr/zarr_attributes.hpp"
 #include "server/zarr/zarr_numbers.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace wakesurf::server {
 
@@ -22,8 +22,6 @@ constexpr protocol::JsonLimits limits{std::size_t{64} << 20, 32};
 constexpr std::size_t most_axes = 8;
 constexpr std::uint64_t most_numbers = std::uint64_t{1} << 60; // of an array
 constexpr std::uint64_t most_chunk_bytes = 0x7fffffff;         // c-blosc counts in int
-
-const json no_attributes = json::object();
 
 tl::unexpected<Error> unsupported(std::string what, std::string hint = {}) {
     return fail(Error::Code::Unsupported, std::move(what), std::move(hint));
@@ -60,37 +58,6 @@ Result<void> check_sizes(const ZarrArray& array) {
         in_chunk *= array.chunks[axis];
     }
     return {};
-}
-
-void read_attributes(ZarrArray& array, const json& attributes) {
-    const auto text = [&](const char* name) {
-        const auto found = attributes.find(name);
-        return found != attributes.end() && found->is_string() ? found->get<std::string>() : "";
-    };
-    const auto number = [&](const char* name) -> std::optional<double> {
-        const auto found = attributes.find(name);
-        return found != attributes.end() && found->is_number() ? std::optional(found->get<double>())
-                                                               : std::nullopt;
-    };
-    array.unit = text("units");
-    array.scale = number("scale_factor").value_or(1.0);
-    array.offset = number("add_offset").value_or(0.0);
-    for (const char* name : {"_FillValue", "missing_value"})
-        if (const auto missing = number(name))
-            array.missing.push_back(*missing);
-    // What is filled with 0 was most often filled without a thought.
-    if (array.fill && *array.fill != 0.0 && std::isfinite(*array.fill))
-        array.missing.push_back(*array.fill);
-    const auto names = attributes.find("_ARRAY_DIMENSIONS");
-    if (names != attributes.end() && names->is_array() && array.dimensions.empty())
-        for (const json& each : *names)
-            array.dimensions.push_back(each.is_string() ? each.get<std::string>() : "");
-}
-
-void forget_odd_names(ZarrArray& array) {
-    if (array.dimensions.size() != array.shape.size() ||
-        !std::all_of(array.dimensions.begin(), array.dimensions.end(), is_plain_name))
-        array.dimensions.clear();
 }
 
 Result<ZarrArray::Coder> coder(const std::string& name) {
@@ -220,8 +187,7 @@ Result<ZarrArray> parse_zarr_2(std::string name, const json& array, const json& 
     if (!fill)
         return tl::unexpected(fill.error());
     out.fill = *fill;
-    read_attributes(out, attributes.is_object() ? attributes : no_attributes);
-    forget_odd_names(out);
+    read_zarr_attributes(out, attributes);
     return check_sizes(out).map([&] { return std::move(out); });
 }
 
@@ -260,10 +226,7 @@ Result<ZarrArray> parse_zarr_3(std::string name, const json& array) {
     if (members.has("dimension_names") && array["dimension_names"].is_array())
         for (const json& each : array["dimension_names"])
             out.dimensions.push_back(each.is_string() ? each.get<std::string>() : "");
-    read_attributes(out, members.has("attributes") && array["attributes"].is_object()
-                             ? array["attributes"]
-                             : no_attributes);
-    forget_odd_names(out);
+    read_zarr_attributes(out, array.value("attributes", json()));
     return check_sizes(out).map([&] { return std::move(out); });
 }
 

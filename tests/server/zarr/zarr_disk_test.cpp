@@ -196,6 +196,26 @@ TEST_F(ZarrDiskTest, NothingLeadsOutOfTheFolder) {
     EXPECT_NE(none.error().message.find("the Zarr has no velocity"), std::string::npos);
 }
 
+TEST_F(ZarrDiskTest, AVelocityThatCannotBeReadIsNamedWithTheReasonAndNoOtherVectorTaken) {
+    json array = json::parse(tests::read_file(root() / "v/.zarray"));
+    array["filters"] = {{{"id", "fixedscaleoffset"}}};
+    put("v/.zarray", array.dump());
+    put("B/.zarray", json{{"zarr_format", 2},
+                          {"shape", {steps, nodes[2], nodes[1], nodes[0], 3}},
+                          {"chunks", {1, nodes[2], nodes[1], nodes[0], 3}},
+                          {"dtype", "<f4"},
+                          {"order", "C"},
+                          {"filters", nullptr},
+                          {"compressor", nullptr},
+                          {"fill_value", 0.0}}
+                         .dump());
+    const auto none = ZarrDisk::open(root(), std::make_shared<core::PosixDisk>(), 0);
+    ASSERT_FALSE(none);
+    EXPECT_EQ(none.error().code, core::Error::Code::Unsupported);
+    EXPECT_EQ(none.error().message, "v: it has filters, which are not read");
+    EXPECT_EQ(none.error().hint, "write it without filters");
+}
+
 TEST_F(ZarrDiskTest, WhatIsNoZarrIsSaidToBeNone) {
     const auto none = ZarrDisk::open(folder_.path(), std::make_shared<core::PosixDisk>(), 0);
     ASSERT_FALSE(none);

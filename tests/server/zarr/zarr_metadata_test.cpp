@@ -97,6 +97,16 @@ TEST(ZarrMetadata, TellValuesThatAreMissing) {
     EXPECT_TRUE(of_2("fill_value", 1e20)->may_miss_values());
     EXPECT_TRUE(of_2("fill_value", 0.0, {{"_FillValue", -999}})->may_miss_values());
     EXPECT_TRUE(std::isnan(of_3("fill_value", "0x7fc00000")->fill.value()));
+    const auto nan = [](json attributes) {
+        return of_2("fill_value", 0.0, std::move(attributes))->missing_is_nan;
+    };
+    EXPECT_TRUE(nan({{"_FillValue", "AAAAAAAA+H8="}})) << "as xarray writes NaN into version 3";
+    EXPECT_TRUE(nan({{"missing_value", nullptr}})) << "NaN, as parse_zarr_json leaves it";
+    EXPECT_FALSE(nan({{"_FillValue", "Infinity"}}));
+    EXPECT_EQ(of_2("fill_value", 0.0, {{"_FillValue", "AAAAAAA4j8A="}})->missing,
+              std::vector{-999.0});
+    EXPECT_EQ(of_2("fill_value", 0.0, {{"missing_value", {-999, "?", 1e20}}})->missing,
+              (std::vector{-999.0, 1e20}));
     expect_refused(of_2("fill_value", "none"), Code::Corrupt, "fill_value is no number");
 }
 
