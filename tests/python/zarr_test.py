@@ -14,7 +14,9 @@ import numcodecs
 import numpy
 import zarr
 
-from real_server import BINARY
+from real_server import BINARY, RealServer
+
+import wakesurf  # real_server says where
 
 RAKE = ["--rake", "0.4,0.5,0.1 0.6,0.5,0.8", "--to", "1", "--separation", "0.02"]
 KINDS = {"stream": [], "path": [], "streak": [], "time": ["--sweep", "0,0.1,0"]}
@@ -33,6 +35,18 @@ def put(folder, name, text):
     os.makedirs(os.path.dirname(path), exist_ok=True)
     with open(path, "wb" if isinstance(text, bytes) else "w") as file:
         file.write(text)
+
+
+def values_of(store):
+    """Times, coordinates along each axis, and velocities of a uniform store of whole time-steps."""
+    with open(os.path.join(store, "store.json"), encoding="utf-8") as file:
+        about = json.load(file)
+    nx, ny, nz = about["grid"]["dimensions"]
+    origin, spacing = about["grid"]["origin"], about["grid"]["spacing"]
+    places = {axis: origin[i] + spacing[i] * numpy.arange(count) for i, (axis, count) in enumerate(zip("xyz", (nx, ny, nz)))}
+    times = numpy.array(about["times"])
+    return times, places, numpy.stack([numpy.fromfile(os.path.join(store, f"velocity_{step:06}.f32"), "<f4").reshape(nz, ny, nx, 3)
+                                       for step in range(len(times))])
 
 
 class Zarr3:
@@ -68,14 +82,7 @@ class ZarrTest(unittest.TestCase):
         cls.folder = folder.name
         cls.store = os.path.join(cls.folder, "store")
         said("generate", "flow:tornado", cls.store, "--grid", "50,40,37", "--times", "0:1:5")
-        with open(os.path.join(cls.store, "store.json"), encoding="utf-8") as file:
-            about = json.load(file)
-        cls.times = numpy.array(about["times"])
-        nx, ny, nz = about["grid"]["dimensions"]
-        cls.velocity = numpy.stack([numpy.fromfile(os.path.join(cls.store, f"velocity_{step:06}.f32"), "<f4").reshape(nz, ny, nx, 3)
-                                    for step in range(len(cls.times))])
-        origin, spacing = about["grid"]["origin"], about["grid"]["spacing"]
-        cls.places = {axis: origin[i] + spacing[i] * numpy.arange(count) for i, (axis, count) in enumerate(zip("xyz", (nx, ny, nz)))}
+        cls.times, cls.places, cls.velocity = values_of(cls.store)
         cls.wanted = {}
 
     def path(self, name):
@@ -93,15 +100,15 @@ class ZarrTest(unittest.TestCase):
             self.assertGreater(len(wanted), 1000)
             self.assertEqual(self.surface(dataset, kind, *more), wanted, f"{dataset} {kind} {more}")
 
-    def group(self, name, chunks=(1, 16, 20, 24), dtype="<f4", **options):
+    def group(self, name, chunks=(1, 16, 20, 24), dtype="<f4", values=None, attributes=None, **options):
         """u, v and w, and their coordinates, as xarray writes them; unless said otherwise in one file a chunk, uncompressed."""
         folder = self.path(name)
         group = zarr.open_group(folder, mode="w")
+        values = self.velocity if values is None else values
         for i, part in enumerate("uvw"):
-            array = group.create_dataset(part, data=self.velocity[..., i].astype(dtype), chunks=chunks, dtype=dtype,
+            array = group.create_dataset(part, data=values[..., i].astype(dtype), chunks=chunks, dtype=dtype,
                                          **{"compressor": None, **options})
-            array.attrs["_ARRAY_DIMENSIONS"] = ["time", "z", "y", "x"]
-            array.attrs["units"] = "m s-1"
+            array.attrs.update({"_ARRAY_DIMENSIONS": ["time", "z", "y", "x"], "units": "m s-1", **(attributes or {})})
         self.coordinates(group)
         return folder
 
@@ -132,6 +139,24 @@ class ZarrTest(unittest.TestCase):
                 "double.zarr": {"dtype": "<f8"},
                 "bigdouble.zarr": {"dtype": ">f8"}}.items():
             self.assert_same_surfaces(self.group(name, **options), ("streak",))
+
+    def test_numbers_of_16_bits_are_the_values_that_they_stand_for(self):
+        self.assertEqual(self.surface(self.group("half.zarr", dtype="<f2"), "streak"),
+                         self.surface(self.group("rounded.zarr", values=self.velocity.astype("<f2")), "streak"))
+        most = float(numpy.abs(self.velocity).max())
+        scale, offset = most / 30000, -most / 20
+        for name, dtype in (("packed.zarr", "<i2"), ("bigpacked.zarr", ">i2")):
+            numbers = numpy.round((self.velocity.astype("<f8") - offset) / scale)
+            gap = numpy.zeros(numbers.shape, bool)
+            gap[:, 10:20, 12:22, 20:26] = name == "bigpacked.zarr"
+            stored = self.group(name, dtype=dtype, values=numpy.where(gap, -32768, numbers), fill_value=-32768 if gap.any() else 0,
+                                attributes={"scale_factor": scale, "add_offset": offset})
+            values = numpy.where(gap, numpy.nan, scale * numbers + offset).astype("<f4")
+            plain = self.group("unpacked.zarr", values=values, fill_value=float("nan") if gap.any() else 0.0)
+            for kind in ("path", "streak"):
+                mesh = self.surface(stored, kind)
+                self.assertGreater(len(mesh), 1000)
+                self.assertEqual(mesh, self.surface(plain, kind), f"{name} {kind}")
 
     def test_the_metadata_may_be_consolidated(self):
         folder = self.group("consolidated.zarr")
@@ -206,6 +231,39 @@ class ZarrTest(unittest.TestCase):
             self.assert_same_surfaces(f"{address}/alone.zarr", ("path",))
             self.assertIn("without consolidated metadata", said("info", f"{address}/alone.zarr"))
             self.assertIn("none.zarr holds no Zarr", said("info", f"{address}/none.zarr", status=1))
+
+    def served(self, dataset, *options):
+        """What a server says of it, and the bytes of a streak surface there; and what is in memory of its time-steps then."""
+        server = RealServer(dataset, *options)
+        self.addCleanup(server.stop)
+        client = wakesurf.Client(server.url)
+        name = client.dataset
+        session = client.create_session("zarr")
+        rake = session.rake(line=[(0.4, 0.5, 0.1), (0.6, 0.5, 0.8)], seeds=16)
+        surface = session.surface(rake, "streak", dataset=name, to=float(self.times[-1]), separation=0.02)
+        surface.wait()
+        return client.describe(name), surface.download("ply").split(b"end_header")[1], client.cache(name)
+
+    def test_a_server_says_what_it_is_and_has_the_surfaces_of_the_store(self):
+        said_of, mesh, cache = self.served(self.group("served.zarr", compressor=numcodecs.Blosc()))
+        self.assertEqual((said_of["name"], said_of["reader"], said_of["velocity"]), ("served.zarr", "Zarr, version 2", "u, v, w"))
+        self.assertEqual({resident for resident, _ in cache["held"]} - {0}, {cache["bytesPerStep"]})
+        self.assertGreater(len(mesh), 1000)
+        self.assertEqual(mesh, self.served(self.store)[1])
+
+    def test_time_steps_that_do_not_fit_come_by_brick_and_surfaces_are_the_same(self):
+        whole = self.path("large")
+        said("generate", "flow:tornado", whole, "--grid", "129,129,97", "--times", "0:1:5", "--layout", "whole")
+        times, places, values = values_of(whole)
+        group = zarr.open_group(self.path("paged.zarr"), mode="w")
+        group.create_dataset("velocity", data=values, chunks=(1, 48, 48, 48, 3), compressor=numcodecs.Blosc())
+        group["velocity"].attrs["_ARRAY_DIMENSIONS"] = ["time", "z", "y", "x", "component"]
+        for axis, along in {**places, "time": times}.items():
+            group.create_dataset(axis, data=along).attrs["_ARRAY_DIMENSIONS"] = [axis]
+        _, mesh, cache = self.served(self.path("paged.zarr"), "--memory", "112MiB")
+        self.assertTrue(any(0 < resident < cache["bytesPerStep"] for resident, _ in cache["held"]), cache["held"])
+        self.assertGreater(len(mesh), 1000)
+        self.assertEqual(mesh, self.served(whole)[1])
 
     def test_a_damaged_chunk_ends_the_surface_which_says_so(self):
         packed = self.group("damaged.zarr", compressor=numcodecs.Blosc())
