@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace wakesurf::protocol {
@@ -35,6 +36,14 @@ json field_json(const core::FieldInfo& field) {
     return out;
 }
 
+/// [null, null], as NaN is written: it is not known.
+std::array<double, 2> parse_range(const json& field, JsonMembers& members) {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    if (field.is_object() && field.value("range", json()) == json::array({nullptr, nullptr}))
+        return {unknown, unknown};
+    return members.numbers_of<2>("range");
+}
+
 core::Result<core::FieldInfo> parse_field(const json& value) {
     JsonMembers members(value);
     core::FieldInfo field;
@@ -42,7 +51,7 @@ core::Result<core::FieldInfo> parse_field(const json& value) {
     field.components = static_cast<int>(members.count("components", 1'000));
     field.source = members.text("source") == "cell" ? core::FieldInfo::Source::Cell
                                                     : core::FieldInfo::Source::Point;
-    field.range = members.numbers_of<2>("range");
+    field.range = parse_range(value, members);
     if (members.has("unit"))
         field.unit = members.text("unit");
     if (members.has("stored"))

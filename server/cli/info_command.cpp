@@ -22,7 +22,10 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <iterator>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -41,11 +44,11 @@ struct Described {
     std::string served{}; ///< how a server on this machine would have them in memory, and why
 };
 
-/// With the memory that a server takes where nothing else is said.
-void say_how_served(const store::StoreReader& reader, Described& out) {
+/// With the memory that a server takes where nothing else is said. @param what  the data are: a store or a Zarr
+void say_how_served(const store::StoreReader& reader, std::string_view what, Described& out) {
     if (reader.bricks() != nullptr && is_on_the_web(reader.layout().folder)) {
         out.by_brick = true;
-        out.served = "brick by brick: the store is on the web";
+        out.served = fmt::format("brick by brick: the {} is on the web", what);
         return;
     }
     const std::size_t memory = default_memory();
@@ -91,7 +94,7 @@ core::Result<Described> describe_store(const std::filesystem::path& folder) {
                   opened_disk->zarr ? std::string("chunks of a Zarr")
                   : cells == 0      ? std::string("whole time-steps")
                                     : fmt::format("bricks of {} cells", cells)};
-    say_how_served(**reader, out);
+    say_how_served(**reader, opened_disk->zarr ? "Zarr" : "store", out);
     return out;
 }
 
@@ -137,6 +140,11 @@ std::vector<std::string> carried_fields(const core::DatasetInfo& info) {
         if (field.stored && field.name != info.velocity)
             stored.push_back(field.name);
     return vertex_field_names(std::move(stored), info.velocity);
+}
+
+std::string range_words(const std::array<double, 2>& range) {
+    return std::isnan(range[0]) ? std::string("range not known")
+                                : fmt::format("{:g} to {:g}", range[0], range[1]);
 }
 
 std::string made_from(const core::FamilyRequest& request) {
@@ -205,10 +213,10 @@ void print_text(const Described& described) {
         tell("  note      {}\n", info.note);
     for (const auto& field : info.fields)
         if (!field.family)
-            tell("  field     {}, {} component{}, {} data, {:g} to {:g}{}{}{}\n", field.name,
+            tell("  field     {}, {} component{}, {} data, {}{}{}{}\n", field.name,
                  field.components, field.components == 1 ? "" : "s",
-                 field.source == core::FieldInfo::Source::Cell ? "cell" : "point", field.range[0],
-                 field.range[1], field.unit.empty() ? "" : " ", field.unit,
+                 field.source == core::FieldInfo::Source::Cell ? "cell" : "point",
+                 range_words(field.range), field.unit.empty() ? "" : " ", field.unit,
                  field.stored ? "" : "; not stored, so nothing can carry it");
     for (const core::FamilyRecord& each : described.families)
         print_family(each);

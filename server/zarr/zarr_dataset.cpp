@@ -5,6 +5,7 @@
 #include "store/store_grid.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <span>
 
 namespace wakesurf::server {
@@ -17,7 +18,8 @@ using core::Result;
 namespace {
 
 FieldInfo field_info(const std::string& name, int components, const std::string& unit) {
-    return {name, components, FieldInfo::Source::Point, {0.0, 0.0}, unit};
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    return {name, components, FieldInfo::Source::Point, {unknown, unknown}, unit};
 }
 
 bool is_one_of(const std::string& text, std::initializer_list<const char*> list) {

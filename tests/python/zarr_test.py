@@ -225,7 +225,7 @@ class ZarrTest(unittest.TestCase):
         self.group("far.zarr", compressor=numcodecs.Blosc())
         zarr.consolidate_metadata(self.path("far.zarr"))
         with Nginx(self.folder) as address:
-            self.assertIn("brick by brick: the store is on the web", said("info", f"{address}/far.zarr"))
+            self.assertIn("brick by brick: the Zarr is on the web", said("info", f"{address}/far.zarr"))
             self.assert_same_surfaces(f"{address}/far.zarr")
             self.group("alone.zarr")
             self.assert_same_surfaces(f"{address}/alone.zarr", ("path",))
@@ -247,6 +247,7 @@ class ZarrTest(unittest.TestCase):
     def test_a_server_says_what_it_is_and_has_the_surfaces_of_the_store(self):
         said_of, mesh, cache = self.served(self.group("served.zarr", compressor=numcodecs.Blosc()))
         self.assertEqual((said_of["name"], said_of["reader"], said_of["velocity"]), ("served.zarr", "Zarr, version 2", "u, v, w"))
+        self.assertEqual(said_of["fields"][0]["range"], [None, None])
         self.assertEqual({resident for resident, _ in cache["held"]} - {0}, {cache["bytesPerStep"]})
         self.assertGreater(len(mesh), 1000)
         self.assertEqual(mesh, self.served(self.store)[1])
@@ -282,6 +283,7 @@ class ZarrTest(unittest.TestCase):
         told = said("info", folder)
         self.assertIn("reader    Zarr, version 2", told)
         self.assertIn("stored    chunks of a Zarr", told)
+        self.assertIn("field     p, 1 component, point data, range not known", told)
         self.assertRegex(told, r"left out: coarse \(on other nodes\), fortran \(its numbers lie in Fortran's order")
         self.assertIn("p, velocity", told.replace("u, v, w", "velocity").split("carried", 1)[1])
         said("surface", folder, "--kind", "path", *RAKE, "--fields", "p", "-o", self.path("p.vtp"))

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+#include <limits>
+
 namespace wakesurf::protocol::dataset_json_test {
 namespace {
 
@@ -61,6 +64,19 @@ TEST(DatasetJson, ReadsBackWhatItWrites) {
         EXPECT_EQ(back->length_unit, "m");
         EXPECT_EQ(back->time_unit, "s");
     }
+}
+
+TEST(DatasetJson, SaysThatARangeIsNotKnown) {
+    auto info = sample_info();
+    info.fields[0].range.fill(std::numeric_limits<double>::quiet_NaN());
+    const json told = parse_json(json_text(dataset_json(info)), {}).value();
+    EXPECT_EQ(told["fields"][0]["range"], json({nullptr, nullptr}));
+    const auto back = parse_dataset_info(told);
+    ASSERT_TRUE(back) << back.error().message;
+    EXPECT_TRUE(std::isnan(back->fields[0].range[0]) && std::isnan(back->fields[0].range[1]));
+    json half = told;
+    half["fields"][0]["range"] = {0.5, nullptr};
+    EXPECT_FALSE(parse_dataset_info(half));
 }
 
 TEST(DatasetJson, NamesTheMemberThatIsMissingOrWrong) {
