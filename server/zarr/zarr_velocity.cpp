@@ -15,6 +15,7 @@ using core::Result;
 
 namespace {
 
+/// The root itself, if it is an array, has no name.
 std::string name_of(const ZarrField& field) {
     return field.array->name.empty() ? "velocity" : field.array->name;
 }
@@ -26,7 +27,10 @@ FieldInfo scalar_named(const std::string& name) {
 std::string listed(const ZarrGroup& group) {
     std::string out;
     for (const ZarrArray& array : group.arrays)
-        out += (out.empty() ? "there is " : ", ") + array.name;
+        out += (out.empty() ? "there is " : ", ") +
+               (array.name.empty() ? "one array with " + std::to_string(array.shape.size()) +
+                                         " axes, which is the root"
+                                   : array.name);
     for (const auto& [name, error] : group.refused)
         out += (out.empty() ? "there is " : ", ") + name + " (" + error.message + ")";
     return out.empty() ? "it has no arrays" : out;

@@ -15,6 +15,9 @@ reason.
 
 """
 
+IN_PLACE = f"""Arrays of **Zarr** are served where they are, in a folder or on the web, without an import:
+[larger than memory]({UP}docs/how-to/larger-than-memory.md#arrays-of-zarr-where-they-are)."""
+
 
 def section(document, title):
     """The text below a heading, up to the next."""
@@ -40,7 +43,7 @@ def text():
     units = re.sub(r",\s*by\s*\n?UDUNITS(?: \(sources/[^)]*\))?", ", by UDUNITS", units)
     return (MADE.format(source="server/import/README.md and protocol/files/README.md") + INTRO
             + first_table(section("server/import/README.md", "Formats")).replace(", see Files that a source names", "")
-            + "\n\n## Units\n\n" + units
+            + "\n\n" + IN_PLACE + "\n\n## Units\n\n" + units
             + "\n\n## What is written\n\n`wakesurf surface -o FILE`, **Export** in the page and `Surface.export` in Python write the same files. The "
             "extension chooses the format.\n\n" + written()
             + "\n\nParaView opens `.vtp` with every array. For its `.glb` reader, and any other without Draco, ask for a plain one: `--no-draco`.\n"

@@ -216,6 +216,14 @@ TEST_F(ZarrDiskTest, AVelocityThatCannotBeReadIsNamedWithTheReasonAndNoOtherVect
     EXPECT_EQ(none.error().hint, "write it without filters");
 }
 
+TEST_F(ZarrDiskTest, OneComponentAloneIsNoVelocity) {
+    put("u/.zattrs", R"({"_ARRAY_DIMENSIONS": ["time", "z", "y", "x"]})");
+    const auto none = ZarrDisk::open(root() / "u", std::make_shared<core::PosixDisk>(), 0);
+    ASSERT_FALSE(none);
+    EXPECT_EQ(none.error().code, core::Error::Code::NotFound);
+    EXPECT_EQ(none.error().hint, "there is one array with 4 axes, which is the root");
+}
+
 TEST_F(ZarrDiskTest, WhatIsNoZarrIsSaidToBeNone) {
     const auto none = ZarrDisk::open(folder_.path(), std::make_shared<core::PosixDisk>(), 0);
     ASSERT_FALSE(none);
