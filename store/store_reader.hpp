@@ -85,6 +85,10 @@ class StoreReader final : public core::TimeStepSource, public core::ScalarSource
     core::Result<std::shared_ptr<const core::Slab>> scalar_values(
         std::size_t scalar, std::size_t index, const std::stop_token& stop) const override;
 
+    std::optional<std::size_t> brick_field(std::size_t scalar) const override {
+        return bricks_ == nullptr ? std::nullopt : std::optional(1 + scalar);
+    }
+
     /// What scalar_values keeps at most.
     std::size_t scalar_memory() const;
 

@@ -43,6 +43,11 @@ class StoreScalars final : public core::ScalarSource {
     core::Result<std::shared_ptr<const core::Slab>> scalar_values(
         std::size_t scalar, std::size_t index, const std::stop_token& stop) const override;
 
+    /// Of what was imported: families are whole.
+    std::optional<std::size_t> brick_field(std::size_t scalar) const override {
+        return scalar < imported() ? reader_->brick_field(scalar) : std::nullopt;
+    }
+
     /// What is kept of families at most.
     std::size_t family_memory() const;
 

@@ -21,8 +21,8 @@ constexpr std::size_t fewest_slots = 128;
 // Bricks are taken from memory in pieces large enough for huge pages.
 constexpr std::size_t most_slots_a_slab = 64;
 
-// Of time-steps that have bricks in memory: what two who sample by cubics hold.
-constexpr std::size_t most_tables = 8;
+// Of fields at time-steps that have bricks in memory: what two hold who sample velocity by cubics, and a scalar beside it.
+constexpr std::size_t most_tables = 12;
 
 // Of the account one part in so many, for what begins elsewhere.
 constexpr std::size_t left_free = 8;

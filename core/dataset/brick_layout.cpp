@@ -33,16 +33,30 @@ BrickLayout::BrickLayout(const std::array<std::uint32_t, 3>& dimensions, std::ui
 }
 
 BrickLayout::BrickNode BrickLayout::place_of(std::size_t node) const {
-    const std::array<std::size_t, 3> at{node % dimensions_[0],
-                                        node / dimensions_[0] % dimensions_[1],
-                                        node / dimensions_[0] / dimensions_[1]};
-    std::array<std::size_t, 3> cell, within;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        cell[axis] = std::min<std::size_t>(at[axis], dimensions_[axis] - 2);
-        within[axis] = at[axis] - (cell[axis] >> shift_ << shift_);
+    BrickNode place{};
+    place.brick = places_of({&node, 1}, {&place.node, 1});
+    return place;
+}
+
+std::size_t BrickLayout::places_of(std::span<const std::size_t> nodes,
+                                   std::span<std::size_t> places) const {
+    const auto place = [&](const std::array<std::size_t, 3>& at) {
+        return at[0] + brick_nodes_[0] * (at[1] + brick_nodes_[1] * at[2]);
+    };
+    std::array<std::size_t, 3> cell{dimensions_[0] - 2, dimensions_[1] - 2, dimensions_[2] - 2};
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const std::size_t row = nodes[i] / dimensions_[0];
+        const std::array<std::size_t, 3> at{nodes[i] % dimensions_[0], row % dimensions_[1],
+                                            row / dimensions_[1]};
+        places[i] = place(at);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            cell[axis] = std::min(cell[axis], at[axis]);
     }
-    return {brick_of(cell),
-            within[0] + brick_nodes_[0] * (within[1] + brick_nodes_[1] * within[2])};
+    const auto first = [&](std::size_t axis) { return cell[axis] >> shift_ << shift_; };
+    const std::size_t corner = place({first(0), first(1), first(2)});
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        places[i] -= corner;
+    return brick_of(cell);
 }
 
 std::array<std::size_t, 3> BrickLayout::first_node(std::size_t brick) const {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace wakesurf::core {
@@ -58,6 +59,9 @@ class BrickLayout {
 
     /// @param node  of the grid, x fastest
     BrickNode place_of(std::size_t node) const;
+
+    /// The brick that has several nodes of one cell, and where each is in it. @param places  as many as nodes
+    std::size_t places_of(std::span<const std::size_t> nodes, std::span<std::size_t> places) const;
 
     /// The grid's node that is a brick's lowest.
     std::array<std::size_t, 3> first_node(std::size_t brick) const;

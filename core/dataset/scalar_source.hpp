@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <vector>
 
@@ -19,6 +20,9 @@ class ScalarSource {
 
     /// Times of all time-steps, strictly increasing.
     virtual const std::vector<double>& times() const = 0;
+
+    /// As what its bricks are read, BrickRead::field, where the source has them beside those of the velocity; nothing where it is had whole.
+    virtual std::optional<std::size_t> brick_field(std::size_t /*scalar*/) const { return {}; }
 
     /// One float a node, of a scalar at a time-step. Error: NotFound (not written yet), Corrupt, Io, Cancelled.
     virtual Result<std::shared_ptr<const Slab>>

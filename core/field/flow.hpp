@@ -12,11 +12,14 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <stop_token>
 
 namespace wakesurf::core {
+
+class BrickCache;
 
 /// What tracing took besides computing.
 struct TraceCost {
@@ -42,6 +45,9 @@ class Flow {
 
     /// The nodes the stored field's value at a point comes from.
     virtual NodeShares shares(const Vec3& position) const { return {status(position), 0, {}, {}}; }
+
+    /// What fields over those nodes are had by, where they come brick by brick; null where they are had whole.
+    virtual std::shared_ptr<BrickCache> bricks() const { return nullptr; }
 
     /// Integrates every curve from its seed to its end. Runs in parallel over curves in the caller's arena;
     /// the result does not depend on the number of threads.

@@ -43,6 +43,8 @@ class IntervalFlow final : public Flow {
 
     NodeShares shares(const Vec3& position) const override { return sampling_->shares(position); }
 
+    std::shared_ptr<BrickCache> bricks() const override { return cache_->bricks(); }
+
     Result<TraceCost> trace(std::span<Curve> curves,
                             const TraceOptions& options,
                             std::stop_token stop) const override {

@@ -23,19 +23,25 @@ struct NodeShares {
 inline constexpr double rounding_share = 1e-6;
 
 /// Value at a point of a field over the nodes; NaN where too much of it has no finite value.
-/// @param value  value(node)
+/// @param value  value(i), of the node that is i-th among them
 template <class Value>
-double weighed(const NodeShares& shares, const Value& value) {
+double weighed_by(const NodeShares& shares, const Value& value) {
     double sum = 0.0;
     double known = 0.0;
     for (std::size_t i = 0; i < shares.count; ++i)
-        if (const double here = value(shares.node[i]); std::isfinite(here)) {
+        if (const double here = value(i); std::isfinite(here)) {
             sum += shares.share[i] * here;
             known += shares.share[i];
         }
     if (known == 1.0)
         return sum;
     return known >= 1.0 - rounding_share ? sum / known : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// The same. @param value  value(node)
+template <class Value>
+double weighed(const NodeShares& shares, const Value& value) {
+    return weighed_by(shares, [&](std::size_t i) { return value(shares.node[i]); });
 }
 
 } // namespace wakesurf::core

@@ -1,9 +1,12 @@
 #include "core/field/sample_scalar.hpp"
 
+#include "core/dataset/missing_bricks.hpp"
+
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -62,14 +65,104 @@ class TwoSteps {
 
 constexpr std::size_t most_at_once = std::size_t{1} << 16;
 
-/// Calls `each` with the numbers below `size`, until `stop` fires.
-template <class Each>
-void parallel(std::size_t size, const std::stop_token& stop, Each each) {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, size, 1024), [&](const auto& range) {
+/// Calls `some` with ranges of the numbers from `begin` to `end`, until `stop` fires.
+template <class Some>
+void parallel(std::size_t begin, std::size_t end, const std::stop_token& stop, Some some) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(begin, end, 1024), [&](const auto& range) {
         if (!stop.stop_requested())
-            for (std::size_t k = range.begin(); k != range.end(); ++k)
-                each(k);
+            some(range.begin(), range.end());
     });
+}
+
+/// Points between two stored times, and what makes their values.
+struct Points {
+    std::span<const NodeShares> shares;
+    std::span<const double> part; ///< of the way to the second time
+};
+
+/// Of the point that is k-th, whose i-th node has the values `first(i)` and `second(i)`.
+template <class First, class Second>
+double value_at(const Points& points, std::size_t k, const First& first, const Second& second) {
+    const NodeShares& shares = points.shares[k];
+    const double value = weighed_by(shares, first);
+    const double part = points.part[k];
+    return part > 0.0 ? value + part * (weighed_by(shares, second) - value) : value;
+}
+
+/// The values of the points at time-steps that are in one piece each. @param take  take(k, value), from any thread
+template <class Take>
+Result<void> sample_whole(const Points& points,
+                          TwoSteps& steps,
+                          std::size_t step,
+                          bool both,
+                          const Take& take,
+                          const std::stop_token& stop) {
+    const auto first = steps.values(step);
+    if (!first)
+        return tl::unexpected(first.error());
+    const auto second = both ? steps.values(step + 1) : first;
+    if (!second)
+        return tl::unexpected(second.error());
+    parallel(0, points.shares.size(), stop, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k != end; ++k) {
+            const auto& node = points.shares[k].node;
+            take(k, value_at(
+                        points, k, [&](std::size_t i) { return (*first)[node[i]]; },
+                        [&](std::size_t i) { return (*second)[node[i]]; }));
+        }
+    });
+    return {};
+}
+
+/// The same where they come brick by brick.
+template <class Take>
+Result<void> sample_bricks(const Points& points,
+                           const std::shared_ptr<BrickCache>& cache,
+                           std::size_t field,
+                           std::size_t step,
+                           bool both,
+                           const Take& take,
+                           const std::stop_token& stop) {
+    const std::size_t count = points.shares.size();
+    const auto first = cache->table(step, field);
+    const auto second = both ? cache->table(step + 1, field) : nullptr;
+    MissingBricks missing(cache, both ? std::vector{step, step + 1} : std::vector{step}, field);
+    std::vector<std::uint8_t> done(count);
+    const auto some = [&](std::size_t begin, std::size_t end) {
+        const BrickMisses misses(&missing);
+        std::array<std::size_t, 8> place{};
+        for (std::size_t k = begin; k != end; ++k) {
+            const NodeShares& shares = points.shares[k];
+            if (done[k] != 0 || shares.count == 0)
+                continue;
+            const std::size_t brick = missing.layout().places_of(
+                std::span(shares.node).first(shares.count), std::span(place).first(shares.count));
+            const auto values_of = [&](const BrickTable& table) {
+                const float* values = table.at(brick);
+                if (values == nullptr)
+                    return misses.note(brick);
+                table.use(brick, misses.age());
+                return values;
+            };
+            const float* const now = values_of(*first);
+            const float* const then = points.part[k] > 0.0 ? values_of(*second) : now;
+            if (misses.take())
+                continue;
+            take(k, value_at(
+                        points, k, [&](std::size_t i) { return now[place[i]]; },
+                        [&](std::size_t i) { return then[place[i]]; }));
+            done[k] = 1;
+        }
+    };
+    const bool all = MissingBricks::in_rounds(&missing, count, stop, MissingBricks::Again::Restart,
+                                              [&](std::size_t begin, std::size_t end) {
+                                                  parallel(begin, end, stop, some);
+                                                  return !stop.stop_requested();
+                                              });
+    if (all)
+        return {};
+    return missing.error() ? tl::unexpected(*missing.error())
+                           : fail(Error::Code::Cancelled, "sampling was cancelled");
 }
 
 template <class Is>
@@ -94,6 +187,8 @@ Result<std::vector<float>> sample_scalar(const Flow& flow,
     std::stable_sort(order.begin(), order.end(),
                      [&](auto a, auto b) { return times[a] < times[b]; });
     TwoSteps steps(source, scalar, stop);
+    const auto field = source.brick_field(scalar);
+    const auto bricks = field ? flow.bricks() : nullptr;
     std::vector<NodeShares> shares;
     std::vector<double> part;
     for (std::size_t begin = 0; begin < order.size();) {
@@ -109,30 +204,26 @@ Result<std::vector<float>> sample_scalar(const Flow& flow,
         const std::span<const std::uint32_t> points(order.data() + begin, part.size());
         begin += part.size();
         shares.resize(part.size());
-        parallel(points.size(), stop,
-                 [&](std::size_t k) { shares[k] = flow.shares(positions[points[k]]); });
+        parallel(0, points.size(), stop, [&](std::size_t from, std::size_t to) {
+            for (std::size_t k = from; k != to; ++k)
+                shares[k] = flow.shares(positions[points[k]]);
+        });
         const auto wanted = [&](std::size_t k) { return shares[k].count > 0; };
         const auto between = [&](std::size_t k) { return wanted(k) && part[k] > 0.0; };
+        if (stop.stop_requested()) // of places not looked at nothing is known
+            return fail(Error::Code::Cancelled, "sampling was cancelled");
         if (!any(points.size(), wanted))
             continue;
-        const auto first = steps.values(step);
-        if (!first)
-            return tl::unexpected(first.error());
-        const auto second = any(points.size(), between) ? steps.values(step + 1) : first;
-        if (!second)
-            return tl::unexpected(second.error());
-        parallel(points.size(), stop, [&](std::size_t k) {
-            if (!wanted(k))
-                return;
-            const auto at = [&](const float* values) {
-                return weighed(shares[k], [values](std::size_t node) { return values[node]; });
-            };
-            double value = at(*first);
-            if (part[k] > 0.0)
-                value += part[k] * (at(*second) - value);
+        const Points all{shares, part};
+        const bool both = any(points.size(), between);
+        const auto take = [&](std::size_t k, double value) {
             if (std::isfinite(value))
                 out[points[k]] = static_cast<float>(value);
-        });
+        };
+        const auto sampled = bricks ? sample_bricks(all, bricks, *field, step, both, take, stop)
+                                    : sample_whole(all, steps, step, both, take, stop);
+        if (!sampled)
+            return tl::unexpected(sampled.error());
         if (stop.stop_requested())
             return fail(Error::Code::Cancelled, "sampling was cancelled");
     }

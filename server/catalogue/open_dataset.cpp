@@ -41,14 +41,14 @@ std::size_t more_chunks(std::size_t left) {
     return std::min(left / 4, most);
 }
 
-/// What stays in memory beside the velocity's time-steps: the grid, what finds cells in a mesh, the solid mask by node and by cell; what
-/// sampling a scalar takes; and the chunks of a Zarr.
-std::size_t fixed_bytes(const store::StoreReader& reader, std::size_t chunk_bytes) {
+/// What stays in memory beside the velocity's time-steps: the grid, what finds cells in a mesh, the solid mask by node and by cell; and
+/// what sampling a scalar takes, which comes from the memory of the bricks where those are read one by one.
+std::size_t fixed_bytes(const store::StoreReader& reader, bool by_brick) {
     const auto* mesh = std::get_if<core::CellMesh>(&reader.grid());
     constexpr std::size_t locator_bytes =
         37; // a cell: core/field/cells/cell_locator.hpp, cell_walls.hpp
     return core::memory_of(reader.grid()) + (mesh ? locator_bytes * mesh->cells.size() : 0) +
-           2 * reader.mask().fluid.size() + reader.scalar_memory() + chunk_bytes;
+           2 * reader.mask().fluid.size() + (by_brick ? 0 : reader.scalar_memory());
 }
 
 /// What a dataset needs besides its grid, in words.
@@ -126,6 +126,21 @@ std::shared_ptr<RankedStore> with_ranks(const std::shared_ptr<const store::Store
 
 } // namespace
 
+HowServed how_served(const store::StoreReader& reader,
+                     const core::TimeStepCache::Options& options,
+                     std::size_t chunk_bytes) {
+    HowServed how;
+    const std::size_t fixed = fixed_bytes(reader, false) + chunk_bytes;
+    const std::size_t bytes = options.account ? options.account->free() : options.budget_bytes;
+    how.room = bytes - std::min(bytes, fixed);
+    if (options.account)
+        how.room = std::min(how.room, core::TimeStepCache::room_in(options.account->budget()));
+    how.by_brick =
+        reader.bricks() != nullptr && (options.by_brick || is_on_the_web(reader.layout().folder) ||
+                                       core::TimeStepCache::pages(reader, how.room));
+    return how;
+}
+
 core::Result<LoadedDataset> open_flow(const DatasetArgument& argument) {
     auto info = core::describe_analytic_flow(argument.flow);
     if (!info)
@@ -147,9 +162,9 @@ core::Result<LoadedDataset> open_store(const std::filesystem::path& folder,
         return tl::unexpected(opened.error());
     const auto& reader = opened->reader;
     const std::size_t chunk_bytes = disk->zarr ? disk->zarr->least_memory() : 0;
-    const std::size_t fixed = fixed_bytes(*reader, chunk_bytes);
     core::TimeStepCache::Options cached = options;
-    cached.by_brick = cached.by_brick || is_on_the_web(folder); // the less is read, the better
+    cached.by_brick = how_served(*reader, options, chunk_bytes).by_brick;
+    const std::size_t fixed = fixed_bytes(*reader, cached.by_brick) + chunk_bytes;
     std::shared_ptr<core::MemoryAccount::Share> memory;
     if (options.account) {
         auto share = counted(*reader, fixed, *options.account);

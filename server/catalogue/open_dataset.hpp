@@ -58,6 +58,19 @@ struct OpenOptions {
 /// Error: InvalidArgument, NotFound (the list of names).
 core::Result<LoadedDataset> open_flow(const DatasetArgument& argument);
 
+/// Whether the time-steps of a store, and its scalars, are had brick by brick, or whole.
+struct HowServed {
+    /// On the web, where the less is read the better, and where four time-steps do not fit.
+    bool by_brick = false;
+    /// Bytes that there are for whole time-steps, beside the grid and what sampling scalars takes.
+    std::size_t room = 0;
+};
+
+/// As open_store decides it. @param options  with the memory. @param chunk_bytes  of it that chunks of a Zarr take at least
+HowServed how_served(const store::StoreReader& reader,
+                     const core::TimeStepCache::Options& options,
+                     std::size_t chunk_bytes = 0);
+
 /// A store, whole or still being written. @param options  the budget, or the account, is for its grid as well.
 /// Error: as read_store_manifest and StoreReader::open; OverLimit where that does not hold the grid and 4 time-steps.
 core::Result<LoadedDataset> open_store(const std::filesystem::path& folder,

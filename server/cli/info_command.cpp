@@ -25,7 +25,6 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -44,25 +43,28 @@ struct Described {
     std::string served{}; ///< how a server on this machine would have them in memory, and why
 };
 
-/// With the memory that a server takes where nothing else is said. @param what  the data are: a store or a Zarr
-void say_how_served(const store::StoreReader& reader, std::string_view what, Described& out) {
-    if (reader.bricks() != nullptr && is_on_the_web(reader.layout().folder)) {
-        out.by_brick = true;
-        out.served = fmt::format("brick by brick: the {} is on the web", what);
+/// With the memory that a server takes where nothing else is said. @param zarr  null where the data are a store
+void say_how_served(const store::StoreReader& reader, const ZarrDisk* zarr, Described& out) {
+    const std::size_t memory = default_memory();
+    core::TimeStepCache::Options options;
+    options.account = core::MemoryAccount(memory);
+    const HowServed how = how_served(reader, options, zarr ? zarr->least_memory() : 0);
+    out.by_brick = how.by_brick;
+    if (how.by_brick && is_on_the_web(reader.layout().folder)) {
+        out.served = fmt::format("brick by brick: the {} is on the web", zarr ? "Zarr" : "store");
         return;
     }
-    const std::size_t memory = default_memory();
     const std::size_t window = core::TimeStepCache::smallest_window(reader);
-    out.by_brick = core::TimeStepCache::pages(reader, core::TimeStepCache::room_in(memory));
-    const bool fits = window <= core::TimeStepCache::room_in(memory);
+    const bool fits = window <= how.room;
     const auto mebibytes = [](std::size_t bytes) {
         return fmt::format("{:.1f} MiB", static_cast<double>(bytes) / (1 << 20));
     };
     out.served =
-        fmt::format("{}: {} time-steps take {}, {} half of a server's memory here ({}, --memory){}",
+        fmt::format("{}: {} time-steps take {}, {} than the {} that a server's memory here ({}, "
+                    "--memory) has for them{}",
                     out.by_brick ? "brick by brick" : "whole time-steps",
                     window / std::max<std::size_t>(1, reader.bytes_per_step()), mebibytes(window),
-                    fits ? "less than" : "more than", mebibytes(memory),
+                    fits ? "no more" : "more", mebibytes(how.room), mebibytes(memory),
                     !fits && !out.by_brick ? "; bricks need a store with --layout bricks" : "");
 }
 
@@ -94,7 +96,7 @@ core::Result<Described> describe_store(const std::filesystem::path& folder) {
                   opened_disk->zarr ? std::string("chunks of a Zarr")
                   : cells == 0      ? std::string("whole time-steps")
                                     : fmt::format("bricks of {} cells", cells)};
-    say_how_served(**reader, opened_disk->zarr ? "Zarr" : "store", out);
+    say_how_served(**reader, opened_disk->zarr.get(), out);
     return out;
 }
 

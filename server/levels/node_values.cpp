@@ -1,7 +1,9 @@
 #include "server/levels/node_values.hpp"
 
+#include "core/dataset/missing_bricks.hpp"
 #include "core/surface/vertex_attributes.hpp"
 #include "server/catalogue/field_names.hpp"
+#include "store/brick_rows.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +28,11 @@ std::pair<std::size_t, double> moment_in(const std::vector<double>& times, doubl
     return {step, (time - times[step]) / (times[step + 1] - times[step])};
 }
 
+/// The first, where `part` is 0, to the bit.
+float between(float from, float to, double part) {
+    return part == 0.0 ? from : static_cast<float>(from + part * (double(to) - from));
+}
+
 core::Result<void> stored_values(const core::ScalarSource& scalars,
                                  std::size_t scalar,
                                  double time,
@@ -44,8 +51,51 @@ core::Result<void> stored_values(const core::ScalarSource& scalars,
         return tl::unexpected(second.error());
     const auto* to = reinterpret_cast<const float*>((*second)->bytes().data());
     for (std::size_t i = 0; i < out.size(); ++i)
-        out[i] = static_cast<float>(from[i] + part * (double(to[i]) - from[i]));
+        out[i] = between(from[i], to[i], part);
     return {};
+}
+
+/// The same where the values come brick by brick.
+core::Result<void> stored_bricks(const std::shared_ptr<core::BrickCache>& cache,
+                                 std::size_t brick_field,
+                                 const std::vector<double>& times,
+                                 double time,
+                                 std::span<float> out,
+                                 const std::stop_token& stop) {
+    const auto [step, part] = moment_in(times, time);
+    std::vector<std::size_t> steps{step};
+    if (part > 0.0)
+        steps.push_back(step + 1);
+    const auto first = cache->table(step, brick_field);
+    const auto second = cache->table(steps.back(), brick_field);
+    core::MissingBricks missing(cache, steps, brick_field);
+    std::vector<bool> done(cache->layout().count());
+    const auto some = [&](std::size_t begin, std::size_t end) {
+        const core::BrickMisses misses(&missing);
+        for (std::size_t brick = begin; brick != end && !stop.stop_requested(); ++brick) {
+            if (done[brick])
+                continue;
+            const float* const from = first->at(brick);
+            const float* const to = second->at(brick);
+            if (from == nullptr || to == nullptr) {
+                misses.want(brick);
+                continue;
+            }
+            store::for_rows_of(cache->layout(), brick,
+                               [&](std::size_t node, std::size_t to_node, std::size_t nodes) {
+                                   for (std::size_t i = 0; i < nodes; ++i)
+                                       out[to_node + i] =
+                                           between(from[node + i], to[node + i], part);
+                               });
+            done[brick] = true;
+        }
+        return !stop.stop_requested();
+    };
+    if (core::MissingBricks::in_rounds(&missing, done.size(), stop,
+                                       core::MissingBricks::Again::Restart, some))
+        return {};
+    return missing.error() ? tl::unexpected(*missing.error())
+                           : core::fail(core::Error::Code::Cancelled, "reading was cancelled");
 }
 
 core::Result<void> sampled_values(const NodeField& field,
@@ -104,7 +154,12 @@ core::Result<void> node_values(const NodeField& field,
                                std::span<float> out,
                                const std::stop_token& stop) {
     if (field.source == NodeField::Source::Scalar) {
-        if (auto read = stored_values(scalars, field.index, time, out, stop); !read)
+        const auto brick_field = scalars.brick_field(field.index);
+        const auto bricks = brick_field ? flow.bricks() : nullptr;
+        const auto read =
+            bricks ? stored_bricks(bricks, *brick_field, scalars.times(), time, out, stop)
+                   : stored_values(scalars, field.index, time, out, stop);
+        if (!read)
             return read;
     } else {
         std::vector<core::Vec3> places;

@@ -3,6 +3,7 @@
 
 #include "store/brick_mask.hpp"
 #include "store/store_grid.hpp"
+#include "store/store_manifest.hpp"
 #include "store/store_reader.hpp"
 #include "store/value_writing.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -69,6 +70,36 @@ inline store::StoreLayout write_store(const std::filesystem::path& folder,
         writer.finish_step(step, sums).map([] { return true; }).value();
     }
     return layout;
+}
+
+/// The same of a uniform grid with a manifest, so that it can be opened by its folder.
+inline store::StoreLayout write_whole_store(const std::filesystem::path& folder,
+                                            const StoreValues& what,
+                                            std::uint32_t brick_cells) {
+    const auto& grid = std::get<core::UniformGrid>(what.grid);
+    store::StoreManifest manifest;
+    manifest.layout = write_store(folder, what, brick_cells, std::size_t{1} << 20);
+    manifest.complete = true;
+    core::DatasetInfo& info = manifest.info;
+    info.dataset = info.name = "values";
+    info.reader = "vtk";
+    info.bounds = grid.bounds();
+    info.dimensions = grid.dimensions;
+    info.spacing = grid.spacing;
+    info.points = info.cells = 1;
+    for (const std::uint32_t nodes : grid.dimensions) {
+        info.points *= nodes;
+        info.cells *= nodes - 1;
+    }
+    info.times = manifest.layout.times;
+    info.velocity = "U";
+    info.why = "it is the only one";
+    info.bytes_per_step = 3 * sizeof(float) * info.points;
+    info.fields = {{"U", 3, core::FieldInfo::Source::Point, {0, 1}, ""}};
+    for (const auto& each : manifest.layout.scalars)
+        info.fields.push_back({each.name, 1, core::FieldInfo::Source::Point, {0, 1}, ""});
+    write_file(folder / store::manifest_file_name, store::store_manifest_text(manifest));
+    return manifest.layout;
 }
 
 inline std::shared_ptr<const store::StoreReader>

@@ -1,5 +1,7 @@
 // The real job under mpirun: surfaces through bricks from ranks have the bytes of those from files, also when a rank is killed.
+#include "core/field/sample_scalar.hpp"
 #include "tests/server/bricks/bricks_fixture.hpp"
+#include "tests/support/brick_store.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/ranks_of_job.hpp"
 
@@ -111,6 +113,38 @@ TEST_F(RankBricksTest, WhatTheRanksHaveNoMemoryForComesFromFiles) {
     EXPECT_EQ(all_bricks(*source->bricks()), all_bricks(*reader_->bricks()));
     EXPECT_GE(source->ranks().status().by_files, bricks_in_all - 10);
     EXPECT_EQ(difference(streak_through(source, true), flat_), "");
+}
+
+TEST_F(RankBricksTest, ScalarsComeFromFilesWhileRanksHoldTheVelocity) {
+    StoreValues what;
+    what.grid = core::UniformGrid{{0, 0, 0}, core::Vec3(1), {40, 36, 34}};
+    what.values.resize(2);
+    for (auto& step : what.values)
+        for (const std::size_t components : {3u, 1u}) {
+            auto& values = step.emplace_back(components * 40 * 36 * 34);
+            for (std::size_t i = 0; i < values.size(); ++i)
+                values[i] = static_cast<float>(i * 7919 % 1009 + step.size());
+        }
+    const TemporaryFolder folder;
+    write_whole_store(folder.path(), what, 32);
+    const auto reader = reader_of(folder.path());
+    RankBricks::Options options = job(2);
+    options.store = folder.path();
+    const auto source = std::make_shared<RankedStore>(reader, options);
+    source->ranks().begin();
+    ASSERT_TRUE(source->ranks().wait_for_job(1, at_most));
+    const std::vector<core::Vec3> places{{1, 2, 3}, {20.5, 7.25, 30.1}, {38.5, 34.5, 32.5}};
+    const std::vector<double> times(places.size(), 0.25);
+    const auto sampled = [&](std::shared_ptr<const core::TimeStepSource> from, bool by_brick) {
+        core::TimeStepCache::Options cache;
+        cache.by_brick = by_brick;
+        const auto flow =
+            core::make_stored_flow(std::make_shared<core::TimeStepCache>(std::move(from), cache));
+        return core::sample_scalar(*flow, *reader, 0, places, times, {}).value();
+    };
+    EXPECT_EQ(sampled(source, true), sampled(reader, false));
+    EXPECT_EQ(source->ranks().status().by_ranks, 0u);
+    EXPECT_GT(source->ranks().status().by_files, 0u);
 }
 
 TEST_F(RankBricksTest, AKilledRankCostsNoSurfaceAndTheJobIsStartedAgain) {
