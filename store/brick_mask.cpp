@@ -1,15 +1,14 @@
 #include "store/brick_mask.hpp"
 
-#include "store/brick_rows.hpp"
 #include "store/brick_slabs.hpp"
 #include "store/store_grid.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <map>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace wakesurf::store {
 
@@ -17,6 +16,9 @@ using core::Error;
 using core::Result;
 
 namespace {
+
+/// Of a brick, as the file has it.
+enum State : std::uint8_t { Solid, Fluid, Mixed };
 
 tl::unexpected<Error> corrupt_mask(std::string message) {
     return core::fail(Error::Code::Corrupt, std::move(message), "import the dataset again");
@@ -36,8 +38,7 @@ write_mask(StoreWriter& writer, const StoreLayout& layout, const NextMask& next)
     BrickSlabs slabs(bricks, 1, [&](std::size_t place, std::span<const std::byte> nodes) {
         const bool all_same = std::all_of(nodes.begin(), nodes.end(),
                                           [&](std::byte node) { return node == nodes[0]; });
-        states[place] =
-            all_same ? static_cast<std::uint8_t>(nodes[0]) : std::uint8_t{BrickMask::Mixed};
+        states[place] = all_same ? static_cast<std::uint8_t>(nodes[0]) : std::uint8_t{Mixed};
         if (!all_same)
             mixed[place].assign(nodes.begin(), nodes.end());
         return Result<void>();
@@ -64,27 +65,36 @@ write_mask(StoreWriter& writer, const StoreLayout& layout, const NextMask& next)
     });
 }
 
-Result<BrickMask> parse_brick_mask(std::span<const std::byte> bytes,
-                                   const core::BrickLayout& layout) {
-    const auto* const values = reinterpret_cast<const std::uint8_t*>(bytes.data());
+Result<core::BrickBytes> parse_brick_mask(std::span<const std::byte> bytes,
+                                          const core::BrickLayout& layout) {
     const std::size_t count = layout.count();
     if (bytes.size() < count)
         return corrupt_mask("has fewer bytes than the grid has bricks");
-    BrickMask mask{{values, values + count}, {values + count, values + bytes.size()}};
-    if (std::any_of(mask.states.begin(), mask.states.end(),
-                    [](std::uint8_t state) { return state > BrickMask::Mixed; }))
+    const std::span values(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+    const auto states = values.first(count);
+    auto nodes = values.subspan(count);
+    if (std::any_of(states.begin(), states.end(), [](auto state) { return state > Mixed; }))
         return corrupt_mask("holds bricks that are neither solid, fluid nor mixed");
-    const auto mixed = static_cast<std::size_t>(
-        std::count(mask.states.begin(), mask.states.end(), BrickMask::Mixed));
-    if (mask.nodes.size() != mixed * layout.nodes_per_brick())
+    const auto mixed =
+        static_cast<std::size_t>(std::count(states.begin(), states.end(), std::uint8_t{Mixed}));
+    if (nodes.size() != mixed * layout.nodes_per_brick())
         return corrupt_mask("has " + std::to_string(bytes.size()) + " bytes instead of " +
                             std::to_string(count + mixed * layout.nodes_per_brick()));
-    if (std::any_of(mask.nodes.begin(), mask.nodes.end(), [](std::uint8_t v) { return v > 1; }))
+    if (std::any_of(nodes.begin(), nodes.end(), [](auto node) { return node > 1; }))
         return corrupt_mask("holds values other than 0 and 1");
+    core::BrickBytes mask(layout);
+    const auto order = layout.morton_order();
+    for (std::size_t place = 0; place < count; ++place)
+        if (states[place] == Mixed) {
+            mask.set(order[place], nodes.first(layout.nodes_per_brick()));
+            nodes = nodes.subspan(layout.nodes_per_brick());
+        } else {
+            mask.set(order[place], states[place]);
+        }
     return mask;
 }
 
-Result<BrickMask> read_brick_mask(const StoreLayout& layout, const core::Disk& disk) {
+Result<core::BrickBytes> read_brick_mask(const StoreLayout& layout, const core::Disk& disk) {
     const std::string name(mask_file_name);
     const auto bricks = layout.bricks();
     const auto size = disk.size(layout.folder / name);
@@ -99,25 +109,6 @@ Result<BrickMask> read_brick_mask(const StoreLayout& layout, const core::Disk& d
                 return error;
             });
         });
-}
-
-core::SolidMask flat_mask(const BrickMask& mask, const core::BrickLayout& layout) {
-    const auto& grid = layout.dimensions();
-    core::SolidMask flat;
-    flat.fluid.resize(std::size_t{grid[0]} * grid[1] * grid[2]);
-    const auto order = layout.morton_order();
-    const std::uint8_t* mixed = mask.nodes.data();
-    for (std::size_t place = 0; place < order.size(); ++place) {
-        const bool own = mask.states[place] == BrickMask::Mixed;
-        for_rows_of(layout, order[place], [&](std::size_t from, std::size_t to, std::size_t nodes) {
-            if (own)
-                std::memcpy(flat.fluid.data() + to, mixed + from, nodes);
-            else
-                std::memset(flat.fluid.data() + to, mask.states[place], nodes);
-        });
-        mixed += own ? layout.nodes_per_brick() : 0;
-    }
-    return flat;
 }
 
 } // namespace wakesurf::store

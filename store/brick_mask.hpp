@@ -4,7 +4,7 @@
 
 #include "core/base/disk.hpp"
 #include "core/base/result.hpp"
-#include "core/dataset/solid_mask.hpp"
+#include "core/dataset/brick_bytes.hpp"
 #include "store/store_layout.hpp"
 #include "store/store_writer.hpp"
 
@@ -12,17 +12,8 @@
 #include <cstdint>
 #include <functional>
 #include <span>
-#include <vector>
 
 namespace wakesurf::store {
-
-/// What is known of a grid's bricks.
-struct BrickMask {
-    enum State : std::uint8_t { Solid, Fluid, Mixed };
-
-    std::vector<std::uint8_t> states; ///< a State a brick, in the order of the file
-    std::vector<std::uint8_t> nodes; ///< 1 fluid, 0 solid: of the mixed bricks, one after the other
-};
 
 /// The next nodes' bytes, 1 fluid, 0 solid, x fastest, valid until the next call; none at the end.
 using NextMask = std::function<core::Result<std::span<const std::uint8_t>>()>;
@@ -32,14 +23,11 @@ using NextMask = std::function<core::Result<std::span<const std::uint8_t>>()>;
 core::Result<std::uint32_t>
 write_mask(StoreWriter& writer, const StoreLayout& layout, const NextMask& next);
 
-/// Error: Corrupt for a size, a state or a node that cannot be; to be read after the file's name.
-core::Result<BrickMask> parse_brick_mask(std::span<const std::byte> bytes,
-                                         const core::BrickLayout& layout);
+/// Nodes' bytes, 1 fluid, 0 solid. Error: Corrupt for a size, a state or a node that cannot be; to be read after the file's name.
+core::Result<core::BrickBytes> parse_brick_mask(std::span<const std::byte> bytes,
+                                                const core::BrickLayout& layout);
 
 /// The file of a store in bricks. Error: as read_fixed_file and parse_brick_mask.
-core::Result<BrickMask> read_brick_mask(const StoreLayout& layout, const core::Disk& disk);
-
-/// The same a byte a node.
-core::SolidMask flat_mask(const BrickMask& mask, const core::BrickLayout& layout);
+core::Result<core::BrickBytes> read_brick_mask(const StoreLayout& layout, const core::Disk& disk);
 
 } // namespace wakesurf::store

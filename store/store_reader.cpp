@@ -95,12 +95,12 @@ void StoreReader::open_bricks(std::size_t threads) {
 Result<void> StoreReader::load_mask() {
     if (!layout_.mask)
         return {};
+    if (layout_.brick_cells != 0)
+        return read_brick_mask(layout_, *disk_).map([&](core::BrickBytes mask) {
+            mask_.bricks = std::make_shared<const core::BrickBytes>(std::move(mask));
+        });
     if (auto fits = check_fits("the mask of the grid's nodes", nodes_); !fits)
         return fits;
-    if (layout_.brick_cells != 0)
-        return read_brick_mask(layout_, *disk_).map([&](const BrickMask& mask) {
-            mask_ = flat_mask(mask, layout_.bricks());
-        });
     const std::string name(mask_file_name);
     const auto bytes = read_fixed_file(layout_, name, nodes_, *disk_);
     if (!bytes)

@@ -32,12 +32,6 @@ BrickLayout::BrickLayout(const std::array<std::uint32_t, 3>& dimensions, std::ui
     }
 }
 
-BrickLayout::BrickNode BrickLayout::place_of(std::size_t node) const {
-    BrickNode place{};
-    place.brick = places_of({&node, 1}, {&place.node, 1});
-    return place;
-}
-
 std::size_t BrickLayout::places_of(std::span<const std::size_t> nodes,
                                    std::span<std::size_t> places) const {
     const auto place = [&](const std::array<std::size_t, 3>& at) {

@@ -2,6 +2,7 @@
 // stored, read and kept: each has 32 cells an axis and all their nodes, so that a cell's eight nodes are in one brick.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -58,7 +59,21 @@ class BrickLayout {
     };
 
     /// @param node  of the grid, x fastest
-    BrickNode place_of(std::size_t node) const;
+    BrickNode place_of(std::size_t node) const {
+        return place_of({node % dimensions_[0], node / dimensions_[0] % dimensions_[1],
+                         node / dimensions_[0] / dimensions_[1]});
+    }
+
+    /// @param node  of the grid, by its place on each axis
+    BrickNode place_of(const std::array<std::size_t, 3>& node) const {
+        std::array<std::size_t, 3> cell, within;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            cell[axis] = std::min<std::size_t>(node[axis], dimensions_[axis] - 2);
+            within[axis] = node[axis] - (cell[axis] >> shift_ << shift_);
+        }
+        return {brick_of(cell),
+                within[0] + brick_nodes_[0] * (within[1] + brick_nodes_[1] * within[2])};
+    }
 
     /// The brick that has several nodes of one cell, and where each is in it. @param places  as many as nodes
     std::size_t places_of(std::span<const std::size_t> nodes, std::span<std::size_t> places) const;

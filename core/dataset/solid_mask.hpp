@@ -1,18 +1,41 @@
-// Which nodes of a uniform grid lie inside an obstacle. The wall is where the trilinear fluid fraction
+// Which nodes of a uniform or a rectilinear grid lie inside an obstacle. The wall is where the trilinear fluid fraction
 // falls below one half: midway between a fluid and a solid node.
 #pragma once
 
+#include "core/dataset/brick_bytes.hpp"
+
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace wakesurf::core {
 
-/// One byte a node, x fastest: 1 fluid, 0 solid. Empty: no obstacle.
+/// One byte a node: 1 fluid, 0 solid. In one piece, or in bricks. Neither: no obstacle.
 struct SolidMask {
-    std::vector<std::uint8_t> fluid; ///< one a node: 1 fluid, 0 solid
+    std::vector<std::uint8_t> fluid;                    ///< in one piece, x fastest
+    std::shared_ptr<const BrickBytes> bricks = nullptr; ///< of a grid in bricks
 
     /// Nothing is solid.
-    bool empty() const { return fluid.empty(); }
+    bool empty() const { return fluid.empty() && bricks == nullptr; }
+
+    /// @param node   its place on each axis
+    /// @param index  the same, x fastest
+    bool is_fluid(const std::array<std::size_t, 3>& node, std::size_t index) const {
+        return (bricks != nullptr ? bricks->of(node) : fluid[index]) != 0;
+    }
+
+    /// The same of nodes one after the other, at the cost of three divisions each.
+    bool is_fluid(std::size_t index) const {
+        if (bricks == nullptr)
+            return fluid[index] != 0;
+        const auto place = bricks->layout().place_of(index);
+        return bricks->at(place.brick)[place.node] != 0;
+    }
+
+    /// Memory.
+    std::size_t bytes() const { return bricks != nullptr ? bricks->bytes() : fluid.size(); }
 };
 
 } // namespace wakesurf::core

@@ -6,11 +6,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace wakesurf::core {
 
-/// Per cell: are all, none or some of its nodes fluid? One byte read answers nearly every status question.
+/// Per cell: are all, none or some of its nodes fluid? One byte read answers nearly every status question. In bricks where the mask is.
 class CellMask {
   public:
     /// @param dimensions  nodes an axis of the uniform or rectilinear grid
@@ -18,12 +19,19 @@ class CellMask {
 
     enum State : std::uint8_t { Fluid, Mixed, Solid };
 
-    State state(std::size_t first_node) const {
-        return state_.empty() ? Fluid : static_cast<State>(state_[first_node]);
+    /// @param cell        its place on each axis
+    /// @param first_node  its lowest node, x fastest
+    State state(const std::array<std::size_t, 3>& cell, std::size_t first_node) const {
+        return static_cast<State>(bricks_          ? bricks_->of(cell)
+                                  : whole_.empty() ? std::uint8_t{Fluid}
+                                                   : whole_[first_node]);
     }
 
-    /// A State a byte, by the cell's lowest node; null where all is fluid.
-    const std::uint8_t* data() const { return state_.empty() ? nullptr : state_.data(); }
+    /// A State a byte, by the cell's lowest node; null where all is fluid, or in bricks.
+    const std::uint8_t* whole() const { return whole_.empty() ? nullptr : whole_.data(); }
+
+    /// The same by brick; null where all is fluid, or in one piece.
+    const BrickBytes* bricks() const { return bricks_ ? &*bricks_ : nullptr; }
 
     /// The same of the cell and those round it, 4^3 nodes: Fluid where all are, else Mixed.
     static CellMask round_cells(const std::array<std::uint32_t, 3>& dimensions,
@@ -32,7 +40,8 @@ class CellMask {
   private:
     CellMask() = default;
 
-    std::vector<std::uint8_t> state_; ///< indexed by the cell's lowest node
+    std::vector<std::uint8_t> whole_; ///< by the cell's lowest node
+    std::optional<BrickBytes> bricks_;
 };
 
 } // namespace wakesurf::core

@@ -202,11 +202,13 @@ struct CubicSampler {
 
     bool touches_solid(const Stencil& at) const {
         if (round_cells != nullptr)
-            return round_cells->state(at.node(*linear.grid, 1, 1, 1)) != CellMask::Fluid;
+            return round_cells->state(at.cell, at.node(*linear.grid, 1, 1, 1)) != CellMask::Fluid;
         for (std::size_t z = at.begin[2]; z < at.end[2]; ++z)
             for (std::size_t y = at.begin[1]; y < at.end[1]; ++y)
                 for (std::size_t x = at.begin[0]; x < at.end[0]; ++x)
-                    if (linear.mask->fluid[at.node(*linear.grid, x, y, z)] == 0)
+                    if (!linear.mask->is_fluid(
+                            {at.cell[0] + x - 1, at.cell[1] + y - 1, at.cell[2] + z - 1},
+                            at.node(*linear.grid, x, y, z)))
                         return true;
         return false;
     }

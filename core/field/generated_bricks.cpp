@@ -1,5 +1,6 @@
 #include "core/field/generated_bricks.hpp"
 
+#include "core/base/for_each_index.hpp"
 #include "core/field/analytic_flow.hpp"
 #include "core/field/sample_grid.hpp"
 
@@ -38,8 +39,15 @@ GeneratedBricks::GeneratedBricks(std::unique_ptr<Flow> flow,
       layout_(grid.dimensions, cells), threads_(threads) {
     if (!flow_->obstacle())
         return;
-    mask_.fluid.resize(grid.nodes());
-    sample_mask(*flow_, grid, 0, mask_.fluid);
+    BrickBytes fluid(layout_);
+    std::vector<std::uint8_t> own(layout_.nodes_per_brick());
+    for (std::size_t brick = 0; brick < layout_.count(); ++brick) {
+        for_each_index(own.size(), [&](std::size_t node) {
+            own[node] = flow_->status(position(brick, node)) != PointStatus::InObstacle;
+        });
+        fluid.set(brick, own);
+    }
+    mask_.bricks = std::make_shared<const BrickBytes>(std::move(fluid));
 }
 
 std::size_t GeneratedBricks::bytes_per_step() const {
@@ -72,29 +80,34 @@ void GeneratedBricks::read(std::vector<BrickRead> reads, std::stop_token stop, D
     threads_.add(std::move(work));
 }
 
+Vec3 GeneratedBricks::position(std::size_t brick, std::size_t node) const {
+    const auto& grid = std::get<UniformGrid>(grid_);
+    const auto& nodes = layout_.brick_nodes();
+    const auto first = layout_.first_node(brick);
+    const std::array<std::size_t, 3> at{first[0] + node % nodes[0],
+                                        first[1] + node / nodes[0] % nodes[1],
+                                        first[2] + node / nodes[0] / nodes[1]};
+    const auto along = [&](std::size_t axis) {
+        return std::min<std::size_t>(at[axis], grid.dimensions[axis] - 1);
+    };
+    return grid.origin + grid.spacing * Vec3(along(0), along(1), along(2));
+}
+
 Result<void> GeneratedBricks::sample(const BrickRead& read, const std::stop_token& stop) const try {
     const auto name = [&] {
         return "brick " + std::to_string(read.brick) + " of time-step " + std::to_string(read.step);
     };
     if (read.step >= times_.size() || read.brick >= layout_.count() || read.field != 0)
         return fail(Error::Code::NotFound, "there is no " + name());
-    const auto nodes = layout_.brick_nodes();
     if (read.to.size() != 3 * layout_.nodes_per_brick())
         return fail(Error::Code::InvalidArgument,
                     "there is room for another number of nodes than " + name() + " has");
-    const auto& grid = std::get<UniformGrid>(grid_);
-    const auto first = layout_.first_node(read.brick);
-    const auto along = [&](std::size_t axis, std::size_t i) {
-        return std::min<std::size_t>(first[axis] + i, grid.dimensions[axis] - 1);
-    };
-    std::vector<Vec3> layer(std::size_t{nodes[0]} * nodes[1]);
-    for (std::size_t k = 0; k < nodes[2]; ++k) {
+    std::vector<Vec3> layer(std::size_t{layout_.brick_nodes()[0]} * layout_.brick_nodes()[1]);
+    for (std::size_t k = 0; k < layout_.brick_nodes()[2]; ++k) {
         if (stop.stop_requested())
             return fail(Error::Code::Cancelled, "reading " + name() + " was cancelled");
-        for (std::size_t j = 0, at = 0; j < nodes[1]; ++j)
-            for (std::size_t i = 0; i < nodes[0]; ++i, ++at)
-                layer[at] =
-                    grid.origin + grid.spacing * Vec3(along(0, i), along(1, j), along(2, k));
+        for (std::size_t at = 0; at < layer.size(); ++at)
+            layer[at] = position(read.brick, layer.size() * k + at);
         const auto to = read.to.subspan(3 * layer.size() * k, 3 * layer.size());
         if (auto sampled = sample_places(*flow_, layer, times_[read.step], to); !sampled)
             return tl::unexpected(sampled.error());

@@ -15,7 +15,7 @@
 namespace wakesurf::core {
 
 /// The values that `wakesurf generate` writes for the same flow, grid and times. Memory: none to speak of; where the flow has an obstacle,
-/// a byte a node for the mask. Thread safety: concurrent calls are fine.
+/// a byte a node of the bricks that its walls go through. Thread safety: concurrent calls are fine.
 class GeneratedBricks final : public TimeStepSource, public BrickSource {
   public:
     /// @param flow   NAME[?k=v,...] of make_analytic_flow
@@ -57,6 +57,9 @@ class GeneratedBricks final : public TimeStepSource, public BrickSource {
                     std::vector<double> times,
                     std::uint32_t cells,
                     std::size_t threads);
+
+    /// Of a brick's node; those beyond the grid are where its last ones are.
+    Vec3 position(std::size_t brick, std::size_t node) const;
 
     Result<void> sample(const BrickRead& read, const std::stop_token& stop) const;
 

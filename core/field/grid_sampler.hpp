@@ -170,7 +170,7 @@ struct GridSampler {
         if (!grid->bounds().contains(p))
             return PointStatus::OutsideDomain;
         const CellPoint cell = locate(*grid, p);
-        const CellMask::State state = cells->state(cell.node);
+        const CellMask::State state = cells->state(cell.cell, cell.node);
         if (state == CellMask::Solid)
             return PointStatus::InObstacle;
         if (gaps && gap(cell.cell))
@@ -180,7 +180,10 @@ struct GridSampler {
         const Corners at = corners(strides(*grid), cell);
         double fluid = 0.0;
         for (std::size_t i = 0; i < 8; ++i)
-            fluid += at.weight[i] * mask->fluid[at.node[i]];
+            if (mask->is_fluid(
+                    {cell.cell[0] + (i & 1), cell.cell[1] + (i >> 1 & 1), cell.cell[2] + (i >> 2)},
+                    at.node[i]))
+                fluid += at.weight[i];
         return fluid < 0.5 ? PointStatus::InObstacle : PointStatus::Inside;
     }
 
@@ -250,15 +253,16 @@ struct GridSampler {
   private:
     /// True for a node that shares a cell with a solid one, or is one.
     bool beside_solid(const std::array<std::size_t, 3>& node) const {
-        const Strides stride = strides(*grid);
         for (std::size_t i = 0; i < 8; ++i) {
             const std::array<std::size_t, 3> back{i & 1, i >> 1 & 1, i >> 2};
+            std::array<std::size_t, 3> cell{};
             bool there = true;
-            for (std::size_t axis = 0; axis < 3; ++axis)
+            for (std::size_t axis = 0; axis < 3; ++axis) {
                 there = there && node[axis] >= back[axis] &&
                         node[axis] - back[axis] + 1 < dimensions(*grid)[axis];
-            if (there && cells->state((node[0] - back[0]) + stride.row * (node[1] - back[1]) +
-                                      stride.slice * (node[2] - back[2])) != CellMask::Fluid)
+                cell[axis] = node[axis] - back[axis];
+            }
+            if (there && cells->state(cell, first_node(cell)) != CellMask::Fluid)
                 return true;
         }
         return false;

@@ -14,10 +14,12 @@ StoredBricks bricks_of(const StepNodes& step) {
                                   : StoredBricks{};
 }
 
-BrickPlaces places_in(const BrickLayout& layout, const MissingBricks& missing) {
+StoredStates states_of(const CellMask& mask) {
+    return {mask.whole(), mask.bricks() != nullptr ? mask.bricks()->pointers() : nullptr};
+}
+
+BrickPlaces places_in(const BrickLayout& layout) {
     BrickPlaces places{};
-    places.zeros = missing.zeros();
-    places.age = missing.age();
     places.cells = layout.cells();
     places.per_cell = 1.0 / places.cells;
     const auto& bricks = layout.bricks();
@@ -33,13 +35,17 @@ StoredPair pair_on(const GridSampler<Grid>& field, const AdvanceOptions& options
     StoredPair pair{};
     pair.velocity0 = field.velocity0.whole;
     pair.velocity1 = field.velocity1.whole;
+    pair.cell = states_of(*field.cells);
+    if (const BrickBytes* states = field.cells->bricks())
+        pair.places = places_in(states->layout());
     pair.in_bricks = field.layout != nullptr;
     if (pair.in_bricks) {
         pair.bricks0 = bricks_of(field.velocity0);
         pair.bricks1 = bricks_of(field.velocity1);
-        pair.places = places_in(*field.layout, *field.missing());
+        pair.places = places_in(*field.layout);
+        pair.places.zeros = field.missing()->zeros();
+        pair.places.age = field.missing()->age();
     }
-    pair.cell = field.cells->data();
     pair.time0 = field.time0;
     pair.per_interval = 1.0 / field.interval;
     const auto& nodes = dimensions(*field.grid);
@@ -81,7 +87,8 @@ StoredPair stored_pair(const CubicSampler& field, const AdvanceOptions& options)
     pair.after = after.whole;
     pair.bricks_before = bricks_of(before);
     pair.bricks_after = bricks_of(after);
-    pair.near_solid = field.round_cells ? field.round_cells->data() : nullptr;
+    if (field.round_cells != nullptr)
+        pair.near_solid = states_of(*field.round_cells);
     return pair;
 }
 

@@ -80,6 +80,7 @@ class TrilinearCell {
         if (node == node_)
             return;
         node_ = node;
+        cell_ = cell;
         if constexpr (!std::is_same_v<Grid, UniformGrid>)
             measure(cell);
         const auto stored = field_.stored_cell(cell, node);
@@ -104,7 +105,7 @@ class TrilinearCell {
     double finest() const { return finest_; }
 
     /// False: all of the cell is fluid.
-    bool obstacle() const { return field_.cells->state(node_) != CellMask::Fluid; }
+    bool obstacle() const { return field_.cells->state(cell_, node_) != CellMask::Fluid; }
 
     /// The path of a particle at `u` in the cell at field time `t`.
     PathSeries series(const Vec3& u, double t) const {
@@ -173,6 +174,7 @@ class TrilinearCell {
     double rate_; ///< of the share of the second time-step; 0: frozen
     Vec3 size_, per_size_, scale_;
     double finest_;
+    std::array<std::size_t, 3> cell_{};
     std::size_t node_ = ~std::size_t{0};
     Vec3 lo_{0.0};
     TrilinearPolynomial now_, change_;

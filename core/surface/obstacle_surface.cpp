@@ -74,27 +74,66 @@ Axes axes_of(const UniformGrid& grid) {
     return axes;
 }
 
+/// Nodes of a row, from the first to before the last.
+struct Part {
+    std::uint32_t from, to;
+};
+
+/// Parts of the rows through bricks in which a wall may be, in x; all of them for a mask in one piece. `j` and `k` are the rows' places.
+std::vector<Part> parts_with_walls(const SolidMask& mask,
+                                   const std::array<std::size_t, 3>& n,
+                                   std::size_t j,
+                                   std::size_t k) {
+    if (mask.bricks == nullptr)
+        return {{0, static_cast<std::uint32_t>(n[0])}};
+    const BrickLayout& layout = mask.bricks->layout();
+    const auto& bricks = layout.bricks();
+    const auto within = [&](std::size_t axis, std::size_t node) {
+        return std::min<std::size_t>(node >> layout.shift(), bricks[axis] - 1);
+    };
+    const std::size_t y = within(1, j);
+    const std::size_t z = within(2, k);
+    std::vector<Part> parts;
+    for (std::size_t x = 0; x < bricks[0]; ++x) {
+        // All neighbours of a brick's nodes but those at the grid's border are in the brick.
+        const auto value = mask.bricks->only_value(x + bricks[0] * (y + bricks[1] * z));
+        const bool border =
+            x == 0 || x + 1 == bricks[0] || j == 0 || j + 1 == n[1] || k == 0 || k + 1 == n[2];
+        if (value == 1 || (value == 0 && !border))
+            continue;
+        parts.push_back({static_cast<std::uint32_t>(x << layout.shift()),
+                         x + 1 == bricks[0]
+                             ? static_cast<std::uint32_t>(n[0])
+                             : static_cast<std::uint32_t>((x + 1) << layout.shift())});
+    }
+    return parts;
+}
+
 QuadComplex surface_over(const Axes& axes, const SolidMask& mask) {
     Wall wall(axes);
     if (mask.empty())
         return std::move(wall.mesh);
     const std::array<std::size_t, 3> n{axes[0].size(), axes[1].size(), axes[2].size()};
     const std::array<std::size_t, 3> stride{1, n[0], n[0] * n[1]};
-    std::size_t node = 0;
+    const auto add_faces_at = [&](const Index& index) {
+        const std::array<std::size_t, 3> at{index[0], index[1], index[2]};
+        const std::size_t node = at[0] + stride[1] * at[1] + stride[2] * at[2];
+        const bool here = mask.is_fluid(at, node);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            auto next = at;
+            ++next[axis];
+            const bool above = next[axis] == n[axis] || mask.is_fluid(next, node + stride[axis]);
+            if (at[axis] == 0 && !here)
+                wall.add_face(index, static_cast<int>(axis), false, false);
+            if (here != above)
+                wall.add_face(index, static_cast<int>(axis), true, above);
+        }
+    };
     for (std::uint32_t k = 0; k < n[2]; ++k)
         for (std::uint32_t j = 0; j < n[1]; ++j)
-            for (std::uint32_t i = 0; i < n[0]; ++i, ++node) {
-                const Index index{i, j, k};
-                for (std::size_t axis = 0; axis < 3; ++axis) {
-                    const bool here = mask.fluid[node] != 0;
-                    const bool above =
-                        index[axis] + 1 == n[axis] || mask.fluid[node + stride[axis]] != 0;
-                    if (index[axis] == 0 && !here)
-                        wall.add_face(index, static_cast<int>(axis), false, false);
-                    if (here != above)
-                        wall.add_face(index, static_cast<int>(axis), true, above);
-                }
-            }
+            for (const Part& part : parts_with_walls(mask, n, j, k))
+                for (std::uint32_t i = part.from; i < part.to; ++i)
+                    add_faces_at({i, j, k});
     return std::move(wall.mesh);
 }
 

@@ -12,7 +12,7 @@ namespace wakesurf::core {
 /// A quad for every pair of neighbouring nodes of which one is solid, seen counter-clockwise from the fluid; what lies
 /// beyond the domain counts as fluid, so an obstacle that meets the border is capped there. Vertices are shared
 /// between the quads: the wall is closed. Only positions and cells are filled in. Cost: O(nodes).
-/// REQUIRES: mask.fluid has grid.nodes() entries, or none.
+/// The same quads in the same order for a mask in one piece and in bricks. REQUIRES: a mask of the grid's nodes, or none.
 QuadComplex obstacle_surface(const UniformGrid& grid, const SolidMask& mask);
 QuadComplex obstacle_surface(const RectilinearGrid& grid, const SolidMask& mask);
 

@@ -41,14 +41,14 @@ std::size_t more_chunks(std::size_t left) {
     return std::min(left / 4, most);
 }
 
-/// What stays in memory beside the velocity's time-steps: the grid, what finds cells in a mesh, the solid mask by node and by cell; and
-/// what sampling a scalar takes, which comes from the memory of the bricks where those are read one by one.
+/// What stays in memory beside the velocity's time-steps: the grid, what finds cells in a mesh, the solid mask by node, by cell and by
+/// round cells (CellMask); and what sampling a scalar takes, which comes from the memory of the bricks where those are read one by one.
 std::size_t fixed_bytes(const store::StoreReader& reader, bool by_brick) {
     const auto* mesh = std::get_if<core::CellMesh>(&reader.grid());
     constexpr std::size_t locator_bytes =
         37; // a cell: core/field/cells/cell_locator.hpp, cell_walls.hpp
     return core::memory_of(reader.grid()) + (mesh ? locator_bytes * mesh->cells.size() : 0) +
-           2 * reader.mask().fluid.size() + (by_brick ? 0 : reader.scalar_memory());
+           3 * reader.mask().bytes() + (by_brick ? 0 : reader.scalar_memory());
 }
 
 /// What a dataset needs besides its grid, in words.

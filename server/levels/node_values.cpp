@@ -173,9 +173,9 @@ core::Result<void> node_values(const NodeField& field,
                 return done;
         }
     }
-    const auto& fluid = store.mask().fluid;
-    for (std::size_t i = 0; i < fluid.size(); ++i)
-        if (fluid[i] == 0)
+    const core::SolidMask& mask = store.mask();
+    for (std::size_t i = 0; !mask.empty() && i < out.size(); ++i)
+        if (!mask.is_fluid(i))
             out[i] = std::numeric_limits<float>::quiet_NaN();
     return {};
 }

@@ -1,5 +1,6 @@
 #include "store/brick_mask.hpp"
 #include "tests/support/brick_store.hpp"
+#include "tests/support/mask_bytes.hpp"
 #include "tests/support/small_store.hpp"
 
 #include <gtest/gtest.h>
@@ -35,11 +36,25 @@ TEST(BrickMask, HasTheNodesOfMixedBricksOnly) {
     ASSERT_EQ(file.size(), 3u + 125u);
     EXPECT_EQ(file.substr(0, 3), std::string("\0\2\1", 3));
     EXPECT_EQ(file.substr(3, 10), std::string("\0\1\1\1\1\0\1\1\1\1", 10));
-    EXPECT_EQ(open_bricks(layout)->mask().fluid, three_bricks().fluid);
-    const auto mask = read_brick_mask(layout, PosixDisk());
-    ASSERT_TRUE(mask);
-    EXPECT_EQ(mask->states,
-              (std::vector<std::uint8_t>{BrickMask::Solid, BrickMask::Mixed, BrickMask::Fluid}));
+    const auto reader = open_bricks(layout);
+    const SolidMask& mask = reader->mask();
+    EXPECT_EQ(mask_bytes(mask, 13 * 25), three_bricks().fluid);
+    EXPECT_EQ(mask.bricks->only_value(0), 0);
+    EXPECT_EQ(mask.bricks->only_value(1), std::nullopt);
+    EXPECT_EQ(mask.bricks->only_value(2), 1);
+}
+
+TEST(BrickMask, TakesTheMemoryOfTheBricksThatWallsGoThrough) {
+    const TemporaryFolder folder;
+    StoreValues what{UniformGrid{{0, 0, 0}, {1, 1, 1}, {65, 65, 65}}, Precision::Single, {}, {}};
+    const std::size_t nodes = std::size_t{65} * 65 * 65;
+    what.fluid.assign(nodes, 1);
+    what.fluid[nodes / 2 + 3] = 0;
+    what.values.push_back({std::vector<float>(3 * nodes)});
+    const auto reader = open_bricks(write_store(folder / "store", what, 4));
+    const SolidMask& mask = reader->mask();
+    EXPECT_EQ(mask_bytes(mask, nodes), what.fluid);
+    EXPECT_LT(mask.bytes(), nodes / 4);
 }
 
 TEST(BrickMask, IsRefusedWhereItIsNotOneOfTheGrid) {

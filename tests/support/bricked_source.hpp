@@ -3,6 +3,7 @@
 
 #include "core/dataset/brick_source.hpp"
 #include "core/dataset/time_step_source.hpp"
+#include "tests/support/mask_bytes.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -20,7 +21,8 @@ class BrickedSource final : public core::TimeStepSource, public core::BrickSourc
     BrickedSource(std::shared_ptr<const core::TimeStepSource> whole,
                   std::uint32_t cells,
                   unsigned seed = 0)
-        : whole_(std::move(whole)), layout_(dimensions_of(whole_->grid()), cells), random_(seed) {
+        : whole_(std::move(whole)), layout_(dimensions_of(whole_->grid()), cells),
+          mask_(mask_in_bricks(whole_->mask(), layout_)), random_(seed) {
         for (std::size_t i = 0; i < whole_->times().size(); ++i)
             steps_.push_back(*whole_->load(i, {}));
     }
@@ -29,7 +31,7 @@ class BrickedSource final : public core::TimeStepSource, public core::BrickSourc
 
     const core::Grid& grid() const override { return whole_->grid(); }
 
-    const core::SolidMask& mask() const override { return whole_->mask(); }
+    const core::SolidMask& mask() const override { return mask_; }
 
     const std::vector<double>& times() const override { return whole_->times(); }
 
@@ -110,6 +112,7 @@ class BrickedSource final : public core::TimeStepSource, public core::BrickSourc
 
     std::shared_ptr<const core::TimeStepSource> whole_;
     core::BrickLayout layout_;
+    core::SolidMask mask_;
     std::vector<std::shared_ptr<const core::TimeStep>> steps_;
     mutable std::mutex mutex_;
     mutable std::mt19937 random_;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/field/kernel/linear_sampling.hpp"
+#include "core/field/kernel/stored_states.hpp"
 #include "core/field/kernel/uniform_places.hpp"
 
 namespace wakesurf::core {
@@ -264,12 +265,12 @@ class CubicSampling {
         const Floats none = Floats::all(0.0f);
         const Floats one = Floats::all(1.0f);
         Floats linear = none; // 1: near an obstacle
-        if (field.near_solid != nullptr) {
-            std::int64_t node[Floats::size];
-            places.nodes(field, g, cell, node);
+        if (field.near_solid.whole != nullptr || field.near_solid.bricks != nullptr) {
+            const unsigned lanes =
+                lanes_with_state<Lanes>(field, field.near_solid, places, g, cell);
             float near[Floats::size];
             for (std::size_t i = 0; i < Floats::size; ++i)
-                near[i] = field.near_solid[node[i]] != 0 ? 1.0f : 0.0f;
+                near[i] = (lanes >> i & 1u) != 0 ? 1.0f : 0.0f;
             linear = Floats::load(near);
         }
         Floats begin[3];

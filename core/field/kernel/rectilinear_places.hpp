@@ -104,8 +104,6 @@ class RectilinearPlaces {
                             Wide::load(cell_[axis] + g + Wide::size).narrow());
     }
 
-    double first_node(std::size_t lane) const { return node_[lane]; }
-
   private:
     /// CellReach of each particle's cell.
     struct Reach {

@@ -37,6 +37,12 @@ struct StoredBricks {
     std::uint16_t* used;    ///< by brick
 };
 
+/// A byte a cell, by its lowest node: in one piece or in bricks. Neither: there is no obstacle.
+struct StoredStates {
+    const std::uint8_t* whole;         ///< by the grid's node
+    const std::uint8_t* const* bricks; ///< by brick, then its node
+};
+
 /// Where cells are in bricks. Vectors are x, y, z.
 struct BrickPlaces {
     const float* zeros; ///< in place of a brick that is missing
@@ -49,20 +55,20 @@ struct BrickPlaces {
 
 /// Time-steps of a uniform or a rectilinear grid. Vectors are x, y, z.
 struct StoredPair {
-    const float* velocity0;   ///< null: in bricks
-    const float* velocity1;   ///< null: frozen at the first, or in bricks
-    const std::uint8_t* cell; ///< CellMask, by lowest node; null: no obstacle
+    const float* velocity0; ///< null: in bricks
+    const float* velocity1; ///< null: frozen at the first, or in bricks
+    StoredStates cell;      ///< CellMask
 
     /// Cubic in space and, unless frozen, in time; a neighbour that the series does not have may be any time-step, of share 0.
     /// REQUIRES: at least four nodes on each axis, no velocity that is no number.
     bool smooth;
     const float* before;
     const float* after;
-    const std::uint8_t* near_solid; ///< by a cell's lowest node: linear in space; null: no obstacle
+    StoredStates near_solid; ///< not 0: linear in space
 
-    bool in_bricks;
+    bool in_bricks;                                             ///< the time-steps
     StoredBricks bricks0, bricks1, bricks_before, bricks_after; ///< as the four above
-    BrickPlaces places;
+    BrickPlaces places; ///< also of cells' states in bricks, where time-steps are in one piece
 
     double time0;
     double per_interval; ///< 1 / time between the two

@@ -8,6 +8,7 @@
 #include "core/field/kernel/cubic_sampling.hpp"
 #include "core/field/kernel/linear_sampling.hpp"
 #include "core/field/kernel/rectilinear_places.hpp"
+#include "core/field/kernel/stored_states.hpp"
 
 namespace wakesurf::core {
 
@@ -41,9 +42,10 @@ class Rk4KernelOf {
             if (batch.share_of_steps != nullptr)
                 kernel.share(batch.share_of_steps + 12 * i);
             kernel.step(next, next_tangent);
-            if (straight || field.cell != nullptr)
+            const bool walls = field.cell.whole != nullptr || field.cell.bricks != nullptr;
+            if (straight || walls)
                 kernel.places_.begin(field, next, kernel.end_);
-            if (field.cell != nullptr)
+            if (walls)
                 kernel.look_for_walls();
             for (std::size_t g = 0; straight && g < kernel.end_; g += Wide::size)
                 (Wide::load(batch.taken + g) + Wide::all(1.0)).store(batch.taken + g);
@@ -186,9 +188,11 @@ class Rk4KernelOf {
 
     /// At the places that were taken last.
     void look_for_walls() {
-        for (std::size_t i = 0; i < batch_.count; ++i)
-            if (field_.cell[static_cast<std::int64_t>(places_.first_node(i))] != 0)
-                batch_.outside |= Bits{1} << i;
+        const Floats none = Floats::all(0.0f);
+        for (std::size_t g = 0; g < end_; g += Floats::size)
+            batch_.outside |=
+                Bits{lanes_with_state<Lanes>(field_, field_.cell, places_, g, {none, none, none})}
+                << g;
     }
 
     const StoredPair& field_;

@@ -117,8 +117,6 @@ class UniformPlaces {
         return Floats::load(cell_[axis] + g);
     }
 
-    double first_node(std::size_t lane) const { return node_[lane]; }
-
   private:
     alignas(
         32) float start_[3][Rk4Batch::most]; ///< from the first cell; outside the domain beyond it

@@ -309,7 +309,7 @@ TEST(AdvanceStored, OfACellAndThoseRoundItOneSolidNodeMakesTheFieldLinear) {
                         for (std::size_t a = x - std::min<std::size_t>(x, 1);
                              a < std::min<std::size_t>(x + 3, n[0]); ++a)
                             fluid = fluid && mask.fluid[node(a, b, c)] != 0;
-                ASSERT_EQ(round.state(node(x, y, z)) == CellMask::Fluid, fluid)
+                ASSERT_EQ(round.state({x, y, z}, node(x, y, z)) == CellMask::Fluid, fluid)
                     << x << " " << y << " " << z;
                 near += fluid ? 0 : 1;
             }

@@ -1,6 +1,7 @@
 #include "core/field/analytic_flow.hpp"
 #include "core/field/generated_bricks.hpp"
 #include "core/field/sample_grid.hpp"
+#include "tests/support/mask_bytes.hpp"
 #include "tests/support/read_bricks.hpp"
 
 #include <gtest/gtest.h>
@@ -40,6 +41,11 @@ TEST(GeneratedBricks, HoldTheNodesOfTheWholeGridToTheBit) {
             reads.push_back({1, brick, bricks[brick]});
         for (const auto& outcome : outcomes_of(**made, reads))
             ASSERT_TRUE(outcome) << outcome.error().message;
+        std::vector<std::uint8_t> fluid(grid.nodes());
+        sample_mask(**make_analytic_flow(flow), grid, 0, fluid);
+        const SolidMask& mask = (*made)->mask();
+        EXPECT_EQ(mask.empty(), flow != "cylinder");
+        EXPECT_TRUE(mask.empty() || tests::mask_bytes(mask, grid.nodes()) == fluid) << flow;
         const auto nodes = layout.brick_nodes();
         for (std::size_t brick = 0; brick < bricks.size(); ++brick) {
             const auto first = layout.first_node(brick);

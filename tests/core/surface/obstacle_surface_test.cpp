@@ -1,4 +1,5 @@
 #include "core/surface/obstacle_surface.hpp"
+#include "tests/support/mask_bytes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -49,6 +50,24 @@ double volume(const QuadComplex& mesh) {
 }
 
 } // namespace
+
+TEST(ObstacleSurface, IsTheSameOfAMaskInBricks) {
+    const auto corner = [](int i, int j, int k) { return in_box(i, j, k) || i + j + k < 4; };
+    const auto all = [](int, int, int) { return true; };
+    const auto none = [](int, int, int) { return false; };
+    for (const std::function<bool(int, int, int)>& solid :
+         {std::function<bool(int, int, int)>(in_box), {corner}, {all}, {none}})
+        for (const std::uint32_t cells : {1u, 2u, 4u, 8u}) {
+            const SolidMask whole = mask_of(solid);
+            const QuadComplex wanted = obstacle_surface(grid, whole);
+            const QuadComplex mesh = obstacle_surface(
+                grid, tests::mask_in_bricks(whole, BrickLayout(grid.dimensions, cells)));
+            EXPECT_EQ(mesh.position, wanted.position) << cells;
+            ASSERT_EQ(mesh.cells.size(), wanted.cells.size()) << cells;
+            for (std::size_t i = 0; i < mesh.cells.size(); ++i)
+                EXPECT_EQ(mesh.cells[i].corner, wanted.cells[i].corner) << cells;
+        }
+}
 
 TEST(ObstacleSurface, OfAnObstacleInsideTheDomainIsClosedAndFacesTheFluid) {
     const QuadComplex mesh = obstacle_surface(grid, mask_of(in_box));

@@ -46,10 +46,10 @@ TEST(MemoryBudget, OfASteadyDatasetHoldsItsOneTimeStep) {
 TEST(MemoryBudget, IsForTheMaskAsWell) {
     const tests::TemporaryFolder folder;
     ASSERT_TRUE(generate(folder / "s", "cylinder", {0}));
-    EXPECT_FALSE(open_store(folder / "s", {12 * mebi, 1})) << "two bytes a node more";
-    const auto opened = open_store(folder / "s", {14 * mebi, 1});
+    EXPECT_FALSE(open_store(folder / "s", {14 * mebi, 1})) << "three bytes a node more";
+    const auto opened = open_store(folder / "s", {15 * mebi, 1});
     ASSERT_TRUE(opened);
-    EXPECT_LE(opened->cache->status().budget, 14 * mebi - 2'000'000);
+    EXPECT_LE(opened->cache->status().budget, 15 * mebi - 3'000'000);
 }
 
 } // namespace
