@@ -139,10 +139,11 @@ core::SurfaceParameters streak(const core::Flow& flow, double separation) {
 void measure_beyond_memory(benchmark::State& state,
                            std::uint32_t side,
                            std::size_t budget,
-                           double separation = 0.01) {
+                           double separation = 0.01,
+                           double between_steps = 0.25) {
     std::vector<double> times;
     for (int i = 0; i < 9; ++i)
-        times.push_back(0.25 * i);
+        times.push_back(between_steps * i);
     const core::UniformGrid grid{core::Vec3(0.0), core::Vec3(1.0 / (side - 1)), {side, side, side}};
     const auto source = core::GeneratedBricks::make("tornado", grid, times, 32, 2).value();
     for (auto _ : state) {
@@ -194,7 +195,7 @@ void register_bricks_benchmarks() {
         measure_beyond_memory(state, 1025, std::size_t{806} << 20);
     });
     run("beyond_memory/4096", [](benchmark::State& state) {
-        measure_beyond_memory(state, 4097, std::size_t{4} << 30, 0.007); // of 20,000 quads
+        measure_beyond_memory(state, 4097, std::size_t{4} << 30, 0.003, 0.05);
     });
 }
 
