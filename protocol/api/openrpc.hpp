@@ -6,7 +6,7 @@
 
 namespace wakesurf::protocol {
 
-/// JSON text. `version` is the program's.
+/// Returns JSON text that names `version`, the program's.
 std::string openrpc_document(std::string_view version);
 
 } // namespace wakesurf::protocol

@@ -1,12 +1,8 @@
-"""C++ of what is no noun's: limits, error codes, names of enumerations, the table of methods, the text of the OpenRPC document."""
-import json
-
+"""C++ of what is no noun's: limits, error codes, names of enumerations, the table of methods, options."""
 from .cpp import MADE, limit_name, quoted
-from .openrpc import components, method_json
 from .markdown import plain, range_of
-from .schema import NOUNS, camel, either, pretty, snake
+from .schema import NOUNS, camel, either, snake
 
-WIDE = 140
 NAMESPACE = ["namespace wakesurf::protocol {", ""]
 END = ["} // namespace wakesurf::protocol", ""]
 
@@ -94,50 +90,6 @@ def methods_source(api):
     return "\n".join(lines + END)
 
 
-def raw(text):
-    """A literal, in parts that every compiler takes."""
-    return 'R"json(' + text + ')json"'
-
-
-def openrpc_part(name, entries):
-    text = (","+chr(10)).join(entries)
-    return "\n".join([MADE.format("*.schema.json"), '#include "protocol/api/generated/openrpc_parts.hpp"', "",
-                      "namespace wakesurf::protocol::openrpc {", "", f"const std::string_view {name} = {raw(text)};", "",
-                      "} // namespace wakesurf::protocol::openrpc", ""])
-
-
-def parts(entries, most=400):
-    """Lists of entries whose lines together are at most so many."""
-    out, lines = [[]], 0
-    for each in entries:
-        size = each.count("\n") + 1
-        if out[-1] and lines + size > most:
-            out.append([])
-            lines = 0
-        out[-1].append(each)
-        lines += size
-    return out
-
-
-def openrpc_files(api):
-    """The OpenRPC document in pieces that are no longer than a file may be."""
-    shapes, errors = components(api)
-    named = {"methods": [pretty(method_json(api, method), WIDE) for method in api.methods],
-             "schemas": [json.dumps(name) + ": " + pretty(value, WIDE) for name, value in shapes.items()],
-             "errors": [json.dumps(name) + ": " + pretty(value, WIDE) for name, value in errors.items()]}
-    header = [MADE.format("*.schema.json"), "// The parts of the OpenRPC document, each the inside of a list or an object.", "#pragma once", "",
-              "#include <string_view>", "", "namespace wakesurf::protocol::openrpc {", ""]
-    out = {}
-    for kind, entries in named.items():
-        names = [f"{kind}_{i}" for i, _ in enumerate(parts(entries), 1)]
-        for name, part in zip(names, parts(entries)):
-            out[f"openrpc_{name}.cpp"] = openrpc_part(name, part)
-            header.append(f"extern const std::string_view {name};")
-        header += [f"inline constexpr const std::string_view* {kind}[]{{" + ", ".join("&" + name for name in names) + "};", ""]
-    out["openrpc_parts.hpp"] = "\n".join(header + ["} // namespace wakesurf::protocol::openrpc", ""])
-    return out
-
-
 def options_header(api):
     """What the command line shares with surface.set."""
     lines = [MADE.format("surface.schema.json"), "// Options of `wakesurf surface` that are parameters of surface.set.", "#pragma once", "",
@@ -177,7 +129,7 @@ def files(api, cpp):
     """path below generated/ -> text."""
     out = {"limits.hpp": limits_header(api), "errors.hpp": errors_header(api), "errors.cpp": errors_source(api),
            "names.hpp": names_header(api), "names.cpp": names_source(api), "methods.cpp": methods_source(api),
-           "surface_options.hpp": options_header(api), **openrpc_files(api)}
+           "surface_options.hpp": options_header(api)}
     for noun in NOUNS:
         out[f"{noun}.hpp"], out[f"{noun}.cpp"] = cpp.header(noun), cpp.source(noun)
     return out

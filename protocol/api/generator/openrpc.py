@@ -1,4 +1,12 @@
-"""The description as parts of an OpenRPC 1.3 document, whose schemas are those of JSON Schema draft 7."""
+"""The description as an OpenRPC 1.3 document, whose schemas are those of JSON Schema draft 7."""
+import json
+
+from .schema import pretty
+
+WIDE = 140
+INFO = {"description": "Integral surfaces of flows, computed where the data are. Calls go to /rpc (POST) and /ws (WebSocket) of the server "
+                       "that gave this document; `data` of errors is a components/schemas/ErrorData.",
+        "title": "wakesurf", "version": ""}
 
 PASSED = ("type", "enum", "const", "minimum", "maximum", "exclusiveMinimum", "minLength", "maxLength", "pattern", "minItems", "maxItems",
           "default", "description", "x-unit", "x-only-for", "x-needed-for")
@@ -83,3 +91,13 @@ def components(api):
     errors = {kind: {"code": data["code"], "message": data["description"], "data": {"kind": kind, "hint": "what to do about it"}}
               for kind, data in api.errors.items() if not data.get("x-envelope")}
     return shapes, errors
+
+
+def document(api):
+    """The whole text. The program puts its version in, and a server does not know all of its addresses: there is no `servers`."""
+    shapes, errors = components(api)
+    methods = ",\n".join(pretty(method_json(api, method), WIDE) for method in api.methods)
+    schemas, faults = (",\n".join(json.dumps(name) + ": " + pretty(value, WIDE) for name, value in named.items()) for named in (shapes, errors))
+    info = json.dumps(INFO, separators=(",", ":"))
+    return (f'{{"openrpc":"1.3.2","info":{info},"x-paths":{{"http":"/rpc","websocket":"/ws"}},"methods":[{methods}],'
+            f'"components":{{"schemas":{{{schemas}}},"errors":{{{faults}}}}}}}')

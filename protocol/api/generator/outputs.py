@@ -4,7 +4,7 @@ import shutil
 import subprocess
 import tempfile
 
-from . import cpp_table, markdown
+from . import cpp_table, markdown, openrpc
 from .cpp import Cpp
 from .engine import Engine
 from .python import Python
@@ -68,6 +68,7 @@ def make(api):
     out = {f"{CPP}/{name}": text for name, text in formatted_cpp(cpp_table.files(api, Cpp(api))).items()}
     out.update({f"{ENGINE}/{name}": text for name, text in formatted_cpp(Engine(api).files()).items()})
     out.update({f"{TYPESCRIPT}/{name}": text for name, text in formatted_typescript(Tables(api).files()).items()})
+    out[f"{CPP}/openrpc.json"] = openrpc.document(api)
     out["docs/api.md"] = markdown.text(api)
     out.update({f"{PYTHON}/{name}": text for name, text in Python(api).files().items()})
     return out
