@@ -1,5 +1,5 @@
 // A surface as VTK's polygonal data have it: polygons one after the other, and named arrays at the vertices. For .vtp files, and for VTK itself
-// (server/import/filter).
+// (importer/filter).
 #pragma once
 
 #include "core/surface/quad_complex.hpp"

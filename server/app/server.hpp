@@ -1,8 +1,8 @@
 // The whole service: wires the catalogue, sessions, methods and the network together, and runs them on one thread.
 #pragma once
 
+#include "command/source_options.hpp"
 #include "core/base/result.hpp"
-#include "server/base/source_options.hpp"
 #include "server/net/trusted_proxies.hpp"
 
 #include <cstddef>
@@ -19,8 +19,8 @@ struct ServerOptions {
     std::string host = "127.0.0.1";
     std::uint16_t port = 8080; ///< 0: any free one
     std::filesystem::path store_root;
-    SourceOptions taken;         ///< how the datasets' files are taken
-    std::filesystem::path state; ///< folder sessions are kept in; empty: they end with the server
+    command::SourceOptions taken; ///< how the datasets' files are taken
+    std::filesystem::path state;  ///< folder sessions are kept in; empty: they end with the server
     std::size_t memory =
         0; ///< bytes, of the process and its importers; 0: by the machine and the control group
     unsigned threads = 0; ///< that compute; 0: one a core

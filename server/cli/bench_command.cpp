@@ -1,7 +1,7 @@
 #include "server/cli/bench_command.hpp"
 
-#include "server/catalogue/shipped_files.hpp"
 #include "server/cli/failure.hpp"
+#include "server/service/base/shipped_files.hpp"
 
 #include <CLI/CLI.hpp>
 #include <unistd.h>

@@ -1,14 +1,14 @@
 #include "server/cli/family_command.hpp"
 
+#include "command/memory_size.hpp"
 #include "protocol/api/generated/names.hpp"
-#include "server/base/memory_size.hpp"
-#include "server/catalogue/family_making.hpp"
 #include "server/cli/elapsed_line.hpp"
 #include "server/cli/failure.hpp"
 #include "server/cli/rake_text.hpp"
 #include "server/cli/stop_on_signal.hpp"
 #include "server/cli/tell.hpp"
-#include "server/metrics/process_account.hpp"
+#include "server/service/catalogue/family_making.hpp"
+#include "server/service/metrics/process_account.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -210,12 +210,12 @@ void add_family_options(CLI::App& command, FamilyOptions& options) {
         .add_option(
             "--memory", options.memory,
             "Memory for the process (default: 60 % of the memory of the machine or control group)")
-        ->transform(as_memory_size());
+        ->transform(command::as_memory_size());
     command.add_option("--threads", options.threads, "Number of threads (default: one per core)")
         ->check(CLI::Range(1, 1024));
     command.add_option("--store", options.store,
                        "Folder for imported data (default: ~/.cache/wakesurf)");
-    add_source_options(command, options.taken);
+    command::add_source_options(command, options.taken);
     for (const char* other : {"--name", "--from", "--plane", "--rake", "--scalar", "--time"})
         remove->excludes(command.get_option(other));
 }

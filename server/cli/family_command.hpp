@@ -1,7 +1,7 @@
 // `wakesurf family`: makes, lists or removes families of stream surfaces of a dataset, without a server.
 #pragma once
 
-#include "server/base/source_options.hpp"
+#include "command/source_options.hpp"
 
 #include <cstdint>
 #include <string>
@@ -28,7 +28,7 @@ struct FamilyOptions {
     std::uint64_t memory = 0; ///< 0: by the machine and the control group
     int threads = 0;          ///< 0: one a core
     std::string store;
-    SourceOptions taken;
+    command::SourceOptions taken;
 };
 
 void add_family_options(CLI::App& command, FamilyOptions& options);

@@ -1,6 +1,6 @@
 #include "server/cli/generate_command.hpp"
 
-#include "server/base/layout_option.hpp"
+#include "command/layout_option.hpp"
 #include "server/cli/failure.hpp"
 #include "server/cli/generate_request.hpp"
 #include "server/cli/stop_on_signal.hpp"
@@ -23,7 +23,7 @@ void add_generate_options(CLI::App& command, GenerateOptions& options) {
     command.add_option("--times", options.times,
                        "T0:T1:N, N time-steps (default: 0:10:21, or one of a steady flow)");
     command.add_option("--parameters", options.parameters, "Parameters of the flow, k=v,...");
-    add_layout_option(command, options.layout);
+    command::add_layout_option(command, options.layout);
 }
 
 int run_generate(const GenerateOptions& options) {

@@ -1,7 +1,7 @@
 #include "server/cli/implied_command.hpp"
 
 #include "protocol/api/nearest_name.hpp"
-#include "server/catalogue/dataset_argument.hpp"
+#include "server/service/catalogue/dataset_argument.hpp"
 
 #include <CLI/CLI.hpp>
 

@@ -1,9 +1,9 @@
 #include "server/cli/import_command.hpp"
 
-#include "server/catalogue/dataset_argument.hpp"
-#include "server/catalogue/import_process.hpp"
 #include "server/cli/failure.hpp"
 #include "server/cli/stop_on_signal.hpp"
+#include "server/service/catalogue/dataset_argument.hpp"
+#include "server/service/catalogue/import_process.hpp"
 
 namespace wakesurf::server {
 

@@ -1,7 +1,7 @@
 // `wakesurf import`: a source into a store of the user's choosing.
 #pragma once
 
-#include "server/base/source_options.hpp"
+#include "command/source_options.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -17,7 +17,7 @@ struct ImportOptions {
     std::string times;     ///< T0:T1[:EVERY], several with commas, or empty
     std::string precision; ///< single, half or empty
     std::string layout = "auto";
-    SourceOptions taken;
+    command::SourceOptions taken;
     std::size_t jobs = 0;     ///< 0: one a core
     std::uint64_t memory = 0; ///< bytes; 0: the importer's own bound
 };

@@ -1,7 +1,7 @@
 // `wakesurf info`: what a dataset is, without importing it.
 #pragma once
 
-#include "server/base/source_options.hpp"
+#include "command/source_options.hpp"
 
 #include <cstdint>
 #include <string>
@@ -11,7 +11,7 @@ namespace wakesurf::server {
 struct InfoOptions {
     std::string dataset;
     bool json = false;
-    SourceOptions taken;
+    command::SourceOptions taken;
     std::uint64_t memory = 0; ///< bytes that finding out may take; 0: the importer's own bound
 };
 

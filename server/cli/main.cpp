@@ -1,7 +1,7 @@
 // The program `wakesurf`: parses the command line and hands over to one command.
-#include "server/base/layout_option.hpp"
-#include "server/base/manual_page.hpp"
-#include "server/base/memory_size.hpp"
+#include "command/layout_option.hpp"
+#include "command/manual_page.hpp"
+#include "command/memory_size.hpp"
 #include "server/cli/bench_command.hpp"
 #include "server/cli/built_commit.hpp"
 #include "server/cli/environment.hpp"
@@ -44,14 +44,14 @@ void add_import_options(CLI::App& command, ImportOptions& options) {
         .add_option("--precision", options.precision,
                     "single, or half: half the size, rounded by 2^-11 of each value")
         ->check(CLI::IsMember({"single", "half"}));
-    add_layout_option(command, options.layout);
+    wakesurf::command::add_layout_option(command, options.layout);
     command.add_option("--jobs", options.jobs, "Number of processes (default: one per core)")
         ->check(CLI::Range(1, 256));
     command
         .add_option("--memory", options.memory,
                     "Memory for all its processes, for example 4GiB (default: a quarter of the "
                     "memory of the machine or control group)")
-        ->transform(as_memory_size());
+        ->transform(wakesurf::command::as_memory_size());
     command
         .add_option("--fields", options.fields,
                     "Fields to keep beside the velocity, a,b (default: all scalars, and the "
@@ -59,7 +59,7 @@ void add_import_options(CLI::App& command, ImportOptions& options) {
         ->delimiter(',');
     command.add_option("--times", options.times,
                        "T0:T1[:EVERY], several with commas: only time-steps in one of these");
-    add_source_options(command, options.taken);
+    wakesurf::command::add_source_options(command, options.taken);
 }
 
 /// For who makes packages: prints what it makes of the declarations, and ends.
@@ -74,7 +74,7 @@ int run(int argc, char** argv) {
     app.set_version_flag("--version", version_text(built_commit()));
     app.require_subcommand(1);
     add_hidden(app, "--man-page", [&] {
-        return manual_page(app, {version_number(), manual_chapters()});
+        return wakesurf::command::manual_page(app, {version_number(), manual_chapters()});
     });
     add_hidden(app, "--bash-completion",
                [&] { return bash_completion(app, app.get_subcommand("serve")); });
@@ -111,14 +111,14 @@ int run(int argc, char** argv) {
                      "A file or folder of simulation results, a store or a Zarr or the https:// "
                      "address of one, or flow:NAME[?k=v,...]")
         ->required();
-    add_source_options(*info_command, info.taken);
+    wakesurf::command::add_source_options(*info_command, info.taken);
     info_command->add_flag("--json", info.json, "Print JSON");
     info_command
         ->add_option(
             "--memory", info.memory,
             "Memory for reading the files (default: a quarter of the memory of the machine "
             "or control group)")
-        ->transform(as_memory_size());
+        ->transform(wakesurf::command::as_memory_size());
     ImportOptions import;
     add_import_options(
         *command("import", "Convert a dataset into a store", [&] { return run_import(import); }),

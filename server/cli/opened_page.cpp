@@ -1,8 +1,8 @@
 #include "server/cli/opened_page.hpp"
 
-#include "server/base/private_file.hpp"
-#include "server/catalogue/child_process.hpp"
 #include "server/cli/environment.hpp"
+#include "server/service/base/private_file.hpp"
+#include "server/service/catalogue/child_process.hpp"
 
 #include <fmt/format.h>
 #include <pwd.h>

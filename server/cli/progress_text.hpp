@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/base/work_done.hpp"
-#include "server/base/forecast.hpp"
+#include "server/service/base/forecast.hpp"
 
 #include <cstddef>
 #include <optional>

@@ -1,8 +1,8 @@
 #include "server/cli/python_program.hpp"
 
-#include "server/catalogue/shipped_files.hpp"
 #include "server/cli/environment.hpp"
 #include "server/cli/failure.hpp"
+#include "server/service/base/shipped_files.hpp"
 
 #include <stdlib.h>
 #include <unistd.h>

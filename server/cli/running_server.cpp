@@ -1,7 +1,7 @@
 // A server that runs, asked over HTTP as any script would.
 #include "server/cli/server_address.hpp"
 #include "server/cli/session_server.hpp"
-#include "server/limits.hpp"
+#include "server/service/limits.hpp"
 
 #include <boost/asio/connect.hpp>
 #include <boost/asio/io_context.hpp>

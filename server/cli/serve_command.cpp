@@ -1,11 +1,7 @@
 #include "server/cli/serve_command.hpp"
 
+#include "command/memory_size.hpp"
 #include "server/app/server.hpp"
-#include "server/base/memory_size.hpp"
-#include "server/base/private_file.hpp"
-#include "server/bricks/bricks_job.hpp"
-#include "server/catalogue/dataset_argument.hpp"
-#include "server/catalogue/shipped_files.hpp"
 #include "server/cli/environment.hpp"
 #include "server/cli/failure.hpp"
 #include "server/cli/log_lines.hpp"
@@ -15,6 +11,10 @@
 #include "server/net/gate.hpp"
 #include "server/net/static_files.hpp"
 #include "server/net/token_file.hpp"
+#include "server/service/base/private_file.hpp"
+#include "server/service/base/shipped_files.hpp"
+#include "server/service/bricks/bricks_job.hpp"
+#include "server/service/catalogue/dataset_argument.hpp"
 
 #include <CLI/CLI.hpp>
 #include <boost/asio/io_context.hpp>
@@ -352,7 +352,7 @@ void add_serve_options(CLI::App& command, ServeOptions& options) {
         ->capture_default_str();
     command.add_option("--store", options.store,
                        "folder for imported data (default: $WAKESURF_STORE, or ~/.cache/wakesurf)");
-    add_source_options(command, options.taken);
+    command::add_source_options(command, options.taken);
     command.add_option(
         "--state", options.state,
         "folder for sessions (default: $WAKESURF_STATE; without one, sessions end with "
@@ -362,7 +362,7 @@ void add_serve_options(CLI::App& command, ServeOptions& options) {
             "--memory", options.memory,
             "memory for the whole server and its importers, for example 4GiB (default: 60 % "
             "of the memory of the machine or control group)")
-        ->transform(as_memory_size());
+        ->transform(command::as_memory_size());
     command
         .add_option("--threads", options.threads,
                     "number of compute threads (default: one per core)")
@@ -375,7 +375,7 @@ void add_serve_options(CLI::App& command, ServeOptions& options) {
         .add_option("--bricks-memory", options.brick_memory,
                     "memory of each rank for bricks, for example 64GiB (default: a quarter of its "
                     "node's memory, shared by the ranks there)")
-        ->transform(as_memory_size())
+        ->transform(command::as_memory_size())
         ->needs(bricks);
     auto* const file =
         command.add_option("--token-file", options.token_file,

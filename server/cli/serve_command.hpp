@@ -1,7 +1,7 @@
 // `wakesurf serve`: the server, until Ctrl-C.
 #pragma once
 
-#include "server/base/source_options.hpp"
+#include "command/source_options.hpp"
 
 #include <cstdint>
 #include <string>
@@ -17,7 +17,7 @@ struct ServeOptions {
     std::vector<std::string> datasets;
     std::string listen = "127.0.0.1:8080";
     std::string store;
-    SourceOptions taken; ///< of all datasets
+    command::SourceOptions taken; ///< of all datasets
     std::string state;
     std::uint64_t memory = 0; ///< 0: by the machine and the control group
     unsigned threads = 0;

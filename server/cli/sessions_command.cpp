@@ -7,7 +7,7 @@
 #include "server/cli/session_server.hpp"
 #include "server/cli/tell.hpp"
 #include "server/cli/whole_file.hpp"
-#include "server/limits.hpp"
+#include "server/service/limits.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -5,7 +5,7 @@
 #include "protocol/api/utc_text.hpp"
 #include "server/cli/failure.hpp"
 #include "server/cli/tell.hpp"
-#include "server/state/state_copy.hpp"
+#include "server/service/journal/state_copy.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/chrono.h>

@@ -1,14 +1,14 @@
 // Sessions of a state folder that no server uses, by the code a server has.
 #include "server/cli/session_server.hpp"
 #include "server/cli/tell.hpp"
-#include "server/limits.hpp"
 #include "server/net/io_loop.hpp"
 #include "server/net/session_files.hpp"
 #include "server/rpc/dispatcher.hpp"
 #include "server/rpc/method_table.hpp"
-#include "server/session/session_restoring.hpp"
-#include "server/state/kept_sessions.hpp"
-#include "server/state/sqlite_journal.hpp"
+#include "server/service/journal/kept_sessions.hpp"
+#include "server/service/journal/sqlite_journal.hpp"
+#include "server/service/limits.hpp"
+#include "server/service/session/session_restoring.hpp"
 
 #include <boost/asio/io_context.hpp>
 #include <nlohmann/json.hpp>

@@ -1,5 +1,6 @@
 #include "server/cli/surface_command.hpp"
 
+#include "command/memory_size.hpp"
 #include "core/base/machine_memory.hpp"
 #include "core/surface/budget_search.hpp"
 #include "core/surface/level/level_surface.hpp"
@@ -12,10 +13,6 @@
 #include "protocol/api/statistics_json.hpp"
 #include "protocol/files/lines_file.hpp"
 #include "protocol/files/mesh_file.hpp"
-#include "server/base/memory_size.hpp"
-#include "server/catalogue/dataset_suggestion.hpp"
-#include "server/catalogue/open_dataset.hpp"
-#include "server/catalogue/surface_scalars.hpp"
 #include "server/cli/elapsed_line.hpp"
 #include "server/cli/failure.hpp"
 #include "server/cli/own_words.hpp"
@@ -26,7 +23,10 @@
 #include "server/cli/tell.hpp"
 #include "server/cli/time_limit.hpp"
 #include "server/cli/whole_file.hpp"
-#include "server/metrics/process_account.hpp"
+#include "server/service/catalogue/dataset_suggestion.hpp"
+#include "server/service/catalogue/open_dataset.hpp"
+#include "server/service/catalogue/surface_scalars.hpp"
+#include "server/service/metrics/process_account.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -348,7 +348,7 @@ void add_surface_options(CLI::App& command, SurfaceOptions& options) {
         .add_option(
             "--memory", options.memory,
             "Memory for the process (default: 60 % of the memory of the machine or control group)")
-        ->transform(as_memory_size());
+        ->transform(command::as_memory_size());
     command.add_option("--threads", options.threads, "Number of threads (default: one per core)")
         ->check(CLI::Range(1, 1024));
     command
@@ -363,7 +363,7 @@ void add_surface_options(CLI::App& command, SurfaceOptions& options) {
         });
     command.add_option("--store", options.store,
                        "Folder for imported data (default: ~/.cache/wakesurf)");
-    add_source_options(command, options.taken);
+    command::add_source_options(command, options.taken);
     command
         .add_option("-o,--output", options.output,
                     "File to write: .vtp, .glb, .ply, .obj or .drc, or .png for a picture of it, "

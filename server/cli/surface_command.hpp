@@ -1,8 +1,8 @@
 // `wakesurf surface`: from a dataset and a rake to a mesh file, without a server.
 #pragma once
 
+#include "command/source_options.hpp"
 #include "protocol/api/generated/limits.hpp"
-#include "server/base/source_options.hpp"
 
 #include <cstdint>
 #include <map>
@@ -36,7 +36,7 @@ struct SurfaceOptions {
     std::string stats;
     std::string size = "1600x1000"; ///< of a picture, in pixels
     std::string store;
-    SourceOptions taken;
+    command::SourceOptions taken;
 };
 
 /// Declares the options of `surface` on its subcommand.

@@ -3,7 +3,7 @@
 #include "protocol/api/api_level.hpp"
 #include "protocol/api/session_file.hpp"
 #include "protocol/wire/mesh_frame.hpp"
-#include "server/state/state_layout.hpp"
+#include "server/service/journal/state_layout.hpp"
 #include "store/store_manifest.hpp"
 
 #include <fmt/format.h>

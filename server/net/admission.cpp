@@ -1,6 +1,6 @@
 #include "server/net/admission.hpp"
 
-#include "server/limits.hpp"
+#include "server/service/limits.hpp"
 
 #include <sys/resource.h>
 

@@ -2,7 +2,7 @@
 // who only wants to take up room: where there is none left, the one that has done nothing for longest makes room for a newer one.
 #pragma once
 
-#include "server/metrics/metrics.hpp"
+#include "server/service/metrics/metrics.hpp"
 
 #include <boost/asio/ip/address.hpp>
 

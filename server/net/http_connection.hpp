@@ -2,8 +2,6 @@
 // becomes a WebSocket.
 #pragma once
 
-#include "server/compute/budgets.hpp"
-#include "server/metrics/metrics.hpp"
 #include "server/net/admission.hpp"
 #include "server/net/connections.hpp"
 #include "server/net/outbox_memory.hpp"
@@ -12,6 +10,8 @@
 #include "server/net/tls_context.hpp"
 #include "server/net/trusted_proxies.hpp"
 #include "server/net/write_turns.hpp"
+#include "server/service/compute/budgets.hpp"
+#include "server/service/metrics/metrics.hpp"
 
 #include <boost/asio/ip/tcp.hpp>
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/base/mailbox.hpp"
-#include "server/base/loop.hpp"
+#include "server/service/base/loop.hpp"
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/posix/stream_descriptor.hpp>

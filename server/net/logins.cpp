@@ -1,6 +1,6 @@
 #include "server/net/logins.hpp"
 
-#include "server/limits.hpp"
+#include "server/service/limits.hpp"
 
 namespace wakesurf::server {
 

@@ -1,6 +1,6 @@
 #include "server/net/outbox.hpp"
 
-#include "server/limits.hpp"
+#include "server/service/limits.hpp"
 
 #include <algorithm>
 #include <utility>

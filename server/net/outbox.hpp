@@ -3,7 +3,7 @@
 #pragma once
 
 #include "server/net/outbox_memory.hpp"
-#include "server/session/live/frame_cursor.hpp"
+#include "server/service/live/frame_cursor.hpp"
 
 #include <cstddef>
 #include <cstdint>

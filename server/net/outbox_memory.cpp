@@ -1,6 +1,6 @@
 #include "server/net/outbox_memory.hpp"
 
-#include "server/limits.hpp"
+#include "server/service/limits.hpp"
 
 #include <algorithm>
 

@@ -2,8 +2,8 @@
 
 #include "protocol/api/checked_json.hpp"
 #include "protocol/api/json_text.hpp"
-#include "server/limits.hpp"
 #include "server/net/http_error.hpp"
+#include "server/service/limits.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -2,7 +2,6 @@
 // the downloads.
 #pragma once
 
-#include "server/compute/budgets.hpp"
 #include "server/net/downloads.hpp"
 #include "server/net/gate.hpp"
 #include "server/net/http_message.hpp"
@@ -10,6 +9,7 @@
 #include "server/net/session_files.hpp"
 #include "server/net/static_files.hpp"
 #include "server/rpc/dispatcher.hpp"
+#include "server/service/compute/budgets.hpp"
 
 #include <tl/expected.hpp>
 

@@ -2,7 +2,7 @@
 // earlier lives, without a list of them.
 #pragma once
 
-#include "server/base/secret.hpp"
+#include "server/service/base/secret.hpp"
 
 #include <cstdint>
 #include <optional>

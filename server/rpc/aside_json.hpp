@@ -1,7 +1,7 @@
 // What people are told of records that could not be used when the server started.
 #pragma once
 
-#include "server/session/session.hpp"
+#include "server/service/session/session.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

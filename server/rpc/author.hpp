@@ -2,8 +2,8 @@
 #pragma once
 
 #include "server/rpc/method.hpp"
-#include "server/session/people/grants.hpp"
-#include "server/session/records/author.hpp"
+#include "server/service/session/people/grants.hpp"
+#include "server/service/session/records/author.hpp"
 
 #include <optional>
 #include <string>

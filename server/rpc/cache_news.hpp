@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/dataset/time_step_cache.hpp"
-#include "server/base/loop.hpp"
+#include "server/service/base/loop.hpp"
 
 #include <functional>
 #include <map>

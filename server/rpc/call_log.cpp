@@ -1,6 +1,6 @@
 #include "server/rpc/call_log.hpp"
 
-#include "server/base/log_text.hpp"
+#include "server/service/base/log_text.hpp"
 
 #include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>

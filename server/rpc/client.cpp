@@ -1,9 +1,9 @@
 #include "server/rpc/client.hpp"
 
 #include "protocol/api/json_rpc.hpp"
-#include "server/metrics/metrics.hpp"
 #include "server/rpc/outcome_json.hpp"
 #include "server/rpc/patch_json.hpp"
+#include "server/service/metrics/metrics.hpp"
 
 #include <nlohmann/json.hpp>
 

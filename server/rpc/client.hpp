@@ -2,12 +2,12 @@
 // subscribed to. When it goes, nothing of it stays.
 #pragma once
 
-#include "server/base/visitor.hpp"
 #include "server/rpc/pending_calls.hpp"
 #include "server/rpc/wire.hpp"
-#include "server/session/people/grants.hpp"
-#include "server/session/records/observer.hpp"
-#include "server/session/session.hpp"
+#include "server/service/base/visitor.hpp"
+#include "server/service/session/people/grants.hpp"
+#include "server/service/session/records/observer.hpp"
+#include "server/service/session/session.hpp"
 
 #include <map>
 #include <memory>

@@ -1,7 +1,7 @@
 // A dataset's place in dataset.list and dataset.patched.
 #pragma once
 
-#include "server/catalogue/dataset_catalogue.hpp"
+#include "server/service/catalogue/dataset_catalogue.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -11,7 +11,7 @@
 #include "server/rpc/method_table.hpp"
 #include "server/rpc/permission.hpp"
 #include "server/rpc/work_progress.hpp"
-#include "server/session/data/datasets.hpp"
+#include "server/service/session/data/datasets.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

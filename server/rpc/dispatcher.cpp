@@ -2,11 +2,11 @@
 
 #include "protocol/api/nearest_name.hpp"
 #include "protocol/api/openrpc.hpp"
-#include "server/base/log_text.hpp"
-#include "server/limits.hpp"
 #include "server/rpc/call_log.hpp"
 #include "server/rpc/held_answer.hpp"
 #include "server/rpc/permission.hpp"
+#include "server/service/base/log_text.hpp"
+#include "server/service/limits.hpp"
 
 #include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/base/memory_account.hpp"
-#include "server/catalogue/dataset_catalogue.hpp"
-#include "server/catalogue/family_making.hpp"
-#include "server/compute/background.hpp"
+#include "server/service/catalogue/dataset_catalogue.hpp"
+#include "server/service/catalogue/family_making.hpp"
+#include "server/service/compute/background.hpp"
 
 #include <functional>
 #include <memory>

@@ -1,11 +1,11 @@
 // family.make, family.remove.
 #include "protocol/api/family_json.hpp"
 #include "protocol/api/generated/family.hpp"
-#include "server/base/forecast.hpp"
 #include "server/rpc/family_jobs.hpp"
 #include "server/rpc/method_table.hpp"
 #include "server/rpc/permission.hpp"
 #include "server/rpc/work_progress.hpp"
+#include "server/service/base/forecast.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

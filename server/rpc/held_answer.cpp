@@ -1,6 +1,6 @@
 #include "server/rpc/held_answer.hpp"
 
-#include "server/base/journal.hpp"
+#include "server/service/base/journal.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 #include "server/rpc/import_waiters.hpp"
 
-#include "server/limits.hpp"
+#include "server/service/limits.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -2,8 +2,8 @@
 // the import.
 #pragma once
 
-#include "server/base/loop.hpp"
-#include "server/catalogue/dataset_catalogue.hpp"
+#include "server/service/base/loop.hpp"
+#include "server/service/catalogue/dataset_catalogue.hpp"
 
 #include <chrono>
 #include <cstdint>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "protocol/api/json_rpc.hpp"
-#include "server/session/session.hpp"
+#include "server/service/session/session.hpp"
 
 #include <optional>
 #include <string>

@@ -4,15 +4,15 @@
 
 #include "protocol/api/checked_json.hpp"
 #include "protocol/api/json_rpc.hpp"
-#include "server/base/journal.hpp"
-#include "server/base/visitor.hpp"
-#include "server/compute/budgets.hpp"
-#include "server/metrics/metrics.hpp"
 #include "server/rpc/client.hpp"
-#include "server/session/data/datasets.hpp"
-#include "server/session/live/probe.hpp"
-#include "server/session/people/grants.hpp"
-#include "server/session/session_directory.hpp"
+#include "server/service/base/journal.hpp"
+#include "server/service/base/visitor.hpp"
+#include "server/service/compute/budgets.hpp"
+#include "server/service/live/probe.hpp"
+#include "server/service/metrics/metrics.hpp"
+#include "server/service/session/data/datasets.hpp"
+#include "server/service/session/people/grants.hpp"
+#include "server/service/session/session_directory.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -1,7 +1,7 @@
 // How a surface's epoch ended, as surface.stats, surface.wait and surface.done tell it.
 #pragma once
 
-#include "server/session/records/observer.hpp"
+#include "server/service/session/records/observer.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -1,7 +1,7 @@
 // Changes of a session's records, as session.patched and a resumed session.join carry them.
 #pragma once
 
-#include "server/session/records/observer.hpp"
+#include "server/service/session/records/observer.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

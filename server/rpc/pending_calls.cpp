@@ -1,6 +1,6 @@
 #include "server/rpc/pending_calls.hpp"
 
-#include "server/limits.hpp"
+#include "server/service/limits.hpp"
 
 #include <utility>
 #include <vector>

@@ -1,7 +1,7 @@
 // The records of a session, as snapshots and lists show them.
 #pragma once
 
-#include "server/session/session.hpp"
+#include "server/service/session/session.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

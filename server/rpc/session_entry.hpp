@@ -1,8 +1,8 @@
 // A session as session.list tells of it.
 #pragma once
 
-#include "server/session/session.hpp"
-#include "server/session/session_trash.hpp"
+#include "server/service/session/session.hpp"
+#include "server/service/session/session_trash.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

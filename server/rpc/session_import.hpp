@@ -1,8 +1,8 @@
 // What importing a session answers, over JSON-RPC and over HTTP.
 #pragma once
 
-#include "server/session/session_directory.hpp"
-#include "server/session/session_exchange.hpp"
+#include "server/service/session/session_directory.hpp"
+#include "server/service/session/session_exchange.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

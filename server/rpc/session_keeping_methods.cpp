@@ -3,12 +3,12 @@
 #include "core/base/plain_text.hpp"
 #include "protocol/api/generated/session.hpp"
 #include "protocol/api/utc_text.hpp"
-#include "server/limits.hpp"
 #include "server/rpc/method_table.hpp"
 #include "server/rpc/permission.hpp"
 #include "server/rpc/session_choice.hpp"
 #include "server/rpc/session_import.hpp"
-#include "server/session/records/thumbnail.hpp"
+#include "server/service/limits.hpp"
+#include "server/service/session/records/thumbnail.hpp"
 
 #include <nlohmann/json.hpp>
 

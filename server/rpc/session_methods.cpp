@@ -2,7 +2,6 @@
 #include "core/base/plain_text.hpp"
 #include "protocol/api/generated/session.hpp"
 #include "protocol/api/utc_text.hpp"
-#include "server/limits.hpp"
 #include "server/rpc/aside_json.hpp"
 #include "server/rpc/author.hpp"
 #include "server/rpc/durability_notice.hpp"
@@ -12,6 +11,7 @@
 #include "server/rpc/replaced_data_notice.hpp"
 #include "server/rpc/session_choice.hpp"
 #include "server/rpc/session_entry.hpp"
+#include "server/service/limits.hpp"
 
 #include <nlohmann/json.hpp>
 

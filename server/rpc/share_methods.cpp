@@ -1,10 +1,10 @@
 // session.share, session.shares, session.unshare, session.setRole, session.kick: who may be in a session, and as what. For its
 // hosts.
 #include "protocol/api/generated/share.hpp"
-#include "server/limits.hpp"
 #include "server/rpc/author.hpp"
 #include "server/rpc/method_table.hpp"
 #include "server/rpc/session_choice.hpp"
+#include "server/service/limits.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,8 +1,8 @@
 // What server.stats says: how long each stage took lately, and how the server stands.
 #pragma once
 
-#include "server/metrics/metrics.hpp"
-#include "server/session/session.hpp"
+#include "server/service/metrics/metrics.hpp"
+#include "server/service/session/session.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -1,11 +1,11 @@
 // surface.wait, and $/cancelRequest, which ends it and every other call that is not answered yet.
 #include "protocol/api/generated/server.hpp"
 #include "protocol/api/generated/subscription.hpp"
-#include "server/base/forecast.hpp"
 #include "server/rpc/method_table.hpp"
 #include "server/rpc/outcome_json.hpp"
 #include "server/rpc/session_choice.hpp"
 #include "server/rpc/work_progress.hpp"
+#include "server/service/base/forecast.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 // The sending half of a WebSocket, as the methods' side sees it.
 #pragma once
 
-#include "server/session/live/frame_cursor.hpp"
+#include "server/service/live/frame_cursor.hpp"
 
 #include <cstdint>
 #include <memory>

@@ -2,8 +2,8 @@
 // at the work ten times a second, not an event for each change, so that no work can flood its caller.
 #pragma once
 
-#include "server/base/loop.hpp"
 #include "server/rpc/method.hpp"
+#include "server/service/base/loop.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -1,8 +1,8 @@
 // Updates of a streak surface of 100,000 vertices, decoded by Chromium's worker.
 #include "core/surface/moving/moving_surface.hpp"
 #include "protocol/wire/mesh_stream.hpp"
-#include "server/catalogue/child_process.hpp"
-#include "server/catalogue/shipped_files.hpp"
+#include "server/service/base/shipped_files.hpp"
+#include "server/service/catalogue/child_process.hpp"
 #include "tests/bench/benchmarks.hpp"
 #include "tests/bench/support/sampled_flows.hpp"
 

@@ -1,5 +1,5 @@
-#include "server/catalogue/child_process.hpp"
-#include "server/catalogue/shipped_files.hpp"
+#include "server/service/base/shipped_files.hpp"
+#include "server/service/catalogue/child_process.hpp"
 #include "tests/bench/benchmarks.hpp"
 #include "tests/bench/live_server.hpp"
 

@@ -1,6 +1,6 @@
 // A server in a control group of 512 MB beside tenants who take all they are granted: whether it lives, how much memory it
 // holds beside what it may, and how long a session with a small surface waits for its edits meanwhile.
-#include "server/catalogue/shipped_files.hpp"
+#include "server/service/base/shipped_files.hpp"
 #include "tests/bench/benchmarks.hpp"
 #include "tests/bench/edited_surface.hpp"
 #include "tests/bench/load/hostile_tenants.hpp"

@@ -2,7 +2,7 @@
 // else. Files lie in the page cache for both; the import also writes them. The reader has one core, as its users have; the
 // import takes what it takes by default: a process a core. Short series are mostly the import's start and the mesh, which is
 // converted once; long ones the time-steps. Time-steps of a long one are few files under many names.
-#include "server/catalogue/import_process.hpp"
+#include "server/service/catalogue/import_process.hpp"
 #include "tests/bench/benchmarks.hpp"
 
 #include <benchmark/benchmark.h>

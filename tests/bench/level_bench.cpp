@@ -3,7 +3,7 @@
 #include "core/surface/level/level_surface.hpp"
 #include "core/surface/surface_builder.hpp"
 #include "protocol/wire/mesh_encoder.hpp"
-#include "server/levels/level_sets.hpp"
+#include "server/service/levels/level_sets.hpp"
 #include "tests/bench/benchmarks.hpp"
 #include "tests/bench/support/quantiles.hpp"
 #include "tests/support/places.hpp"

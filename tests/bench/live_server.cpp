@@ -1,7 +1,7 @@
 #include "tests/bench/live_server.hpp"
 
-#include "server/catalogue/child_process.hpp"
-#include "server/catalogue/shipped_files.hpp"
+#include "server/service/base/shipped_files.hpp"
+#include "server/service/catalogue/child_process.hpp"
 
 #include <boost/asio/connect.hpp>
 #include <boost/asio/io_context.hpp>

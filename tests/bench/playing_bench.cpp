@@ -1,7 +1,7 @@
 // A streak surface playing through a series that does not fit the cache, beside the same surface with all of it in memory: what
 // is left of the speed shows how well loading hides behind computing. The files are in the page cache.
 #include "core/surface/moving/moving_surface.hpp"
-#include "server/catalogue/open_dataset.hpp"
+#include "server/service/catalogue/open_dataset.hpp"
 #include "tests/bench/benchmarks.hpp"
 #include "tests/bench/support/interleaved.hpp"
 #include "tests/bench/support/temporary_store.hpp"

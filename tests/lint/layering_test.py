@@ -22,60 +22,84 @@ JSON = r"nlohmann/"
 DRACO = r"draco/"
 VTK = r"vtk[A-Z]\w*\.h"
 
+CORE = "core"
+SERVICE = "server/service"
+DATA = [f"{SERVICE}/{folder}" for folder in ("base", "catalogue", "limits.hpp", "session/data")]
+SESSION = [*DATA, *(f"{SERVICE}/{folder}" for folder in ("compute", "metrics", "session/records"))]
+IMPORTED = ["core", "store", "command", "protocol/api", "importer/base", "importer/fields"]
+READERS = [*IMPORTED, "importer/assembly", *(f"importer/sources/{one}" for one in ("blocks", "files", "series"))]
 FORMATS = ("cgns", "ensight", "exodus", "netcdf", "openfoam", "plot3d", "vtk")
+
+# Folder -> what it may include besides itself. The longest that a path begins with counts, so `server/service/session` is what lies
+# in that folder alone. tests/ may include everything, and nothing may include tests/.
+MAY_INCLUDE = {
+    "core/base": [],
+    "core/dataset": ["core/base"],
+    "core/integrate": ["core/base"],
+    "core/field": ["core/base", "core/dataset", "core/integrate"],
+    "core/surface": ["core"],
+    "protocol/wire": ["core"],
+    "protocol/api": ["core"],
+    "protocol/files": ["core", "protocol/api"],
+    "store": ["core", "protocol/api"],
+    "command": ["core/base"],
+    "importer/base": ["core", "store", "command"],
+    "importer/fields": ["core", "store", "importer/base"],
+    "importer/assembly": IMPORTED,
+    "importer/sources/files": IMPORTED[:5],
+    "importer/sources/blocks": IMPORTED,
+    "importer/sources/series": [*IMPORTED, "importer/sources/files"],
+    **{f"importer/sources/{one}": READERS for one in FORMATS},
+    "importer/sources": [*READERS, "importer/sources"],
+    "importer": [*IMPORTED, "importer"],
+    "importer/filter": ["core", "importer", "protocol/files"],
+    SERVICE: ["protocol/api"],
+    f"{SERVICE}/base": ["core", "protocol/api"],
+    f"{SERVICE}/metrics": ["core/base"],
+    f"{SERVICE}/web": ["core/base", "store"],
+    f"{SERVICE}/zarr": ["core", "store", "protocol/api", f"{SERVICE}/web"],
+    f"{SERVICE}/bricks": ["core", "store", f"{SERVICE}/base"],
+    f"{SERVICE}/bricks/ranks": ["core/base", "store", "command", f"{SERVICE}/bricks"],
+    f"{SERVICE}/journal": ["core/base", f"{SERVICE}/base"],
+    f"{SERVICE}/levels": ["core", "store", "importer/level_message.hpp", f"{SERVICE}/base"],
+    f"{SERVICE}/catalogue": ["core", "store", "command", "protocol",
+                             *(f"{SERVICE}/{one}" for one in ("base", "bricks", "levels", "web", "zarr"))],
+    f"{SERVICE}/compute": ["core", "protocol/wire", f"{SERVICE}/base", f"{SERVICE}/limits.hpp", f"{SERVICE}/metrics"],
+    f"{SERVICE}/session/data": ["core", "store", "protocol", *DATA],
+    f"{SERVICE}/session/records": ["core", "protocol", *DATA],
+    f"{SERVICE}/session/people": ["core", "protocol/api", *DATA, f"{SERVICE}/session/records"],
+    f"{SERVICE}/live": ["core", "protocol", *SESSION],
+    f"{SERVICE}/session": ["core", "protocol/api", SERVICE],
+    "server/net": ["core", "protocol", SERVICE, "server/rpc"],
+    "server/rpc": ["core", "protocol", SERVICE],
+    "server/cli": ["core", "protocol", "store", "command", SERVICE, "server/net", "server/rpc", "server/app"],
+    "server/app": ["core", "protocol", "command", SERVICE, "server/net", "server/rpc"],
+}
 
 # Room of the including file -> what it may not include, and why.
 FORBIDDEN = [
-    (r"core/", r"(protocol|store|server|tests)/", "core stands below every other room"),
     (r"core/", "|".join((SOCKETS, JSON, DRACO)), "core knows no sockets, no JSON text, no Draco"),
-    (r"protocol/", r"(store|server|tests)/", "protocol stands below store and server"),
     (r"protocol/", SOCKETS, "protocol is bytes in, values out: no sockets"),
-    (r"protocol/wire/", r"protocol/(api|files)/", "the wire stands alone"),
-    (r"protocol/api/", r"protocol/(wire|files)/", "the API knows neither frames nor files"),
-    (r"protocol/files/", r"protocol/wire/", "files know no frames"),
-    (r"store/", r"(server|tests)/", "store stands below server"),
     (r"store/", "|".join((SOCKETS, DRACO)), "a store is files: no sockets, no meshes"),
-    (r"store/", r"protocol/(wire|files)/", "of protocol, a store takes only how JSON is read"),
-    (r"server/", r"tests/", "the product does not depend on its tests"),
-    (r"(?!server/import/|tests/server/import/|tests/bench/)", VTK,
-     "only the importer, its tests and the benchmarks know VTK"),
+    (r"(?!importer/|tests/importer/|tests/bench/)", VTK, "only the importer, its tests and the benchmarks know VTK"),
     (r"(core|protocol|store|server)/.*\.hpp$", r"boost/beast|nlohmann/json\.hpp",
      "Beast and json.hpp cost seconds in every file that sees them: keep them in .cpp files"),
     (r"", r"boost/(asio|beast)\.hpp$", "include the single Asio and Beast headers that are needed"),
     (r"", r".*\.cpp$", "a .cpp file is nobody's interface"),
-    (r"server/base/", r"server/(?!base/|limits|metrics/)", "base stands below the rest of server"),
-    (r"server/compute/", r"server/(app|catalogue|cli|import|net|rpc|session|state)/",
-     "who computes when depends on no session, only on who asks"),
-    (r"server/session/data/", r"server/session/(records|people|live|session)", "data know no session"),
-    (r"server/session/records/", r"server/(compute|session/(people|live|session))",
-     "records know neither people nor surfaces, nor who computes when"),
-    (r"server/session/people/", r"server/(compute|session/(live|session))", "people know no surfaces"),
-    (r"server/session/live/", r"server/session/(people|session)", "surfaces know no people"),
-    (r"server/(?!app/|cli/)", r"server/app/", "the composition root is used by the command line alone"),
-    (r"server/session/", r"server/net/|boost/beast|boost/asio/ip/|nlohmann/json\.hpp",
-     "a session knows neither sockets nor JSON text"),
-    (r"server/(catalogue|import)/", r"server/(net|rpc|session)/", "datasets know no clients"),
-    (r"server/import/", r"server/(?!base/|import/)", "the importer is a program of its own"),
-    (r"server/import/sources/(files|blocks)/", r"server/import/sources/(?!(files|blocks)/)",
-     "single files and blocks know no format"),
-    (r"server/import/sources/series/", r"server/import/sources/(?!(files|series)/)", "a series knows no format"),
-    *((f"server/import/sources/{one}/", rf"server/import/sources/(?!({one}|files|blocks|series)/)\w+/",
-       "a format knows no other") for one in FORMATS),
-    (r"server/bricks/", r"server/(?!base/|bricks/)", "bricks know a store, and neither datasets nor clients"),
-    (r"(?!server/bricks/ranks/)", r"mpi\.h$", "only the ranks that hold bricks know MPI"),
-    (r"server/(?!bricks/ranks/)", r"server/bricks/ranks/", "wakesurf-bricks is a program of its own"),
-    (r"server/state/", r"server/(net|rpc|catalogue)/|nlohmann/", "what keeps records knows neither clients nor JSON"),
-    (r"(core|protocol|store|server/(?!state/))", r"sqlite3\.h", "only server/state knows SQLite"),
-    (r"(core|protocol|store|server/(?!web/))", r"curl/", "only server/web knows libcurl"),
-    (r"(core|protocol|store|server/(?!zarr/))", r"(blosc|zstd)\.h$", "only server/zarr knows what packs chunks"),
-    (r"server/zarr/", r"server/(?!zarr/|web/|base/)", "what reads a Zarr knows no dataset, session or client"),
-    (r"server/web/", r"server/(?!web/|base/)", "what reads the web knows no dataset, session or client"),
-    # Inside the engine.
-    (r"core/base/", r"core/(dataset|integrate|field|surface)/", "base stands below the rest of core"),
-    (r"core/dataset/", r"core/(integrate|field|surface)/", "dataset knows no flow"),
-    (r"core/integrate/", r"core/(dataset|field|surface)/", "integrate knows only what a field must offer"),
-    (r"core/field/", r"core/surface/", "a flow knows no surface"),
+    (r"server/service/", r"boost/(asio|beast)", "the service runs without a socket"),
+    (r"server/service/(session|live)/", r"nlohmann/json\.hpp", "a session knows no JSON text"),
+    (r"server/(?!service/bricks/ranks/)", r"server/service/bricks/ranks/", "wakesurf-bricks is a program of its own"),
+    (r"(?!server/service/bricks/ranks/)", r"mpi\.h$", "only the ranks that hold bricks know MPI"),
+    (r"server/service/journal/", r"nlohmann/", "what keeps records knows no JSON"),
+    (r"(?!server/service/journal/|tests/)", r"sqlite3\.h", "only the journal knows SQLite"),
+    (r"(?!server/service/web/|tests/)", r"curl/", "only server/service/web knows libcurl"),
+    (r"(?!server/service/zarr/|tests/)", r"(blosc|zstd)\.h$", "only server/service/zarr knows what packs chunks"),
 ]
+
+
+def folder_of(path):
+    """The folder of MAY_INCLUDE that a path lies in."""
+    return max((each for each in MAY_INCLUDE if path.startswith(each + "/")), key=len, default=None)
 
 
 def without_comments_and_strings(text):
@@ -93,13 +117,20 @@ def line_of(text, offset):
 def wrong_includes(path, text):
     if not path.endswith((".cpp", ".hpp", ".h")):
         return
+    home = folder_of(path)
     for match in INCLUDE.finditer(text):
         target = match.group(2)
+        place = f"{path}:{line_of(text, match.start())}: includes {target}"
         for room, pattern, why in FORBIDDEN:
             if re.match(room, path) and re.match(pattern, target):
-                yield f"{path}:{line_of(text, match.start())}: includes {target}: {why}"
-        if match.group(1) == '"' and not re.match(r"(core|protocol|store|server|tests)/", target):
-            yield f"{path}:{line_of(text, match.start())}: includes {target}: write it from the root"
+                yield f"{place}: {why}"
+        if match.group(1) == "<":
+            continue
+        if not re.match(r"(command|core|importer|protocol|server|store|tests)/", target):
+            yield f"{place}: write it from the root"
+        elif home and folder_of(target) != home and not any(
+                target == allowed or re.match(rf"{allowed}\b[/.]?", target) for allowed in MAY_INCLUDE[home]):
+            yield f"{place}: {home} may not, see MAY_INCLUDE"
 
 
 def statement_start(code, at):
@@ -190,29 +221,29 @@ BAD = [
     (wrong_includes, "core/base/disk.cpp", "#  include <nlohmann/json_fwd.hpp>\n"),
     (wrong_includes, "core/surface/front.cpp", "#include <draco/mesh/mesh.h>\n"),
     (wrong_includes, "core/dataset/store.cpp", '#include "core/surface/rake.hpp"\n'),
-    (wrong_includes, "protocol/frame.cpp", '#include "server/session/session.hpp"\n'),
+    (wrong_includes, "protocol/wire/frame.cpp", '#include "server/service/session/session.hpp"\n'),
     (wrong_includes, "protocol/frame.cpp", "#include <boost/beast/core/flat_buffer.hpp>\n"),
     (wrong_includes, "protocol/frame.hpp", "#include <nlohmann/json.hpp>\n"),
     (wrong_includes, "server/net/listener.hpp", "#include <boost/beast/websocket/stream.hpp>\n"),
     (wrong_includes, "server/net/listener.cpp", '#include "server/rpc/router.cpp"\n'),
     (wrong_includes, "server/net/listener.cpp", "#include <boost/asio.hpp>\n"),
-    (wrong_includes, "server/catalogue/store.cpp", "#include <vtkImageData.h>\n"),
+    (wrong_includes, "server/service/catalogue/store.cpp", "#include <vtkImageData.h>\n"),
     (wrong_includes, "tests/core/surface/peer_test.cpp", "#include <vtkStreamSurface.h>\n"),
-    (wrong_includes, "server/session/session.cpp", "#include <nlohmann/json.hpp>\n"),
-    (wrong_includes, "server/session/session.cpp", '#include "listener.hpp"\n'),
-    (wrong_includes, "server/session/session.cpp", "#include <sqlite3.h>\n"),
+    (wrong_includes, "server/service/session/session.cpp", "#include <nlohmann/json.hpp>\n"),
+    (wrong_includes, "server/service/session/session.cpp", '#include "listener.hpp"\n'),
+    (wrong_includes, "server/service/session/session.cpp", "#include <sqlite3.h>\n"),
     (wrong_includes, "store/store_reader.cpp", "#include <curl/curl.h>\n"),
-    (wrong_includes, "server/web/web_disk.cpp", '#include "server/catalogue/open_dataset.hpp"\n'),
-    (wrong_includes, "server/state/state_store.cpp", "#include <nlohmann/json.hpp>\n"),
-    (wrong_includes, "server/compute/budgets.hpp", '#include "server/session/people/grants.hpp"\n'),
-    (wrong_includes, "server/session/records/observer.hpp", '#include "server/compute/pass_budgets.hpp"\n'),
-    (wrong_includes, "server/import/main.cpp", '#include "server/cli/rake_text.hpp"\n'),
-    (wrong_includes, "server/bricks/job_talk.cpp", '#include "server/catalogue/open_dataset.hpp"\n'),
-    (wrong_includes, "server/bricks/job_talk.cpp", "#include <mpi.h>\n"),
-    (wrong_includes, "server/catalogue/open_dataset.cpp", '#include "server/bricks/ranks/brick_window.hpp"\n'),
-    (wrong_includes, "server/import/sources/series/pvd_series.cpp", '#include "server/import/sources/vtk/xml_file.hpp"\n'),
-    (wrong_includes, "server/import/sources/exodus/exodus_source.cpp",
-     '#include "server/import/sources/netcdf/netcdf_file.hpp"\n'),
+    (wrong_includes, "server/service/web/web_disk.cpp", '#include "server/service/catalogue/open_dataset.hpp"\n'),
+    (wrong_includes, "server/service/journal/state_store.cpp", "#include <nlohmann/json.hpp>\n"),
+    (wrong_includes, "server/service/compute/budgets.hpp", '#include "server/service/session/people/grants.hpp"\n'),
+    (wrong_includes, "server/service/session/records/observer.hpp", '#include "server/service/compute/pass_budgets.hpp"\n'),
+    (wrong_includes, "importer/main.cpp", '#include "server/cli/rake_text.hpp"\n'),
+    (wrong_includes, "server/service/bricks/job_talk.cpp", '#include "server/service/catalogue/open_dataset.hpp"\n'),
+    (wrong_includes, "server/service/bricks/job_talk.cpp", "#include <mpi.h>\n"),
+    (wrong_includes, "server/service/catalogue/open_dataset.cpp", '#include "server/service/bricks/ranks/brick_window.hpp"\n'),
+    (wrong_includes, "importer/sources/series/pvd_series.cpp", '#include "importer/sources/vtk/xml_file.hpp"\n'),
+    (wrong_includes, "importer/sources/exodus/exodus_source.cpp",
+     '#include "importer/sources/netcdf/netcdf_file.hpp"\n'),
     (co_await_lambdas, "server/a.cpp",
      "awaitable<void> f() {\n    co_await post(pool, [self = shared_from_this()] { self->run(); });\n}\n"),
     (co_await_lambdas, "server/a.cpp", "auto f() {\n    auto x = g([&] {\n a; b; }, co_await h());\n}\n"),
@@ -224,15 +255,15 @@ BAD = [
     (no_namespace_of_its_own, "tests/server/net/a_test.cpp", "namespace wakesurf::server::b_test {\n"),
 ]
 GOOD = [
-    (wrong_includes, "server/state/database.cpp", "#include <sqlite3.h>\n"),
-    (wrong_includes, "server/web/curl_transport.cpp", "#include <curl/curl.h>\n"),
+    (wrong_includes, "server/service/journal/database.cpp", "#include <sqlite3.h>\n"),
+    (wrong_includes, "server/service/web/curl_transport.cpp", "#include <curl/curl.h>\n"),
     (wrong_includes, "protocol/frame.cpp", '#include "core/surface/rake.hpp"\n#include <draco/mesh/mesh.h>\n'),
     (wrong_includes, "protocol/frame.hpp", "#include <nlohmann/json_fwd.hpp>\n"),
-    (wrong_includes, "server/import/reader.cpp", "#include <vtkImageData.h>\n"),
-    (wrong_includes, "server/bricks/ranks/brick_window.hpp", "#include <mpi.h>\n"),
-    (wrong_includes, "server/compute/budgets.hpp", '#include "server/base/visitor.hpp"\n'),
-    (wrong_includes, "server/import/sources/plot3d/plot3d_files.cpp",
-     '#include "server/import/sources/files/named_path.hpp"\n#include "server/import/sources/physical_units.hpp"\n'),
+    (wrong_includes, "importer/reader.cpp", "#include <vtkImageData.h>\n"),
+    (wrong_includes, "server/service/bricks/ranks/brick_window.hpp", "#include <mpi.h>\n"),
+    (wrong_includes, "server/service/compute/budgets.hpp", '#include "server/service/base/visitor.hpp"\n'),
+    (wrong_includes, "importer/sources/plot3d/plot3d_files.cpp",
+     '#include "importer/sources/files/named_path.hpp"\n#include "importer/fields/physical_units.hpp"\n'),
     (wrong_includes, "tests/bench/vtk/peer.cpp", "#include <vtkStreamSurface.h>\n"),
     (wrong_includes, "core/surface/front.cpp", "#include <vector>\n#include <oneapi/tbb/parallel_for.h>\n"),
     (wrong_includes, "server/net/listener.cpp", "#include <boost/beast/websocket/stream.hpp>\n"),
@@ -250,7 +281,7 @@ GOOD = [
 
 
 def project_files():
-    for room in ("core", "protocol", "store", "server", "web-client", "tests", "docker", ".ci"):
+    for room in ("core", "protocol", "store", "command", "importer", "server", "web-client", "tests", "docker", ".ci"):
         for folder, folders, files in os.walk(os.path.join(ROOT, room)):
             folders[:] = sorted(f for f in folders if f not in GENERATED)
             for name in sorted(files):

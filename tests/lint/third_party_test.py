@@ -45,7 +45,7 @@ def unnamed_headers(sources, table):
 
 
 def sources():
-    listed = subprocess.run(["git", "-C", ROOT, "ls-files", "core", "protocol", "store", "server"], capture_output=True, text=True,
+    listed = subprocess.run(["git", "-C", ROOT, "ls-files", "command", "core", "importer", "protocol", "store", "server"], capture_output=True, text=True,
                             check=True).stdout.split()
     for path in listed:
         if path.endswith((".cpp", ".hpp")) and os.path.exists(os.path.join(ROOT, path)):

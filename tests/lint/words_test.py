@@ -23,12 +23,12 @@ COLOR = re.compile(r"\b\w*[cC]olor\w*\b")
 
 # Types named by a word with a home: the word, and the product's files that may declare one.
 HOMES = {
-    "Turn": ("server/compute/fair_queue.hpp",),
-    "Lane": ("server/compute/quick_lanes.hpp", "server/compute/long_lanes.hpp"),
-    "Place": ("server/net/admission.hpp", "server/net/downloads.hpp", "server/compute/budgets.hpp",
-              "server/compute/history_budget.hpp", "server/session/records/change_log.hpp", "core/field/cells/box_tree.hpp"),
+    "Turn": ("server/service/compute/fair_queue.hpp",),
+    "Lane": ("server/service/compute/quick_lanes.hpp", "server/service/compute/long_lanes.hpp"),
+    "Place": ("server/net/admission.hpp", "server/net/downloads.hpp", "server/service/compute/budgets.hpp",
+              "server/service/compute/history_budget.hpp", "server/service/session/records/change_log.hpp", "core/field/cells/box_tree.hpp"),
     "Places": ("protocol/wire/wire_match.hpp",),
-    "History": ("server/session/records/history.hpp",),
+    "History": ("server/service/session/records/history.hpp",),
     "Cell": ("core/surface/quad_complex.hpp",),
 }
 DECLARED = re.compile(r"^[ \t]*(?:struct|class|enum class|enum|using)[ \t]+(\w+)(?=[ \t]*(?:\{|;|:|=|final\b|$))", re.MULTILINE)
@@ -52,7 +52,7 @@ def spelt_color(path, text):
 
 def word_away_from_home(path, text):
     """A type with a word of the glossary for its name, where the word means something else."""
-    if not re.match(r"(core|protocol|store|server)/.*\.(hpp|cpp)$", path):
+    if not re.match(r"(command|core|importer|protocol|server|store)/.*\.(hpp|cpp)$", path):
         return
     for match in DECLARED.finditer(text):
         homes = HOMES.get(match.group(1))
@@ -69,14 +69,14 @@ BAD = [
     (spelt_color, "tests/end_to_end/a.spec.ts", "expectColor(a);\n"),
     (word_away_from_home, "server/net/a.hpp", "    struct Place {\n"),
     (word_away_from_home, "core/a.cpp", "using Turn = std::function<void()>;\n"),
-    (word_away_from_home, "server/session/a.hpp", "enum class Lane { A, B };\n"),
+    (word_away_from_home, "server/service/session/a.hpp", "enum class Lane { A, B };\n"),
 ]
 GOOD = [
     (spelt_color, "web-client/src/a.ts", "import { Color } from 'three';\nmesh.material.color.set(colour);\n"),
     (spelt_color, "web-client/src/a.ts", "    color: var(--quiet);\n    border-left-color: red;\n"),
     (spelt_color, "web-client/src/a.ts", "new LineBasicMaterial({ color: 0xb4bcc9 });\n// the color of it\n"),
     (spelt_color, "server/a.ts", "const color = 1;\n"),
-    (word_away_from_home, "server/compute/fair_queue.hpp", "    struct Turn {\n"),
+    (word_away_from_home, "server/service/compute/fair_queue.hpp", "    struct Turn {\n"),
     (word_away_from_home, "server/net/a.cpp", "Admission::Place place;\nstruct PlaceOfMine {};\n"),
     (word_away_from_home, "tests/core/a.cpp", "struct Turn {\n"),
 ]

@@ -2,7 +2,7 @@
 // stretches; what has not come to the disk when the server crashes is lost.
 #pragma once
 
-#include "server/base/journal.hpp"
+#include "server/service/base/journal.hpp"
 #include "tests/simulation/world.hpp"
 
 #include <cstddef>

@@ -2,11 +2,11 @@
 // Its destructor is a crash.
 #pragma once
 
-#include "server/compute/compute_pool.hpp"
 #include "server/rpc/dispatcher.hpp"
-#include "server/session/live/probe.hpp"
-#include "server/session/people/grants.hpp"
-#include "server/session/session_directory.hpp"
+#include "server/service/compute/compute_pool.hpp"
+#include "server/service/live/probe.hpp"
+#include "server/service/session/people/grants.hpp"
+#include "server/service/session/session_directory.hpp"
 #include "tests/simulation/disk.hpp"
 #include "tests/simulation/link.hpp"
 #include "tests/simulation/world.hpp"

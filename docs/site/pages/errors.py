@@ -32,7 +32,7 @@ message and hint, scripts and curl also the kind.
 | turning the view is slow | the browser draws without the graphics card | switch hardware acceleration on, or make the window smaller |
 
 """
-CODE = ("server", "protocol")
+CODE = ("importer", "protocol", "server")
 
 
 def kinds_in_code():

@@ -39,10 +39,10 @@ def written():
 
 
 def text():
-    units = without_code_places(section("server/import/README.md", "Units"))
+    units = without_code_places(section("importer/README.md", "Units"))
     units = re.sub(r",\s*by\s*\n?UDUNITS(?: \(sources/[^)]*\))?", ", by UDUNITS", units)
-    return (MADE.format(source="server/import/README.md and protocol/files/README.md") + INTRO
-            + first_table(section("server/import/README.md", "Formats")).replace(", see Files that a source names", "")
+    return (MADE.format(source="importer/README.md and protocol/files/README.md") + INTRO
+            + first_table(section("importer/README.md", "Formats")).replace(", see Files that a source names", "")
             + "\n\n" + IN_PLACE + "\n\n## Units\n\n" + units
             + "\n\n## What is written\n\n`wakesurf surface -o FILE`, **Export** in the page and `Surface.export` in Python write the same files. The "
             "extension chooses the format.\n\n" + written()

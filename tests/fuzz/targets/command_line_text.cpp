@@ -1,5 +1,5 @@
 // What a person types: rakes, vectors and sizes of memory.
-#include "server/base/memory_size.hpp"
+#include "command/memory_size.hpp"
 #include "server/cli/rake_text.hpp"
 #include "tests/fuzz/targets/all.hpp"
 
@@ -22,7 +22,7 @@ void run(Input input) {
                "a rake has at least two points, all finite");
     if (const auto vector = server::parse_vector(text, "--sweep"))
         demand(std::isfinite(vector->x), "a vector is finite");
-    if (const auto size = server::parse_memory_size(text))
+    if (const auto size = command::parse_memory_size(text))
         demand(*size > 0, "a size of memory is at least a byte");
 }
 

@@ -1,5 +1,5 @@
 // `wakesurf bench` starts the program beside it, whatever that is, or says what is missing.
-#include "server/catalogue/child_process.hpp"
+#include "server/service/catalogue/child_process.hpp"
 #include "tests/support/places.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // `wakesurf generate` as its user meets it: a process with an exit status, messages and a store.
 #include "core/field/analytic_flow.hpp"
-#include "server/catalogue/child_process.hpp"
+#include "server/service/catalogue/child_process.hpp"
 #include "store/store_manifest.hpp"
 #include "store/store_reader.hpp"
 #include "tests/support/mask_bytes.hpp"

@@ -1,7 +1,7 @@
 // Streak and time surfaces of `wakesurf surface` against closed forms: what a file's positions, `s` and `t` must be to
 // each other, whatever the engine does to get there.
 #include "core/base/vec3.hpp"
-#include "server/catalogue/child_process.hpp"
+#include "server/service/catalogue/child_process.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/vtp_arrays.hpp"

@@ -1,5 +1,5 @@
 // What a server does where other people of the machine, or the reader of its output, could get in its way.
-#include "server/base/private_file.hpp"
+#include "server/service/base/private_file.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/server/server_process.hpp"
 #include "tests/support/temporary_folder.hpp"

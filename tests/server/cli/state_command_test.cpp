@@ -1,5 +1,5 @@
 // `wakesurf state`: the sessions a server keeps are checked, backed up and restored from outside, also while it runs.
-#include "server/catalogue/child_process.hpp"
+#include "server/service/catalogue/child_process.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/server/server_process.hpp"
 #include "tests/support/server/websocket_client.hpp"

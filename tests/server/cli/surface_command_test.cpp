@@ -1,5 +1,5 @@
 // `wakesurf surface` as its user meets it: a process with an exit status, messages and files.
-#include "server/catalogue/child_process.hpp"
+#include "server/service/catalogue/child_process.hpp"
 #include "tests/support/mesh_readers.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/server/running_program.hpp"

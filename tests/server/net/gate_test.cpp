@@ -1,6 +1,6 @@
-#include "server/limits.hpp"
-#include "server/metrics/metrics.hpp"
 #include "server/net/gate.hpp"
+#include "server/service/limits.hpp"
+#include "server/service/metrics/metrics.hpp"
 #include "tests/support/server/hand_clock.hpp"
 
 #include <gtest/gtest.h>

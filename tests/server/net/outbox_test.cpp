@@ -1,6 +1,6 @@
-#include "server/limits.hpp"
 #include "server/net/outbox.hpp"
-#include "tests/server/session/live/sample_updates.hpp"
+#include "server/service/limits.hpp"
+#include "tests/server/service/live/sample_updates.hpp"
 #include "tests/support/server/hand_clock.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // $/cancelRequest and $/progress against the real program: who waits can stop waiting, and is told how far the work is.
-#include "server/limits.hpp"
+#include "server/service/limits.hpp"
 #include "tests/support/server/server_process.hpp"
 #include "tests/support/server/websocket_client.hpp"
 

@@ -1,5 +1,5 @@
 // How soon who waits for a call can stop waiting.
-#include "server/limits.hpp"
+#include "server/service/limits.hpp"
 #include "tests/support/server/server_process.hpp"
 #include "tests/support/server/websocket_client.hpp"
 

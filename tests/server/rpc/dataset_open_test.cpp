@@ -1,5 +1,5 @@
 // dataset.open against the real program: several wait for one import, and the last who does not want it any more ends it.
-#include "server/limits.hpp"
+#include "server/service/limits.hpp"
 #include "tests/support/server/server_process.hpp"
 #include "tests/support/server/websocket_client.hpp"
 #include "tests/support/slow_series.hpp"

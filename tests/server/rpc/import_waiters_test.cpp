@@ -1,5 +1,5 @@
-#include "server/limits.hpp"
 #include "server/rpc/import_waiters.hpp"
+#include "server/service/limits.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/server/hand_loop.hpp"
 #include "tests/support/slow_series.hpp"

@@ -1,8 +1,8 @@
 // Sessions as calls see them: listed, renamed, deleted, brought back, pictured; who is told, and what the errors say.
-#include "server/limits.hpp"
 #include "server/rpc/dispatcher.hpp"
 #include "server/rpc/method_table.hpp"
-#include "server/session/session_restoring.hpp"
+#include "server/service/limits.hpp"
+#include "server/service/session/session_restoring.hpp"
 #include "tests/support/server/noted_wire.hpp"
 #include "tests/support/server/session_bench.hpp"
 

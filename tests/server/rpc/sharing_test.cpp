@@ -1,5 +1,5 @@
 // Several people in one session, over real sockets: share links from the link to its end, presence, and coming back.
-#include "server/limits.hpp"
+#include "server/service/limits.hpp"
 #include "tests/support/server/server_process.hpp"
 #include "tests/support/server/websocket_client.hpp"
 

@@ -1,7 +1,7 @@
 // Random edits of sessions' records beside a map that takes the same edits: what a store must hold after each of them.
 #pragma once
 
-#include "server/base/journal.hpp"
+#include "server/service/base/journal.hpp"
 
 #include <cstddef>
 #include <map>

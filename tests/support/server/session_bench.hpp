@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/field/analytic_flow.hpp"
-#include "server/base/journal.hpp"
-#include "server/compute/compute_pool.hpp"
-#include "server/session/session_directory.hpp"
+#include "server/service/base/journal.hpp"
+#include "server/service/compute/compute_pool.hpp"
+#include "server/service/session/session_directory.hpp"
 #include "tests/support/server/hand_loop.hpp"
 
 #include <map>

@@ -1,0 +1,60 @@
+// The three-dimensional cells of one VTK data set, whatever kind it is, in terms of its own points. First step from VTK's
+// blocks to a core::CellMesh.
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/dataset/cell_mesh.hpp"
+
+#include <vtkDataArray.h>
+#include <vtkDataSet.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace wakesurf::importer {
+
+struct BlockCell {
+    enum class Form { None, Standard, Polyhedron }; ///< None: flat, empty or blanked
+    Form form = Form::None;
+    core::CellShape shape = core::CellShape::Hexahedron; ///< of Standard
+    std::array<std::uint32_t, 8> point{};          ///< of Standard, in VTK's order for the shape
+    std::vector<std::vector<std::uint32_t>> faces; ///< of Polyhedron, at least 4
+};
+
+/// Not thread-safe.
+class BlockCells {
+  public:
+    /// The data set must outlive this.
+    explicit BlockCells(vtkDataSet& data);
+
+    std::size_t size() const { return size_; }
+
+    /// Whether the block is an image, rectilinear or structured grid: hexahedra only.
+    bool structured() const { return grid_ == nullptr; }
+
+    /// Cells of one or two dimensions, hidden cells, duplicates of another piece's and cells with a hidden point are None.
+    /// Error: Unsupported for cells with curved edges and others that would have to be approximated; Corrupt for a cell
+    /// with points there are none of, or a polyhedron that is none.
+    core::Result<void> read(std::size_t index, BlockCell& cell);
+
+  private:
+    bool blanked(std::size_t index) const;
+    bool touches_hidden_point(const BlockCell& cell) const;
+    void read_structured(std::size_t index, BlockCell& cell) const;
+    core::Result<void> read_unstructured(std::size_t index, BlockCell& cell);
+    core::Result<void> read_standard(std::size_t index, BlockCell& cell);
+    core::Result<void> read_polyhedron(std::size_t index, BlockCell& cell);
+    core::Result<void> read_prism(std::size_t index, BlockCell& cell);
+
+    vtkUnstructuredGrid* grid_; ///< null for a structured block
+    std::array<std::size_t, 3> nodes_{0, 0, 0};
+    std::size_t points_ = 0;
+    std::size_t size_ = 0;
+    vtkDataArray* cell_marks_ = nullptr;
+    vtkDataArray* point_marks_ = nullptr;
+};
+
+} // namespace wakesurf::importer

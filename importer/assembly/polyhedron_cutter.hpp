@@ -1,0 +1,57 @@
+// Polyhedra -> cells of the four shapes of a CellMesh. A polyhedron that is one of these shapes becomes that; others are cut
+// round a node of their own into a pyramid for each face of 4 corners and a tetrahedron for each triangle of every other
+// face. Faces of 3 and 4 corners stay whole and larger ones are cut the same way from both sides: conforming, without
+// cracks where cells of two sizes meet.
+#pragma once
+
+#include "core/dataset/cell_mesh.hpp"
+#include "importer/assembly/added_nodes.hpp"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace wakesurf::importer {
+
+using Polygon = std::vector<std::uint32_t>; ///< node numbers in turn
+
+/// The tetrahedron, pyramid, wedge or hexahedron that has these faces, perhaps inside out; none where it is another body.
+std::optional<core::MeshCell> standard_cell(std::span<const Polygon> faces);
+
+class PolyhedronCutter {
+  public:
+    /// Both outlive this. REQUIRES: mesh.points holds all nodes of the source and nothing else.
+    PolyhedronCutter(core::CellMesh& mesh, AddedNodes& added) : mesh_(mesh), added_(added) {}
+
+    /// Appends the cells of one polyhedron. The faces may be oriented any way; they come back oriented alike.
+    void cut(std::vector<Polygon>& faces);
+
+    /// Polyhedra that overlap themselves however they are cut: not star-shaped, seen from the mean of their nodes and from
+    /// their centre of volume.
+    std::size_t overlapping() const { return overlapping_; }
+
+  private:
+    struct Apex {
+        core::Vec3 at{0.0};
+        std::map<std::uint32_t, double> weights;
+    };
+
+    Apex mean_apex(std::span<const Polygon> faces) const;
+    Apex middle_of(const Polygon& face) const;
+    Apex centre_of_volume(std::span<const Polygon> faces, const Apex& mean) const;
+    bool sees_all(std::span<const Polygon> faces, const core::Vec3& apex) const;
+    std::uint32_t face_centre(const Polygon& face);
+    std::uint32_t add(const Apex& apex);
+    void emit(core::CellShape shape, std::span<const std::uint32_t> base, std::uint32_t apex);
+
+    core::CellMesh& mesh_;
+    AddedNodes& added_;
+    std::map<Polygon, std::uint32_t>
+        centres_; ///< by the sorted nodes of a face, until its other side is cut
+    std::size_t overlapping_ = 0;
+};
+
+} // namespace wakesurf::importer

@@ -1,0 +1,55 @@
+#include "importer/base/vtk_messages.hpp"
+
+#include "importer/base/told_words.hpp"
+
+#include <vtkLogger.h>
+#include <vtkOutputWindow.h>
+#include <vtkSmartPointer.h>
+
+namespace wakesurf::importer {
+
+namespace {
+
+class FirstMessage final : public vtkOutputWindow {
+  public:
+    static FirstMessage* New() {
+        auto* made = new FirstMessage; // VTK counts its references
+        made->InitializeObjectBase();
+        return made;
+    }
+
+    void DisplayText(const char* text) override {
+        if (first.empty() && text != nullptr)
+            first = text;
+    }
+
+    void DisplayDebugText(const char*) override {}
+
+    std::string first;
+};
+
+} // namespace
+
+VtkMessages::VtkMessages() {
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // a second way out besides the window
+    vtkOutputWindow::SetInstance(vtkSmartPointer<FirstMessage>::New());
+}
+
+VtkMessages::~VtkMessages() {
+    vtkOutputWindow::SetInstance(nullptr);
+}
+
+core::Result<void> VtkMessages::verdict(const std::string& file) const {
+    const auto* window = dynamic_cast<FirstMessage*>(vtkOutputWindow::GetInstance());
+    if (window == nullptr || window->first.empty())
+        return {};
+    if (window->first.find("nable to allocate") != std::string::npos)
+        return core::fail(core::Error::Code::OverLimit,
+                          "there is not enough memory to read " + file);
+    const std::string words = sentence_of_library(window->first);
+    return core::fail(core::Error::Code::Corrupt,
+                      file + " is damaged or not what it says it is" +
+                          (words.empty() ? "" : " (VTK: " + words + ")"));
+}
+
+} // namespace wakesurf::importer

@@ -1,0 +1,22 @@
+// Catches everything VTK would print: its readers report damage only there, and go on with what they have.
+#pragma once
+
+#include "core/base/result.hpp"
+
+#include <string>
+
+namespace wakesurf::importer {
+
+/// While it lives, VTK prints nothing; one at a time.
+class VtkMessages {
+  public:
+    VtkMessages();
+    ~VtkMessages();
+    VtkMessages(const VtkMessages&) = delete;
+    VtkMessages& operator=(const VtkMessages&) = delete;
+
+    /// Corrupt with VTK's first error or warning, as one sentence about `file`, if there was one.
+    core::Result<void> verdict(const std::string& file) const;
+};
+
+} // namespace wakesurf::importer

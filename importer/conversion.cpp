@@ -1,0 +1,341 @@
+#include "importer/conversion.hpp"
+
+#include "importer/base/notes.hpp"
+#include "importer/base/one_thread.hpp"
+#include "importer/first_step.hpp"
+#include "importer/kept_steps.hpp"
+#include "importer/sources/open_source.hpp"
+#include "importer/sources/series/series_times.hpp"
+#include "importer/step_workers.hpp"
+#include "importer/store_description.hpp"
+#include "importer/worker_count.hpp"
+#include "store/brick_mask.hpp"
+#include "store/store_grid.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+namespace wakesurf::importer {
+
+using core::Error;
+
+namespace {
+
+bool same_size(const store::StoredGrid& a, const store::StoredGrid& b) {
+    return a.kind == b.kind && a.nodes() == b.nodes() && a.cells == b.cells &&
+           a.dimensions == b.dimensions;
+}
+
+class Conversion {
+  public:
+    Conversion(const ImportRequest& request,
+               ImportPlan& plan,
+               store::StoreWriter& writer,
+               const ShowProgress& show)
+        : request_(request), plan_(plan), writer_(writer), show_(show) {}
+
+    core::Result<void> run(std::optional<EarlierImport> earlier) {
+        auto reading = read_first_step(plan_, !earlier);
+        if (!reading)
+            return tl::unexpected(reading.error());
+        reading_ = std::move(*reading);
+        auto described = describe_store(plan_, reading_);
+        if (!described)
+            return tl::unexpected(described.error());
+        manifest_ = std::move(*described);
+        described_ = manifest_.info.note;
+        if (plan_.precision == core::Precision::Half)
+            if (auto noted = note_rounding(); !noted)
+                return noted;
+        if (earlier && !same_size(manifest_.layout.grid, earlier->manifest.layout.grid)) {
+            earlier.reset(); // written by another version of this program
+            return run(std::nullopt);
+        }
+        if (earlier) {
+            if (auto begun = go_on(*earlier); !begun)
+                return begun;
+        } else {
+            // Only now: what is refused leaves the store that is there.
+            if (auto cleared = writer_.clear(); !cleared)
+                return cleared;
+            for (std::size_t i = 0; i < plan_.times.size(); ++i)
+                todo_.push_back(i);
+        }
+        fixed_files_missing_ = !earlier;
+        done_before_ = plan_.times.size() - todo_.size();
+        begun_ = std::chrono::steady_clock::now();
+        auto converted = convert_all();
+        if (!converted) {
+            remove_unfinished();
+            if (written_ > 0 || earlier)
+                write_manifest().value_or(0);
+            if (done() > 0 && converted.error().hint.empty())
+                converted.error().hint =
+                    "the time-steps before it are in the store and can be used";
+            return converted;
+        }
+        if (auto settled = writer_.settle(); !settled)
+            return settled;
+        manifest_.complete = true;
+        return write_manifest().map([](int) {});
+    }
+
+  private:
+    core::Result<void> note_rounding() {
+        const auto velocity = velocity_of(plan_, reading_.first, 0, reading_.step);
+        if (!velocity)
+            return tl::unexpected(velocity.error());
+        add_note(manifest_.info.note, rounding_note(*velocity));
+        described_ = manifest_.info.note;
+        return {};
+    }
+
+    core::Result<void> write_fixed(const std::string& name, std::span<const std::byte> bytes) {
+        return writer_.write(name, bytes).map([&](std::uint32_t checksum) {
+            manifest_.layout.checksums[name] = checksum;
+        });
+    }
+
+    core::Result<void> write_fixed_files() {
+        for (const auto& file : store::grid_files(reading_.first.assembly.grid))
+            if (auto written = write_fixed(file.name, file.bytes); !written)
+                return written;
+        if (manifest_.layout.mask)
+            if (auto written = write_mask(); !written)
+                return written;
+        const auto& walls = reading_.walls;
+        const auto write = [&](bool there, const char* name, std::span<const std::byte> bytes) {
+            return there ? write_fixed(name, bytes) : core::Result<void>();
+        };
+        return write(manifest_.layout.walls, "walls.f32", std::as_bytes(std::span(walls.points)))
+            .and_then([&] {
+                return write(manifest_.layout.walls, "walls.u32",
+                             std::as_bytes(std::span(walls.triangles)));
+            });
+    }
+
+    core::Result<void> write_mask() {
+        return store::write_mask(
+                   writer_, manifest_.layout,
+                   [rest = std::span<const std::uint8_t>(reading_.first.mask.fluid)]() mutable {
+                       return core::Result<std::span<const std::uint8_t>>(std::exchange(rest, {}));
+                   })
+            .map([&](std::uint32_t checksum) {
+                manifest_.layout.checksums[std::string(store::mask_file_name)] = checksum;
+            });
+    }
+
+    // The grid's files stay: a server may have them open, and walls found at another last time-step differ.
+    core::Result<void> go_on(EarlierImport& earlier) {
+        const auto& before = earlier.manifest;
+        manifest_.layout.checksums = before.layout.checksums;
+        manifest_.layout.brick_cells = before.layout.brick_cells;
+        manifest_.layout.mask = before.layout.mask;
+        manifest_.layout.walls = before.layout.walls;
+        manifest_.info.obstacle = before.info.obstacle;
+        if (before.complete) {
+            manifest_.velocity_range = before.velocity_range;
+            manifest_.without_velocity = before.without_velocity;
+            for (std::size_t i = 0;
+                 i < manifest_.info.fields.size() && i < before.info.fields.size(); ++i)
+                manifest_.info.fields[i].range = before.info.fields[i].range;
+            ranged_ = true;
+        }
+        for (std::size_t i = 0; i < plan_.times.size(); ++i) {
+            if (earlier.kept[i] && !before.complete) {
+                const auto record = recorded(*earlier.reader, i, reading_.first.mask.fluid);
+                earlier.kept[i] = record.has_value();
+                if (record)
+                    include_record(i, *record);
+            }
+            if (!earlier.kept[i])
+                todo_.push_back(i);
+        }
+        return write_manifest().map([](int) {});
+    }
+
+    void include_record(std::size_t index, const StepRecord& record) {
+        if (record.speed.empty())
+            manifest_.without_velocity.push_back(index);
+        include(plan_, record, !ranged_, manifest_);
+        ranged_ = true;
+    }
+
+    core::Result<int> write_manifest() {
+        manifest_.info.note = described_;
+        add_note(manifest_.info.note,
+                 note_on_missing_velocity(manifest_.without_velocity, plan_.times));
+        const std::string text = store::store_manifest_text(manifest_);
+        return writer_.write(std::string(store::manifest_file_name), std::as_bytes(std::span(text)))
+            .map([](std::uint32_t) { return 1; });
+    }
+
+    // This process has the first time-step already; what is left goes to others.
+    core::Result<void> convert_all() {
+        const bool first_here = !todo_.empty() && todo_.front() == 0;
+        const auto others = std::span(todo_).subspan(first_here ? 1 : 0);
+        StepWork work;
+        work.name = [&](std::size_t index) { return plan_.step_name(index); };
+        work.convert = [&](std::size_t index) {
+            const bool read = index + 1 == plan_.times.size() && reading_.last;
+            return convert_step(plan_, reading_.first, index, read ? &*reading_.last : nullptr,
+                                manifest_.layout, writer_);
+        };
+        work.commit = [&](std::size_t index, const StepRecord& record) {
+            return commit(index, record);
+        };
+        if (reads_open_files())
+            work.begin = [&]() { return open_again(); };
+        if (first_here)
+            work.meanwhile = [&]() -> core::Result<void> {
+                if (fixed_files_missing_)
+                    if (auto written = write_fixed_files(); !written)
+                        return written;
+                auto record =
+                    write_step(plan_, reading_.first, 0, reading_.step, manifest_.layout, writer_);
+                reading_.step = {};
+                return record ? commit(0, *record) : tl::unexpected(record.error());
+            };
+        else
+            reading_.step = {};
+        return convert_steps(others, worker_count(plan_, manifest_.info.points), work);
+    }
+
+    core::Result<void> open_again() {
+        auto source = open_source(request_.source, request_.taken);
+        if (!source)
+            return tl::unexpected(source.error());
+        plan_.source = std::move(*source);
+        return {};
+    }
+
+    core::Result<void> commit(std::size_t index, const StepRecord& record) {
+        include_record(index, record);
+        // With its range the store can be opened from the first time-step on.
+        if (index == 0)
+            if (auto told = write_manifest(); !told)
+                return tl::unexpected(told.error());
+        if (auto finished = writer_.finish_step(index, record.checksums); !finished)
+            return finished;
+        ++written_;
+        show_({"import", done(), plan_.times.size(), file_of(index),
+               written_ == 1 ? manifest_.info.note : "", 0.0, remaining()});
+        return {};
+    }
+
+    std::string file_of(std::size_t index) const {
+        const auto& files = plan_.made_from.steps[index];
+        return files.empty() ? plan_.step_name(index) : files.front().name;
+    }
+
+    std::size_t done() const { return done_before_ + written_; }
+
+    double remaining() const {
+        const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begun_;
+        return elapsed.count() / static_cast<double>(written_) *
+               static_cast<double>(todo_.size() - written_);
+    }
+
+    void remove_unfinished() {
+        std::error_code ignored;
+        for (std::size_t i = written_; i < todo_.size(); ++i)
+            for (std::size_t column = 0; column < manifest_.layout.columns(); ++column)
+                for (const auto& file : store::step_files(manifest_.layout, column, todo_[i]))
+                    std::filesystem::remove(writer_.folder() / file.name, ignored);
+    }
+
+    const ImportRequest& request_;
+    ImportPlan& plan_;
+    store::StoreWriter& writer_;
+    const ShowProgress& show_;
+    FirstStepReading reading_;
+    store::StoreManifest manifest_;
+    bool fixed_files_missing_ = false;
+    bool ranged_ = false;   ///< the manifest's ranges are of stored values
+    std::string described_; ///< the note, without what converting the time-steps shows
+    std::vector<std::size_t> todo_;
+    std::size_t done_before_ = 0;
+    std::size_t written_ = 0; ///< of todo_, in order
+    std::chrono::steady_clock::time_point begun_;
+};
+
+// The first of a few time-steps that an import will not get beyond: looking at all would cost as much as the import.
+std::string what_ends_an_import(const ImportPlan& plan, const FirstStep& first) {
+    const std::size_t last = plan.times.size() - 1;
+    for (const std::size_t index : {std::size_t{1}, last}) {
+        if (index > last || index == 0)
+            continue;
+        const auto step = plan.read(index);
+        const auto sound =
+            step ? check_mesh_of(plan, first, index, *step) : tl::unexpected(step.error());
+        if (!sound)
+            return "an import will end before time " + time_text(plan.times[index]) + ": " +
+                   sound.error().message +
+                   (sound.error().hint.empty() ? "" : " (" + sound.error().hint + ")");
+        if (index == last)
+            break;
+    }
+    return {};
+}
+
+bool up_to_date(const EarlierImport& earlier) {
+    return earlier.same_source && earlier.manifest.complete &&
+           std::find(earlier.kept.begin(), earlier.kept.end(), false) == earlier.kept.end();
+}
+
+} // namespace
+
+core::Result<core::DatasetInfo> describe_source(const ImportRequest& request) {
+    const auto plan = make_plan(request);
+    if (!plan)
+        return tl::unexpected(plan.error());
+    auto reading = read_first_step(*plan, false);
+    if (!reading)
+        return tl::unexpected(reading.error());
+    const auto velocity = velocity_of(*plan, reading->first, 0, reading->step);
+    if (!velocity)
+        return tl::unexpected(velocity.error());
+    auto manifest = describe_store(*plan, *reading);
+    if (!manifest)
+        return tl::unexpected(manifest.error());
+    const Range speed = speed_range(*velocity, reading->first.mask.fluid);
+    include(*plan, {{}, speed, {}}, true, *manifest);
+    auto& note = manifest->info.note;
+    if (plan->precision == core::Precision::Half)
+        add_note(note, rounding_note(*velocity));
+    if (speed.empty())
+        add_note(note, "no velocity of the first time-step is a number (in single precision)");
+    reading->step = {}; // before others are read
+    add_note(note, what_ends_an_import(*plan, reading->first));
+    return manifest->info;
+}
+
+core::Result<void> convert(const ImportRequest& request,
+                           const std::filesystem::path& store,
+                           const ShowProgress& show) {
+    keep_vtk_to_one_thread();
+    auto plan = make_plan(request, [&](std::vector<std::string> velocities) {
+        show({"velocity", 0, 0, {}, {}, 0.0, {}, std::move(velocities)});
+    });
+    if (!plan)
+        return tl::unexpected(plan.error());
+    auto writer = store::StoreWriter::open(store, [&] {
+        show({"waiting", 0, 0, {}, "another import is writing this store"});
+        return core::Result<void>();
+    });
+    if (!writer)
+        return tl::unexpected(writer.error());
+    auto earlier = earlier_import(*writer, *plan);
+    const std::size_t total = plan->times.size();
+    if (earlier && up_to_date(*earlier)) {
+        show({"done", total, total, {}, "the store is up to date"});
+        return {};
+    }
+    if (auto converted = Conversion(request, *plan, *writer, show).run(std::move(earlier));
+        !converted)
+        return converted;
+    show({"done", total, total, {}, {}});
+    return {};
+}
+
+} // namespace wakesurf::importer

@@ -1,0 +1,55 @@
+// Which arrays of a source are its velocity, its scalars and its solid mask: the rules, apart from any reader.
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/dataset/dataset_info.hpp"
+#include "importer/fields/velocity_choice.hpp"
+#include "store/store_layout.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace wakesurf::importer {
+
+/// A 1-component array as it is, or the magnitude of a vector that is not the velocity.
+struct ChosenScalar {
+    core::FieldInfo field; ///< of the source
+    store::StoredScalar stored;
+
+    bool is_magnitude() const { return field.components > 1; }
+
+    /// As a dataset lists it.
+    core::FieldInfo info() const;
+};
+
+struct FieldWish {
+    std::vector<std::string> kept; ///< --fields: beside the velocity; none: all
+    std::string velocity;          ///< --velocity; empty: by its name
+    std::vector<std::string>
+        no_masks{}; ///< arrays with the name of a mask and other values than 0 and 1
+};
+
+struct FieldChoice {
+    FieldParts velocity;
+    std::string velocity_name; ///< for people: U; u, v, w; Momentum / Density
+    std::string why;
+    std::vector<ChosenScalar> scalars;
+    std::optional<core::FieldInfo> mask;
+    bool mask_marks_solid = false; ///< 1 means solid instead of fluid
+    std::string note;              ///< what is left out or stored as its magnitude; may be empty
+
+    /// Every array that has to be read, each once.
+    std::vector<core::FieldInfo> arrays() const;
+};
+
+/// Velocity: the array chosen by velocity_choice.hpp. Mask: the 1-component array called mask, fluid, fluid_mask or
+/// vtkValidPointMask (1 = fluid), or solid, solid_mask or obstacle (1 = solid), unless `wish.no_masks` has it. Scalars: all other 1-component arrays, and the
+/// magnitudes of other vectors as `NAME magnitude`; or those among `wish.kept` where it names some; of two of one name
+/// that of the points, but an array before a magnitude.
+/// Error: NotFound (no velocity; a wanted field is not there), InvalidArgument (several candidates), Unsupported (a
+/// momentum without its density, parts in different units), each listing what there is.
+core::Result<FieldChoice> choose_fields(const std::vector<core::FieldInfo>& fields,
+                                        const FieldWish& wish = {});
+
+} // namespace wakesurf::importer

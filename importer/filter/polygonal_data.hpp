@@ -1,0 +1,18 @@
+// Between VTK's polygonal data and ours: rakes in, surfaces out.
+#pragma once
+
+#include "core/surface/quad_complex.hpp"
+
+#include <vtkPolyData.h>
+
+#include <vector>
+
+namespace wakesurf::importer {
+
+/// The points of the first line, in its order; all points where there is no line.
+std::vector<core::Vec3> rake_points(vtkPolyData& rake);
+
+/// Points as computed, polygons, arrays by the names that files have.
+void fill(vtkPolyData& output, const core::QuadComplex& mesh);
+
+} // namespace wakesurf::importer

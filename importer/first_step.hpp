@@ -1,0 +1,23 @@
+// The first time-step read whole: the grid all time-steps share, its walls and its mask.
+#pragma once
+
+#include "importer/step_conversion.hpp"
+#include "store/store_reader.hpp"
+
+#include <optional>
+
+namespace wakesurf::importer {
+
+struct FirstStepReading {
+    FirstStep first;
+    SourceStep step; ///< with its values
+    core::WallGeometry walls;
+    std::optional<SourceStep>
+        last; ///< the last time-step, where it was read and has the mesh of the first
+};
+
+/// @param with_last  reads the last time-step as well: boundary faces at rest at both are walls. Without it they are not.
+/// Error: as Source::read and assemble_grid, naming the time-step.
+core::Result<FirstStepReading> read_first_step(const ImportPlan& plan, bool with_last);
+
+} // namespace wakesurf::importer

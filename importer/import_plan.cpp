@@ -1,0 +1,159 @@
+#include "importer/import_plan.hpp"
+
+#include "importer/assembly/obstacle_mask.hpp"
+#include "importer/base/progress_marks.hpp"
+#include "importer/fields/velocity_choice.hpp"
+#include "importer/sources/open_source.hpp"
+#include "importer/sources/series/series_times.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wakesurf::importer {
+
+using core::Error;
+
+namespace {
+
+core::Result<void> check_times(const std::vector<double>& times) {
+    if (times.empty())
+        return core::fail(Error::Code::Corrupt, "the source has no time-steps");
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        if (!std::isfinite(times[i]))
+            return core::fail(Error::Code::Corrupt, "the time of time-step " + std::to_string(i) +
+                                                        " is not a finite number");
+        if (i > 0 && !(times[i - 1] < times[i]))
+            return core::fail(Error::Code::Corrupt,
+                              "times do not increase: time-step " + std::to_string(i - 1) +
+                                  " is at " + std::to_string(times[i - 1]) + ", the next at " +
+                                  std::to_string(times[i]));
+    }
+    return {};
+}
+
+struct Times {
+    std::vector<double> values;
+    std::string note;
+};
+
+// What the source states; or, where it states none, what the user does.
+core::Result<Times> times_of(const SourceDescription& source, const command::SourceOptions& taken) {
+    if (!taken.times() || source.times.empty())
+        return Times{source.times, source.time_note};
+    if (source.places.empty())
+        return core::fail(Error::Code::InvalidArgument,
+                          std::string(taken.dt ? "--dt" : "--start") +
+                              " is for numbered files that state no times; " + source.name +
+                              " has the times " + time_text(source.times.front()) + " to " +
+                              time_text(source.times.back()),
+                          "leave it out");
+    const double start = taken.start.value_or(0.0);
+    const double dt = taken.dt.value_or(1.0);
+    Times out;
+    for (const double place : source.places)
+        out.values.push_back(start + dt * place);
+    out.note = "times: " + time_text(start) + " and then every " + time_text(dt) +
+               ", by --start and --dt, are used";
+    if (source.places.back() + 1.0 > static_cast<double>(source.places.size()))
+        out.note += "; where numbers of files are missing, so are times";
+    return out;
+}
+
+core::Result<store::StoreSource> files_of(const Source& source,
+                                          const std::vector<std::size_t>& steps) {
+    auto shared = source.shared_files();
+    if (!shared)
+        return tl::unexpected(shared.error());
+    store::StoreSource out{std::move(*shared), {}, {}};
+    for (const std::size_t step : steps) {
+        auto files = source.files(step);
+        if (!files)
+            return tl::unexpected(files.error());
+        out.steps.push_back(std::move(*files));
+    }
+    return out;
+}
+
+// A fraction of 0 and 1 at first may be between them at the last time-step. What cannot be read is told when it is its turn.
+bool drops_its_mask(const ImportPlan& plan, FieldWish& wish) {
+    if (!plan.choice.mask)
+        return false;
+    const std::size_t last = plan.steps.size() - 1;
+    for (const std::size_t index : {std::size_t{0}, last}) {
+        const auto step = plan.source->read(plan.steps[index], {*plan.choice.mask});
+        if (step && !is_zero_or_one(step->blocks, *plan.choice.mask)) {
+            wish.no_masks.push_back(plan.choice.mask->name);
+            return true;
+        }
+        if (last == 0)
+            break;
+    }
+    return false;
+}
+
+} // namespace
+
+std::string ImportPlan::step_name(std::size_t index) const {
+    const auto& files = made_from.steps[index];
+    const std::string step = "time-step " + std::to_string(index);
+    if (!files.empty())
+        return files.front().name + " (" + step + ")";
+    return step + " of " + source->description().name;
+}
+
+core::Result<ImportPlan> make_plan(const ImportRequest& request, const UnclearVelocity& unclear) {
+    return open_source(request.source, request.taken).and_then([&](std::unique_ptr<Source> source) {
+        return plan_of(std::move(source), request, unclear);
+    });
+}
+
+core::Result<ImportPlan> plan_of(std::unique_ptr<Source> source,
+                                 const ImportRequest& request,
+                                 const UnclearVelocity& unclear) {
+    const SourceDescription& description = source->description();
+    auto times = times_of(description, request.taken);
+    if (!times)
+        return tl::unexpected(times.error());
+    if (auto sound = check_times(times->values); !sound)
+        return core::fail(sound.error().code, description.name + ": " + sound.error().message,
+                          sound.error().hint);
+    auto steps = select_times(times->values, request.times);
+    if (!steps)
+        return tl::unexpected(steps.error());
+    auto files = files_of(*source, *steps);
+    if (!files)
+        return tl::unexpected(files.error());
+    ImportPlan plan;
+    plan.steps = std::move(*steps);
+    plan.made_from = std::move(*files);
+    plan.made_from.selection = request.selection;
+    plan.precision = request.precision;
+    plan.placement = request.placement;
+    plan.jobs = request.jobs;
+    plan.memory = request.memory;
+    for (const std::size_t step : plan.steps)
+        plan.times.push_back(times->values[step]);
+    plan.time_note = std::move(times->note);
+    plan.source = std::move(source);
+    FieldWish wish{request.fields, request.taken.velocity};
+    do {
+        const auto& fields = plan.source->description().fields;
+        auto choice = choose_fields(fields, wish);
+        if (!choice && unclear && !choose_velocity(fields, wish.velocity))
+            unclear(velocity_candidates(fields));
+        if (!choice)
+            return core::fail(choice.error().code,
+                              plan.step_name(0) + ": " + choice.error().message,
+                              choice.error().hint);
+        plan.choice = std::move(*choice);
+    } while (drops_its_mask(plan, wish));
+    progress_marks().surveyed = true;
+    return plan;
+}
+
+Error about_step(const ImportPlan& plan, std::size_t index, Error error) {
+    error.message = plan.step_name(index) + " " + error.message;
+    return error;
+}
+
+} // namespace wakesurf::importer

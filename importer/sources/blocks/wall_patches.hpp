@@ -1,0 +1,29 @@
+// Surfaces for walls and solids: which flat parts of a source are walls, and what solid blocks look like.
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/dataset/dataset_info.hpp"
+
+#include <vtkDataSet.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <string>
+#include <vector>
+
+namespace wakesurf::importer {
+
+/// Whether the last part of a patch's path ("boundary/lowerWall") holds "wall", in any case.
+bool is_named_wall(const std::string& patch);
+
+/// Whether there is a 3-component one among `fields`, the data set has it, and each of these is exactly zero everywhere.
+bool is_still(vtkDataSet& patch, const std::vector<core::FieldInfo>& fields);
+
+/// The patch as polygons with its points as they are; data arrays are left out. Error: Corrupt (nodes that are not
+/// there), naming `file`.
+core::Result<vtkSmartPointer<vtkPolyData>> surface_of(vtkDataSet& patch, const std::string& file);
+
+/// The outside of a checked block of cells.
+vtkSmartPointer<vtkPolyData> boundary_of(vtkDataSet& block);
+
+} // namespace wakesurf::importer

@@ -1,0 +1,69 @@
+// A CGNS file as the CGNS library opens it.
+#pragma once
+
+#include "core/base/result.hpp"
+
+#include <vtk_cgns.h>
+// clang-format off
+#include VTK_CGNS(cgnslib.h)
+// clang-format on
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace wakesurf::importer {
+
+/// CGNS names have 32 characters.
+using CgnsName = std::array<char, 34>;
+
+class CgnsFile {
+  public:
+    explicit CgnsFile(const std::filesystem::path& path)
+        : sound_(cg_open(path.c_str(), CG_MODE_READ, &id_) == CG_OK) {}
+
+    ~CgnsFile() {
+        if (sound_)
+            cg_close(id_);
+    }
+
+    CgnsFile(const CgnsFile&) = delete;
+    CgnsFile& operator=(const CgnsFile&) = delete;
+
+    bool sound() const { return sound_; }
+
+    int id() const { return id_; }
+
+  private:
+    int id_ = 0;
+    bool sound_ = false;
+};
+
+/// To be told directly after a call of the CGNS library that failed.
+inline tl::unexpected<core::Error> cgns_damage(const std::string& file) {
+    return core::fail(core::Error::Code::Corrupt,
+                      file + " is damaged or not what it says it is (CGNS: " + cg_get_error() +
+                          ")");
+}
+
+/// A zone as the file numbers it.
+struct CgnsZone {
+    std::string name; ///< of the file
+    int file = 0;
+    int base = 0;
+    int zone = 0;
+    bool structured = false;
+    std::array<cgsize_t, 9> size{}; ///< nodes, then cells, along each axis; or nodes and cells
+};
+
+constexpr std::array<cgsize_t, 3> cgns_first{1, 1, 1};
+
+/// Elements in space, of any order; no faces, edges or points. REQUIRES: none of MIXED, NGON_n, NFACE_n.
+inline bool is_volume(CGNS_ENUMT(ElementType_t) type) {
+    const std::string_view name = cg_ElementTypeName(type);
+    return name.starts_with("TETRA") || name.starts_with("PYRA") || name.starts_with("PENTA") ||
+           name.starts_with("HEXA");
+}
+
+} // namespace wakesurf::importer

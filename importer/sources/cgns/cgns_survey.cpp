@@ -1,0 +1,232 @@
+#include "importer/sources/cgns/cgns_survey.hpp"
+
+#include "importer/base/process_memory.hpp"
+#include "importer/base/progress_marks.hpp"
+#include "importer/sources/cgns/cgns_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+
+namespace wakesurf::importer {
+
+using core::Error;
+
+namespace {
+
+class Survey {
+  public:
+    Survey(const ListedFile& file, int id) : name_(file.name), id_(id) {}
+
+    core::Result<CgnsSurvey> run() {
+        int bases = 0;
+        if (cg_nbases(id_, &bases) != CG_OK)
+            return damaged();
+        bool solid = false;
+        for (int base = 1; base <= bases; ++base) {
+            CgnsName name{};
+            int cells = 0;
+            int space = 0;
+            if (cg_base_read(id_, base, name.data(), &cells, &space) != CG_OK)
+                return damaged();
+            solid = solid || cells == 3;
+            if (cells != 3)
+                continue;
+            if (auto looked = look_at_base(base); !looked)
+                return tl::unexpected(looked.error());
+        }
+        if (!solid)
+            return core::fail(Error::Code::Unsupported,
+                              name_ + " is not three-dimensional: no base has cells in space",
+                              "extrude it by two cells or more first");
+        auto units = read_cgns_units(id_, name_);
+        if (!units)
+            return tl::unexpected(units.error());
+        out_.units = std::move(*units);
+        return std::move(out_);
+    }
+
+  private:
+    tl::unexpected<Error> damaged() const { return cgns_damage(name_); }
+
+    core::Result<void> look_at_base(int base) {
+        CgnsName name{};
+        int steps = 0;
+        const int status = cg_biter_read(id_, base, name.data(), &steps);
+        if (status != CG_OK && status != CG_NODE_NOT_FOUND)
+            return damaged();
+        if (status == CG_OK) {
+            auto times = read_times(base, steps);
+            if (!times)
+                return tl::unexpected(times.error());
+            if (!out_.times.empty() && *times != out_.times)
+                return core::fail(Error::Code::Unsupported,
+                                  name_ + " has bases with different times");
+            out_.times = std::move(*times);
+        }
+        int zones = 0;
+        if (cg_nzones(id_, base, &zones) != CG_OK)
+            return damaged();
+        for (int zone = 1; zone <= zones; ++zone)
+            if (auto looked = look_at_zone(base, zone, status == CG_OK ? steps : 0); !looked)
+                return looked;
+        return {};
+    }
+
+    core::Result<std::vector<double>> read_times(int base, int steps) {
+        int arrays = 0;
+        if (steps < 0 || cg_goto(id_, base, "BaseIterativeData_t", 1, "end") != CG_OK ||
+            cg_narrays(&arrays) != CG_OK)
+            return damaged();
+        for (int i = 1; i <= arrays; ++i) {
+            CgnsName name{};
+            CGNS_ENUMT(DataType_t) type{};
+            int rank = 0;
+            std::array<cgsize_t, 12> size{};
+            if (cg_array_info(i, name.data(), &type, &rank, size.data()) != CG_OK)
+                return damaged();
+            if (std::string(name.data()) != "TimeValues")
+                continue;
+            if (rank != 1 || size[0] != steps)
+                return core::fail(Error::Code::Corrupt, name_ + " has " + std::to_string(size[0]) +
+                                                            " times for " + std::to_string(steps) +
+                                                            " time-steps");
+            std::vector<double> times(static_cast<std::size_t>(steps));
+            if (cg_array_read_as(i, CGNS_ENUMV(RealDouble), times.data()) != CG_OK)
+                return damaged();
+            if (!std::all_of(times.begin(), times.end(), [](double t) { return std::isfinite(t); }))
+                return core::fail(Error::Code::Corrupt, name_ + " has a time that is not finite");
+            return times;
+        }
+        return std::vector<double>();
+    }
+
+    core::Result<void> look_at_zone(int base, int zone, int steps) {
+        const auto pointers = solution_pointers(base, zone);
+        if (!pointers)
+            return tl::unexpected(pointers.error());
+        if (*pointers >= 0 && *pointers != steps)
+            return core::fail(Error::Code::Corrupt, name_ + " names " + std::to_string(*pointers) +
+                                                        " solutions for " + std::to_string(steps) +
+                                                        " time-steps");
+        int solutions = 0;
+        if (cg_nsols(id_, base, zone, &solutions) != CG_OK)
+            return damaged();
+        if (auto looked = look_at_mesh(base, zone); !looked)
+            return looked;
+        if (*pointers >= 0)
+            return {};
+        std::map<int, std::string> at;
+        for (int i = 1; i <= solutions; ++i) {
+            CgnsName name{};
+            CGNS_ENUMT(GridLocation_t) location{};
+            if (cg_sol_info(id_, base, zone, i, name.data(), &location) != CG_OK)
+                return damaged();
+            int fields = 0;
+            if (cg_nfields(id_, base, zone, i, &fields) != CG_OK)
+                return damaged();
+            if (fields == 0)
+                continue;
+            const auto [other, added] = at.emplace(static_cast<int>(location), name.data());
+            if (!added)
+                return core::fail(Error::Code::Unsupported,
+                                  name_ + " has several solutions at one place, " + other->second +
+                                      " and " + name.data() + ", without saying when",
+                                  "write FlowSolutionPointers for them, or one solution per file");
+        }
+        return {};
+    }
+
+    // VTK's reader takes for cells what has a number up to their count, and counts on them to begin with 1.
+    core::Result<void> look_at_mesh(int base, int zone) {
+        CgnsName name{};
+        CGNS_ENUMT(ZoneType_t) type{};
+        std::array<cgsize_t, 9> size{};
+        int sections = 0;
+        if (cg_zone_type(id_, base, zone, &type) != CG_OK ||
+            cg_zone_read(id_, base, zone, name.data(), size.data()) != CG_OK)
+            return damaged();
+        const bool structured = type == CGNS_ENUMV(Structured);
+        std::uint64_t nodes = 1;
+        for (std::size_t i = 0; i < (structured ? 3 : 1); ++i) {
+            if (size[i] < 0)
+                return core::fail(Error::Code::Corrupt, name_ + " has a zone of negative size");
+            nodes *= static_cast<std::uint64_t>(size[i]);
+            if (auto fits = check_claim(name_, nodes, 3 * sizeof(double)); !fits)
+                return fits;
+        }
+        if (structured)
+            return {};
+        if (cg_nsections(id_, base, zone, &sections) != CG_OK)
+            return damaged();
+        for (int i = 1; i <= sections; ++i) {
+            CGNS_ENUMT(ElementType_t) element{};
+            std::array<cgsize_t, 2> range{};
+            int boundary = 0;
+            int parents = 0;
+            if (cg_section_read(id_, base, zone, i, name.data(), &element, &range[0], &range[1],
+                                &boundary, &parents) != CG_OK)
+                return damaged();
+            const auto elements =
+                static_cast<std::uint64_t>(range[1]) - static_cast<std::uint64_t>(range[0]);
+            if (auto fits = check_claim(name_, elements, sizeof(cgsize_t)); !fits)
+                return fits;
+            if (element == CGNS_ENUMV(NGON_n) || element == CGNS_ENUMV(NFACE_n))
+                return {};
+            if (element == CGNS_ENUMV(MIXED)) {
+                std::array<cgsize_t, 256> first{};
+                std::array<cgsize_t, 2> offsets{};
+                if (cg_poly_elements_partial_read(id_, base, zone, i, range[0], range[0],
+                                                  first.data(), offsets.data(), nullptr) != CG_OK)
+                    return damaged();
+                element = static_cast<CGNS_ENUMT(ElementType_t)>(first[0]);
+            }
+            const cgsize_t cells = size[1];
+            out_.cells_have_other_numbers =
+                out_.cells_have_other_numbers ||
+                (is_volume(element) ? range[1] > cells : range[0] <= cells);
+        }
+        return {};
+    }
+
+    // How many solutions the zone's FlowSolutionPointers name; -1 where it has none.
+    core::Result<int> solution_pointers(int base, int zone) {
+        CgnsName name{};
+        const int status = cg_ziter_read(id_, base, zone, name.data());
+        if (status == CG_NODE_NOT_FOUND)
+            return -1;
+        int arrays = 0;
+        if (status != CG_OK ||
+            cg_goto(id_, base, "Zone_t", zone, "ZoneIterativeData_t", 1, "end") != CG_OK ||
+            cg_narrays(&arrays) != CG_OK)
+            return damaged();
+        for (int i = 1; i <= arrays; ++i) {
+            CGNS_ENUMT(DataType_t) type{};
+            int rank = 0;
+            std::array<cgsize_t, 12> size{};
+            if (cg_array_info(i, name.data(), &type, &rank, size.data()) != CG_OK)
+                return damaged();
+            if (std::string(name.data()) == "FlowSolutionPointers")
+                return rank == 2 ? static_cast<int>(size[1]) : 0;
+        }
+        return -1;
+    }
+
+    std::string name_;
+    int id_ = 0;
+    CgnsSurvey out_;
+};
+
+} // namespace
+
+core::Result<CgnsSurvey> survey_cgns(const ListedFile& file) {
+    made_progress();
+    const CgnsFile opened(file.path);
+    if (!opened.sound())
+        return core::fail(Error::Code::Corrupt, file.name + " is damaged or not what it says it is "
+                                                            "(the CGNS library cannot open it)");
+    return Survey(file, opened.id()).run();
+}
+
+} // namespace wakesurf::importer

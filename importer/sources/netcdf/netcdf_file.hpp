@@ -1,0 +1,73 @@
+// A NetCDF file (classic, 64-bit, NetCDF-4) read with the netCDF library itself: VTK's reader turns packed fill values
+// into velocities. Packing and missing values as in the CF conventions 1.8, sections 2.5.1 and 8.1.
+#pragma once
+
+#include "importer/sources/series/file_series.hpp"
+
+#include <netcdf.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace wakesurf::importer {
+
+struct NetcdfDimension {
+    std::string name;
+    std::size_t length = 0;
+};
+
+struct NetcdfVariable {
+    int id = 0;
+    std::string name;
+    nc_type type = NC_NAT;
+    std::vector<int> dimensions; ///< indices, slowest first
+};
+
+/// Not thread-safe. All errors name the file.
+class NetcdfFile {
+  public:
+    /// Error: Io, Corrupt (not NetCDF, cut off).
+    static core::Result<NetcdfFile> open(const ListedFile& file);
+
+    const std::vector<NetcdfDimension>& dimensions() const { return dimensions_; }
+
+    const std::vector<NetcdfVariable>& variables() const { return variables_; }
+
+    const NetcdfVariable* variable(const std::string& name) const;
+
+    const std::string& name() const { return name_; }
+
+    /// "" where there is none, or it is no text.
+    std::string text(const NetcdfVariable& variable, const char* attribute) const;
+
+    /// Empty where there is none, or it is text.
+    std::vector<double> numbers(const NetcdfVariable& variable, const char* attribute) const;
+
+    /// `count` values from `start` along each dimension, unpacked; NaN for fill values, missing values and those outside
+    /// the valid range. Error: Corrupt, OverLimit (memory).
+    core::Result<std::vector<double>> read(const NetcdfVariable& variable,
+                                           const std::vector<std::size_t>& start,
+                                           const std::vector<std::size_t>& count) const;
+
+    /// All of a variable.
+    core::Result<std::vector<double>> read(const NetcdfVariable& variable) const;
+
+  private:
+    struct Closer {
+        void operator()(const int* id) const {
+            nc_close(*id);
+            delete id;
+        }
+    };
+
+    core::Result<void> list();
+
+    std::string name_;
+    std::unique_ptr<int, Closer> id_;
+    std::vector<NetcdfDimension> dimensions_;
+    std::vector<NetcdfVariable> variables_;
+};
+
+} // namespace wakesurf::importer

@@ -1,0 +1,187 @@
+#include "importer/sources/netcdf/netcdf_units.hpp"
+
+#include "importer/fields/physical_units.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <string_view>
+
+namespace wakesurf::importer {
+
+using core::Error;
+
+namespace {
+
+void add_words(std::string& note, const std::string& words) {
+    if (!words.empty())
+        note += (note.empty() ? "" : "; ") + words;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+    std::string out;
+    for (const auto& name : names)
+        out += (out.empty() ? "" : ", ") + name;
+    return out;
+}
+
+// Calendars that count days as everybody does; a model year of 360 or 365 days has other dates.
+bool is_usual_calendar(const std::string& calendar) {
+    constexpr std::array<std::string_view, 4> usual{"", "standard", "gregorian",
+                                                    "proleptic_gregorian"};
+    return std::find(usual.begin(), usual.end(), calendar) != usual.end();
+}
+
+core::Result<double> shift_of(const NetcdfFile& file,
+                              const NetcdfVariable& time,
+                              const std::string& first,
+                              const std::string& here) {
+    if (first.empty() || first == here)
+        return 0.0;
+    const std::string calendar = file.text(time, "calendar");
+    if (const auto seconds = seconds_between(first, here); seconds && is_usual_calendar(calendar))
+        return *seconds;
+    return core::fail(Error::Code::Unsupported,
+                      file.name() + " counts its times since " + here + ", the first file since " +
+                          first + (calendar.empty() ? "" : ", in the calendar " + calendar),
+                      "write all files with one reference time");
+}
+
+using Groups = std::map<std::string, std::vector<std::string>>; ///< names by the unit they state
+
+void note_converted(std::string& note, const Groups& groups, const std::string& to) {
+    for (const auto& [from, names] : groups)
+        add_words(note, listed(names) + (names.size() == 1 ? " was" : " were") +
+                            " converted from " + from + " to " + to);
+}
+
+void note_kept(std::string& note, const Groups& groups, const std::string& as) {
+    for (const auto& [unit, names] : groups)
+        add_words(note, listed(names) +
+                            (unit.empty()
+                                 ? std::string(names.size() == 1 ? " has" : " have") + " no unit: "
+                                 : (names.size() == 1 ? " is" : " are") +
+                                       (" in '" + unit + "', which is not known: ")) +
+                            "kept, and taken as " + as);
+}
+
+} // namespace
+
+core::Result<void> convert_axes(const NetcdfFile& file, NetcdfGrid& grid) {
+    if (auto known = check_units_known(); !known)
+        return known;
+    for (auto& axis : grid.axes) {
+        const auto factor = factor_to_si(axis.units, Quantity::Length);
+        const bool angle = axis.units.starts_with("rad") || axis.units.starts_with("arc");
+        if (!factor && is_unit(axis.units) && (angle || !is_plain_number(axis.units)))
+            return core::fail(Error::Code::Unsupported,
+                              file.name() + ": " +
+                                  file.dimensions()[static_cast<std::size_t>(axis.dimension)].name +
+                                  " is in " + axis.units + ", which is not a length",
+                              "interpolate the data to a Cartesian grid in metres first");
+        axis.factor = factor.value_or(1.0);
+        for (double& node : axis.nodes)
+            node *= axis.factor;
+        if (!std::isfinite(axis.nodes.front()) || !std::isfinite(axis.nodes.back()) ||
+            std::adjacent_find(axis.nodes.begin(), axis.nodes.end(), std::greater_equal<>()) !=
+                axis.nodes.end())
+            return core::fail(Error::Code::Corrupt,
+                              file.name() + " has coordinates along " +
+                                  file.dimensions()[static_cast<std::size_t>(axis.dimension)].name +
+                                  " that are too large or too close together when they are "
+                                  "converted from " +
+                                  axis.units + " to metres");
+        axis.known = factor.has_value();
+    }
+    return {};
+}
+
+core::Result<NetcdfTimes>
+read_times(const NetcdfFile& file, const NetcdfVariable& time, const std::string& reference) {
+    auto values = file.read(time);
+    if (!values)
+        return tl::unexpected(values.error());
+    if (auto known = check_units_known(); !known)
+        return tl::unexpected(known.error());
+    const std::string text = file.text(time, "units");
+    const auto [unit, since] = split_reference(text);
+    NetcdfTimes out{std::move(*values), since, unit, {}};
+    const auto factor = factor_to_si(unit, Quantity::Time);
+    if (out.seconds.size() > 1 && varies_in_length(unit))
+        return core::fail(Error::Code::Unsupported,
+                          file.name() + " counts its times in " + unit +
+                              ", which are not all of one length",
+                          "write them in days, hours or seconds");
+    auto shift = shift_of(file, time, reference, since);
+    if (!shift)
+        return tl::unexpected(shift.error());
+    for (double& value : out.seconds)
+        value = value * factor.value_or(1.0) + *shift;
+    const std::string from = since.empty() ? "" : " since " + since;
+    if (!text.empty() && !factor)
+        out.note = "times are in '" + text + "', which is not known: kept, and taken as s";
+    else if (!text.empty() && *factor == 1.0)
+        out.note = "times are in " + text;
+    else if (factor)
+        out.note = "times were converted from " + unit + " to seconds" + from;
+    return out;
+}
+
+NetcdfUnit unit_of(const NetcdfFile& file, const NetcdfVariable& variable) {
+    const std::string text = file.text(variable, "units");
+    for (const auto quantity : {Quantity::Velocity, Quantity::Momentum, Quantity::Density})
+        if (const auto factor = factor_to_si(text, quantity))
+            return {*factor, si_unit(quantity)};
+    return {1.0, text};
+}
+
+std::string note_on_units(const NetcdfFile& file,
+                          const NetcdfGrid& grid,
+                          const std::vector<std::string>& velocity,
+                          const std::optional<std::string>& times) {
+    std::string note;
+    Groups converted;
+    Groups kept;
+    bool stated = times && factor_to_si(*times, Quantity::Time);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto& axis = grid.axes[i];
+        stated = stated || axis.known;
+        if (axis.factor != 1.0)
+            converted[axis.units].emplace_back(1, "xyz"[i]);
+        if (!axis.known)
+            kept[axis.units].emplace_back(1, "xyz"[i]);
+    }
+    Groups velocity_kept;
+    for (const auto& name : velocity) {
+        const auto* variable = file.variable(name);
+        const std::string text = variable == nullptr ? "" : file.text(*variable, "units");
+        const bool known = factor_to_si(text, Quantity::Velocity).has_value() ||
+                           factor_to_si(text, Quantity::Momentum).has_value();
+        stated = stated || known;
+        if (!known)
+            velocity_kept[text].push_back(name);
+    }
+    note_converted(note, converted, "m");
+    std::map<std::string, Groups> values;
+    for (const auto& name : grid.variables) {
+        const auto& variable = *file.variable(name);
+        if (const auto unit = unit_of(file, variable); unit.factor != 1.0)
+            values[unit.unit][file.text(variable, "units")].push_back(name);
+    }
+    for (const auto& [unit, groups] : values)
+        note_converted(note, groups, unit);
+    // Where nothing states a unit, nothing can be wrong about it: numbers without dimensions.
+    if (!stated) {
+        std::erase_if(kept, [](const auto& group) { return group.first.empty(); });
+        std::erase_if(velocity_kept, [](const auto& group) { return group.first.empty(); });
+    }
+    if (stated && times && times->empty())
+        add_words(note, "the times have no unit: kept, and taken as s");
+    note_kept(note, kept, "m");
+    note_kept(note, velocity_kept, "m s-1");
+    return note;
+}
+
+} // namespace wakesurf::importer

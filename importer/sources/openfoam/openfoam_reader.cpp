@@ -1,0 +1,243 @@
+#include "importer/sources/openfoam/openfoam_reader.hpp"
+
+#include "importer/base/process_memory.hpp"
+#include "importer/base/vtk_messages.hpp"
+#include "importer/sources/openfoam/openfoam_cells.hpp"
+#include "importer/sources/openfoam/openfoam_file.hpp"
+#include "importer/sources/openfoam/openfoam_times.hpp"
+#include "importer/sources/openfoam/openfoam_values.hpp"
+
+#include <vtkCellData.h>
+#include <vtkFloatArray.h>
+#include <vtkMultiBlockDataSet.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <new>
+#include <span>
+
+namespace wakesurf::importer {
+
+using core::Error;
+using core::FieldInfo;
+
+namespace {
+
+// Faces of a patch that states no value get one that is no number, and so none of a wall at rest.
+core::Result<void> add_array(const Leaf& leaf,
+                             const FieldInfo& field,
+                             const FoamValues& values,
+                             const std::string& file) {
+    constexpr std::array none{std::nanf("")};
+    const auto patch = values.patches.find(leaf.name());
+    const auto given = is_inside(leaf)                 ? std::span<const float>(values.inside)
+                       : patch == values.patches.end() ? std::span<const float>(none)
+                                                       : std::span<const float>(patch->second);
+    const auto wanted = static_cast<std::size_t>(leaf.data->GetNumberOfCells() * field.components);
+    const bool one_for_all = given.size() == static_cast<std::size_t>(field.components);
+    if (given.size() != wanted && !one_for_all && given.data() != none.data())
+        return core::fail(Error::Code::Corrupt,
+                          file + " has other than " +
+                              std::to_string(leaf.data->GetNumberOfCells()) + " values of " +
+                              (is_inside(leaf) ? std::string("the cells") : leaf.name()),
+                          "copy the case again");
+    const auto array = vtkSmartPointer<vtkFloatArray>::New();
+    array->SetName(field.name.c_str());
+    array->SetNumberOfComponents(field.components);
+    array->SetNumberOfTuples(leaf.data->GetNumberOfCells());
+    for (std::size_t i = 0; i < wanted; ++i)
+        array->SetValue(static_cast<vtkIdType>(i), given[i % given.size()]);
+    leaf.data->GetCellData()->AddArray(array);
+    return {};
+}
+
+} // namespace
+
+bool is_inside(const Leaf& leaf) {
+    return leaf.name() == "internalMesh";
+}
+
+std::string region_of(const Leaf& leaf) {
+    const std::size_t own_names = is_inside(leaf) ? 1 : 2;
+    const std::string region = leaf.path.size() > own_names ? leaf.path.front() : "";
+    return region == "defaultRegion" ? "" : region;
+}
+
+OpenfoamReader::OpenfoamReader(const FoamCase& found, std::string part)
+    : found_(found), part_(std::move(part)) {}
+
+// VTK passes over a field that is not there, and takes a field's name from inside the file: a copy beside it would be
+// read over it.
+core::Result<void> OpenfoamReader::check_files(const FoamTime& time,
+                                               const std::vector<FieldInfo>& fields) const {
+    for (const auto& region : found_.regions) {
+        if (!region.fluid)
+            continue;
+        const auto folder = found_.folder / found_.relative(part_, time.name, region.name, "");
+        for (const auto& field : fields) {
+            const auto file =
+                found_.file_at(found_.relative(part_, time.name, region.name, field.name));
+            const auto header = read_foam_header(file.path);
+            if (!foam_file(file.path))
+                return core::fail(Error::Code::NotFound, found_.file + " has no " + file.name,
+                                  "leave the field or the time out, or restore the file");
+            if (!header)
+                return core::fail(Error::Code::Corrupt,
+                                  file.name + " of " + found_.file + " is not an OpenFOAM file");
+            const auto bytes = sizeof(float) * static_cast<std::uint64_t>(field.components);
+            if (auto fits = check_claim(file.name, header->values, bytes); !fits)
+                return fits;
+            if (header->object != field.name)
+                return core::fail(Error::Code::Unsupported,
+                                  file.name + " of " + found_.file + " says it is the field '" +
+                                      header->object + "'",
+                                  "write `object " + field.name + ";` into its header");
+        }
+        for (const auto& name : foam_fields(folder)) {
+            const auto same = [&](const FieldInfo& field) { return field.name == name; };
+            const auto other = foam_file(folder / name);
+            if (!other || std::any_of(fields.begin(), fields.end(), same))
+                continue;
+            const auto header = read_foam_header(*other);
+            for (const auto& field : fields)
+                if (header && header->object == field.name)
+                    return core::fail(Error::Code::Unsupported,
+                                      found_.relative(part_, time.name, region.name, name) +
+                                          " of " + found_.file + " says it is the field " +
+                                          field.name + ", as the file of that name does",
+                                      "move it out of the time folder");
+        }
+    }
+    return {};
+}
+
+core::Result<void> OpenfoamReader::open(const std::string& what) {
+    for (const auto& region : found_.regions) {
+        const auto mesh =
+            std::filesystem::path(found_.mesh_file(part_, region.name, "owner")).parent_path();
+        if (auto sound = check_foam_cells(found_.folder / mesh, mesh.string()); !sound)
+            return sound;
+    }
+    const VtkMessages messages;
+    reader_ = vtkSmartPointer<vtkOpenFOAMReader>::New();
+    reader_->SetFileName((found_.folder / part_ / "case.foam").c_str()); // only its folder counts
+    reader_->CreateCellToPointOff();
+    reader_->DecomposePolyhedraOff();
+    reader_->CacheMeshOn();
+    reader_->SkipZeroTimeOff();
+    reader_->ReadZonesOff();
+    reader_->UpdateInformation();
+    if (auto clean = messages.verdict(what); !clean)
+        return clean;
+    choose_patches();
+    return {};
+}
+
+void OpenfoamReader::choose_patches() {
+    reader_->DisableAllPatchArrays();
+    reader_->DisableAllPointArrays();
+    reader_->DisableAllLagrangianArrays();
+    for (const auto& region : found_.regions) {
+        const std::string prefix = region.name.empty() ? "" : "/" + region.name + "/";
+        if (region.fluid) {
+            reader_->SetPatchArrayStatus((prefix + "internalMesh").c_str(), 1);
+            for (const auto& wall : region.walls)
+                reader_->SetPatchArrayStatus((prefix + "patch/" + wall).c_str(), 1);
+            for (const auto& [cyclic, other] : region.cyclic)
+                reader_->SetPatchArrayStatus((prefix + "patch/" + cyclic).c_str(), 1);
+            continue;
+        }
+        for (int i = 0; i < reader_->GetNumberOfPatchArrays(); ++i)
+            if (const std::string name = reader_->GetPatchArrayName(i);
+                name.starts_with(prefix + "patch/") &&
+                name.find("procBoundary") == std::string::npos)
+                reader_->SetPatchArrayStatus(name.c_str(), 1);
+    }
+}
+
+// Does VTK's reader stop at it?
+bool OpenfoamReader::names_units(const FoamTime& time,
+                                 const FoamRegion& region,
+                                 const std::string& field) const {
+    const auto header = read_foam_header(
+        found_.file_at(found_.relative(part_, time.name, region.name, field)).path);
+    return header && header->names_units;
+}
+
+// What VTK meets first at a later time it would read unasked, unless it is known as not wanted.
+void OpenfoamReader::choose_fields(const FoamTime& time, const std::vector<FieldInfo>& fields) {
+    for (const auto& region : found_.regions)
+        for (const auto& name :
+             foam_fields(found_.folder / found_.relative(part_, time.name, region.name, ""))) {
+            const bool wanted =
+                std::any_of(fields.begin(), fields.end(),
+                            [&](const FieldInfo& field) { return field.name == name; }) &&
+                !names_units(time, region, name);
+            reader_->SetPointArrayStatus(name.c_str(), 0);
+            if ((reader_->GetCellArrayStatus(name.c_str()) != 0) != wanted || !wanted)
+                reader_->SetCellArrayStatus(name.c_str(), wanted ? 1 : 0);
+        }
+}
+
+core::Result<void> OpenfoamReader::add_values(const FoamTime& time,
+                                              const std::vector<FieldInfo>& fields,
+                                              std::vector<Leaf>& leaves) const {
+    for (const auto& region : found_.regions)
+        for (const auto& field : fields) {
+            if (!region.fluid || !names_units(time, region, field.name))
+                continue;
+            const auto file =
+                found_.file_at(found_.relative(part_, time.name, region.name, field.name));
+            const std::string name = file.name + " of " + found_.file;
+            const auto values = read_foam_values(file.path, name, field.components);
+            if (!values)
+                return tl::unexpected(values.error());
+            for (auto& leaf : leaves)
+                if (region_of(leaf) == region.name)
+                    if (auto added = add_array(leaf, field, *values, name); !added)
+                        return added;
+        }
+    return {};
+}
+
+core::Result<std::vector<Leaf>> OpenfoamReader::read(const FoamTime& time,
+                                                     const std::vector<FieldInfo>& fields) {
+    const std::string what =
+        "time-step " + time.name + " of " + found_.file + (part_.empty() ? "" : " (" + part_ + ")");
+    if (auto there = check_files(time, fields); !there)
+        return tl::unexpected(there.error());
+    const auto give_up = [&](Error error) {
+        reader_ = nullptr; // or it would go on with half a mesh
+        const std::string folder = (found_.folder / "").string();
+        for (auto at = error.message.find(folder); at != std::string::npos;
+             at = error.message.find(folder))
+            error.message.erase(at, folder.size());
+        return tl::unexpected(std::move(error));
+    };
+    try {
+        if (reader_ == nullptr)
+            if (auto opened = open(what); !opened)
+                return give_up(opened.error());
+        choose_fields(time, fields);
+        const VtkMessages messages;
+        reader_->UpdateTimeStep(time.value); // SetTimeValue and Update give the first one again
+        if (auto clean = messages.verdict(what); !clean)
+            return give_up(clean.error());
+        if (reader_->GetTimeValue() != time.value)
+            return give_up({Error::Code::NotFound, what + " is not there any more", {}});
+        auto leaves = leaves_of(reader_->GetOutput());
+        for (auto& leaf : leaves) {
+            auto copy = vtkSmartPointer<vtkDataSet>::Take(leaf.data->NewInstance());
+            copy->ShallowCopy(leaf.data);
+            leaf.data = copy;
+        }
+        if (auto added = add_values(time, fields, leaves); !added)
+            return give_up(added.error());
+        return leaves;
+    } catch (const std::bad_alloc&) {
+        return give_up({Error::Code::OverLimit, "there is not enough memory to read " + what, {}});
+    }
+}
+
+} // namespace wakesurf::importer

@@ -1,0 +1,48 @@
+// One folder of an OpenFOAM case that holds a mesh, read by VTK, one time-step at a time. Fields whose dimensions name units are read
+// beside it (openfoam_values.hpp).
+#pragma once
+
+#include "importer/base/source.hpp"
+#include "importer/sources/blocks/vtk_fields.hpp"
+#include "importer/sources/openfoam/openfoam_case.hpp"
+
+#include <vtkOpenFOAMReader.h>
+
+namespace wakesurf::importer {
+
+/// Cells, not faces of a patch?
+bool is_inside(const Leaf& leaf);
+
+/// Its name as in FoamRegion.
+std::string region_of(const Leaf& leaf);
+
+/// Not thread-safe. Keeps the mesh between time-steps.
+class OpenfoamReader {
+  public:
+    /// `found` must outlive it.
+    OpenfoamReader(const FoamCase& found, std::string part);
+
+    /// What VTK returns, copied shallowly, so that reading on does not change it: paths end in "internalMesh", or in
+    /// "boundary" and a patch's name, behind the region's where it has one. After an error nothing is kept.
+    /// Error: NotFound, Corrupt, OverLimit, Unsupported (two files of one name).
+    core::Result<std::vector<Leaf>> read(const FoamTime& time,
+                                         const std::vector<core::FieldInfo>& fields);
+
+  private:
+    core::Result<void> check_files(const FoamTime& time,
+                                   const std::vector<core::FieldInfo>& fields) const;
+    core::Result<void> open(const std::string& what);
+    void choose_patches();
+    bool
+    names_units(const FoamTime& time, const FoamRegion& region, const std::string& field) const;
+    core::Result<void> add_values(const FoamTime& time,
+                                  const std::vector<core::FieldInfo>& fields,
+                                  std::vector<Leaf>& leaves) const;
+    void choose_fields(const FoamTime& time, const std::vector<core::FieldInfo>& fields);
+
+    const FoamCase& found_;
+    std::string part_;
+    vtkSmartPointer<vtkOpenFOAMReader> reader_;
+};
+
+} // namespace wakesurf::importer

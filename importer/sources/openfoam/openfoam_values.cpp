@@ -1,0 +1,220 @@
+#include "importer/sources/openfoam/openfoam_values.hpp"
+
+#include "importer/sources/openfoam/openfoam_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstring>
+#include <limits>
+#include <optional>
+#include <string_view>
+
+namespace wakesurf::importer {
+
+using core::Error;
+
+namespace {
+
+constexpr std::string_view blanks = " \t\r\n";
+
+/// Reads a dictionary from its beginning to its end. Nothing, or false, means: damaged.
+class FoamDictionary {
+  public:
+    FoamDictionary(std::string_view text, int components)
+        : text_(text), components_(static_cast<std::size_t>(components)) {}
+
+    std::optional<FoamValues> read() {
+        while (pass_blanks(), at_ < text_.size()) {
+            const char c = text_[at_];
+            if (c == '{' || c == '}' || c == ';') {
+                if (c == '}' && path_.empty())
+                    return std::nullopt;
+                if (c == '{')
+                    path_.push_back(key_);
+                if (c == '}')
+                    path_.pop_back();
+                key_.clear();
+                ++at_;
+            } else if (!take_word()) {
+                return std::nullopt;
+            }
+        }
+        return path_.empty() && !out_.inside.empty() ? std::optional(std::move(out_))
+                                                     : std::nullopt;
+    }
+
+    bool of_other_machine() const { return of_other_machine_; }
+
+  private:
+    void pass_blanks() {
+        for (std::size_t end = 0; at_ < text_.size(); at_ = std::min(end, text_.size())) {
+            if (text_.compare(at_, 2, "//") == 0)
+                end = text_.find('\n', at_);
+            else if (text_.compare(at_, 2, "/*") == 0)
+                end = std::min(text_.find("*/", at_), text_.size() - 2) + 2;
+            else if (blanks.find(text_[at_]) != std::string_view::npos || text_[at_] == '"')
+                end = at_ + 1;
+            else
+                return;
+        }
+    }
+
+    std::string_view word() {
+        pass_blanks();
+        const auto end = std::min(text_.find_first_of(" \t\r\n(){};\"", at_), text_.size());
+        const auto out = text_.substr(at_, end - at_);
+        at_ = end;
+        return out;
+    }
+
+    bool take_word() {
+        const auto here = word();
+        if (here.empty()) {
+            ++at_; // a bracket of a list that nobody asks for
+            return true;
+        }
+        if (here == "nonuniform")
+            return take_list();
+        if (here == "uniform" && values() != nullptr)
+            return take_numbers(1, components_, *values());
+        if (path_.size() == 1 && path_[0] == "FoamFile")
+            take_header(here);
+        if (key_.empty())
+            key_ = here;
+        else if (key_ == "type" && here == "noSlip" && in_patch())
+            out_.patches[path_[1]].assign(components_, 0.0F);
+        return true;
+    }
+
+    // Words of `format binary; arch "LSB;label=32;scalar=64";`.
+    void take_header(std::string_view word) {
+        binary_ = binary_ || (key_ == "format" && word == "binary");
+        of_other_machine_ = of_other_machine_ || word == "MSB";
+        if (word == "scalar=32")
+            scalar_bytes_ = 4;
+        if (word == "label=64")
+            label_bytes_ = 8;
+    }
+
+    bool in_patch() const { return path_.size() == 2 && path_[0] == "boundaryField"; }
+
+    // Where the values of this entry go to; null: nobody asks for them.
+    std::vector<float>* values() {
+        if (path_.empty() && key_ == "internalField")
+            return &out_.inside;
+        return in_patch() && key_ == "value" ? &out_.patches[path_[1]] : nullptr;
+    }
+
+    // "List<vector> 12 ( ... )", "List<vector> 12{(0 0 0)}", "List<vector> 0;", "0()".
+    bool take_list() {
+        pass_blanks();
+        const auto type = text_.compare(at_, 5, "List<") == 0 ? word() : std::string_view();
+        const auto number = word();
+        std::size_t count = 0;
+        const char* const end = number.data() + number.size();
+        if (number.empty() || std::from_chars(number.data(), end, count).ptr != end)
+            return false;
+        pass_blanks();
+        const char opens = at_ < text_.size() ? text_[at_] : ';';
+        if (opens == ';')
+            return count == 0;
+        ++at_;
+        const std::size_t numbers = numbers_in(type);
+        std::vector<float> ignored;
+        auto* const wanted = values();
+        if (wanted != nullptr && count > 0 && numbers != components_)
+            return false;
+        auto& out = wanted != nullptr ? *wanted : ignored;
+        if (opens == '{')
+            return take_numbers(1, numbers, out) && closes('}');
+        return (binary_ ? take_bytes(count, numbers, type == "List<label>", out)
+                        : take_numbers(count, numbers, out)) &&
+               closes(')');
+    }
+
+    static std::size_t numbers_in(std::string_view type) {
+        return type == "List<vector>"       ? 3
+               : type == "List<tensor>"     ? 9
+               : type == "List<symmTensor>" ? 6
+                                            : 1;
+    }
+
+    bool closes(char bracket) {
+        pass_blanks();
+        return at_ < text_.size() && text_[at_++] == bracket;
+    }
+
+    // Each of `count` stands in brackets where it has several numbers.
+    bool take_numbers(std::size_t count, std::size_t numbers, std::vector<float>& out) {
+        out.clear();
+        for (std::size_t i = 0; i < count; ++i) {
+            if (numbers > 1 && !closes('('))
+                return false;
+            for (std::size_t n = 0; n < numbers; ++n) {
+                pass_blanks();
+                double number = 0.0;
+                const char* const begin = text_.data() + at_;
+                const auto [end, error] =
+                    std::from_chars(begin, text_.data() + text_.size(), number);
+                if (error == std::errc::invalid_argument)
+                    return false;
+                at_ += static_cast<std::size_t>(end - begin);
+                out.push_back(static_cast<float>(number));
+            }
+            if (numbers > 1 && !closes(')'))
+                return false;
+        }
+        return true;
+    }
+
+    bool take_bytes(std::size_t count, std::size_t numbers, bool labels, std::vector<float>& out) {
+        const std::size_t each = labels ? label_bytes_ : scalar_bytes_;
+        if (count > (text_.size() - at_) / (numbers * each))
+            return false;
+        const std::size_t bytes = count * numbers * each;
+        out.resize(labels ? 0 : count * numbers);
+        const char* const begin = text_.data() + at_;
+        if (each == 4 && !labels && !out.empty())
+            std::memcpy(out.data(), begin, bytes);
+        for (std::size_t i = 0; each == 8 && i < out.size(); ++i) {
+            double number = 0.0;
+            std::memcpy(&number, begin + i * each, each);
+            out[i] = static_cast<float>(number);
+        }
+        at_ += bytes;
+        return true;
+    }
+
+    std::string_view text_;
+    std::size_t components_;
+    std::size_t at_ = 0;
+    std::vector<std::string> path_; ///< of the dictionaries that this place is in
+    std::string key_;               ///< the first word of this entry
+    bool binary_ = false;
+    bool of_other_machine_ = false;
+    std::size_t scalar_bytes_ = 8;
+    std::size_t label_bytes_ = 4;
+    FoamValues out_;
+};
+
+} // namespace
+
+core::Result<FoamValues>
+read_foam_values(const std::filesystem::path& file, const std::string& name, int components) {
+    const auto text = foam_content(file, std::numeric_limits<std::size_t>::max());
+    FoamDictionary dictionary(text ? std::string_view(*text) : std::string_view(), components);
+    auto values = dictionary.read();
+    if (dictionary.of_other_machine())
+        return core::fail(Error::Code::Unsupported,
+                          name + " is binary, of a machine with the other order of bytes",
+                          "write it as text: foamFormatConvert");
+    if (!values)
+        return core::fail(Error::Code::Corrupt,
+                          name + " ends too early or is no field of " + std::to_string(components) +
+                              " number" + (components == 1 ? "" : "s") + " a cell",
+                          "copy it again");
+    return std::move(*values);
+}
+
+} // namespace wakesurf::importer

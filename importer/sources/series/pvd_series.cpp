@@ -1,0 +1,167 @@
+#include "importer/sources/series/pvd_series.hpp"
+
+#include "importer/base/vtk_messages.hpp"
+#include "importer/sources/files/bounded_xml.hpp"
+#include "importer/sources/files/file_names.hpp"
+#include "importer/sources/files/named_path.hpp"
+#include "importer/sources/files/xml_attribute.hpp"
+#include "importer/sources/series/series_times.hpp"
+
+#include <vtkSmartPointer.h>
+#include <vtkXMLDataElement.h>
+
+#include <algorithm>
+#include <cstring>
+#include <fstream>
+#include <string_view>
+
+namespace wakesurf::importer {
+
+using core::Error;
+
+namespace {
+
+struct DataSetElement {
+    ListedFile file;
+    std::optional<double> time;
+    std::string part;      ///< what tells it from other parts of its time-step
+    std::size_t place = 0; ///< in the file
+};
+
+core::Result<DataSetElement> read_element(vtkXMLDataElement& element,
+                                          const std::filesystem::path& folder,
+                                          const std::string& pvd) {
+    const std::string file = xml_attribute(element, "file");
+    if (file.empty())
+        return core::fail(Error::Code::Corrupt, pvd + " has a DataSet without a file");
+    const auto path = named_path(folder, file, pvd);
+    if (!path)
+        return tl::unexpected(path.error());
+    DataSetElement out{{*path, told_name(file), xml_attribute(element, "name")}, std::nullopt, {}};
+    out.part = xml_attribute(element, "group") + '\n' + xml_attribute(element, "part") + '\n' +
+               xml_attribute(element, "name");
+    if (element.GetAttribute("timestep") == nullptr)
+        return out;
+    const std::string time = xml_attribute(element, "timestep");
+    out.time = finite_number(time);
+    if (!out.time)
+        return core::fail(Error::Code::Corrupt, pvd + " gives " + told_name(file) + " the time '" +
+                                                    time + "', which is not a finite number");
+    return out;
+}
+
+core::Result<std::vector<DataSetElement>> read_elements(const std::filesystem::path& file) {
+    const std::string name = file.filename().string();
+    const VtkMessages messages;
+    std::ifstream in(file, std::ios::binary);
+    const auto parsed = parse_xml(in, name);
+    if (!parsed)
+        return tl::unexpected(parsed.error());
+    vtkXMLDataElement* const root = (*parsed)->GetRootElement();
+    if (auto clean = messages.verdict(name); !clean)
+        return tl::unexpected(clean.error());
+    auto* collection = root ? root->FindNestedElementWithName("Collection") : nullptr;
+    if (collection == nullptr)
+        return core::fail(Error::Code::Corrupt, name + " is not a .pvd: it has no Collection");
+    std::vector<DataSetElement> out;
+    for (int i = 0; i < collection->GetNumberOfNestedElements(); ++i) {
+        auto* nested = collection->GetNestedElement(i);
+        if (std::strcmp(nested->GetName(), "DataSet") != 0)
+            continue;
+        auto element = read_element(*nested, file.parent_path(), name);
+        if (!element)
+            return tl::unexpected(element.error());
+        element->place = out.size();
+        out.push_back(std::move(*element));
+    }
+    if (out.empty())
+        return core::fail(Error::Code::Corrupt, name + " names no files");
+    return out;
+}
+
+core::Result<void> sort_by_time(std::vector<DataSetElement>& elements, const std::string& pvd) {
+    const auto timed = std::count_if(elements.begin(), elements.end(),
+                                     [](const auto& e) { return e.time.has_value(); });
+    if (timed == 0)
+        return {};
+    if (static_cast<std::size_t>(timed) != elements.size())
+        return core::fail(Error::Code::Corrupt, pvd + " gives only some of its files a time");
+    std::stable_sort(elements.begin(), elements.end(),
+                     [](const auto& a, const auto& b) { return *a.time < *b.time; });
+    return {};
+}
+
+using Group = std::vector<DataSetElement>;
+
+// Files for one part of one time, next to each other at every time and as many of them each, are parts without a number: a
+// restart would have written the times one after the other.
+bool are_parts_without_numbers(const std::vector<Group>& times) {
+    return std::all_of(times.begin(), times.end(), [&](const Group& group) {
+        return group.size() > 1 && group.size() == times.front().size() &&
+               std::adjacent_find(group.begin(), group.end(), [](const auto& a, const auto& b) {
+                   return a.part != b.part || a.place + 1 != b.place || a.file.path == b.file.path;
+               }) == group.end();
+    });
+}
+
+// Of a part that is named twice for one time, as after a restart, the last.
+SeriesEntry entry_of(Group& group, std::vector<std::string>& left_out) {
+    SeriesEntry out{{}, group.front().time, {}};
+    std::vector<std::string> parts;
+    for (auto& element : group) {
+        const auto same = std::find(parts.begin(), parts.end(), element.part);
+        if (same == parts.end()) {
+            parts.push_back(element.part);
+            out.parts.push_back(std::move(element.file));
+            continue;
+        }
+        auto& before = out.parts[static_cast<std::size_t>(same - parts.begin())];
+        left_out.push_back(before.name);
+        before = std::move(element.file);
+    }
+    return out;
+}
+
+std::vector<Group> by_times(std::vector<DataSetElement> elements) {
+    std::vector<Group> out;
+    for (auto& element : elements) {
+        if (out.empty() || !element.time || !same_time(*out.back().front().time, *element.time))
+            out.emplace_back();
+        out.back().push_back(std::move(element));
+    }
+    return out;
+}
+
+} // namespace
+
+core::Result<FileSeries> read_pvd_series(const std::filesystem::path& file) {
+    const std::string name = file.filename().string();
+    auto elements = read_elements(file);
+    if (!elements)
+        return tl::unexpected(elements.error());
+    if (auto sorted = sort_by_time(*elements, name); !sorted)
+        return tl::unexpected(sorted.error());
+    FileSeries series{file.stem().string(), "pvd", {file}, {}};
+    auto times = by_times(std::move(*elements));
+    if (are_parts_without_numbers(times))
+        return core::fail(Error::Code::Corrupt,
+                          name + " gives " + times.front()[0].file.name + " and " +
+                              times.front()[1].file.name + " the same time, " +
+                              time_text(times.front()[0].time.value_or(0.0)),
+                          "give the parts of a time-step different part numbers");
+    for (auto& group : times)
+        series.entries.push_back(entry_of(group, series.left_out));
+    const auto odd = std::find_if(series.entries.begin(), series.entries.end(), [&](const auto& e) {
+        return e.parts.size() != series.entries.front().parts.size();
+    });
+    if (odd != series.entries.end())
+        return core::fail(Error::Code::Unsupported,
+                          name + " has " + std::to_string(odd->parts.size()) + " parts at time " +
+                              time_text(odd->time.value_or(0.0)) + " but " +
+                              std::to_string(series.entries.front().parts.size()) +
+                              " at the first time",
+                          "every time-step must have the same parts");
+    return series;
+}
+
+} // namespace wakesurf::importer

@@ -1,0 +1,54 @@
+// The times of a series' time-steps, once all that is known of them is together.
+#pragma once
+
+#include "core/base/result.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace wakesurf::importer {
+
+/// What a file says about when it is.
+struct StatedTime {
+    std::optional<double> time;
+    std::optional<double> cycle; ///< of the solver, where it counts them
+    bool in_title = false;       ///< the time is in words for people: "data at time= 0.1"
+};
+
+struct TimedEntry {
+    std::string name; ///< as messages say it
+    std::optional<double> time;
+    bool unreadable =
+        false; ///< whatever time it has is not known: one is made up between its neighbours'
+    std::optional<double> number{}; ///< in the name of its file
+    std::optional<double> cycle{};
+    bool in_title = false; ///< as StatedTime
+};
+
+struct SeriesTimes {
+    std::vector<double> times; ///< strictly increasing
+    std::string note;
+    std::vector<double> places;     ///< as SourceDescription
+    std::vector<std::size_t> order; ///< the entry of each time
+};
+
+/// Whether two times differ by roundings of a double only.
+bool same_time(double a, double b);
+
+/// The note on what a restart wrote again: "left out, as ... later ...: a.vti, b.vti". Empty without names.
+std::string written_again(const std::vector<std::string>& left_out);
+
+/// Where each of entries without times stands: 0, 1, 2, but further apart where cycles or numbers between theirs are missing: the
+/// smallest difference counts as one.
+std::vector<double> places_of(const std::vector<TimedEntry>& entries);
+
+/// The entries' own times, rising; 0, 1, 2, ... with a note where no entry of several has one. Of two entries for one time
+/// the later one stays, as after a restart, and a note names the other. Times of titles may be replaced by --dt.
+/// Error: Corrupt, naming two entries, where only some have a time.
+core::Result<SeriesTimes> settle_times(std::vector<TimedEntry> entries);
+
+/// As messages show a time: as short as tells it from others.
+std::string time_text(double time);
+
+} // namespace wakesurf::importer

@@ -1,0 +1,391 @@
+#include "importer/sources/vtk/vtk_files_source.hpp"
+
+#include "core/base/disk.hpp"
+#include "importer/assembly/same_mesh.hpp"
+#include "importer/base/notes.hpp"
+#include "importer/fields/velocity_choice.hpp"
+#include "importer/sources/blocks/block_roles.hpp"
+#include "importer/sources/blocks/fluid_blocks.hpp"
+#include "importer/sources/blocks/vtk_fields.hpp"
+#include "importer/sources/blocks/wall_patches.hpp"
+#include "importer/sources/files/file_names.hpp"
+#include "importer/sources/series/series_times.hpp"
+#include "importer/sources/vtk/composite_file.hpp"
+#include "importer/sources/vtk/vtk_file.hpp"
+
+#include <vtkCellData.h>
+#include <vtkPointData.h>
+#include <vtkPointSet.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace wakesurf::importer {
+
+using core::Error;
+using core::FieldInfo;
+
+namespace {
+
+CompositeFile& append(CompositeFile& whole, CompositeFile part) {
+    std::move(part.files.begin(), part.files.end(), std::back_inserter(whole.files));
+    std::move(part.leaves.begin(), part.leaves.end(), std::back_inserter(whole.leaves));
+    return whole;
+}
+
+bool has_ghosts(vtkDataSet& data) {
+    const char* name = vtkDataSetAttributes::GhostArrayName();
+    return data.GetPointData()->HasArray(name) != 0 || data.GetCellData()->HasArray(name) != 0;
+}
+
+class VtkFilesSource final : public Source {
+  public:
+    VtkFilesSource(FileSeries series, std::string velocity)
+        : series_(std::move(series)), velocity_(std::move(velocity)) {}
+
+    core::Result<void> open() {
+        description_.name = series_.name;
+        if (auto there = check_presence(); !there)
+            return there;
+        return find_times().and_then([&] { return describe(); });
+    }
+
+    const SourceDescription& description() const override { return description_; }
+
+    // None: what a .pvd or .series lists are the files and times of the time-steps, which tell by themselves that
+    // they changed. It grows with the series, whose old time-steps stay good.
+    core::Result<std::vector<store::SourceFile>> shared_files() const override {
+        return std::vector<store::SourceFile>();
+    }
+
+    core::Result<std::vector<store::SourceFile>> files(std::size_t step) const override {
+        return expand_step(step).and_then(
+            [](const CompositeFile& all) { return fingerprint(all.files); });
+    }
+
+    core::Result<SourceStep> read(std::size_t step, const std::vector<FieldInfo>& fields) override {
+        auto all = expand_step(step);
+        if (!all)
+            return tl::unexpected(all.error());
+        SourceStep out;
+        std::string named;
+        auto described = take_described(step, *all);
+        for (std::size_t i = 0; i < all->leaves.size(); ++i) {
+            const auto& leaf = all->leaves[i];
+            const auto known = described.find(i);
+            auto file = known != described.end() ? core::Result<VtkFile>(std::move(known->second))
+                                                 : read_vtk_file(leaf, {false, fields});
+            if (!file)
+                return tl::unexpected(file.error());
+            if (is_patch(*file->data, all->leaves.size())) {
+                if (auto added = add_wall(*all, i, *file->data, fields, out); !added)
+                    return tl::unexpected(added.error());
+                continue;
+            }
+            auto block = sound_part(*file->data, place_of(*all, i), leaf.name);
+            if (!block)
+                return tl::unexpected(block.error());
+            if (solids_.contains(place_of(*all, i))) {
+                out.solids.push_back(boundary_of(**block));
+                continue;
+            }
+            if (auto whole = require_fields(**block, fields, leaf.name); !whole)
+                return tl::unexpected(whole.error());
+            keep_only(**block, fields);
+            out.blocks.push_back(std::move(*block));
+            named = named.empty() ? leaf.name : named;
+        }
+        if (out.blocks.empty())
+            return core::fail(Error::Code::Unsupported,
+                              entry_name(step) + " holds no three-dimensional cells",
+                              "extrude it by two cells or more first");
+        if (auto thick = check_thickness(out.blocks, named); !thick)
+            return tl::unexpected(thick.error());
+        return out;
+    }
+
+  private:
+    // What was read to describe the source, once, if that is this time-step and its files are still the same.
+    std::map<std::size_t, VtkFile> take_described(std::size_t step, const CompositeFile& all) {
+        auto taken = std::exchange(described_, {});
+        if (step != 0 || taken.empty())
+            return {};
+        const auto now = fingerprint(all.files);
+        return now && *now == described_from_ ? std::move(taken) : std::map<std::size_t, VtkFile>();
+    }
+
+    // As fluid_part; a mesh that equals one found sound is not looked through again.
+    core::Result<vtkSmartPointer<vtkDataSet>>
+    sound_part(vtkDataSet& data, const std::string& place, const std::string& file) {
+        const auto known = sound_.find(place);
+        if (known != sound_.end() && same_block(*known->second, data)) {
+            share_mesh(*known->second, data);
+            return vtkSmartPointer<vtkDataSet>(&data);
+        }
+        auto block = fluid_part(data, file);
+        if (block && block->Get() == &data && vtkPointSet::SafeDownCast(&data) != nullptr &&
+            known == sound_.end())
+            sound_.emplace(place, without_values(Blocks{*block}).front());
+        return block;
+    }
+
+    const std::string& entry_name(std::size_t step) const {
+        return series_.entries[step].parts.front().name;
+    }
+
+    core::Result<CompositeFile> expand_step(std::size_t step) const {
+        CompositeFile all;
+        for (const auto& part : series_.entries[step].parts) {
+            auto expanded = expand(part);
+            if (!expanded)
+                return expanded;
+            append(all, std::move(*expanded));
+        }
+        if (all.leaves.empty())
+            return core::fail(Error::Code::Corrupt, entry_name(step) + " names no files");
+        return all;
+    }
+
+    core::Result<void> check_presence() const {
+        const core::PosixDisk disk;
+        for (const auto& entry : series_.entries)
+            for (const auto& part : entry.parts) {
+                const auto size = disk.size(part.path);
+                if (!size && !series_.index.empty() && size.error().code == Error::Code::NotFound)
+                    return core::fail(Error::Code::NotFound,
+                                      series_.index.front().filename().string() + " names " +
+                                          part.name + ", which does not exist");
+                if (!size)
+                    return tl::unexpected(size.error());
+                // One behind the first may be about to be written: it fails when it is its turn.
+                if (*size == 0 && &part == &series_.entries.front().parts.front())
+                    return core::fail(Error::Code::Corrupt, part.name + " is empty");
+                if (!is_vtk_file(part.path))
+                    return core::fail(Error::Code::Unsupported,
+                                      part.name + " is of a format that a collection cannot hold");
+            }
+        return {};
+    }
+
+    core::Result<void> find_times() {
+        std::vector<TimedEntry> entries;
+        for (std::size_t step = 0; step < series_.entries.size(); ++step) {
+            entries.push_back({entry_name(step), series_.entries[step].time, false,
+                               series_.entries[step].number});
+            if (series_.entries.front().time)
+                continue;
+            auto own = own_time(step);
+            // What cannot be read says so when its turn comes: the time-steps before it can.
+            entries.back().unreadable = !own && step > 0;
+            if (!own && step == 0)
+                return tl::unexpected(own.error());
+            if (own) {
+                entries.back().time = own->time;
+                entries.back().cycle = own->cycle;
+                entries.back().in_title = own->in_title;
+            }
+        }
+        return settle_times(std::move(entries)).map([&](SeriesTimes found) {
+            description_.times = std::move(found.times);
+            description_.time_note = std::move(found.note);
+            description_.places = std::move(found.places);
+            std::vector<SeriesEntry> kept;
+            for (const std::size_t i : found.order)
+                kept.push_back(std::move(series_.entries[i]));
+            series_.entries = std::move(kept);
+            add_note(description_.time_note, written_again(series_.left_out));
+        });
+    }
+
+    // Of a file that names others its own; where it states none, that of the first of them that is no list.
+    core::Result<StatedTime> own_time(std::size_t step) const {
+        const auto all = expand(series_.entries[step].parts.front());
+        if (!all)
+            return tl::unexpected(all.error());
+        StatedTime stated;
+        for (const auto& file : all->files) {
+            auto own = vtk_file_time(file);
+            if (!own)
+                return own;
+            if (!own->cycle)
+                own->cycle = stated.cycle;
+            stated = *own;
+            if (stated.time || !names_others(file.path))
+                break;
+        }
+        return stated;
+    }
+
+    core::Result<void> describe() {
+        auto all = expand_step(0);
+        if (!all)
+            return tl::unexpected(all.error());
+        const auto before = fingerprint(all->files);
+        if (before)
+            described_from_ = *before;
+        Blocks blocks;
+        std::vector<std::string> places; // of each
+        for (std::size_t i = 0; i < all->leaves.size(); ++i) {
+            const auto& leaf = all->leaves[i];
+            auto file = read_vtk_file(leaf, {true, {}});
+            if (!file)
+                return tl::unexpected(file.error());
+            // Of a parallel file its pieces are asked for the fields as well; ghosts are read only where they are wanted.
+            if (before && !lower_extension(leaf.path).starts_with(".p") && !has_ghosts(*file->data))
+                described_.emplace(i, *file);
+            if (is_patch(*file->data, all->leaves.size()))
+                continue;
+            auto block = sound_part(*file->data, place_of(*all, i), leaf.name);
+            if (!block)
+                return tl::unexpected(block.error());
+            places.push_back(place_of(*all, i));
+            blocks.push_back(std::move(*block));
+            if (description_.reader.empty())
+                description_.reader = file->reader + " (" + series_.kind + ")";
+        }
+        BlockRoles roles = block_roles(blocks, velocity_);
+        Blocks fluid;
+        for (std::size_t i = 0; i < blocks.size(); ++i)
+            if (roles.fluid[i])
+                fluid.push_back(blocks[i]);
+            else
+                solids_.insert(places[i]);
+        if (fluid.empty())
+            return core::fail(Error::Code::Unsupported,
+                              entry_name(0) + " holds no three-dimensional cells",
+                              "extrude it by two cells or more first");
+        if (auto thick = check_thickness(fluid, entry_name(0)); !thick)
+            return thick;
+        description_.fields = std::move(roles.fields);
+        add_note(description_.note, roles.note);
+        leave_out_what_a_step_lacks();
+        return {};
+    }
+
+    // A velocity that a time-step lacks is told when it is its turn; so is a file that cannot be read.
+    void leave_out_what_a_step_lacks() {
+        const auto velocity = possible_velocity(description_.fields, velocity_);
+        std::string left_out;
+        for (std::size_t step = 1; step < series_.entries.size(); ++step) {
+            const auto missing = fields_missing_at(step);
+            std::erase_if(description_.fields, [&](const FieldInfo& field) {
+                const bool gone =
+                    missing.contains({field.source, field.name}) && !velocity.contains(field.name);
+                if (gone)
+                    left_out += (left_out.empty() ? "" : ", ") + field.name;
+                return gone;
+            });
+        }
+        if (!left_out.empty())
+            add_note(description_.note, "not at every time-step: " + left_out);
+    }
+
+    // Of the described fields those that no file of the time-step has. Most often the first has them all.
+    std::set<std::pair<FieldInfo::Source, std::string>> fields_missing_at(std::size_t step) const {
+        std::set<std::pair<FieldInfo::Source, std::string>> missing;
+        for (const auto& field : description_.fields)
+            missing.insert({field.source, field.name});
+        const auto all = expand_step(step);
+        if (!all)
+            return {};
+        for (const auto& leaf : all->leaves) {
+            const auto names = vtk_file_fields(leaf);
+            if (!names)
+                return {};
+            for (const auto& name : *names)
+                missing.erase(name);
+            if (missing.empty())
+                break;
+        }
+        return missing;
+    }
+
+    // A flat one among several; alone it is a source that cannot be read, and says so.
+    static bool is_patch(vtkDataSet& data, std::size_t leaves) {
+        return leaves > 1 && !has_solid_cells(data);
+    }
+
+    // What tells a leaf from others at every time-step: the name of its block, else which it is.
+    static std::string place_of(const CompositeFile& all, std::size_t leaf) {
+        const auto& block = all.leaves[leaf].block;
+        return block.empty() ? "#" + std::to_string(leaf) : block;
+    }
+
+    core::Result<void> add_wall(const CompositeFile& all,
+                                std::size_t index,
+                                vtkDataSet& data,
+                                const std::vector<FieldInfo>& fields,
+                                SourceStep& out) {
+        const auto& leaf = all.leaves[index];
+        const bool still = is_still(data, fields);
+        const bool named = is_named_wall(leaf.block.empty() ? leaf.name : leaf.block);
+        if (!named && !still)
+            return {};
+        auto no_slip =
+            still ? still_throughout(place_of(all, index), fields) : core::Result<bool>(false);
+        if (!no_slip)
+            return tl::unexpected(no_slip.error());
+        if (!named && !*no_slip)
+            return {};
+        return surface_of(data, leaf.name).map([&](auto surface) {
+            out.walls.push_back({std::move(surface), *no_slip});
+        });
+    }
+
+    // Whether the patch at `place` is still at the first and the last time-step: an inlet may start at rest.
+    core::Result<bool> still_throughout(const std::string& place,
+                                        const std::vector<FieldInfo>& fields) {
+        std::string key = place;
+        for (const auto& field : fields)
+            key += '\n' + field.name;
+        if (const auto known = still_.find(key); known != still_.end())
+            return known->second;
+        for (const std::size_t step : {std::size_t{0}, series_.entries.size() - 1}) {
+            const auto all = expand_step(step);
+            if (!all)
+                return tl::unexpected(all.error());
+            bool still = false; // also where the patch is not there
+            for (std::size_t i = 0; i < all->leaves.size() && !still; ++i)
+                if (place_of(*all, i) == place) {
+                    const auto file = read_vtk_file(all->leaves[i], {false, fields});
+                    if (!file)
+                        return tl::unexpected(file.error());
+                    still = is_still(*file->data, fields);
+                }
+            if (!still)
+                return still_[key] = false;
+        }
+        return still_[key] = true;
+    }
+
+    FileSeries series_;
+    std::string velocity_; ///< asked for; may be empty
+    SourceDescription description_;
+    std::set<std::string> solids_; ///< places of the blocks without the velocity
+    std::map<std::string, bool> still_;
+    std::map<std::size_t, VtkFile> described_; ///< by leaf, of the first time-step
+    std::vector<store::SourceFile> described_from_;
+    std::map<std::string, vtkSmartPointer<vtkDataSet>> sound_; ///< meshes by place, without values
+};
+
+} // namespace
+
+bool is_vtk_files(const std::filesystem::path& path) {
+    const auto extension = lower_extension(path);
+    return extension == ".pvd" || extension == ".series" || is_vtk_file(path);
+}
+
+core::Result<std::unique_ptr<Source>> open_vtk_files(const std::filesystem::path& path,
+                                                     const command::SourceOptions& wish) {
+    auto series = open_file_series(path, wish.alone);
+    if (!series)
+        return tl::unexpected(series.error());
+    auto source = std::make_unique<VtkFilesSource>(std::move(*series), wish.velocity);
+    if (auto opened = source->open(); !opened)
+        return tl::unexpected(opened.error());
+    return source;
+}
+
+} // namespace wakesurf::importer

@@ -1,0 +1,238 @@
+#include "importer/step_workers.hpp"
+
+#include "importer/base/failure_words.hpp"
+#include "importer/base/progress_marks.hpp"
+#include "importer/step_message.hpp"
+#include "store/store_writer.hpp"
+#include "store/whole_bytes.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace wakesurf::importer {
+
+using core::Error;
+
+namespace {
+
+constexpr std::size_t most_workers = 256;
+
+// What a signal handler may touch; 0 where there is none.
+std::array<std::atomic<pid_t>, most_workers> running{};
+
+struct Worker {
+    pid_t process = 0;
+    int tasks = -1;   ///< to it: numbers of time-steps
+    int results = -1; ///< from it
+    std::optional<std::size_t> step;
+};
+
+[[noreturn]] void work_off(int tasks, int results, const StepWork& work) {
+    core::Result<void> begun = work.begin ? work.begin() : core::Result<void>();
+    std::uint64_t index = 0;
+    while (store::read_whole(tasks, std::as_writable_bytes(std::span(&index, 1)))) {
+        StepMessage message{static_cast<std::size_t>(index), StepRecord()};
+        try {
+            if (begun)
+                message.outcome = work.convert(message.index);
+            else
+                message.outcome = tl::unexpected(begun.error());
+        } catch (const std::exception& error) {
+            message.outcome = tl::unexpected(error_of(error, work.name(message.index)));
+        }
+        if (!send(results, message))
+            break;
+    }
+    ::_exit(0);
+}
+
+Error how_it_ended(int status, const std::string& step) {
+    if (progress_marks().out_of_memory)
+        return {Error::Code::OverLimit, "there is not enough memory to convert " + step, {}};
+    const std::string how =
+        WIFSIGNALED(status) ? " (signal " + std::to_string(WTERMSIG(status)) + ")" : "";
+    return {Error::Code::Corrupt, "the library that reads " + step + " crashed" + how,
+            "the file is damaged, or holds something that the library cannot handle"};
+}
+
+class Workers {
+  public:
+    Workers(std::span<const std::size_t> todo, const StepWork& work) : todo_(todo), work_(work) {}
+
+    Workers(const Workers&) = delete;
+    Workers& operator=(const Workers&) = delete;
+
+    ~Workers() {
+        for (auto& worker : workers_) {
+            ::close(worker.tasks);
+            ::close(worker.results);
+        }
+        end_step_workers(); // one that has nothing to do ends with its pipe; one in the middle of a step is not needed
+    }
+
+    core::Result<void> start(std::size_t jobs) {
+        for (std::size_t i = 0; i < std::min(jobs, most_workers); ++i)
+            if (auto started = start_one(i); !started)
+                return i == 0 ? started : core::Result<void>();
+        return {};
+    }
+
+    core::Result<void> run() {
+        for (auto& worker : workers_)
+            give(worker);
+        if (work_.meanwhile)
+            if (auto done = work_.meanwhile(); !done)
+                return done;
+        while (committed_ < todo_.size()) {
+            if (auto waited = wait(); !waited)
+                return waited;
+            if (auto done = commit(); !done)
+                return done;
+        }
+        return {};
+    }
+
+  private:
+    core::Result<void> start_one(std::size_t number) {
+        int tasks[2];
+        int results[2];
+        const auto failed = core::fail(Error::Code::Io, "cannot start a process");
+        if (::pipe2(tasks, O_CLOEXEC) != 0)
+            return failed;
+        if (::pipe2(results, O_CLOEXEC) != 0) {
+            ::close(tasks[0]);
+            ::close(tasks[1]);
+            return failed;
+        }
+        const pid_t parent = ::getpid();
+        const pid_t process = ::fork();
+        if (process == 0) {
+            for (auto& entry : running)
+                entry = 0; // not ours to end
+            store::end_on_signals({});
+            ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+            if (::getppid() != parent)
+                ::_exit(1);
+            for (const auto& other : workers_) { // else their pipes would never end
+                ::close(other.tasks);
+                ::close(other.results);
+            }
+            ::close(tasks[1]);
+            ::close(results[0]);
+            work_off(tasks[0], results[1], work_);
+        }
+        ::close(tasks[0]);
+        ::close(results[1]);
+        if (process < 0) {
+            ::close(tasks[1]);
+            ::close(results[0]);
+            return failed;
+        }
+        running[number] = process;
+        workers_.push_back({process, tasks[1], results[0], std::nullopt});
+        return {};
+    }
+
+    void give(Worker& worker) {
+        // What comes after a time-step that failed is not looked at.
+        const bool failed = std::any_of(outcomes_.begin(), outcomes_.end(),
+                                        [](const auto& entry) { return !entry.second; });
+        if (failed || given_ == todo_.size())
+            return;
+        const std::uint64_t index = todo_[given_++];
+        worker.step = index;
+        store::write_whole(worker.tasks, std::as_bytes(std::span(
+                                             &index, 1))); // one that is gone shows in its results
+    }
+
+    core::Result<void> wait() {
+        std::vector<pollfd> polled;
+        std::vector<Worker*> asked;
+        for (auto& worker : workers_)
+            if (worker.step) {
+                polled.push_back({worker.results, POLLIN, 0});
+                asked.push_back(&worker);
+            }
+        while (::poll(polled.data(), polled.size(), -1) < 0)
+            if (errno != EINTR)
+                return core::fail(Error::Code::Io, "cannot wait for the converting processes");
+        for (std::size_t i = 0; i < polled.size(); ++i)
+            if (polled[i].revents != 0)
+                take(*asked[i]);
+        return {};
+    }
+
+    void take(Worker& worker) {
+        const std::size_t index = *worker.step;
+        worker.step.reset();
+        if (auto message = receive(worker.results)) {
+            outcomes_.emplace(index, std::move(message->outcome));
+            give(worker);
+            return;
+        }
+        int status = 0;
+        ::waitpid(worker.process, &status, 0);
+        for (auto& entry : running)
+            if (entry == worker.process)
+                entry = 0;
+        outcomes_.emplace(index, tl::unexpected(how_it_ended(status, work_.name(index))));
+    }
+
+    core::Result<void> commit() {
+        while (committed_ < todo_.size()) {
+            const auto outcome = outcomes_.find(todo_[committed_]);
+            if (outcome == outcomes_.end())
+                return {};
+            if (!outcome->second)
+                return tl::unexpected(outcome->second.error());
+            if (auto done = work_.commit(outcome->first, *outcome->second); !done)
+                return done;
+            outcomes_.erase(outcome);
+            ++committed_;
+        }
+        return {};
+    }
+
+    std::span<const std::size_t> todo_;
+    const StepWork& work_;
+    std::vector<Worker> workers_;
+    std::map<std::size_t, core::Result<StepRecord>> outcomes_; ///< not committed yet
+    std::size_t given_ = 0;
+    std::size_t committed_ = 0;
+};
+
+} // namespace
+
+core::Result<void>
+convert_steps(std::span<const std::size_t> todo, std::size_t jobs, const StepWork& work) {
+    Workers workers(todo, work);
+    if (!todo.empty())
+        if (auto started = workers.start(std::clamp<std::size_t>(jobs, 1, todo.size())); !started)
+            return started;
+    return workers.run();
+}
+
+void end_step_workers() {
+    for (const auto& process : running)
+        if (process.load() > 0)
+            ::kill(process.load(), SIGTERM);
+    for (auto& process : running)
+        if (process.load() > 0) {
+            while (::waitpid(process.load(), nullptr, 0) < 0 && errno == EINTR) {
+            }
+            process = 0;
+        }
+}
+
+} // namespace wakesurf::importer

@@ -1,0 +1,35 @@
+#include "server/service/base/late_file.hpp"
+
+#include "server/service/base/private_file.hpp"
+
+#include <utility>
+
+namespace wakesurf::server {
+
+void LateFile::put(std::string text, Done done) {
+    {
+        const std::lock_guard lock(mutex_);
+        text_ = std::move(text);
+        waiting_.push_back(std::move(done));
+    }
+    if (!thread_.joinable())
+        thread_ = std::jthread([this](const std::stop_token& stop) { work(stop); });
+    wake_.notify_one();
+}
+
+void LateFile::work(const std::stop_token& stop) {
+    std::unique_lock lock(mutex_);
+    while (wake_.wait(lock, stop, [this] { return text_.has_value(); })) {
+        const std::string text = *std::exchange(text_, std::nullopt);
+        auto waited = std::exchange(waiting_, {});
+        lock.unlock();
+        const auto written = write_private_file(file_, text);
+        loop_.post([waited = std::move(waited), written] {
+            for (const Done& done : waited)
+                done(written);
+        });
+        lock.lock();
+    }
+}
+
+} // namespace wakesurf::server

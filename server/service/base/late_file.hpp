@@ -1,0 +1,47 @@
+// A small private file that the loop's thread changes without waiting for its disk.
+#pragma once
+
+#include "core/base/result.hpp"
+#include "server/service/base/loop.hpp"
+
+#include <condition_variable>
+#include <filesystem>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace wakesurf::server {
+
+/// A thread of its own writes it, from the first change on. Of changes that wait for the disk, the newest is written for all of them.
+class LateFile {
+  public:
+    using Done = std::function<void(core::Result<void>)>;
+
+    /// REQUIRES: the loop outlives it.
+    LateFile(Loop& loop, std::filesystem::path file) : loop_(loop), file_(std::move(file)) {}
+
+    /// Writes what still waits. Waits for the disk.
+    ~LateFile() = default;
+    LateFile(const LateFile&) = delete;
+    LateFile& operator=(const LateFile&) = delete;
+
+    /// The whole text. `done` is posted to the loop once it, or a newer one, is on the disk. Error: as write_private_file.
+    void put(std::string text, Done done);
+
+  private:
+    void work(const std::stop_token& stop);
+
+    Loop& loop_;
+    std::filesystem::path file_;
+    std::mutex mutex_; ///< guards what follows; never held while the disk is waited for
+    std::condition_variable_any wake_;
+    std::optional<std::string> text_;
+    std::vector<Done> waiting_;
+    std::jthread thread_; ///< last: it uses the others
+};
+
+} // namespace wakesurf::server

@@ -1,0 +1,54 @@
+// A Unix socket between processes of one user on one machine, which keeps messages apart and passes descriptors.
+#pragma once
+
+#include "core/base/result.hpp"
+#include "server/service/base/private_file.hpp"
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <span>
+
+namespace wakesurf::server {
+
+/// Where one program waits for another. The file (0600) lies in a folder of its own (0700); both go with it.
+class LocalDoor {
+  public:
+    /// Error: Io.
+    static core::Result<LocalDoor> open();
+    ~LocalDoor();
+    LocalDoor(LocalDoor&& other) noexcept = default;
+    LocalDoor& operator=(LocalDoor&& other) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+
+    int file() const { return file_.get(); }
+
+    /// Whoever is there; nobody where it is another user's process.
+    std::optional<OpenFile> let_in() const;
+
+  private:
+    LocalDoor(std::filesystem::path path, OpenFile file)
+        : path_(std::move(path)), file_(std::move(file)) {}
+
+    std::filesystem::path path_;
+    OpenFile file_;
+};
+
+/// Error: Io; Forbidden is none of its codes: another user's process counts as nobody.
+core::Result<OpenFile> knock(const std::filesystem::path& door);
+
+/// A whole message, at once or not at all. @param passed  a descriptor that goes with it, or -1. False where the other has gone or does
+/// not read.
+bool send_message(int socket, std::span<const std::byte> message, int passed = -1);
+
+struct Received {
+    enum class State { Message, Nothing, Closed } state = State::Nothing;
+    std::size_t bytes = 0; ///< more than there was room for: it was too long
+    OpenFile passed{};
+};
+
+/// What has come, without waiting.
+Received receive_message(int socket, std::span<std::byte> into);
+
+} // namespace wakesurf::server

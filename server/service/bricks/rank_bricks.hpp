@@ -1,0 +1,64 @@
+// Bricks from the memory of an MPI job's ranks, and from files where the ranks do not have them: the source below
+// core/dataset/brick_cache.hpp where a job is started beside the server.
+#pragma once
+
+#include "core/dataset/brick_source.hpp"
+#include "server/service/bricks/job_talk.hpp"
+#include "server/service/bricks/rank_options.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <stop_token>
+#include <vector>
+
+namespace wakesurf::server {
+
+/// A job that ends, hangs or is none costs no read: those that wait for it are made from files, and a new job is started after a
+/// while, each time a longer one until one is there again. Thread safety: concurrent calls are fine.
+class RankBricks final : public core::BrickSource {
+  public:
+    using Options = RankOptions;
+    using Duration = RankOptions::Duration;
+
+    /// How it stands.
+    struct Status {
+        bool there = false;         ///< a job is
+        std::uint64_t ranks = 0;    ///< of it
+        std::uint64_t held = 0;     ///< bricks for which it has room
+        std::uint64_t jobs = 0;     ///< that were there so far
+        std::uint64_t by_ranks = 0; ///< bricks that ranks brought
+        std::uint64_t by_files = 0; ///< that files did
+        std::uint64_t damaged = 0;  ///< of these: what ranks brought did not have its checksum
+    };
+
+    /// @param files   lives longer. Velocities come from ranks, scalars always from files
+    /// @param wanted  its slots are how many bricks are on their way at a time
+    RankBricks(const core::BrickSource& files, WantedJob wanted, Options options);
+    ~RankBricks() override;
+
+    const core::BrickLayout& layout() const override { return files_.layout(); }
+
+    bool gaps(std::size_t step) const override { return files_.gaps(step); }
+
+    void read(std::vector<core::BrickRead> reads, std::stop_token stop, Done done) const override;
+
+    Status status() const;
+
+    /// Waits until so many jobs were there, one after the other. False when the time is over first.
+    bool wait_for_job(std::uint64_t jobs, Duration most) const;
+
+    /// What server and job share, once a job is there.
+    std::size_t shared_bytes() const;
+
+    /// Starts jobs from now on. Until then all comes from files.
+    void begin();
+
+  private:
+    struct State;
+
+    const core::BrickSource& files_;
+    std::unique_ptr<State> state_;
+};
+
+} // namespace wakesurf::server

@@ -1,0 +1,163 @@
+#include "server/service/catalogue/import_process.hpp"
+
+#include "core/base/machine_memory.hpp"
+#include "protocol/api/dataset_json.hpp"
+#include "protocol/api/json_text.hpp"
+#include "server/service/base/shipped_files.hpp"
+#include "server/service/catalogue/child_process.hpp"
+#include "server/service/catalogue/file_being_written.hpp"
+
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+
+namespace wakesurf::server {
+
+using core::Error;
+
+namespace {
+
+constexpr std::string_view program_name = "wakesurf-import";
+
+std::filesystem::path program_of(const ImportCommand& command) {
+    if (!command.program.empty())
+        return command.program;
+    return this_program().parent_path() / program_name;
+}
+
+std::vector<std::string> arguments_of(const ImportCommand& command) {
+    std::vector<std::string> arguments;
+    if (!command.fields.empty()) {
+        std::string names;
+        for (const auto& field : command.fields)
+            names += (names.empty() ? "" : ",") + field;
+        arguments.push_back("--fields=" + names);
+    }
+    if (!command.times.empty())
+        arguments.push_back("--times=" + command.times);
+    if (!command.precision.empty())
+        arguments.push_back("--precision=" + command.precision);
+    if (!command.layout.empty())
+        arguments.push_back("--layout=" + command.layout);
+    if (command.jobs > 0)
+        arguments.push_back("--jobs=" + std::to_string(command.jobs));
+    if (command.memory > 0)
+        arguments.push_back("--memory=" + std::to_string(command.memory));
+    for (auto& argument : arguments_of(command.taken))
+        arguments.push_back(std::move(argument));
+    return arguments;
+}
+
+// All the machine has, so that a file which claims to be enormous fails instead of swapping everything out.
+std::size_t address_space() {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    return 0; // the sanitizers' shadow memory takes terabytes of addresses
+#else
+    const std::size_t memory = core::machine_memory();
+    constexpr std::size_t libraries = std::size_t{2} << 30;
+    return memory > 0 ? memory + libraries : 0;
+#endif
+}
+
+// The importer's own sentence; whatever libraries print besides is none.
+std::string own_words(const std::string& errors) {
+    constexpr std::string_view prefix = "wakesurf-import: ";
+    std::string words;
+    for (std::size_t start = 0; start < errors.size();) {
+        const auto end = std::min(errors.find('\n', start), errors.size());
+        if (errors.compare(start, prefix.size(), prefix) == 0)
+            words = errors.substr(start + prefix.size(), end - start - prefix.size());
+        start = end + 1;
+    }
+    return words;
+}
+
+bool speaks_of_damage(const std::string& words) {
+    constexpr std::array<std::string_view, 8> signs{
+        "damaged", "truncated",      "is empty",     "incomplete",
+        "cut off", "does not exist", "is not there", "cannot be read"};
+    return std::any_of(signs.begin(), signs.end(), [&](std::string_view sign) {
+        return words.find(sign) != std::string::npos;
+    });
+}
+
+Error error_of(const ImportCommand& command, int status, const std::string& words) {
+    if (words.empty())
+        return {Error::Code::Corrupt, "the importer failed and did not say why", {}};
+    const auto file = status == 1 && speaks_of_damage(words)
+                          ? file_being_written(command.source, words)
+                          : std::nullopt;
+    if (file)
+        return {Error::Code::Corrupt, words,
+                *file + " was changed less than " + std::to_string(still_written.count()) +
+                    " s ago: if it is still being written, try again when it is whole"};
+    if (words.find("an import may take ") != std::string::npos)
+        return {Error::Code::OverLimit, words, {}, {}, command.memory};
+    return {status == 2 ? Error::Code::InvalidArgument : Error::Code::Corrupt, words, {}};
+}
+
+core::Result<void>
+judge(const ImportCommand& command, const ChildOutcome& outcome, const std::stop_token& stop) {
+    if (stop.stop_requested())
+        return core::fail(Error::Code::Cancelled, "the import was interrupted",
+                          "the next import of this source resumes where it ended");
+    if (outcome.signal != 0)
+        return core::fail(Error::Code::Io,
+                          "the importer was ended (signal " + std::to_string(outcome.signal) + ")",
+                          outcome.signal == SIGKILL
+                              ? "someone ended it, or the machine had no memory left"
+                              : "this is a fault of wakesurf or of a library, not told by the "
+                                "file; run wakesurf-import by hand to see more");
+    if (outcome.exit_status == 0)
+        return {};
+    return tl::unexpected(error_of(command, outcome.exit_status, own_words(outcome.errors)));
+}
+
+core::Result<void> run(const ImportCommand& command,
+                       bool describe,
+                       const std::function<void(std::string_view)>& line,
+                       const std::stop_token& stop) {
+    auto arguments = arguments_of(command);
+    arguments.push_back("--parent=" + std::to_string(::getpid()));
+    if (describe)
+        arguments.emplace_back("--describe");
+    arguments.emplace_back("--"); // a path that begins with a dash is still a path
+    arguments.push_back(command.source.string());
+    if (!describe)
+        arguments.push_back(command.store.string());
+    return run_child(program_of(command), arguments, address_space(), line, stop)
+        .and_then([&](const ChildOutcome& outcome) { return judge(command, outcome, stop); });
+}
+
+} // namespace
+
+core::Result<void>
+run_import_process(const ImportCommand& command,
+                   const std::function<void(const store::ImportProgress&)>& listener,
+                   std::stop_token stop) {
+    const auto line = [&](std::string_view text) {
+        if (const auto progress = store::parse_progress_line(text))
+            listener(*progress);
+    };
+    return run(command, false, line, stop);
+}
+
+core::Result<core::DatasetInfo> describe_with_import_process(const ImportCommand& command,
+                                                             std::stop_token stop) {
+    constexpr protocol::JsonLimits limits{std::size_t{64} << 20, 16};
+    std::string text;
+    const auto line = [&](std::string_view part) {
+        if (text.size() <= limits.bytes) // more is refused below
+            text.append(part).append("\n");
+    };
+    if (auto described = run(command, true, line, stop); !described)
+        return tl::unexpected(described.error());
+    return protocol::parse_json(text, limits).and_then([](const nlohmann::json& value) {
+        return protocol::parse_dataset_info(value);
+    });
+}
+
+} // namespace wakesurf::server

@@ -1,0 +1,43 @@
+// Starts wakesurf-import beside our own executable and listens to it. A crash of it, or a hostile file, stays in
+// its process; it gets no shell, no standard input and a bounded address space.
+#pragma once
+
+#include "command/source_options.hpp"
+#include "core/base/result.hpp"
+#include "core/dataset/dataset_info.hpp"
+#include "store/import_progress.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace wakesurf::server {
+
+struct ImportCommand {
+    std::filesystem::path source;
+    std::filesystem::path store;
+    std::vector<std::string> fields; ///< --fields; empty: chosen by the importer
+    std::string times;               ///< --times; empty: all
+    std::filesystem::path program{}; ///< empty: wakesurf-import beside our own executable
+    std::string precision{};         ///< --precision; empty: single
+    std::size_t jobs = 0;            ///< --jobs; 0: one a core
+    std::uint64_t memory = 0;        ///< --memory, of all its processes; 0: its own bound
+    command::SourceOptions taken{};  ///< --dt, --start, --confined
+    std::string layout{};            ///< --layout; empty: auto
+};
+
+/// Runs an import to its end in the calling thread; `listener` hears of every step, in this thread. When `stop`
+/// fires the importer is ended; the store stays usable and a later import goes on there.
+/// Error: the importer's own sentence (Corrupt), also where it is about a file that is being written; Cancelled, Io when it cannot be started or crashed.
+core::Result<void>
+run_import_process(const ImportCommand& command,
+                   const std::function<void(const store::ImportProgress&)>& listener,
+                   std::stop_token stop = {});
+
+/// What a source is, without converting it: runs the importer with --describe. Error: as above.
+core::Result<core::DatasetInfo> describe_with_import_process(const ImportCommand& command,
+                                                             std::stop_token stop = {});
+
+} // namespace wakesurf::server

@@ -1,0 +1,100 @@
+// What each person, each share link and all links together may use of the server, over all their WebSockets and HTTP requests: so many of a
+// kind at a time, and so many calls, edits and messages a second. Asked before anything is done; who is refused is told whose
+// limit it was. The last of everything are for those with the server's own token, so that a host can always come in and take a link back.
+#pragma once
+
+#include "core/base/clock.hpp"
+#include "core/base/result.hpp"
+#include "server/service/base/visitor.hpp"
+#include "server/service/compute/token_bucket.hpp"
+#include "server/service/limits.hpp"
+#include "server/service/metrics/metrics.hpp"
+
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace wakesurf::server {
+
+/// What is counted while it lasts; see limits::Budget.
+enum class Use : std::uint8_t { Socket, Request, Download, Probe, Wait };
+
+/// Loop thread only. Cost of a call: O(log people).
+class Budgets {
+  public:
+    /// One of a kind, until it goes.
+    using Place = std::shared_ptr<void>;
+
+    /// How long to wait, and for what.
+    struct TooFast {
+        std::chrono::milliseconds retry_after;
+        double limit; ///< a second
+    };
+
+    /// @param all      of everybody: limits::all, less where the process may have fewer descriptors
+    /// @param metrics  counts refusals; may be null
+    explicit Budgets(const core::Clock& clock,
+                     Metrics* metrics = nullptr,
+                     const limits::Budget& all = limits::all);
+    Budgets(const Budgets&) = delete;
+    Budgets& operator=(const Budgets&) = delete;
+
+    /// Error: OverLimit, naming whose limit it is. The place may outlive the budgets.
+    core::Result<Place> take(const Visitor& who, Use use);
+
+    /// Takes one call, unless they come too fast.
+    std::optional<TooFast> call(const Visitor& who, bool edits);
+
+    /// Takes messages that have been read, on credit. Returns how long to read no further.
+    std::chrono::milliseconds read(const Visitor& who, double messages);
+
+    /// In use by all.
+    std::size_t used(Use use) const;
+
+    /// Whose turn it is in the compute pool with work that is no session's: all people of a link have one turn between them.
+    static std::string line(const Visitor& who);
+
+  private:
+    using Time = std::chrono::steady_clock::time_point;
+
+    struct Account {
+        Account(const limits::Budget& budget, Time now);
+
+        const limits::Budget* budget;
+        std::array<std::size_t, 5> used{};
+        TokenBucket edits;
+        TokenBucket calls;
+        TokenBucket messages;
+    };
+
+    using Shared = std::shared_ptr<Account>;
+    struct Held;
+
+    /// Of one who asks: the person where it is one of many by a link, the link or the token, all links.
+    struct Accounts {
+        Shared person; ///< nothing: a script with the server's token
+        Shared holder;
+        Shared links; ///< nothing for the token
+    };
+
+    void refused(Budgeted kind, Rejection reason) const;
+    Accounts of(const Visitor& who);
+    Shared account(const std::string& key, const limits::Budget& budget);
+    void forget_idle();
+
+    const core::Clock& clock_;
+    Metrics* metrics_;
+    limits::Budget all_;
+    limits::Budget links_; ///< together
+    Shared everybody_;
+    Shared by_links_;
+    std::map<std::string, Shared> accounts_;
+    std::size_t sweep_at_ = 1024;
+};
+
+} // namespace wakesurf::server

@@ -1,0 +1,43 @@
+// What has changed since the last commit: of every record the newest state only, however often it was edited.
+#pragma once
+
+#include "server/service/base/journal.hpp"
+
+#include <compare>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace wakesurf::server {
+
+struct StoredKey {
+    std::string session;
+    std::string type;
+    std::string id;
+
+    auto operator<=>(const StoredKey&) const = default;
+};
+
+/// A value; as large as the records it names, so that it stays bounded however long nothing can be written.
+struct PendingWrites {
+    std::set<std::string> removed;        ///< sessions to forget, before all else
+    std::map<StoredKey, KeptAside> aside; ///< records to move, before `records` are written
+    std::map<StoredKey, std::optional<std::string>> records; ///< JSON text; nothing: deleted
+
+    bool empty() const { return removed.empty() && aside.empty() && records.empty(); }
+
+    void write(const std::string& session, std::vector<JournalEntry> entries);
+    void set_aside(const std::string& session, std::vector<KeptAside> records);
+    void remove(const std::string& session);
+
+    /// Takes up changes that were made before these and are not on the disk yet.
+    void follow(PendingWrites older);
+
+    /// Drops the deletions of records that `stored` does not have.
+    void drop_needless(const std::map<StoredKey, std::uint64_t>& stored);
+};
+
+} // namespace wakesurf::server

@@ -1,0 +1,32 @@
+// What is kept beside the rows of the state's file, so that one that was altered, and one that is gone, are noticed.
+#pragma once
+
+#include "server/service/journal/pending_writes.hpp"
+
+#include <cstdint>
+#include <string_view>
+
+namespace wakesurf::server {
+
+/// The first 64 bits of SHA-256 over a row's columns with their lengths. Pure.
+std::uint64_t row_digest(const StoredKey& key, std::string_view json);
+
+/// Of a set of rows, whatever their order: how many, and all their digests in one.
+struct RowSum {
+    std::int64_t records = 0;
+    std::uint64_t digest = 0;
+
+    void add(std::uint64_t row) {
+        ++records;
+        digest ^= row;
+    }
+
+    void take(std::uint64_t row) {
+        --records;
+        digest ^= row;
+    }
+
+    bool operator==(const RowSum&) const = default;
+};
+
+} // namespace wakesurf::server

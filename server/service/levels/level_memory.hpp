@@ -1,0 +1,44 @@
+// Memory that this process and the one that extracts level sets share: a dataset's grid, and room for the values of one field.
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/dataset/grid.hpp"
+#include "importer/level_message.hpp"
+
+#include <cstddef>
+#include <span>
+
+namespace wakesurf::server {
+
+/// Bytes that sharing a grid takes. Error: OverLimit for a mesh with more corners than can be numbered.
+core::Result<std::size_t> level_memory_bytes(const core::Grid& grid);
+
+/// Nobody but a process that is given its descriptor sees it, and it cannot grow or shrink.
+class LevelMemory {
+  public:
+    /// Copies the grid. Error: as level_memory_bytes; Io.
+    static core::Result<LevelMemory> of(const core::Grid& grid);
+    ~LevelMemory();
+    LevelMemory(LevelMemory&& other) noexcept;
+    LevelMemory& operator=(LevelMemory&& other) noexcept;
+
+    int file() const { return file_; }
+
+    std::size_t bytes() const { return bytes_; }
+
+    /// One a node.
+    std::span<float> values() const;
+
+  private:
+    LevelMemory() = default;
+
+    const importer::LevelGrid& head() const {
+        return *static_cast<const importer::LevelGrid*>(start_);
+    }
+
+    int file_ = -1;
+    void* start_ = nullptr;
+    std::size_t bytes_ = 0;
+};
+
+} // namespace wakesurf::server

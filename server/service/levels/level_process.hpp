@@ -1,0 +1,78 @@
+// The process that extracts level sets, as the server sees it: a library that crashes, hangs or is taken over hurts no one else. What it
+// answers is bounded before memory is taken for it.
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/base/vec3.hpp"
+#include "importer/level_message.hpp"
+#include "server/service/levels/level_memory.hpp"
+
+#include <sys/types.h>
+
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace wakesurf::server {
+
+struct LevelMesh {
+    std::vector<core::Vec3> points; ///< of a uniform or rectilinear grid: in places of nodes
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+/// One thread at a time. The destructor ends the process.
+class LevelProcess {
+  public:
+    struct Options {
+        std::filesystem::path program{}; ///< empty: wakesurf-import beside our own executable
+        std::uint64_t memory = 0; ///< bytes it may take, with what is shared; 0: its own bound
+        std::chrono::milliseconds patience{60'000}; ///< for an answer
+    };
+
+    /// Error: Io where it cannot be started.
+    static core::Result<std::unique_ptr<LevelProcess>> start(const LevelMemory& memory,
+                                                             const Options& options);
+    ~LevelProcess();
+    LevelProcess(const LevelProcess&) = delete;
+    LevelProcess& operator=(const LevelProcess&) = delete;
+
+    /// Waits until the process does not look at the memory any more, so that values may be written.
+    /// Error: as extract().
+    core::Result<void> rest(const std::stop_token& stop);
+
+    /// Error: Cancelled within 50 ms of `stop`, and the process goes on; OverLimit, where there are more triangles or it ran out of memory;
+    /// Io (it ended, hung, or answered what cannot be), after which it is of no use.
+    core::Result<LevelMesh> extract(importer::LevelRequest request, const std::stop_token& stop);
+
+    bool usable() const { return usable_; }
+
+    pid_t id() const { return process_; }
+
+  private:
+    LevelProcess(pid_t process, int talk, int errors, const Options& options)
+        : process_(process), talk_(talk), errors_(errors), options_(options) {}
+
+    core::Result<void> send(const importer::LevelRequest& request);
+    core::Result<void> read(std::size_t bytes, const std::stop_token& stop);
+    core::Result<LevelMesh> answer(const std::stop_token& stop);
+    core::Error give_up(const std::string& why);
+    core::Error ended();
+
+    pid_t process_;
+    int talk_;
+    int errors_;
+    Options options_;
+    std::uint64_t number_ = 0;
+    std::uint64_t most_ = 0;      ///< triangles, of the request that is not answered yet
+    bool asked_ = false;          ///< there is one
+    std::vector<std::byte> part_; ///< what has come of its answer
+    bool usable_ = true;
+};
+
+} // namespace wakesurf::server

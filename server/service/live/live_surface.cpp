@@ -1,0 +1,498 @@
+#include "server/service/live/live_surface.hpp"
+
+#include "core/surface/playback/surface_age.hpp"
+#include "server/service/limits.hpp"
+#include "server/service/metrics/metrics.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <new>
+#include <utility>
+
+namespace wakesurf::server {
+
+namespace {
+
+/// A job for a time that no one wants any more may be this long at work before it is given up: scrubbing shows something on the way.
+constexpr std::chrono::milliseconds patience_with_stale{150};
+constexpr std::chrono::milliseconds patience_for_key{100}; ///< until others have given memory back
+constexpr std::size_t quick_key = 30'000;                  ///< vertices encoded within some 15 ms
+
+/// @param whole  its statistics are of this pass alone, not of all since the surface was released
+void count(Metrics& metrics,
+           std::chrono::duration<double> queued,
+           const core::Result<Update>& result,
+           bool whole) {
+    metrics.observe(Stage::Queue, queued.count());
+    if (result)
+        metrics.observe(Stage::Encode, result->took.encode);
+    if (result && whole) {
+        metrics.observe(Stage::Load, result->statistics.seconds.load);
+        metrics.observe(Stage::Advect, result->statistics.seconds.advect);
+        metrics.observe(Stage::Refine, result->statistics.seconds.refine);
+    }
+}
+
+core::Result<protocol::EncodedUpdate> no_room() {
+    return core::fail(core::Error::Code::OverLimit, "there is not enough memory for a keyframe");
+}
+
+std::size_t index(Pace pace) {
+    return pace == Pace::Quick ? 0 : 1;
+}
+
+} // namespace
+
+LiveSurface::LiveSurface(
+    std::string id, std::uint32_t number, std::string session, Services services, Events events)
+    : id_(std::move(id)), number_(number), session_(std::move(session)), services_(services),
+      events_(std::move(events)),
+      ring_(std::make_shared<UpdateRing>(number, services.clock, [this] { encode_key(); })),
+      waiters_(std::make_shared<SurfaceWaiters>(services.loop)) {}
+
+LiveSurface::~LiveSurface() {
+    stop_jobs();
+    ring_->close();
+    let_go_of_build();
+}
+
+/// What it keeps may be hundreds of megabytes, or be in use by another thread that wants memory.
+void LiveSurface::let_go_of_build() {
+    services_.pool.let_go(std::exchange(build_, nullptr));
+}
+
+void LiveSurface::stop_jobs() {
+    for (auto& lane : lanes_)
+        if (lane)
+            lane->stop.request_stop();
+}
+
+void LiveSurface::begin_epoch() {
+    stop_jobs();
+    ++epoch_;
+    held_ = false;
+    fallen_.reset();
+    error_.reset();
+    begin_build();
+    next_seq_ = 0;
+}
+
+/// Of the epoch: from its first pass on. Updates that were given out are forgotten, and those to come are above them.
+void LiveSurface::begin_build() {
+    if (const SharedUpdate newest = ring_->newest())
+        next_seq_ = newest->wire.seq + 1;
+    ring_->begin(epoch_);
+    let_go_of_build();
+    full_.reset();
+    early_.reset();
+    coarse_done_ = refined_done_ = false;
+    overtake_.reset();
+    interrupted_ = false;
+    began_ = pass_wanted_ = asked_for_ = services_.clock.now();
+    progress_.begin(began_);
+}
+
+std::uint32_t LiveSurface::rebuild(SurfaceJob wanted, bool rest) {
+    begin_epoch();
+    if (wanted.plan.parameters.kind != wanted_.plan.parameters.kind || !wanted_.plan.flow)
+        budgets_ = PassBudgets(!core::moves(wanted.plan.parameters));
+    else if (wanted.plan.parameters != wanted_.plan.parameters)
+        budgets_.forget();
+    if (!plays_on(wanted_, wanted))
+        ranges_.begin();
+    wanted_ = std::move(wanted);
+    wanted_.number = number_;
+    wanted_.epoch = epoch_;
+    building_ = true;
+    held_ = rest;
+    advance();
+    return epoch_;
+}
+
+void LiveSurface::begin_now() {
+    asked_for_ = services_.clock.now();
+    if (ring_->read())
+        turned_away_.reset();
+    const bool no_memory = error_ && error_->code == core::Error::Code::OverLimit && building_;
+    if (!held_ && !no_memory)
+        return advance(); // it may have been hidden
+    held_ = false;
+    if (!building_)
+        return; // there was nothing to build: data, or an edit, will come
+    fallen_.reset();
+    error_.reset();
+    begin_build();
+    advance();
+}
+
+void LiveSurface::fall_back() {
+    if (held_ || !building_ || error_)
+        return;
+    fallen_ = outcome();
+    fallen_at_ = time_;
+    stop_jobs();
+    held_ = true;
+    begin_build();
+}
+
+void LiveSurface::put_to_rest() {
+    if (looked_at())
+        return;
+    const bool interrupted = !held_ && building_ && !error_ && busy();
+    fall_back();
+    interrupted_ = interrupted;
+}
+
+void LiveSurface::resume() {
+    if (held_ && interrupted_)
+        begin_now();
+}
+
+void LiveSurface::turned_away() {
+    turned_away_ = services_.clock.now();
+    hide_ = services_.loop.after(limits::hidden_after, [weak = weak_from_this()] {
+        const auto self = weak.lock();
+        if (self && self->unseen())
+            self->stop_jobs();
+    });
+}
+
+bool LiveSurface::unseen() const {
+    return turned_away_ && services_.clock.now() - *turned_away_ >= limits::hidden_after &&
+           !looked_at();
+}
+
+std::uint32_t LiveSurface::refuse(core::SurfaceKind kind, core::Error error, bool rest) {
+    begin_epoch();
+    building_ = false;
+    held_ = rest;
+    wanted_.plan.parameters.kind = kind;
+    renew_data({}); // of data that may be no more
+    error_ = std::move(error);
+    services_.loop.post([weak = weak_from_this(), epoch = epoch_] {
+        const auto self = weak.lock();
+        if (self && self->epoch_ == epoch)
+            self->conclude();
+    });
+    return epoch_;
+}
+
+bool LiveSurface::stop(core::Error reason) {
+    if (error_ || !busy())
+        return false;
+    stop_jobs();
+    building_ = held_ = false; // what the running jobs still give is no one's
+    error_ = std::move(reason);
+    conclude();
+    return true;
+}
+
+void LiveSurface::show(std::optional<double> time, bool playing, bool jumped) {
+    time_ = time;
+    playing_ = playing;
+    if (!building_ || !core::moves(wanted_.plan.parameters))
+        return;
+    if (fallen_ && (time_.has_value() != fallen_at_.has_value() ||
+                    core::age_at(wanted_.plan.parameters, time_) !=
+                        core::age_at(wanted_.plan.parameters, fallen_at_)))
+        fallen_.reset();
+    if (!running())
+        pass_wanted_ = services_.clock.now();
+    if (jumped) {
+        jumped_ = services_.clock.now();
+        give_up_stale();
+    }
+    advance();
+}
+
+/// Of the current epoch, for another time. What has been stepped so far is not lost; path surfaces are built once for all times.
+void LiveSurface::give_up_stale() {
+    if (wanted_.plan.parameters.kind == core::SurfaceKind::Path)
+        return;
+    const auto now = services_.clock.now();
+    for (auto& lane : lanes_) {
+        const bool early =
+            lane && (lane->pass.phase == Phase::Coarse || lane->pass.phase == Phase::Refined);
+        if (!lane || early || lane->epoch != epoch_ || lane->pass.time == time_)
+            continue;
+        if (lane->since >= jumped_) // of the time jumped to, or the clock has run on since
+            continue;
+        if (now - lane->since >= patience_with_stale) {
+            lane->stop.request_stop();
+            continue;
+        }
+        overtake_ = services_.loop.after(patience_with_stale, [weak = weak_from_this()] {
+            if (const auto self = weak.lock())
+                self->give_up_stale();
+        });
+    }
+}
+
+bool LiveSurface::busy() const {
+    return running() || (!unseen() && next_pass().has_value());
+}
+
+bool LiveSurface::running() const {
+    return std::ranges::any_of(lanes_, [this](const auto& lane) {
+        return lane && lane->epoch == epoch_ && build_ && lane->build.lock() == build_;
+    });
+}
+
+/// Nothing once all is there that can be.
+std::optional<SurfacePass> LiveSurface::next_pass() const {
+    if (!building_ || error_)
+        return std::nullopt;
+    const core::SurfaceParameters& p = wanted_.plan.parameters;
+    const bool moving = core::moves(p);
+    const std::optional<double> time = moving ? time_ : std::nullopt;
+    const auto early = [&](Phase phase) {
+        return SurfacePass{phase, budgets_.quads(phase), time, budgets_.separation(phase)};
+    };
+    const auto age = [&](std::optional<double> at) { return core::age_at(p, at); };
+    // At the release there is little to build, and a level set has no coarser one.
+    const bool begun = age(time) > 0.0 && p.kind != core::SurfaceKind::Level;
+    if (begun && !full_ && !coarse_done_ && budgets_.coarse_first())
+        return early(Phase::Coarse);
+    if (begun && !full_ && !refined_done_ && budgets_.refined_too())
+        return early(Phase::Refined);
+    const bool live = moving && time && playing_;
+    const SurfacePass full{live ? Phase::Live : Phase::Final, 0, time, 0.0};
+    if (!full_ || (full_->phase == Phase::Live && !live))
+        return full;
+    if (full_->time.has_value() != time.has_value() || age(full_->time) != age(time))
+        return full;
+    return std::nullopt;
+}
+
+Pace LiveSurface::pace(const SurfacePass& pass) const {
+    return full_ ? budgets_.pace_of_moving_on() : budgets_.pace(pass.phase);
+}
+
+void LiveSurface::advance() {
+    if (held_ || unseen())
+        return;
+    if (running())
+        return; // its end comes here
+    const auto pass = next_pass();
+    if (!pass)
+        return;
+    const Pace at = pace(*pass);
+    if (!lanes_[index(at)]) // else a stopped job's end comes here
+        start(at, *pass);
+}
+
+void LiveSurface::start(Pace pace, const SurfacePass& pass) {
+    if (!build_)
+        build_ =
+            std::make_shared<SurfaceBuild>(wanted_, services_.clock, services_.memory, next_seq_);
+    Running& running = lanes_[index(pace)].emplace(
+        Running{epoch_, pass, std::stop_source(), services_.clock.now(), pass_wanted_,
+                std::make_shared<core::WorkDone>(), build_});
+    progress_.start(pass.phase, running.work, running.since);
+    services_.pool.run(
+        session_, pace,
+        [build = build_, pass, pace, stop = running.stop.get_token(), weak = weak_from_this(),
+         services = services_, first = !full_, queued = running.since, wanted = running.wanted,
+         work = running.work, wanted_job = wanted_] {
+            const auto start = services.clock.now();
+            build->renew_data(wanted_job);
+            auto result =
+                std::make_shared<core::Result<Update>>(build->run(pass, stop, work.get()));
+            const std::chrono::duration<double> taken = services.clock.now() - start;
+            if (*result)
+                (*result)->took.queue = std::chrono::duration<double>(start - wanted).count();
+            if (services.metrics != nullptr)
+                count(*services.metrics, start - queued, *result, first);
+            services.loop.post([weak, pace, result, seconds = taken.count()] {
+                if (const auto self = weak.lock())
+                    self->finished(pace, std::move(*result), seconds);
+            });
+        });
+}
+
+void LiveSurface::finished(Pace pace, core::Result<Update> result, double seconds) {
+    const Running job = *std::exchange(lanes_[index(pace)], std::nullopt);
+    const bool of_now = job.epoch == epoch_ && job.build.lock() == build_ && build_;
+    if (of_now) {
+        pass_wanted_ = services_.clock.now();
+        progress_.end();
+    }
+    if (!of_now || !building_)
+        budgets_.cut_short(job.pass.phase, seconds);
+    else if (result)
+        publish(job.pass, std::move(*result));
+    else
+        failed(job.pass, std::move(result.error()), seconds);
+    advance();
+}
+
+double LiveSurface::seconds_since(std::chrono::steady_clock::time_point time) const {
+    return std::chrono::duration<double>(services_.clock.now() - time).count();
+}
+
+double LiveSurface::finest() const {
+    return wanted_.plan.parameters.separation;
+}
+
+void LiveSurface::publish(const SurfacePass& pass, Update update) {
+    if (full_)
+        budgets_.moved_on(update.seconds);
+    else
+        budgets_.took(pass.phase, update.seconds, update.statistics, finest(),
+                      wanted_.plan.parameters.max_quads);
+    coarse_done_ = true;
+    refined_done_ = refined_done_ || pass.phase != Phase::Coarse;
+    if (pass.phase == Phase::Final || pass.phase == Phase::Live)
+        full_ = pass;
+    early_ = full_ ? std::nullopt : std::optional(pass);
+    if (ranges_.add(update.ranges, early_.has_value()) && events_.ranges)
+        events_.ranges({id_, epoch_, ranges_.told()});
+    const bool first = !ring_->newest();
+    auto state = std::exchange(update.wire.state, nullptr);
+    ring_->add(std::make_shared<const Update>(std::move(update)), std::move(state));
+    if (first && services_.metrics != nullptr)
+        services_.metrics->first_frame(seconds_since(began_));
+    trim_ = services_.loop.after(limits::ring_age + std::chrono::milliseconds(100),
+                                 [weak = std::weak_ptr(ring_)] {
+                                     if (const auto ring = weak.lock())
+                                         ring->trim();
+                                 });
+    if (pass.phase == Phase::Live) {
+        progress_.arrive();
+        waiters_->answer(epoch_, outcome());
+        return;
+    }
+    const bool more = next_pass().has_value();
+    if (!more && !core::moves(wanted_.plan.parameters))
+        let_go_of_build(); // nothing will follow from it
+    if (pass.phase != Phase::Final || !more)
+        events_.progress({id_, epoch_, pass.phase, ring_->newest()->took});
+    if (!more)
+        conclude();
+}
+
+void LiveSurface::failed(const SurfacePass& pass, core::Error error, double seconds) {
+    if (pass.phase == Phase::Coarse) { // the final pass reports what is wrong for both
+        coarse_done_ = true;
+    } else if (pass.phase == Phase::Refined) {
+        refined_done_ = true;
+    } else if (error.code == core::Error::Code::Cancelled) {
+        budgets_.cut_short(pass.phase, seconds); // for another time of the clock
+    } else {
+        error_ = std::move(error);
+        conclude();
+    }
+}
+
+/// The epoch has ended, as things are.
+void LiveSurface::conclude() {
+    if (!error_)
+        progress_.arrive();
+    if (error_)
+        let_go_of_build();
+    events_.done(outcome());
+    if (error_)
+        waiters_->answer(epoch_, tl::unexpected(*error_));
+    else
+        waiters_->answer(epoch_, outcome());
+}
+
+SurfaceOutcome LiveSurface::outcome() const {
+    if (fallen_)
+        return *fallen_;
+    SurfaceOutcome out;
+    out.surface = id_;
+    out.epoch = epoch_;
+    out.error = error_;
+    out.statistics.kind = wanted_.plan.parameters.kind;
+    if (const SharedUpdate state = ring_->newest()) {
+        const bool playing = full_ && full_->phase == Phase::Live && playing_;
+        out.complete = full_ && !error_ && (playing || !next_pass());
+        out.state_sum = state->wire.state_sum;
+        out.statistics = state->statistics;
+        out.statistics.requested_separation = finest(); // an early pass is asked for less
+        out.took = state->took;
+    }
+    return out;
+}
+
+BuildStanding LiveSurface::standing() const {
+    return progress_.standing(services_.clock.now());
+}
+
+void LiveSurface::retire() {
+    stop_jobs();
+    building_ = held_ = false;
+    ++epoch_; // what the running jobs still give is no one's
+    ring_->close();
+    waiters_->answer(std::numeric_limits<std::uint32_t>::max(),
+                     core::fail(core::Error::Code::NotFound, "surface " + id_ + " was deleted",
+                                "`surface.list` lists those there are"));
+}
+
+std::uint64_t
+LiveSurface::wait(std::uint32_t epoch, std::chrono::milliseconds patience, Waiter waiter) {
+    const SurfaceOutcome now = outcome();
+    if (epoch <= epoch_ && (now.error || now.complete)) {
+        waiter(now.error ? core::Result<SurfaceOutcome>(tl::unexpected(*now.error))
+                         : core::Result<SurfaceOutcome>(now));
+        return 0;
+    }
+    begin_now();
+    const std::uint64_t ticket = waiters_->add(
+        epoch, patience,
+        [weak = weak_from_this()] {
+            const auto self = weak.lock();
+            return self ? self->outcome() : SurfaceOutcome{};
+        },
+        std::move(waiter));
+    advance(); // it may be hidden
+    return ticket;
+}
+
+void LiveSurface::forget(std::uint64_t ticket) {
+    waiters_->forget(ticket);
+}
+
+/// For those who have fallen behind or come late; once for all of them.
+void LiveSurface::encode_key() {
+    const SharedUpdate newest = ring_->newest();
+    if (!ring_->state()) // it is a key itself
+        return services_.loop.post([weak = std::weak_ptr(ring_)] {
+            if (const auto ring = weak.lock())
+                ring->add_key(nullptr);
+        });
+    const auto job = [newest, state = ring_->state(), number = number_, weak = std::weak_ptr(ring_),
+                      &loop = services_.loop, metrics = services_.metrics,
+                      account = services_.memory.account] {
+        std::shared_ptr<Update> key;
+        std::optional<core::WorkMemory> memory;
+        if (account != nullptr)
+            memory.emplace(*account, std::stop_token(), patience_for_key);
+        try {
+            protocol::EncodedUpdate from = newest->wire;
+            from.state = state;
+            const bool room = !memory || memory->grow(state->vertices() * protocol::encoding_bytes);
+            if (auto encoded = room ? protocol::encode_key(number, from) : no_room()) {
+                key = std::make_shared<Update>(*newest);
+                key->wire = std::move(*encoded);
+                key->wire.state.reset();
+                key->memory = counted(account, key->wire.bytes);
+                if (metrics != nullptr)
+                    metrics->keyframe();
+            }
+        } catch (const std::
+                     bad_alloc&) { // asked for again when there is news, as where there is no room
+        }
+        loop.post([weak, key] {
+            if (const auto ring = weak.lock())
+                ring->add_key(key);
+        });
+    };
+    if (newest->statistics.vertices < quick_key)
+        services_.pool.run(session_, Pace::Quick, job);
+    else
+        services_.pool.run(session_ + "\nkeys", Pace::Long, job); // not behind the session's own
+}
+
+} // namespace wakesurf::server

@@ -1,0 +1,54 @@
+// Whether anybody is there: someone connected, a reader of a surface, an unanswered call, wait or download, or a call a moment ago.
+// A session without anybody neither plays nor computes, and gives its memory back.
+#pragma once
+
+#include "core/base/clock.hpp"
+#include "server/service/base/loop.hpp"
+
+#include <chrono>
+#include <functional>
+#include <memory>
+
+namespace wakesurf::server {
+
+/// Loop thread only. Costs a timer while somebody is there, and nothing afterwards.
+class Attendance {
+  public:
+    static constexpr std::chrono::seconds nobody{20};    ///< so long without anybody, it is empty
+    static constexpr std::chrono::seconds look_every{4}; ///< found out so much later at most
+
+    struct Events {
+        std::function<bool()> somebody; ///< whether anyone is seen just now
+        std::function<void()> empty;    ///< no one has been for `nobody`
+        std::function<void()> back;     ///< somebody, after that
+    };
+
+    Attendance(Loop& loop, const core::Clock& clock, Events events)
+        : loop_(loop), clock_(clock), events_(std::move(events)) {}
+
+    Attendance(const Attendance&) = delete;
+    Attendance& operator=(const Attendance&) = delete;
+
+    /// Somebody asks for something, or has just gone.
+    void seen();
+
+    /// Somebody is there for as long as this is held: it waits for an answer.
+    std::shared_ptr<void> stay();
+
+    /// No one comes any more.
+    void end() { look_.reset(); }
+
+  private:
+    void look();
+    void look_later();
+
+    Loop& loop_;
+    const core::Clock& clock_;
+    Events events_;
+    std::shared_ptr<void> look_; ///< the timer; nothing: no one is there
+    std::weak_ptr<void> stay_;   ///< shared by all who stay
+    std::chrono::steady_clock::time_point seen_{};
+    bool empty_ = false;
+};
+
+} // namespace wakesurf::server

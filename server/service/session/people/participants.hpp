@@ -1,0 +1,143 @@
+// Who is in a session: name, colour, role and presence. A lost connection is shown for ten seconds more, so that a quick
+// return is no news; with its resume token it keeps its place for a week, also beyond the server's end.
+#pragma once
+
+#include "core/base/result.hpp"
+#include "protocol/api/messages_presence.hpp"
+#include "server/service/base/entropy.hpp"
+#include "server/service/base/identity.hpp"
+#include "server/service/base/journal.hpp"
+#include "server/service/base/loop.hpp"
+#include "server/service/base/secret.hpp"
+#include "server/service/base/unix_time.hpp"
+#include "server/service/session/people/presence_news.hpp"
+#include "server/service/session/records/observer.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace wakesurf::server {
+
+struct Participant {
+    std::string id;
+    std::string name;
+    std::string colour;
+    Role role = Role::Viewer;
+    std::string grant;     ///< the share link it came by; empty: the server's own token
+    bool role_set = false; ///< by a host, and so not the link's
+    SecretDigest token{};  ///< of its resume token
+    /// Of the token before, from an earlier life of the server, as long as the answer with the new one may have been lost.
+    std::optional<SecretDigest> former;
+    bool restored = false;        ///< no one has come back to it since the server started
+    Observer* observer = nullptr; ///< nothing: its connection is lost
+    protocol::Presence presence;
+};
+
+/// What somebody asks for who joins.
+struct Arrival {
+    std::string name;         ///< empty: one is found
+    std::string colour;       ///< #rrggbb; empty: one is found
+    std::string resume_token; ///< of an earlier stay, or empty
+    Identity identity;
+};
+
+struct Joined {
+    Participant you;
+    std::string resume_token;
+    bool returned = false; ///< to a place of an earlier stay
+    /// What the client saw was told by this server, since it started: it can go on from there. Else its token is another one now.
+    bool same_life = false;
+};
+
+/// Loop thread only. Observers leave before they end; the loop outlives the participants.
+class Participants {
+  public:
+    Participants(std::string session,
+                 Loop& loop,
+                 Entropy& entropy,
+                 Journal* journal = nullptr,
+                 UnixTime unix_time = unix_seconds);
+    Participants(const Participants&) = delete;
+    Participants& operator=(const Participants&) = delete;
+
+    /// With the token of an earlier stay the participant gets that place again; a connection that still holds it is
+    /// sent away. Error: OverLimit.
+    core::Result<Joined> join(const Arrival& arrival, Observer& observer);
+
+    /// Goodbye: the others are told at once.
+    void leave(const Observer& observer);
+
+    /// The connection is lost: shown for a while longer.
+    void lose(const Observer& observer);
+
+    /// New presence, told to the others. Does nothing for who is not in here.
+    void update(const Observer& observer, const protocol::PresenceChange& update);
+
+    /// Sets somebody's role, which stays with the place. REQUIRES: find(id).
+    void set_role(const std::string& id, Role role);
+
+    /// Sends somebody away for good; the place is gone. REQUIRES: find(id).
+    void remove(const std::string& id);
+
+    /// The session is deleted: everybody is sent away, and nothing is kept any more.
+    void end();
+
+    /// The places as the journal has them.
+    std::vector<JournalEntry> entries() const;
+
+    /// A place out of the journal. One that no one has come back to for too long is struck from it. Error: Corrupt.
+    core::Result<void> restore(const std::string& id, std::string_view record);
+
+    /// Those connected.
+    const std::vector<Participant>& present() const { return present_; }
+
+    /// Nothing for who is not connected here.
+    const Participant* find(const Observer& observer) const;
+
+    /// Somebody who is here, or may come back. Error: NotFound.
+    core::Result<Participant> find(const std::string& id) const;
+
+    /// As others see them: those lost a moment ago, then those connected; who came last comes last.
+    std::vector<protocol::ParticipantRecord> shown() const;
+
+  private:
+    struct Absent {
+        Participant place;
+        std::int64_t left;           ///< seconds since 1970
+        std::shared_ptr<void> shown; ///< runs while it is shown; nothing: not shown any more
+    };
+
+    Participant take_place(const SecretDigest& token);
+    std::string renew_token(Participant& place, const SecretDigest& shown);
+    std::optional<Participant> take_out(const Observer& observer);
+    bool taken(const std::string& name) const;
+    std::string free_colour() const;
+    Participant* known(const std::string& id);
+    const Participant* visible(const std::string& id) const;
+    void put_away(Participant place, std::int64_t left, bool show);
+    void hide(const std::string& id);
+    void trim();
+    void forget(std::deque<Absent>::iterator going);
+    std::size_t tell(const PresenceNews::Batch& batch) const;
+    static JournalEntry entry_of(const Participant& place, std::optional<std::int64_t> left);
+    void keep(const Participant& place, std::optional<std::int64_t> left = {});
+    void strike(const Participant& place);
+
+    std::string session_;
+    Loop& loop_;
+    Entropy& entropy_;
+    Journal* journal_;
+    UnixTime unix_time_;
+    std::vector<Participant> present_;
+    std::deque<Absent> absent_; ///< who left last comes last
+    std::size_t next_ = 1;
+    PresenceNews news_;
+};
+
+} // namespace wakesurf::server

@@ -1,0 +1,104 @@
+// What a session tells those who look at it: record changes and progress. Values, not text; the methods' side puts them
+// into messages.
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/surface/surface_statistics.hpp"
+#include "protocol/api/generated/time.hpp"
+#include "protocol/api/record_text.hpp"
+#include "protocol/wire/mesh_stream.hpp"
+#include "server/service/base/pass_seconds.hpp"
+#include "server/service/base/value_ranges.hpp"
+#include "server/service/session/records/session_records.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+
+namespace wakesurf::server {
+
+struct DeletedRecord {
+    std::string_view type; ///< `rake`, `surface`, ...
+    std::string id;
+};
+
+/// What the session is called now, and its units.
+struct SessionName {
+    std::string session;
+    std::string name;
+    protocol::SessionUnits units{};
+};
+
+using Patch = std::variant<protocol::RakeRecord,
+                           protocol::SurfaceRecord,
+                           protocol::BookmarkRecord,
+                           protocol::AnnotationRecord,
+                           protocol::ClockRecord,
+                           SessionName,
+                           DeletedRecord>;
+
+/// A surface has a state of a further phase.
+struct SurfaceProgress {
+    std::string surface;
+    std::uint32_t epoch = 0;
+    protocol::Phase phase = protocol::Phase::Final;
+    PassSeconds took; ///< making that state
+};
+
+/// What the values of a surface range over since it began to play.
+struct SurfaceRanges {
+    std::string surface;
+    std::uint32_t epoch = 0;
+    ValueRanges ranges;
+};
+
+/// How an epoch of a surface ended.
+struct SurfaceOutcome {
+    std::string surface;
+    std::uint32_t epoch = 0;
+    bool complete = false;
+    std::uint32_t state_sum = 0;
+    core::SurfaceStatistics statistics; ///< of the newest state; all zero before the first
+    std::optional<PassSeconds> took;    ///< making the newest state
+    std::optional<core::Error> error;
+};
+
+/// Why a participant is sent away.
+enum class Farewell : std::uint8_t {
+    Displaced, ///< a newer connection has taken its place
+    Removed,   ///< by a host
+    Deleted    ///< the session is, by a host
+};
+
+/// One for all observers of one event: who puts it into words leaves them here for the others.
+struct Telling {
+    std::shared_ptr<const std::string> text{};
+};
+
+/// Who has joined a session. Calls come on the loop's thread and must not change the session.
+class Observer {
+  public:
+    virtual ~Observer() = default;
+    virtual void patched(const std::string& session,
+                         std::uint64_t seq,
+                         std::span<const Patch> patches,
+                         Telling& telling) = 0;
+    /// Not told while a surface plays, nor of times it only passes.
+    virtual void progress(const SurfaceProgress& progress, Telling& telling) = 0;
+    virtual void done(const SurfaceOutcome& outcome, Telling& telling) = 0;
+
+    /// Told before the state that ranges further is sent.
+    virtual void ranges(const SurfaceRanges& /*ranges*/, Telling& /*telling*/) {}
+
+    /// Others came, went or moved: a notification, as text.
+    virtual void presence(const std::string& /*message*/) {}
+
+    /// It is no participant any more.
+    virtual void sent_away(Farewell /*why*/) {}
+};
+
+} // namespace wakesurf::server

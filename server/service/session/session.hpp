@@ -1,0 +1,271 @@
+// A session: the records several people look at and edit together. Edits are whole records, the server puts them in
+// order and the last writer wins; each bumps seq, goes to the journal and is told to every participant. Knows neither
+// sockets nor JSON text.
+#pragma once
+
+#include "core/base/result.hpp"
+#include "server/service/base/session_services.hpp"
+#include "server/service/live/surface_builds.hpp"
+#include "server/service/session/attendance.hpp"
+#include "server/service/session/data/datasets.hpp"
+#include "server/service/session/people/participants.hpp"
+#include "server/service/session/records/author.hpp"
+#include "server/service/session/records/change_log.hpp"
+#include "server/service/session/records/history.hpp"
+#include "server/service/session/records/leases.hpp"
+#include "server/service/session/records/observer.hpp"
+#include "server/service/session/records/record_entries.hpp"
+#include "server/service/session/records/session_records.hpp"
+#include "server/service/session/session_clock.hpp"
+#include "server/service/session/session_profile.hpp"
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace wakesurf::server {
+
+struct RakeChange {
+    protocol::RakeRecord record;
+    std::vector<std::pair<std::string, std::uint32_t>>
+        surfaces; ///< recomputed, with their new epochs
+};
+
+/// What came of undo or redo. With neither changes nor skipped there was nothing to undo or redo.
+struct HistoryMoveResult {
+    struct Skip {
+        RecordKey key;
+        std::string why; ///< for people
+    };
+
+    std::vector<RecordChange> changes;
+    std::vector<Skip> skipped; ///< records somebody else has changed since: the edit is forgotten
+    History::Depth left;
+};
+
+/// Loop thread only. An author may be left out: then it is the server's own doing, which no one can undo.
+class Session {
+  public:
+    Session(std::string id, std::string name, SessionServices services, std::uint32_t& next_number);
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
+
+    const std::string& id() const { return id_; }
+
+    const std::string& name() const { return name_; }
+
+    /// That its people have typed.
+    const protocol::SessionUnits& units() const { return units_; }
+
+    std::uint64_t seq() const { return seq_; }
+
+    Participants& participants() { return participants_; }
+
+    const Participants& participants() const { return participants_; }
+
+    const SessionRecords& records() const { return records_; }
+
+    /// Since when it is there, who was in it, whether anybody edited it.
+    const protocol::SessionProfile& profile() const { return profile_.value(); }
+
+    /// The picture that a list shows, in base64; empty: no one has sent one.
+    const std::string& thumbnail() const { return thumbnail_; }
+
+    SessionClock& clock() { return clock_; }
+
+    const SessionClock& clock() const { return clock_; }
+
+    /// What its moving surfaces can be played over; nothing without any.
+    std::optional<std::array<double, 2>> moving_range() const { return builds_.moving_range(); }
+
+    /// As SurfaceBuilds::check_time.
+    core::Result<void> check_time(const char* name, double time) const {
+        return builds_.check_time(name, time);
+    }
+
+    /// As ChangeLog::since; the clock as it is now.
+    std::optional<std::vector<Patch>> changes_since(std::uint64_t seq) const;
+
+    std::vector<protocol::RakeRecord> rakes() const;
+    std::vector<protocol::SurfaceRecord> surfaces() const;
+
+    /// Error: NotFound.
+    core::Result<protocol::RakeRecord> rake(const std::string& id) const;
+    core::Result<protocol::SurfaceRecord> surface(const std::string& id) const;
+    core::Result<protocol::BookmarkRecord> bookmark(const std::string& id) const;
+    core::Result<protocol::AnnotationRecord> annotation(const std::string& id) const;
+    core::Result<std::shared_ptr<LiveSurface>> live(const std::string& id) const;
+
+    /// As Participants::join; the profile remembers who came.
+    core::Result<Joined> join(const Arrival& arrival, Observer& observer);
+    void leave(const Observer& observer);
+    void lose(const Observer& observer);
+
+    /// Everybody in it is told.
+    void rename(std::string name);
+    void set_units(protocol::SessionUnits units);
+    void set_thumbnail(std::string base64);
+
+    /// Somebody calls, or stays for as long as they wait for an answer: see Attendance.
+    Attendance& attendance() { return attendance_; }
+
+    /// Somebody wants it to be there: it is never given up, however little is in it.
+    void made_on_purpose();
+
+    /// Creates or replaces a rake and rebuilds the surfaces that hang on it, as rake or as rake2; `dragging` takes, renews
+    /// or ends the lease. Whether somebody else has it is for the caller to ask. Error: NotFound, OverLimit,
+    /// InvalidArgument, OutOfDomain by how much; nothing has changed then.
+    core::Result<RakeChange> set_rake(const protocol::RakeSetting& setting,
+                                      const Author& author = {});
+
+    /// Deletes the surfaces that hang on it as well.
+    core::Result<void> delete_rake(const std::string& id, const Author& author = {});
+
+    /// Creates or replaces a surface and starts building it. Error: NotFound (surface, rake, dataset), Unsupported
+    /// (kind), OutOfTime, OutOfDomain, InvalidArgument, OverLimit.
+    core::Result<protocol::SurfaceRecord> set_surface(const protocol::SurfaceSetting& setting,
+                                                      const Author& author = {});
+    core::Result<void> delete_surface(const std::string& id, const Author& author = {});
+
+    /// Error: NotFound, OverLimit.
+    core::Result<protocol::BookmarkRecord> set_bookmark(const protocol::BookmarkSetting& setting,
+                                                        const Author& author = {});
+    core::Result<void> delete_bookmark(const std::string& id, const Author& author = {});
+
+    /// A new one carries the author's name, and keeps it. Error: NotFound (annotation, surface), OverLimit.
+    core::Result<protocol::AnnotationRecord>
+    set_annotation(const protocol::AnnotationSetting& setting, const Author& author = {});
+    core::Result<void> delete_annotation(const std::string& id, const Author& author = {});
+
+    /// Takes the author's newest edit back, or does it again, as an edit like any other. Where a record of it is no longer as the
+    /// author left it, nothing happens but that the edit is forgotten.
+    HistoryMoveResult move_in_history(HistoryMove move, const Author& author);
+
+    /// Who drags a rake just now.
+    std::optional<Lease> lease(const std::string& rake) const { return leases_.find(rake); }
+
+    const SurfaceBuilds& builds() const { return builds_; }
+
+    /// Of somebody who has left.
+    void end_leases(const std::string& participant);
+
+    /// As SurfaceBuilds::dataset_changed. Where its values are not those that the session was last used with, also by an earlier server,
+    /// its picture goes, and newcomers are told.
+    void dataset_changed(const std::string& dataset);
+
+    /// Datasets whose values have been replaced while no one was here.
+    const std::set<std::string>& replaced_data() const { return replaced_data_; }
+
+    /// Brings back what a journal kept, places of people and all, into a session without records. Its epochs and seq are above all told
+    /// before.
+    RestoreReport restore(std::span<const JournalEntry> entries);
+
+    /// Records that starts could not use, oldest first.
+    const std::vector<KeptAside>& kept_aside() const { return aside_; }
+
+    /// How many of them only the last start found.
+    std::size_t newly_aside() const { return newly_aside_; }
+
+    /// Has records that cannot be used kept aside, and remembers them.
+    void set_aside(const std::vector<RefusedEntry>& refused);
+
+    /// Remembers what is kept aside already. `fresh`: since this start.
+    void recall_aside(std::vector<KeptAside> records, bool fresh);
+
+    /// Takes over another session's records as they are, into a session without records.
+    void copy(const Session& other, bool on_purpose);
+
+    /// Writes the session into the journal as it is, name and all.
+    void keep();
+
+    /// All that the journal has of it but its share links: restore() makes the same session of it.
+    std::vector<JournalEntry> entries() const;
+
+    /// Takes over records that have been checked, into a session without records; its surfaces rest until someone looks.
+    void take_over(KeptRecords records);
+
+    /// Notes since when it is in the trash; nothing: it is not any more.
+    void delete_at(std::optional<std::int64_t> when);
+
+    /// It is deleted: its people are sent away and its jobs stopped, and nothing of it is kept any more.
+    void end();
+
+    /// Writes the time into the journal if the clock runs: otherwise it is there already.
+    void keep_time();
+
+  private:
+    using Epochs = std::vector<std::pair<std::string, std::uint32_t>>; ///< of surfaces
+
+    RecordChange change_to(Record after) const;
+    std::vector<RecordChange> deletion(const RecordKey& key) const;
+    core::Result<void> may_put(const RecordKey& key, bool is_new) const;
+    core::Result<void> may_keep(const Record& record) const;
+    core::Result<void> has_room(std::size_t before, std::size_t after) const;
+    void count_memory();
+    core::Result<void> remove(const RecordKey& key, const Author& author);
+    core::Result<core::ClippedRake> clip(const protocol::RakeSetting& setting) const;
+    core::Result<core::ClippedRake> clip_to(const core::Rake& shape,
+                                            const std::string& dataset) const;
+    std::uint64_t
+    settle_lease(protocol::RakeRecord& record, std::optional<bool> dragging, const Author& author);
+    void lease_ended(const std::string& rake);
+
+    /// @param job  of the surface among the changes, where it has been planned already
+    Epochs edit(std::vector<RecordChange> changes,
+                const Author& author,
+                std::uint64_t drag = 0,
+                std::optional<SurfaceJob> job = std::nullopt);
+    Epochs commit(const std::vector<RecordChange>& changes,
+                  std::optional<SurfaceJob> job = std::nullopt);
+    Epochs build(const std::vector<RecordChange>& changes,
+                 bool rest = false,
+                 std::optional<SurfaceJob> job = std::nullopt);
+    void begin(std::uint32_t epochs_before, bool rest);
+    protocol::SessionHead head() const;
+    std::vector<JournalEntry> own_entries() const;
+    protocol::SessionProfile profile_of(KeptRecords& kept,
+                                        std::span<const JournalEntry> entries) const;
+    void time_moved(bool jumped);
+    void announce(const std::vector<Patch>& patches);
+    void note_data(const std::string& dataset, bool replaced);
+    void keep_profile();
+    void somebody_went();
+    bool somebody() const;
+    void rest();
+    void resume();
+    core::Result<void> may_be_default(RecordType type, bool is_new) const;
+    SurfaceBuilds::Events build_events();
+
+    std::vector<HistoryMoveResult::Skip> obstacles(const Edit& edit, HistoryMove move) const;
+    std::string obstacle(const Edit& edit, const EditStep& step, HistoryMove move) const;
+
+    std::string id_;
+    std::string name_;
+    protocol::SessionUnits units_;
+    SessionServices services_;
+    std::uint64_t seq_ = 0;
+    SessionRecords records_;
+    Participants participants_;
+    ChangeLog changes_;
+    Leases leases_;
+    History history_;
+    SurfaceBuilds builds_; ///< its jobs' events use what is above
+    SessionClock clock_;
+    ProfileKeeper profile_;
+    std::string thumbnail_;
+    Attendance attendance_;
+    std::chrono::steady_clock::time_point time_kept_{}; ///< of the clock, in the journal
+    std::vector<KeptAside> aside_;
+    std::size_t newly_aside_ = 0;
+    std::set<std::string> replaced_data_;
+    core::MemoryAccount::Share memory_; ///< of the records and the history
+};
+
+} // namespace wakesurf::server

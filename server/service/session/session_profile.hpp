@@ -1,0 +1,50 @@
+// What a list tells of a session besides its records, kept up to date: who was in it, when it was last used, whether
+// anybody ever edited it.
+#pragma once
+
+#include "protocol/api/messages_session.hpp"
+#include "server/service/base/journal.hpp"
+#include "server/service/base/unix_time.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace wakesurf::server {
+
+/// Loop thread only. Changes reach the journal with what caused them, the time of an edit once a minute.
+class ProfileKeeper {
+  public:
+    /// Of a session made now.
+    explicit ProfileKeeper(UnixTime unix_time);
+
+    const protocol::SessionProfile& value() const { return value_; }
+
+    /// Out of the journal, for a session made before now.
+    void restore(protocol::SessionProfile kept);
+
+    void arrived(protocol::SessionPerson person);
+    void used();
+    void edited();
+    void made_on_purpose();
+    void copied(const std::string& session, const std::string& name);
+    void deleted(std::optional<std::int64_t> when);
+
+    /// Which values a dataset had (store::ValueMarks::text); empty: no surface has used it.
+    std::string data(const std::string& dataset) const;
+    void set_data(const std::string& dataset, std::string values);
+
+    /// To be written, if anything has changed that should be; it counts as written then.
+    std::optional<JournalEntry> due();
+
+    /// As it is now.
+    JournalEntry entry() const;
+
+  private:
+    UnixTime unix_time_;
+    protocol::SessionProfile value_;
+    bool changed_ = false;
+    std::int64_t kept_at_ = 0;
+};
+
+} // namespace wakesurf::server

@@ -1,0 +1,85 @@
+// A store's files on a web server or an object store, as a disk that the store reader reads: each read is a range of an object. What a
+// server answers is checked here; whether the bytes are those that were written is checked above, by their checksums.
+#pragma once
+
+#include "core/base/disk.hpp"
+#include "server/service/web/http_transport.hpp"
+
+#include <chrono>
+#include <cstddef>
+#include <functional>
+#include <list>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <stop_token>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace wakesurf::server {
+
+/// An object is looked at once: its size and its mark (ETag, else the time it was last modified) stay as they were then. Where another
+/// one takes its place, reading it says so. Errors name its address. Thread safety: concurrent calls are fine.
+class WebDisk final : public core::Disk {
+  public:
+    /// Waits that long, or until `stop` fires.
+    using Pause = std::function<void(std::chrono::milliseconds, const std::stop_token& stop)>;
+
+    /// A question is repeated where no answer came, or one that says to come again.
+    static constexpr int most_tries = 5;
+
+    /// What is asked for at once.
+    static constexpr std::size_t most_bytes = std::size_t{16} << 20;
+
+    explicit WebDisk(std::shared_ptr<HttpTransport> transport, Pause pause = wait);
+
+    core::Result<std::uint64_t> size(const std::filesystem::path& file) const override;
+    core::Result<core::FileIdentity> identity(const std::filesystem::path& file) const override;
+    core::Result<void> read(const std::filesystem::path& file,
+                            std::uint64_t offset,
+                            std::span<std::byte> out) const override;
+    core::Result<void> read_stoppable(const std::filesystem::path& file,
+                                      std::uint64_t offset,
+                                      std::span<std::byte> out,
+                                      const std::stop_token& stop) const override;
+
+    /// One a connection.
+    Pace pace() const override { return {64, most_bytes}; }
+
+  private:
+    struct Known {
+        std::uint64_t size = 0;
+        std::string etag;     ///< or empty
+        std::string modified; ///< where there is no ETag
+    };
+
+    struct Object {
+        std::mutex mutex; ///< held while it is looked at: one looks for all
+        std::optional<Known> known;
+    };
+
+    using Bytes = std::shared_ptr<const std::vector<std::byte>>;
+
+    static void wait(std::chrono::milliseconds time, const std::stop_token& stop);
+
+    core::Result<Known> known(const std::string& address, const std::stop_token& stop) const;
+    core::Result<Known> look_at(const std::string& address, const std::stop_token& stop) const;
+    core::Result<void> read_part(const std::string& address,
+                                 const Known& known,
+                                 std::uint64_t offset,
+                                 std::span<std::byte> out,
+                                 const std::stop_token& stop) const;
+    core::Result<HttpAnswer>
+    ask(const HttpRequest& request, std::span<std::byte> body, const std::stop_token& stop) const;
+    void keep(const std::string& address, std::vector<std::byte> beginning) const;
+    Bytes beginning_of(const std::string& address) const;
+
+    std::shared_ptr<HttpTransport> transport_;
+    Pause pause_;
+    mutable std::mutex mutex_; ///< guards what follows
+    mutable std::map<std::string, std::shared_ptr<Object>> objects_;
+    mutable std::list<std::pair<std::string, Bytes>> beginnings_; ///< of small files, newest first
+};
+
+} // namespace wakesurf::server

@@ -1,0 +1,47 @@
+// The objects of a Zarr's chunks, on a disk or the web, read whole and unpacked.
+#pragma once
+
+#include "core/base/disk.hpp"
+#include "server/service/zarr/zarr_array.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace wakesurf::server {
+
+/// What an object is when it is read for the first time (size, time or ETag) it has to stay: a Zarr has no checksums of its own. Memory: some
+/// 100 bytes an object that was read. Errors name the chunk. Thread safety: concurrent calls are fine.
+class ChunkObjects {
+  public:
+    ChunkObjects(std::filesystem::path root, std::shared_ptr<const core::Disk> disk)
+        : root_(std::move(root)), disk_(std::move(disk)) {}
+
+    /// The bytes of a chunk's numbers; empty where there is no object and the array says what it is filled with. @param at  one number an axis
+    /// Error: NotFound for what is neither there nor filled, Corrupt for what is damaged or has changed, Io, Cancelled.
+    core::Result<std::vector<std::byte>> read(const ZarrArray& array,
+                                              const std::vector<std::uint64_t>& at,
+                                              const std::stop_token& stop) const;
+
+    /// All values of an array of one axis. Error: likewise; OverLimit for more than `most`.
+    core::Result<std::vector<double>> read_line(const ZarrArray& array, std::uint64_t most) const;
+
+    const core::Disk& disk() const { return *disk_; }
+
+  private:
+    core::Result<std::vector<std::byte>>
+    read_object(const ZarrArray& array, const std::string& name, const std::stop_token& stop) const;
+    core::Result<void> check_same(const std::string& name, const core::FileIdentity& now) const;
+
+    std::filesystem::path root_;
+    std::shared_ptr<const core::Disk> disk_;
+    mutable std::mutex mutex_; ///< guards seen_
+    mutable std::map<std::string, core::FileIdentity> seen_;
+};
+
+} // namespace wakesurf::server

@@ -1,0 +1,75 @@
+// A Zarr, seen as a store in bricks: the files that a store would have are made of its chunks when they are read. So the store reader, its
+// bricks and all above them know nothing of Zarr.
+#pragma once
+
+#include "core/base/disk.hpp"
+#include "core/base/worker_threads.hpp"
+#include "core/dataset/brick_layout.hpp"
+#include "server/service/zarr/brick_pieces.hpp"
+#include "server/service/zarr/chunk_cache.hpp"
+#include "server/service/zarr/zarr_dataset.hpp"
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace wakesurf::server {
+
+/// Thread safety: concurrent calls are fine.
+class ZarrDisk final : public core::Disk {
+  public:
+    /// Reads the metadata and the coordinates. @param disk  that the Zarr is on
+    /// @param scalar_bytes  as in describe_zarr. Error: as read_zarr_group and describe_zarr.
+    static core::Result<std::shared_ptr<const ZarrDisk>>
+    open(const std::filesystem::path& root,
+         std::shared_ptr<const core::Disk> disk,
+         std::uint64_t scalar_bytes);
+
+    core::Result<std::uint64_t> size(const std::filesystem::path& file) const override;
+    core::Result<void> read(const std::filesystem::path& file,
+                            std::uint64_t offset,
+                            std::span<std::byte> out) const override;
+    core::Result<void> read_stoppable(const std::filesystem::path& file,
+                                      std::uint64_t offset,
+                                      std::span<std::byte> out,
+                                      const std::stop_token& stop) const override;
+
+    Pace pace() const override { return objects_->disk().pace(); }
+
+    /// Memory of chunks that is needed at least, which it keeps to until use_memory() is called: one of each component, and one that is read.
+    std::size_t least_memory() const;
+
+    /// REQUIRES: at least least_memory().
+    void use_memory(std::size_t bytes) const { chunks_.resize(bytes); }
+
+  private:
+    /// Whose values a file has.
+    struct Values {
+        std::size_t column;
+        std::size_t step;
+    };
+
+    ZarrDisk(ZarrDataset dataset, std::unique_ptr<const ChunkObjects> objects, std::uint32_t mark);
+    std::optional<Values> values_of(const std::filesystem::path& file) const;
+    core::Result<void> read_bricks(const Values& values,
+                                   std::size_t place,
+                                   std::span<float> out,
+                                   const std::stop_token& stop) const;
+    core::Result<void> put(const BrickPiece& piece,
+                           bool velocity,
+                           std::span<float> brick,
+                           const std::stop_token& stop) const;
+
+    ZarrDataset dataset_;
+    std::unique_ptr<const ChunkObjects> objects_;
+    core::BrickLayout layout_;
+    std::vector<std::uint32_t> order_;                    ///< bricks by their place in a file
+    std::map<std::string, std::vector<std::byte>> files_; ///< all but the values
+    mutable ChunkCache chunks_;
+    mutable core::WorkerThreads threads_; ///< last: they use what is above
+};
+
+} // namespace wakesurf::server

@@ -1,0 +1,36 @@
+// The arrays of a Zarr: of the group at its root, or the one that is its root. From its consolidated metadata where there are any, else
+// from those of each array.
+#pragma once
+
+#include "core/base/disk.hpp"
+#include "core/base/result.hpp"
+#include "server/service/zarr/zarr_array.hpp"
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace wakesurf::server {
+
+struct ZarrGroup {
+    std::vector<ZarrArray> arrays;              ///< by name
+    std::map<std::string, core::Error> refused; ///< arrays that cannot be read, by name, and why
+    int version = 2;                            ///< of Zarr
+    bool listed = true;     ///< false: only names were tried that arrays of a velocity have
+    std::uint32_t mark = 0; ///< CRC-32C of all metadata
+
+    const ZarrArray* find(const std::string& name) const;
+};
+
+/// @param names  folders below the root, where that can be told
+/// Error: NotFound where there is no Zarr, Io, and as parse_zarr_2 and parse_zarr_3 where the root is an array itself.
+core::Result<ZarrGroup> read_zarr_group(const std::filesystem::path& root,
+                                        const core::Disk& disk,
+                                        const std::optional<std::vector<std::string>>& names);
+
+/// It is, or lies in, a folder whose name ends in .zarr, or has a Zarr's metadata.
+bool is_zarr(const std::filesystem::path& folder);
+
+} // namespace wakesurf::server

@@ -1,0 +1,32 @@
+// Which arrays of a Zarr are its velocity: by the names of arrays and their axes. Below server/service/zarr/zarr_dataset.hpp.
+#pragma once
+
+#include "core/base/result.hpp"
+#include "server/service/zarr/zarr_axes.hpp"
+
+#include <string>
+#include <vector>
+
+namespace wakesurf::server {
+
+/// An array that has a value at each node.
+struct ZarrField {
+    const ZarrArray* array;
+    ZarrAxes axes;
+};
+
+struct ZarrVelocity {
+    std::vector<ZarrField> parts; ///< one vector, or three scalars
+    std::string name;
+    std::string why;
+};
+
+/// Those of the group.
+std::vector<ZarrField> zarr_fields(const ZarrGroup& group);
+
+/// A vector with the name of a velocity, else three arrays with the names of its components, else the only vector.
+/// Error: NotFound, InvalidArgument (several velocities), Unsupported (staggered grids); that of an array which cannot be read and would be it.
+core::Result<ZarrVelocity> choose_zarr_velocity(const ZarrGroup& group,
+                                                const std::vector<ZarrField>& fields);
+
+} // namespace wakesurf::server

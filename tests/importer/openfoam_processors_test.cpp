@@ -1,0 +1,120 @@
+// Decomposed OpenFOAM cases whose processors, or the whole case beside them, have different times.
+#include "tests/importer/cavity_case.hpp"
+
+namespace wakesurf::importer::openfoam_processors_test {
+namespace {
+
+using namespace tests;
+using namespace tests::cavity;
+using core::Error;
+namespace fs = std::filesystem;
+
+using Processors = CavityCase;
+
+TEST_F(Processors, AreTakenWhereTheyHaveMoreTimesThanTheWholeCase) {
+    const auto mesh = foam_block_mesh({});
+    put(mesh);
+    fs::remove_all(at("0.5"));
+    for (const auto& part : decompose(mesh))
+        put(part, false, "processor" + std::to_string(part.part));
+    const auto decomposed = open();
+    EXPECT_EQ(decomposed->description().times.size(), 3u);
+    EXPECT_NE(decomposed->description().note.find("processor folders, which have 3 times"),
+              std::string::npos)
+        << decomposed->description().note;
+    fs::remove_all(at("processor0/10"));
+    for (const char* const gone :
+         {"processor0/0.5", "processor1/0.5", "processor0/1e1", "processor1/1e1"})
+        fs::remove_all(at(gone));
+    const auto whole = open();
+    EXPECT_EQ(whole->description().times, (std::vector<double>{0.0, 10.0}));
+    EXPECT_NE(whole->description().note.find("reconstructed"), std::string::npos);
+}
+
+TEST_F(Processors, LeaveOutTimesThatNotAllOfThemHave) {
+    const auto mesh = foam_block_mesh({});
+    const auto put_parts = [&] {
+        for (const auto& part : decompose(mesh))
+            put(part, false, "processor" + std::to_string(part.part));
+    };
+    using Times = std::vector<double>;
+
+    const struct {
+        const char* gone;
+        Times times;
+        const char* note;
+    } cases[]{{"processor1/1e1/U",
+               {0.0, 0.5},
+               "time 1e1 is left out: processor1 has no U at 1e1, other processors have"},
+              {"processor0/1e1",
+               {0.0, 0.5},
+               "time 1e1 is left out: processor0 has no U at 1e1, other processors have"},
+              {"processor1/0.5",
+               {0.0, 10.0},
+               "time 0.5 is left out: processor1 has no U at 0.5, other processors have"},
+              {"processor1/1e1/p",
+               {0.0, 0.5},
+               "time 1e1 is left out: processor1 has no p there, other processors have"},
+              {"processor0/1e1/p",
+               {0.0, 0.5},
+               "time 1e1 is left out: processor0 has no p there, other processors have"},
+              {"processor1/0.5/p", {0.0, 0.5, 10.0}, "not at every time-step: p"}};
+
+    for (const auto& one : cases) {
+        SCOPED_TRACE(one.gone);
+        put_parts();
+        fs::remove_all(at(one.gone));
+        const auto source = open();
+        EXPECT_EQ(source->description().times, one.times);
+        EXPECT_EQ(source->description().note, one.note);
+        const std::size_t last = one.times.size() - 1;
+        const auto step = source->read(last, source->description().fields);
+        ASSERT_TRUE(step.has_value()) << step.error().message;
+        if (source->description().fields.size() == 2)
+            expect_values(*step, one.times.back() == 10.0 ? 2 : 1, mesh.cells.size());
+    }
+}
+
+TEST_F(Processors, AreRefusedWithoutATimeInCommon) {
+    for (const auto& part : decompose(foam_block_mesh({})))
+        put(part, false, "processor" + std::to_string(part.part));
+    fs::remove_all(at("processor1/0"));
+    fs::remove_all(at("processor1/0.5"));
+    fs::remove_all(at("processor0/1e1"));
+    const auto refused = open_openfoam(at(""));
+    ASSERT_FALSE(refused.has_value());
+    EXPECT_EQ(refused.error().code, Error::Code::NotFound);
+    EXPECT_EQ(refused.error().message, "the processors of cavity have no time with U in common");
+    fs::remove_all(at("processor0/constant"));
+    EXPECT_FALSE(open_openfoam(at("")).has_value());
+    fs::rename(at("processor0"), at("processor2"));
+    EXPECT_EQ(open_openfoam(at("")).error().message, "cavity has processor1, but no processor0");
+    fs::create_directories(at("processors2"));
+    EXPECT_EQ(open_openfoam(at("")).error().code, Error::Code::Unsupported);
+}
+
+/// A cavity of 6^3 cells that OpenFOAM 1912 (blockMesh, decomposePar, icoFoam on two processors) computed and wrote.
+TEST_F(Processors, OfARunThatWasKilledWhileItWroteOpenWithTheTimesThatAllHave) {
+    const fs::path run = at("run");
+    fs::create_directories(run);
+    fs::copy(tests::source_folder() / "tests/importer/openfoam_run", run,
+             fs::copy_options::recursive);
+    const auto times = [&] { return (*open_openfoam(run / "run.foam"))->description().times; };
+    EXPECT_EQ(times(), (std::vector<double>{33.05, 33.1, 33.15}));
+
+    const auto killed = fs::file_size(run / "processor1/33.15/U") / 2;
+    fs::resize_file(run / "processor1/33.15/U", killed);
+    const auto source = open_openfoam(run / "run.foam");
+    ASSERT_TRUE(source) << source.error().message;
+    EXPECT_EQ((*source)->description().times, (std::vector<double>{33.05, 33.1}));
+    EXPECT_NE((*source)->description().note.find("time 33.15 is left out: "), std::string::npos)
+        << (*source)->description().note;
+    const auto step = (*source)->read(1, (*source)->description().fields);
+    ASSERT_TRUE(step) << step.error().message;
+
+    fs::remove_all(run / "processor1/33.15");
+    EXPECT_EQ(times(), (std::vector<double>{33.05, 33.1}));
+}
+
+} // namespace
+} // namespace wakesurf::importer::openfoam_processors_test

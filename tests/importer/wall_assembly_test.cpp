@@ -1,0 +1,127 @@
+#include "core/dataset/cell_neighbours.hpp"
+#include "importer/assembly/wall_assembly.hpp"
+#include "tests/importer/small_blocks.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace wakesurf::importer::wall_assembly_test {
+namespace {
+
+using namespace tests;
+using core::CellMesh;
+using core::Vec3;
+using Pointers = std::vector<vtkSmartPointer<vtkDataSet>>;
+
+// Walls among the faces for which `where` holds of all corners; and the number of such faces.
+template <class Where>
+std::pair<std::size_t, std::size_t> walls_where(const GridAssembly& assembly, const Where& where) {
+    const auto& mesh = std::get<CellMesh>(assembly.grid);
+    std::size_t walls = 0;
+    std::size_t faces = 0;
+    for (const auto& [number, f] : core::boundary_faces(mesh)) {
+        const auto& cell = mesh.cells[number];
+        const auto face = core::face(cell.shape, f);
+        bool all = true;
+        for (std::size_t i = 0; i < face.count; ++i)
+            all = all && where(mesh.points[cell.node[face.node[i]]]);
+        faces += all ? 1 : 0;
+        walls += all && cell.beyond[f] == core::beyond_wall ? 1 : 0;
+    }
+    return {walls, faces};
+}
+
+const auto everywhere = [](const Vec3&) { return true; };
+const auto floor_of_it = [](const Vec3& p) { return p.z == 0.0; };
+
+vtkSmartPointer<vtkPolyData> polygons(const std::vector<std::vector<Vec3>>& faces) {
+    auto data = vtkSmartPointer<vtkPolyData>::New();
+    auto points = vtkSmartPointer<vtkPoints>::New();
+    points->SetDataTypeToDouble();
+    data->SetPoints(points);
+    data->Allocate(1);
+    for (const auto& face : faces) {
+        std::vector<vtkIdType> ids;
+        for (const Vec3& p : face)
+            ids.push_back(points->InsertNextPoint(p.x, p.y, p.z));
+        data->InsertNextCell(VTK_POLYGON, static_cast<int>(ids.size()), ids.data());
+    }
+    return data;
+}
+
+GridAssembly brick_with_hole() {
+    auto grid = brick({0, 0, 0}, 1.0, {3, 3, 3});
+    auto holey = empty_block();
+    holey->SetPoints(grid->GetPoints());
+    for (vtkIdType i = 0; i < 27; ++i)
+        if (i != 13) {
+            auto ids = vtkSmartPointer<vtkIdList>::New();
+            grid->GetCellPoints(i, ids);
+            holey->InsertNextCell(VTK_HEXAHEDRON, ids);
+        }
+    const Pointers blocks{holey};
+    return assemble_grid(blocks).value();
+}
+
+TEST(WallAssembly, TakesTheFacesAReaderSaysAreWalls) {
+    const Pointers blocks{refined_block()};
+    auto assembly = assemble_grid(blocks).value();
+    SourceStep step;
+    step.walls.push_back(
+        {polygons({{{0, 0, 0}, {0, 1, 0}, {1, 1, 0}, {1, 0, 0}},
+                   {{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0.5, 0, 1}, {0, 0, 1}}, // was cut in five
+                   {{7, 7, 7}, {8, 7, 7}, {8, 8, 7}}}),
+         true});
+    const Walls walls = find_walls(assembly, step);
+    EXPECT_EQ(walls_where(assembly, everywhere).first, 1u + 5u);
+    EXPECT_EQ(walls_where(assembly, floor_of_it), std::pair(std::size_t{1}, std::size_t{4}));
+    EXPECT_EQ(walls.unmatched, 1u);
+    EXPECT_EQ(walls.still.size(), 7u); // 4 on the floor, 3 more on the side
+    const auto& mesh = std::get<CellMesh>(assembly.grid);
+    for (const std::uint32_t node : walls.still)
+        EXPECT_TRUE(mesh.points[node].z == 0.0 || mesh.points[node].y == 0.0);
+}
+
+TEST(WallAssembly, TakesTheBoundaryOfAHoleButNotThatOfTheDomain) {
+    auto assembly = brick_with_hole();
+    EXPECT_TRUE(find_walls(assembly, {}).still.empty());
+    EXPECT_EQ(walls_where(assembly, everywhere), std::pair(std::size_t{6}, std::size_t{60}));
+    const auto geometry = wall_geometry(assembly, {});
+    EXPECT_EQ(geometry.triangles.size(), 12u);
+    EXPECT_EQ(geometry.points.size(), 8u);
+    for (const auto& p : geometry.points)
+        EXPECT_TRUE(p.x >= 1 && p.x <= 2 && p.y >= 1 && p.y <= 2 && p.z >= 1 && p.z <= 2);
+}
+
+TEST(WallAssembly, TakesFacesThatAreAtRestAtBothTimeSteps) {
+    const Pointers blocks{brick({0, 0, 0}, 1.0, {2, 2, 2})};
+    auto assembly = assemble_grid(blocks).value();
+    const auto& points = std::get<CellMesh>(assembly.grid).points;
+    std::vector<float> first(3 * points.size(), 1.0f);
+    std::vector<float> last = first;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        for (std::size_t c = 0; c < 3; ++c) {
+            if (points[i].z == 0.0)
+                first[3 * i + c] = last[3 * i + c] = 0.0f;
+            if (points[i].z == 2.0)
+                first[3 * i + c] = 0.0f; // an inlet that starts at rest
+        }
+    add_still_walls(assembly, first, last);
+    EXPECT_EQ(walls_where(assembly, floor_of_it), std::pair(std::size_t{4}, std::size_t{4}));
+    EXPECT_EQ(walls_where(assembly, everywhere).first, 4u);
+    EXPECT_TRUE(wall_geometry(assembly, {})
+                    .triangles.empty()); // the floor of the box would hide what is in it
+}
+
+TEST(WallAssembly, ShowsSolidRegions) {
+    const Pointers blocks{brick({0, 0, 0}, 1.0, {1, 1, 1})};
+    const auto assembly = assemble_grid(blocks).value();
+    SourceStep step;
+    step.solids.push_back(polygons({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}}));
+    EXPECT_EQ(wall_geometry(assembly, step).triangles.size(), 2u);
+    EXPECT_EQ(wall_geometry(assembly, step).points.size(), 4u);
+}
+
+} // namespace
+} // namespace wakesurf::importer::wall_assembly_test
