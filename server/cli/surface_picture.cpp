@@ -33,20 +33,6 @@ std::vector<std::string> server_words(const SurfaceOptions& options) {
 
 } // namespace
 
-core::Result<void> check_picture_options(const SurfaceOptions& options) {
-    const std::pair<bool, const char*> others[] = {{!options.lines.empty(), "--lines"},
-                                                   {options.tessellate > 1, "--tessellate"},
-                                                   {!options.draco, "--no-draco"},
-                                                   {!options.stats.empty(), "--stats"},
-                                                   {options.seconds > 0.0, "--seconds"}};
-    for (const auto& [given, option] : others)
-        if (given)
-            return core::fail(core::Error::Code::InvalidArgument,
-                              std::string(option) + " is for meshes, and -o names a picture",
-                              "leave it out, or write .vtp, .glb, .ply, .obj or .drc");
-    return {};
-}
-
 int draw_surface(const SurfaceOptions& options, const SurfaceRequest& request) {
     nlohmann::json job{{"size", options.size},
                        {"seeds", options.seeds},

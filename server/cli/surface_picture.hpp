@@ -7,9 +7,6 @@
 
 namespace wakesurf::server {
 
-/// Error: InvalidArgument, an option that pictures do not take.
-core::Result<void> check_picture_options(const SurfaceOptions& options);
-
 /// Does not return where it could start. Exit status.
 int draw_surface(const SurfaceOptions& options, const SurfaceRequest& request);
 

@@ -6,7 +6,6 @@
 #include "protocol/api/point_json.hpp"
 #include "protocol/files/mesh_file.hpp"
 #include "server/cli/rake_text.hpp"
-#include "server/cli/surface_picture.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -115,6 +114,21 @@ core::Result<std::optional<protocol::LinesWanted>> read_lines(const SurfaceOptio
         return core::fail(Code::InvalidArgument, "-o: lines cannot be written as .drc",
                           "choose .vtp, .glb, .ply or .obj");
     return *lines;
+}
+
+// Error: InvalidArgument, an option that pictures do not take.
+core::Result<void> check_picture_options(const SurfaceOptions& options) {
+    const std::pair<bool, const char*> others[] = {{!options.lines.empty(), "--lines"},
+                                                   {options.tessellate > 1, "--tessellate"},
+                                                   {!options.draco, "--no-draco"},
+                                                   {!options.stats.empty(), "--stats"},
+                                                   {options.seconds > 0.0, "--seconds"}};
+    for (const auto& [given, option] : others)
+        if (given)
+            return core::fail(core::Error::Code::InvalidArgument,
+                              std::string(option) + " is for meshes, and -o names a picture",
+                              "leave it out, or write .vtp, .glb, .ply, .obj or .drc");
+    return {};
 }
 
 } // namespace

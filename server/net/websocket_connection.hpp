@@ -3,8 +3,8 @@
 #pragma once
 
 #include "server/net/byte_stream.hpp"
-#include "server/net/http_connection.hpp"
 #include "server/net/http_message.hpp"
+#include "server/net/net_services.hpp"
 
 #include <memory>
 

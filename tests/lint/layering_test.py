@@ -133,6 +133,46 @@ def wrong_includes(path, text):
             yield f"{place}: {home} may not, see MAY_INCLUDE"
 
 
+def arrows(texts, name):
+    """name(path) -> the names of what it includes, others than itself; `texts`: path -> text."""
+    out = {}
+    for path, text in texts.items():
+        if re.match(r"(command|core|importer|protocol|server|store)/.*\.(cpp|hpp|h)$", path):
+            out.setdefault(name(path), set()).update(
+                name(match.group(2)) for match in INCLUDE.finditer(text) if match.group(1) == '"')
+    return {start: ends - {start} for start, ends in out.items()}
+
+
+def circle(graph):
+    """A way through the graph that comes back to where it began, as a list; empty: there is none."""
+    done = set()
+
+    def walk(node, way):
+        if node in way:
+            return way[way.index(node):]
+        if node in done:
+            return []
+        for following in sorted(graph.get(node, ())):
+            if found := walk(following, [*way, node]):
+                return found
+        done.add(node)
+        return []
+    return next((found for node in sorted(graph) if (found := walk(node, []))), [])
+
+
+def unit_of(path):
+    """A header and the source beside it are one unit."""
+    return path.rsplit(".", 1)[0]
+
+
+# Folders that still include both ways count as one here.
+ONE_FOLDER = ("core/field", "core/surface", "protocol/api")
+
+
+def one_way_folder(path):
+    return next((each for each in ONE_FOLDER if path.startswith(each + "/")), os.path.dirname(path))
+
+
 def statement_start(code, at):
     """Back over whole brackets to the last `;` or `{`; a block on the way counts only inside a call's `(`."""
     depth = 0
@@ -292,8 +332,17 @@ def project_files():
             yield name
 
 
+def texts_of(paths):
+    out = {}
+    for path in paths:
+        with open(os.path.join(ROOT, path), encoding="utf-8") as file:
+            out[path] = file.read()
+    return out
+
+
 class TheProject(unittest.TestCase):
-    pass
+    def test_has_no_circle_of_folders(self):
+        self.assertEqual(circle(arrows(texts_of(project_files()), one_way_folder)), [])
 
 
 class TheLinter(unittest.TestCase):
@@ -310,6 +359,14 @@ class TheLinter(unittest.TestCase):
     def test_has_a_bad_and_a_good_sample_for_every_rule(self):
         self.assertEqual({r for r, _, _ in BAD}, set(RULES))
         self.assertEqual({r for r, _, _ in GOOD}, set(RULES))
+
+    def test_sees_circles_of_units_and_folders(self):
+        there = {"core/a/x.hpp": '#include "core/b/y.hpp"\n', "core/b/y.cpp": '#include "core/b/z.hpp"\n'}
+        for back in ("core/b/z.hpp", "core/b/y.hpp"):
+            texts = {**there, back: '#include "core/a/x.hpp"\n'}
+            self.assertEqual(circle(arrows(texts, os.path.dirname)), ["core/a", "core/b"])
+            self.assertIn("core/a/x", circle(arrows(texts, unit_of)))
+        self.assertEqual(circle(arrows(there, unit_of)), [])
 
     def test_sees_the_project(self):
         self.assertIn("core/base/result.hpp", list(project_files()))

@@ -1,0 +1,34 @@
+// What connections, of HTTP and WebSockets, need of the server.
+#pragma once
+
+#include "server/net/admission.hpp"
+#include "server/net/connections.hpp"
+#include "server/net/outbox_memory.hpp"
+#include "server/net/routes.hpp"
+#include "server/net/security_headers.hpp"
+#include "server/net/tls_context.hpp"
+#include "server/net/trusted_proxies.hpp"
+#include "server/net/write_turns.hpp"
+#include "server/service/compute/budgets.hpp"
+#include "server/service/metrics/metrics.hpp"
+
+namespace wakesurf::server {
+
+/// References to parts of the server, which outlive all connections.
+struct NetServices {
+    Routes& routes;
+    Connections& connections;
+    Grants& grants;
+    Admission& admission;
+    Budgets& budgets;
+    const TrustedProxies& proxies;
+    Metrics& metrics;
+    OutboxMemory& outboxes;
+    WriteTurns& turns;
+    /// Goes with every answer.
+    const SecurityHeaders& headers;
+    /// Null where the server speaks plain TCP.
+    TlsContext* tls;
+};
+
+} // namespace wakesurf::server
