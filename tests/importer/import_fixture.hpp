@@ -18,6 +18,9 @@
 namespace wakesurf::importer {
 
 using namespace tests;
+using server::describe_with_import_process;
+using server::run_child;
+using server::run_import_process;
 namespace fs = std::filesystem;
 
 struct Outcome {

@@ -37,6 +37,10 @@ core::Result<protocol::EncodedUpdate> no_room() {
     return core::fail(core::Error::Code::OverLimit, "there is not enough memory for a keyframe");
 }
 
+bool is_early(const SurfacePass& pass) {
+    return pass.phase == Phase::Coarse || pass.phase == Phase::Refined;
+}
+
 std::size_t index(Pace pace) {
     return pace == Pace::Quick ? 0 : 1;
 }
@@ -70,7 +74,6 @@ void LiveSurface::stop_jobs() {
 void LiveSurface::begin_epoch() {
     stop_jobs();
     ++epoch_;
-    held_ = false;
     fallen_.reset();
     error_.reset();
     begin_build();
@@ -83,11 +86,8 @@ void LiveSurface::begin_build() {
         next_seq_ = newest->wire.seq + 1;
     ring_->begin(epoch_);
     let_go_of_build();
-    full_.reset();
-    early_.reset();
-    coarse_done_ = refined_done_ = false;
+    shown_.reset();
     overtake_.reset();
-    interrupted_ = false;
     began_ = pass_wanted_ = asked_for_ = services_.clock.now();
     progress_.begin(began_);
 }
@@ -103,8 +103,7 @@ std::uint32_t LiveSurface::rebuild(SurfaceJob wanted, bool rest) {
     wanted_ = std::move(wanted);
     wanted_.number = number_;
     wanted_.epoch = epoch_;
-    building_ = true;
-    held_ = rest;
+    stage_ = rest ? SurfaceStage::Resting : SurfaceStage::Begun;
     advance();
     return epoch_;
 }
@@ -113,38 +112,39 @@ void LiveSurface::begin_now() {
     asked_for_ = services_.clock.now();
     if (ring_->read())
         turned_away_.reset();
-    const bool no_memory = error_ && error_->code == core::Error::Code::OverLimit && building_;
-    if (!held_ && !no_memory)
-        return advance(); // it may have been hidden
-    held_ = false;
-    if (!building_)
-        return; // there was nothing to build: data, or an edit, will come
-    fallen_.reset();
-    error_.reset();
-    begin_build();
-    advance();
+    const bool no_memory =
+        stage_ == SurfaceStage::Failed && error_->code == core::Error::Code::OverLimit;
+    if (stage_ == SurfaceStage::Withheld)
+        stage_ = SurfaceStage::Refused;
+    if (resting() || no_memory) {
+        fallen_.reset();
+        error_.reset();
+        begin_build();
+        stage_ = SurfaceStage::Begun;
+    }
+    advance(); // it may have been hidden
 }
 
 void LiveSurface::fall_back() {
-    if (held_ || !building_ || error_)
+    if (stage_ < SurfaceStage::Begun)
         return;
-    fallen_ = outcome();
-    fallen_at_ = time_;
+    fallen_ = {outcome(), time_};
     stop_jobs();
-    held_ = true;
     begin_build();
+    stage_ = SurfaceStage::Resting;
 }
 
 void LiveSurface::put_to_rest() {
     if (looked_at())
         return;
-    const bool interrupted = !held_ && building_ && !error_ && busy();
+    const bool interrupted = stage_ >= SurfaceStage::Begun && busy();
     fall_back();
-    interrupted_ = interrupted;
+    if (interrupted)
+        stage_ = SurfaceStage::Interrupted;
 }
 
 void LiveSurface::resume() {
-    if (held_ && interrupted_)
+    if (stage_ == SurfaceStage::Interrupted)
         begin_now();
 }
 
@@ -164,8 +164,7 @@ bool LiveSurface::unseen() const {
 
 std::uint32_t LiveSurface::refuse(core::SurfaceKind kind, core::Error error, bool rest) {
     begin_epoch();
-    building_ = false;
-    held_ = rest;
+    stage_ = rest ? SurfaceStage::Withheld : SurfaceStage::Refused;
     wanted_.plan.parameters.kind = kind;
     renew_data({}); // of data that may be no more
     error_ = std::move(error);
@@ -181,7 +180,7 @@ bool LiveSurface::stop(core::Error reason) {
     if (error_ || !busy())
         return false;
     stop_jobs();
-    building_ = held_ = false; // what the running jobs still give is no one's
+    stage_ = SurfaceStage::Refused; // what the running jobs still return is dropped
     error_ = std::move(reason);
     conclude();
     return true;
@@ -190,11 +189,11 @@ bool LiveSurface::stop(core::Error reason) {
 void LiveSurface::show(std::optional<double> time, bool playing, bool jumped) {
     time_ = time;
     playing_ = playing;
-    if (!building_ || !core::moves(wanted_.plan.parameters))
+    if (stage_ < SurfaceStage::Failed || !core::moves(wanted_.plan.parameters))
         return;
-    if (fallen_ && (time_.has_value() != fallen_at_.has_value() ||
+    if (fallen_ && (time_.has_value() != fallen_->time.has_value() ||
                     core::age_at(wanted_.plan.parameters, time_) !=
-                        core::age_at(wanted_.plan.parameters, fallen_at_)))
+                        core::age_at(wanted_.plan.parameters, fallen_->time)))
         fallen_.reset();
     if (!running())
         pass_wanted_ = services_.clock.now();
@@ -211,9 +210,7 @@ void LiveSurface::give_up_stale() {
         return;
     const auto now = services_.clock.now();
     for (auto& lane : lanes_) {
-        const bool early =
-            lane && (lane->pass.phase == Phase::Coarse || lane->pass.phase == Phase::Refined);
-        if (!lane || early || lane->epoch != epoch_ || lane->pass.time == time_)
+        if (!lane || is_early(lane->pass) || lane->epoch != epoch_ || lane->pass.time == time_)
             continue;
         if (lane->since >= jumped_) // of the time jumped to, or the clock has run on since
             continue;
@@ -238,9 +235,13 @@ bool LiveSurface::running() const {
     });
 }
 
+std::optional<SurfacePass> LiveSurface::early() const {
+    return shown_ && is_early(*shown_) ? shown_ : std::nullopt;
+}
+
 /// Nothing once all is there that can be.
 std::optional<SurfacePass> LiveSurface::next_pass() const {
-    if (!building_ || error_)
+    if (stage_ <= SurfaceStage::Failed)
         return std::nullopt;
     const core::SurfaceParameters& p = wanted_.plan.parameters;
     const bool moving = core::moves(p);
@@ -251,28 +252,27 @@ std::optional<SurfacePass> LiveSurface::next_pass() const {
     const auto age = [&](std::optional<double> at) { return core::age_at(p, at); };
     // At the release there is little to build, and a level set has no coarser one.
     const bool begun = age(time) > 0.0 && p.kind != core::SurfaceKind::Level;
-    if (begun && !full_ && !coarse_done_ && budgets_.coarse_first())
+    if (begun && stage_ < SurfaceStage::Coarse && budgets_.coarse_first())
         return early(Phase::Coarse);
-    if (begun && !full_ && !refined_done_ && budgets_.refined_too())
+    if (begun && stage_ < SurfaceStage::Refined && budgets_.refined_too())
         return early(Phase::Refined);
     const bool live = moving && time && playing_;
     const SurfacePass full{live ? Phase::Live : Phase::Final, 0, time, 0.0};
-    if (!full_ || (full_->phase == Phase::Live && !live))
+    if (stage_ < SurfaceStage::Full || (shown_->phase == Phase::Live && !live))
         return full;
-    if (full_->time.has_value() != time.has_value() || age(full_->time) != age(time))
+    if (shown_->time.has_value() != time.has_value() || age(shown_->time) != age(time))
         return full;
     return std::nullopt;
 }
 
 Pace LiveSurface::pace(const SurfacePass& pass) const {
-    return full_ ? budgets_.pace_of_moving_on() : budgets_.pace(pass.phase);
+    return stage_ == SurfaceStage::Full ? budgets_.pace_of_moving_on() : budgets_.pace(pass.phase);
 }
 
 void LiveSurface::advance() {
-    if (held_ || unseen())
+    // The end of a running job comes here again.
+    if (resting() || unseen() || running())
         return;
-    if (running())
-        return; // its end comes here
     const auto pass = next_pass();
     if (!pass)
         return;
@@ -292,8 +292,8 @@ void LiveSurface::start(Pace pace, const SurfacePass& pass) {
     services_.pool.run(
         session_, pace,
         [build = build_, pass, pace, stop = running.stop.get_token(), weak = weak_from_this(),
-         services = services_, first = !full_, queued = running.since, wanted = running.wanted,
-         work = running.work, wanted_job = wanted_] {
+         services = services_, first = stage_ != SurfaceStage::Full, queued = running.since,
+         wanted = running.wanted, work = running.work, wanted_job = wanted_] {
             const auto start = services.clock.now();
             build->renew_data(wanted_job);
             auto result =
@@ -317,7 +317,7 @@ void LiveSurface::finished(Pace pace, core::Result<Update> result, double second
         pass_wanted_ = services_.clock.now();
         progress_.end();
     }
-    if (!of_now || !building_)
+    if (!of_now || stage_ < SurfaceStage::Failed)
         budgets_.cut_short(job.pass.phase, seconds);
     else if (result)
         publish(job.pass, std::move(*result));
@@ -335,17 +335,14 @@ double LiveSurface::finest() const {
 }
 
 void LiveSurface::publish(const SurfacePass& pass, Update update) {
-    if (full_)
+    if (stage_ == SurfaceStage::Full)
         budgets_.moved_on(update.seconds);
     else
         budgets_.took(pass.phase, update.seconds, update.statistics, finest(),
                       wanted_.plan.parameters.max_quads);
-    coarse_done_ = true;
-    refined_done_ = refined_done_ || pass.phase != Phase::Coarse;
-    if (pass.phase == Phase::Final || pass.phase == Phase::Live)
-        full_ = pass;
-    early_ = full_ ? std::nullopt : std::optional(pass);
-    if (ranges_.add(update.ranges, early_.has_value()) && events_.ranges)
+    stage_ = std::max(stage_, stage_after(pass.phase));
+    shown_ = pass;
+    if (ranges_.add(update.ranges, is_early(pass)) && events_.ranges)
         events_.ranges({id_, epoch_, ranges_.told()});
     const bool first = !ring_->newest();
     auto state = std::exchange(update.wire.state, nullptr);
@@ -372,13 +369,12 @@ void LiveSurface::publish(const SurfacePass& pass, Update update) {
 }
 
 void LiveSurface::failed(const SurfacePass& pass, core::Error error, double seconds) {
-    if (pass.phase == Phase::Coarse) { // the final pass reports what is wrong for both
-        coarse_done_ = true;
-    } else if (pass.phase == Phase::Refined) {
-        refined_done_ = true;
+    if (is_early(pass)) { // the final pass reports what is wrong for all
+        stage_ = std::max(stage_, stage_after(pass.phase));
     } else if (error.code == core::Error::Code::Cancelled) {
         budgets_.cut_short(pass.phase, seconds); // for another time of the clock
     } else {
+        stage_ = SurfaceStage::Failed;
         error_ = std::move(error);
         conclude();
     }
@@ -399,15 +395,15 @@ void LiveSurface::conclude() {
 
 SurfaceOutcome LiveSurface::outcome() const {
     if (fallen_)
-        return *fallen_;
+        return fallen_->outcome;
     SurfaceOutcome out;
     out.surface = id_;
     out.epoch = epoch_;
     out.error = error_;
     out.statistics.kind = wanted_.plan.parameters.kind;
     if (const SharedUpdate state = ring_->newest()) {
-        const bool playing = full_ && full_->phase == Phase::Live && playing_;
-        out.complete = full_ && !error_ && (playing || !next_pass());
+        const bool playing = shown_->phase == Phase::Live && playing_;
+        out.complete = stage_ == SurfaceStage::Full && (playing || !next_pass());
         out.state_sum = state->wire.state_sum;
         out.statistics = state->statistics;
         out.statistics.requested_separation = finest(); // an early pass is asked for less
@@ -422,7 +418,7 @@ BuildStanding LiveSurface::standing() const {
 
 void LiveSurface::retire() {
     stop_jobs();
-    building_ = held_ = false;
+    stage_ = SurfaceStage::Refused;
     ++epoch_; // what the running jobs still give is no one's
     ring_->close();
     waiters_->answer(std::numeric_limits<std::uint32_t>::max(),

@@ -1,6 +1,6 @@
-// A surface that is kept up to date: newest edit wins. An edit bumps the epoch, stops the running job and leaves at
-// most one next job; what passes give goes into a ring that subscribers read. A moving surface follows the session's clock: when
-// computing is slower than the clock, times are left out, never queued.
+// A surface that is kept up to date: the newest edit wins. An edit raises the epoch, stops the running job and leaves at
+// most one next job; what passes return goes into a ring that subscribers read. A moving surface follows the session's
+// clock: when computing is slower than the clock, times are left out, never queued.
 #pragma once
 
 #include "server/service/base/loop.hpp"
@@ -10,6 +10,7 @@
 #include "server/service/live/frame_cursor.hpp"
 #include "server/service/live/surface_build.hpp"
 #include "server/service/live/surface_job.hpp"
+#include "server/service/live/surface_stage.hpp"
 #include "server/service/live/surface_waiters.hpp"
 #include "server/service/live/told_ranges.hpp"
 #include "server/service/live/update_ring.hpp"
@@ -80,7 +81,7 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
     void turned_away();
 
     /// Nothing of it is built or being built.
-    bool resting() const { return held_; }
+    bool resting() const { return rests(stage_); }
 
     /// Somebody has it on the screen, or waits for it.
     bool looked_at() const { return ring_->read() || !waiters_->empty(); }
@@ -129,7 +130,7 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
     BuildStanding standing() const;
 
     /// The pass that the newest state comes from, if that is an early one: what was asked for is not there yet.
-    const std::optional<SurfacePass>& early() const { return early_; }
+    std::optional<SurfacePass> early() const;
 
     /// What its values range over since it began to play, as last told.
     const ValueRanges& ranges() const { return ranges_.told(); }
@@ -156,6 +157,12 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
         std::chrono::steady_clock::time_point wanted; ///< before it could be given to the pool
         std::shared_ptr<core::WorkDone> work;
         std::weak_ptr<SurfaceBuild> build;
+    };
+
+    /// What it was before it fell back, told until it is built again or its time changes.
+    struct Fallen {
+        SurfaceOutcome outcome;
+        std::optional<double> time; ///< of the session's clock
     };
 
     /// One a pace: the coarse pass of an edit does not wait for the long one that it ends.
@@ -189,13 +196,9 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
     std::shared_ptr<SurfaceWaiters> waiters_;
 
     std::uint32_t epoch_ = 0;
-    bool building_ =
-        false;          ///< there is a wanted surface, and it has neither failed nor been stopped
-    bool held_ = false; ///< it rests
-    bool interrupted_ = false;             ///< put to rest while it was being computed
-    std::optional<SurfaceOutcome> fallen_; ///< what it was before it fell back
-    std::optional<double> fallen_at_;      ///< at that time of the clock
-    std::uint32_t next_seq_ = 0;           ///< of the epoch: above all updates that were given out
+    SurfaceStage stage_ = SurfaceStage::Refused;
+    std::optional<Fallen> fallen_;
+    std::uint32_t next_seq_ = 0; ///< of the epoch: above all updates that were given out
     std::chrono::steady_clock::time_point asked_for_{};
     std::optional<std::chrono::steady_clock::time_point> turned_away_; ///< by the last one who did
     SurfaceJob wanted_;
@@ -208,9 +211,7 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
     std::chrono::steady_clock::time_point began_{};
     std::chrono::steady_clock::time_point pass_wanted_{}; ///< the one that is next or runs
     std::shared_ptr<SurfaceBuild> build_;
-    bool coarse_done_ = false, refined_done_ = false;
-    std::optional<SurfacePass> full_;  ///< the newest one of full quality
-    std::optional<SurfacePass> early_; ///< the newest one, while there is none of full quality
+    std::optional<SurfacePass> shown_; ///< the pass that the newest state comes from
 
     BuildProgress progress_;
     ToldRanges ranges_; ///< of this epoch and those before that it plays on from

@@ -115,19 +115,19 @@ void run(Input input) {
     const auto path = scratch_file("a.case", part_of(rest));
     const auto geometry = scratch_file("geo", part_of(rest));
     const auto values = scratch_file("vel", rest);
-    if (const auto read = server::read_ensight_case(path)) {
+    if (const auto read = importer::read_ensight_case(path)) {
         demand(!read->times.empty() &&
                    std::adjacent_find(read->times.begin(), read->times.end(),
                                       std::greater_equal<>()) == read->times.end(),
                "times rise");
-        if (const auto source = server::open_ensight(path))
+        if (const auto source = importer::open_ensight(path))
             (*source)->read(0, (*source)->description().fields);
     }
-    const auto parts = server::read_ensight_geometry({geometry, "geo"});
+    const auto parts = importer::read_ensight_geometry({geometry, "geo"});
     for (const auto from : {FieldSource::Point, FieldSource::Cell})
         if (parts)
-            server::read_ensight_variable({values, "vel"}, *parts,
-                                          {"velocity", 3, from, {0, 0}, ""});
+            importer::read_ensight_variable({values, "vel"}, *parts,
+                                            {"velocity", 3, from, {0, 0}, ""});
 }
 
 std::vector<std::string> seeds() {

@@ -12,14 +12,14 @@ namespace wakesurf::fuzz {
 
 namespace {
 
-std::string file_of(const server::Flow& flow) {
+std::string file_of(const importer::Flow& flow) {
     const auto path = scratch_file("seed.nc", "");
-    server::write_flow(path, flow);
+    importer::write_flow(path, flow);
     return tests::read_file(path);
 }
 
-server::Flow small_flow(int format) {
-    server::Flow flow;
+importer::Flow small_flow(int format) {
+    importer::Flow flow;
     flow.format = format;
     flow.type = NC_FLOAT;
     flow.axes = {{"x", {0, 0.5, 1}}, {"y", {-1, 0, 1}}, {"z", {2, 3, 5}}};
@@ -31,7 +31,7 @@ server::Flow small_flow(int format) {
 void run(Input input) {
     if (text_of(input).starts_with("\x89HDF"))
         return;
-    const auto source = server::open_netcdf(scratch_file("a.nc", text_of(input)));
+    const auto source = importer::open_netcdf(scratch_file("a.nc", text_of(input)));
     if (!source)
         return;
     const auto& found = (*source)->description();
@@ -61,7 +61,7 @@ std::vector<std::string> seeds() {
     bare.time_units = "";
     seeds.push_back(file_of(bare));
     seeds.push_back(seeds.front().substr(0, seeds.front().size() / 2));
-    seeds.push_back(server::file_with_name(400));
+    seeds.push_back(importer::file_with_name(400));
     std::string streamed = seeds.front(); // as many time-steps as a number can say
     seeds.push_back(streamed.replace(4, 4, 4, '\xff'));
     std::string twice = seeds.front(); // u has the name of the axis

@@ -15,7 +15,7 @@ constexpr std::string_view border = "\n====\n";
 // Writes numbers as one layout has them.
 class Writer {
   public:
-    explicit Writer(const server::Plot3dLayout& layout) : layout_(layout) {}
+    explicit Writer(const importer::Plot3dLayout& layout) : layout_(layout) {}
 
     void integers(const std::vector<int>& values) {
         std::string bytes;
@@ -50,11 +50,11 @@ class Writer {
         text_ += mark + bytes + mark;
     }
 
-    const server::Plot3dLayout& layout_;
+    const importer::Plot3dLayout& layout_;
     std::string text_;
 };
 
-std::string files(const server::Plot3dLayout& layout) {
+std::string files(const importer::Plot3dLayout& layout) {
     const std::size_t blocks = layout.several ? 2 : 1;
     constexpr std::size_t nodes = 2 * 3 * 2;
     const auto header = [&](Writer& out) {
@@ -81,21 +81,21 @@ std::string files(const server::Plot3dLayout& layout) {
 void run(Input input) {
     const auto text = text_of(input);
     const auto cut = std::min(text.find(border), text.size());
-    const server::ListedFile grid{scratch_file("a.xyz", text.substr(0, cut)), "a.xyz", ""};
-    const auto layout = server::grid_layout(grid);
+    const importer::ListedFile grid{scratch_file("a.xyz", text.substr(0, cut)), "a.xyz", ""};
+    const auto layout = importer::grid_layout(grid);
     if (!layout)
         return;
     for (const auto& block : layout->blocks)
         demand(block[0] > 0 && block[1] > 0 && block[2] > 0, "a block has nodes along each axis");
     const auto rest = text.substr(std::min(cut + border.size(), text.size()));
-    server::check_solution({scratch_file("a.q", rest), "a.q", ""}, *layout);
+    importer::check_solution({scratch_file("a.q", rest), "a.q", ""}, *layout);
 }
 
 std::vector<std::string> seeds() {
     std::vector<std::string> seeds{
         std::string("\xff\xff\xff\x7f\xff\xff\xff\x7f\xff\xff\xff\x7f", 12)};
     for (const bool several : {false, true}) {
-        server::Plot3dLayout layout;
+        importer::Plot3dLayout layout;
         layout.several = several;
         seeds.push_back(files(layout));
         layout.big_endian = layout.records = true;

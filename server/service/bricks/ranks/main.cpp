@@ -128,7 +128,7 @@ int main(int argc, char** argv) {
     app.add_flag_callback(
            "--man-page",
            [&] {
-               throw CLI::CallForVersion(server::manual_page(app, {WAKESURF_VERSION, chapters}), 0);
+               throw CLI::CallForVersion(command::manual_page(app, {WAKESURF_VERSION, chapters}), 0);
            })
         ->group("");
     CLI11_PARSE(app, argc, argv);
