@@ -1,5 +1,6 @@
-// What a store keeps of each brick of a field at a time-step besides its values, in files like velocity_000000.bricks: by what it is told
-// whether they are as they were written, and whether there are gaps.
+// Holds what a store keeps of each brick of a field at a time-step besides its values, in files like
+// velocity_000000.bricks: checksums that tell whether they are as they were written, and whether there are
+// gaps.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -18,7 +19,7 @@ struct BrickIndex {
 
     explicit BrickIndex(std::size_t bricks) : checksums(bricks), gaps(bricks) {}
 
-    /// Of the file: all checksums, then all gaps.
+    /// Returns the bytes of the file: all checksums, then all gaps.
     static constexpr std::uint64_t bytes(std::uint64_t bricks) { return 5 * bricks; }
 
     bool any_gap() const;
@@ -28,7 +29,8 @@ struct BrickIndex {
 
 std::vector<std::byte> brick_index_bytes(const BrickIndex& index);
 
-/// Error: Corrupt for another size, and a gap that is neither 0 nor 1; to be read after the file's name.
+/// Parses the file. Error: Corrupt for another size, and a gap that is neither 0 nor 1; to be read after the
+/// file's name.
 core::Result<BrickIndex> parse_brick_index(std::span<const std::byte> bytes, std::size_t bricks);
 
 } // namespace wakesurf::store

@@ -8,8 +8,9 @@
 
 namespace wakesurf::store {
 
-/// Visits all rows of a brick: visit(first node in the brick, first node in the grid, nodes of the grid in the row). Beyond the grid's
-/// end the last row is visited again; a row's further nodes in the brick repeat its last one.
+/// Visits all rows of a brick: visit(first node in the brick, first node in the grid, nodes of the grid in
+/// the row). Beyond the grid's end the last row is visited again; a row's further nodes in the brick repeat
+/// its last one.
 template <class Visit>
 void for_rows_of(const core::BrickLayout& layout, std::size_t brick, Visit visit) {
     const auto first = layout.first_node(brick);

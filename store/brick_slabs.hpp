@@ -1,4 +1,5 @@
-// Nodes of a grid, x fastest -> its bricks: whoever writes a store has its values in the one order and the disk has them in the other.
+// Nodes of a grid, x fastest -> its bricks: whoever writes a store has its values in the one order and the
+// disk has them in the other.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -15,17 +16,19 @@ namespace wakesurf::store {
 /// Where each brick lies in the order of the file, by its number.
 std::vector<std::uint32_t> brick_places(const core::BrickLayout& layout);
 
-/// Memory: a layer of bricks, which of a grid of nx x ny nodes has 33 of their layers, and a brick. That is 415 MB of a velocity of
-/// 1024 x 1024, 1.7 GB of 2048 x 2048, half of it in half precision.
+/// Takes memory for a layer of bricks, which of a grid of nx x ny nodes has 33 of their layers, and a brick.
+/// That is 415 MB of a velocity of 1024 x 1024, 1.7 GB of 2048 x 2048, half of it in half precision.
 class BrickSlabs {
   public:
-    /// Takes a brick's bytes, valid until it returns. Layer by layer, in a layer in the order of the file. @param place  in the file
+    /// Takes a brick's bytes, valid until it returns. Layer by layer, in a layer in the order of the file.
+    /// @param place  in the file
     using Put =
         std::function<core::Result<void>(std::size_t place, std::span<const std::byte> brick)>;
 
     BrickSlabs(const core::BrickLayout& layout, std::size_t node_bytes, Put put);
 
-    /// The next bytes of the nodes, as many as there are. Error: of `put`. REQUIRES: no more than the grid has.
+    /// The next bytes of the nodes, as many as there are. Error: of `put`. REQUIRES: no more than the grid
+    /// has.
     core::Result<void> add(std::span<const std::byte> bytes);
 
     /// All nodes have come, and all bricks are put.

@@ -1,4 +1,5 @@
-// The bricks of a store's files, read by a few threads: the source below core/dataset/brick_cache.hpp where data are on a disk.
+// The bricks of a store's files, read by a few threads: the source below core/dataset/brick_cache.hpp where
+// data are on a disk.
 #pragma once
 
 #include "core/base/worker_threads.hpp"
@@ -10,8 +11,8 @@
 
 namespace wakesurf::store {
 
-/// Reads that are neighbours in the file become one, of up to 2 MiB, as long as every thread has something to do.
-/// Thread safety: concurrent calls are fine.
+/// Reads that are neighbours in the file become one, of up to 2 MiB, as long as every thread has something to
+/// do. Thread safety: concurrent calls are fine.
 class FileBricks final : public core::BrickSource {
   public:
     /// @param bricks   lives as long as this

@@ -1,4 +1,4 @@
-// Whether all values of a piece of a file are finite: where they are not, the domain has a gap.
+// Tells whether all values of a piece of a file are finite: where they are not, the domain has a gap.
 #pragma once
 
 #include "core/dataset/dataset_info.hpp"
@@ -8,7 +8,7 @@
 
 namespace wakesurf::store {
 
-/// Of floats or halves, as the file has them.
+/// Returns whether floats or halves, as the file has them, are all finite.
 bool all_finite(std::span<const std::byte> values, core::Precision precision);
 
 } // namespace wakesurf::store

@@ -1,5 +1,5 @@
-// Files that are put beside a store's data, one process at a time, while its importer may be at work: each is whole or absent, and on the
-// disk once it is there.
+// Files that are put beside a store's data, one process at a time, while its importer may be at work: each is
+// whole or absent, and on the disk once it is there.
 #pragma once
 
 #include "core/base/result.hpp"

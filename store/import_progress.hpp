@@ -1,4 +1,5 @@
-// How far an import is: one line of JSON between wakesurf-import and the program that started it, or text for people.
+// Tells how far an import is: one line of JSON between wakesurf-import and the program that started it, or
+// text for people.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +19,7 @@ struct ImportProgress {
     std::string note;                  ///< for people; may be empty
     double part = 0.0;                 ///< of the one being worked on, 0..1; on a terminal only
     std::optional<double> remaining{}; ///< seconds, as far as can be told
-    /// What the velocity could be, by name: the import ends, as that is not clear.
+    /// Holds the names that the velocity could have: the import ends, as that is not clear.
     std::vector<std::string> velocities{};
 };
 

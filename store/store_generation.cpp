@@ -21,10 +21,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// 12 MB: enough for every core, little enough to stop within a few milliseconds.
+// A piece takes 12 MB: enough for every core, little enough to stop within a few milliseconds.
 constexpr std::size_t piece_nodes = std::size_t{1} << 20;
 
-// What must stay free: the manifest, and whatever else the machine writes meanwhile.
+// So much must stay free for the manifest, and whatever else the machine writes meanwhile.
 constexpr std::uint64_t spare_bytes = std::uint64_t{64} << 20;
 
 StoreSource source_of(const GenerateRequest& request) {
@@ -61,7 +61,8 @@ bool has_size(const fs::path& file, std::uint64_t bytes) {
     return size && *size == bytes;
 }
 
-/// Of the placement that was asked for: what was begun otherwise goes on so. REQUIRES: a grid of nodes.
+/// Returns the layout of the placement that was asked for: what was begun otherwise goes on so. REQUIRES: a
+/// grid of nodes.
 StoreLayout layout_of(const GenerateRequest& request) {
     StoreLayout layout;
     layout.grid = stored_grid(request.grid);
@@ -130,7 +131,7 @@ class Generation {
     }
 
   private:
-    /// What an earlier run of the same request has left. Error: the folder holds another store.
+    /// Returns what an earlier run of the same request has left. Error: the folder holds another store.
     core::Result<std::optional<StoreManifest>> begun_before() const {
         auto before = read_store_manifest(folder_, core::PosixDisk());
         if (before && before->source == manifest_.source &&
@@ -232,7 +233,8 @@ class Generation {
         return {};
     }
 
-    /// A step that is already there is sampled again as well: what it adds to the range of the speed is nowhere else.
+    /// A step that is already there is sampled again as well: what it adds to the range of the speed is
+    /// nowhere else.
     core::Result<void> write_step(StoreWriter& writer, std::size_t step) {
         buffer_.resize(3 * std::min(piece_nodes, request_.grid.nodes()));
         std::size_t first = 0;

@@ -1,5 +1,5 @@
-// A built-in flow -> a store like an import's: sampled a piece at a time, so that a time-step is never in memory as a
-// whole, and going on where an earlier, interrupted run of the same request ended.
+// A built-in flow -> a store like an import's: sampled a piece at a time, so that a time-step is never in
+// memory as a whole, and going on where an earlier, interrupted run of the same request ended.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -23,11 +23,12 @@ struct GenerateRequest {
     StepPlacement placement = StepPlacement::Auto;
 };
 
-/// Bytes of all files but the manifest, at most: a mask in bricks is smaller. Error: InvalidArgument, OverLimit where nothing could hold them.
+/// Returns the bytes of all files but the manifest, at most: a mask in bricks is smaller. Error:
+/// InvalidArgument, OverLimit where nothing could hold them.
 core::Result<std::uint64_t> generated_bytes(const GenerateRequest& request);
 
-/// Runs in the calling thread and its arena; `show` hears of phase `generate`, and `done` at the end.
-/// Error: OverLimit when the disk has too little room (nothing is written then), InvalidArgument for a folder that
+/// Runs in the calling thread and its arena; `show` hears of phase `generate`, and `done` at the end. Error:
+/// OverLimit when the disk has too little room (nothing is written then), InvalidArgument for a folder that
 /// holds something else, Cancelled, Io.
 core::Result<void> generate_store(const GenerateRequest& request,
                                   const std::filesystem::path& folder,

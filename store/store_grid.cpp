@@ -120,7 +120,7 @@ std::vector<GridFile> files_of(const RectilinearGrid& grid) {
     return files;
 }
 
-// The first `used` of N entries a cell, `filler` for the others.
+// Writes the first `used` of N entries a cell, `filler` for the others.
 template <std::size_t N>
 void put(const std::array<std::uint32_t, N>& entries,
          std::size_t used,

@@ -20,7 +20,8 @@ namespace {
 
 // Lengths beyond this, or below its inverse, overflow when squared further down the path.
 constexpr double largest = 1e100;
-// The batch kernel counts a brick's nodes in float, which is exact up to 2^24: 129^3 are fewer, 257^3 are more.
+// The batch kernel counts a brick's nodes in float, which is exact up to 2^24: 129^3 are fewer, 257^3 are
+// more.
 constexpr std::uint32_t most_brick_cells = 128;
 constexpr std::uint64_t most_nodes = std::numeric_limits<std::int64_t>::max() / (3 * sizeof(float));
 

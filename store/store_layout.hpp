@@ -1,5 +1,5 @@
-// What lies where in a store: names and sizes of its files. Values only; store.json's text is read by
-// store/store_manifest.hpp, the files by store_reader.hpp. The format: README.md here.
+// Says what lies where in a store: names and sizes of its files. It holds values only; store.json's text is
+// read by store/store_manifest.hpp, the files by store_reader.hpp. The format: README.md here.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -34,7 +34,7 @@ struct StoredGrid {
     std::uint64_t nodes() const;
 };
 
-/// A scalar field: one float a node and time-step, in files STEM_000000.f32 and so on.
+/// Describes a scalar field: one float a node and time-step, in files STEM_000000.f32 and so on.
 struct StoredScalar {
     std::string name; ///< as the source calls it
     std::string stem; ///< of its files' names
@@ -42,7 +42,7 @@ struct StoredScalar {
     bool operator==(const StoredScalar&) const = default;
 };
 
-/// What files a store has.
+/// Says what files a store has.
 struct StoreLayout {
     std::filesystem::path folder;                        ///< of the files
     StoredGrid grid;                                     ///< what all time-steps share
@@ -50,22 +50,23 @@ struct StoreLayout {
     core::Precision precision = core::Precision::Single; ///< of velocity and scalars
     std::vector<StoredScalar> scalars;                   ///< in the order of the columns
     std::uint32_t brick_cells = 0; ///< an axis of a brick; 0: whole time-steps
-    /// Of time-steps in bricks: each brick has a checksum. False for what was not written as a store and is read as one.
+    /// Says, for time-steps in bricks, that each brick has a checksum. It is false for what was not written
+    /// as a store and is read as one.
     bool checked = true;
     bool may_have_gaps = false; ///< of bricks without checksums: some values may not be finite
     bool mask = false;          ///< mask.u8 is there
     bool walls = false;         ///< walls.f32 and walls.u32 are there
-    std::map<std::string, std::uint32_t>
-        checksums; ///< CRC-32C of the files that all time-steps share
+    /// Holds the CRC-32C of the files that all time-steps share.
+    std::map<std::string, std::uint32_t> checksums;
 
-    /// Velocity and the scalars.
+    /// Returns the number of columns: velocity and the scalars.
     std::size_t columns() const { return 1 + scalars.size(); }
 
-    /// How the nodes lie in bricks. REQUIRES: brick_cells is not 0.
+    /// Returns how the nodes lie in bricks. REQUIRES: brick_cells is not 0.
     core::BrickLayout bricks() const;
 };
 
-/// A file of a time-step.
+/// Describes a file of a time-step.
 struct StepFile {
     std::string name;       ///< without the folder
     std::uint64_t size = 0; ///< bytes
@@ -76,18 +77,20 @@ inline std::size_t components_of(std::size_t column) {
     return column == 0 ? 3 : 1;
 }
 
-/// A column's files at a time-step: the values and, where they lie in bricks that are checked, the bricks' checksums. The values are told from others
-/// by the CRC-32C of the last one, which is the record in checksums.u32.
+/// Returns a column's files at a time-step: the values and, where they lie in bricks that are checked, the
+/// bricks' checksums. The values are told from others by the CRC-32C of the last one, which is the record in
+/// checksums.u32.
 std::vector<StepFile> step_files(const StoreLayout& layout, std::size_t column, std::size_t index);
 
-/// velocity_000000.f32 and so on.
+/// Returns velocity_000000.f32 and so on.
 std::string step_file_name(std::string_view stem, std::size_t index, core::Precision precision);
 
-/// Bytes of such a file.
+/// Returns the bytes of such a file.
 std::size_t step_file_size(std::uint64_t nodes, std::size_t components, core::Precision precision);
 
-/// Error: InvalidArgument for times that do not rise, and for a grid thinner than 2 nodes, with non-finite or non-positive
-/// spacing, without points or cells, or beyond the address space; also for cells in bricks.
+/// Checks a layout. Error: InvalidArgument for times that do not rise, and for a grid thinner than 2 nodes,
+/// with non-finite or non-positive spacing, without points or cells, or beyond the address space; also for
+/// cells in bricks.
 core::Result<void> check_layout(const StoreLayout& layout);
 core::Result<void> check_grid(const StoredGrid& grid);
 core::Result<void> check_bricks(const StoreLayout& layout);
@@ -95,7 +98,7 @@ core::Result<void> check_bricks(const StoreLayout& layout);
 /// Says of each field whether a store of this layout has it: as the velocity, a scalar, or a family.
 void mark_stored(const StoreLayout& layout, core::DatasetInfo& info);
 
-/// Index into the layout's scalars. Error: NotFound, listing what there is.
+/// Returns the index into the layout's scalars. Error: NotFound, listing what there is.
 core::Result<std::size_t> find_scalar(const StoreLayout& layout, std::string_view name);
 
 } // namespace wakesurf::store

@@ -77,7 +77,7 @@ json scalars_json(const std::vector<StoredScalar>& scalars) {
     return out;
 }
 
-// A stem becomes part of a file name: nothing that leads out of the folder may pass.
+// Returns whether a stem may become part of a file name: nothing that leads out of the folder may pass.
 bool plain(const std::string& stem) {
     return !stem.empty() && stem.size() <= 64 && stem != velocity_stem &&
            std::all_of(stem.begin(), stem.end(), [](char c) {

@@ -1,4 +1,4 @@
-// What lies where in a store <-> the members of store.json that say so.
+// Converts between a store's layout and the members of store.json that say so.
 #pragma once
 
 #include "protocol/api/json_members.hpp"
@@ -8,7 +8,7 @@
 
 namespace wakesurf::store {
 
-/// Without the folder: a store may be moved.
+/// Leaves out the folder, because a store may be moved.
 nlohmann::json store_layout_json(const StoreLayout& layout);
 
 /// Leaves a fault in `members` for what is missing, of the wrong type, or would lead out of the folder.

@@ -18,8 +18,8 @@ namespace wakesurf::store {
 
 inline constexpr std::string_view manifest_file_name = "store.json";
 
-/// Time-steps that are read as wholes are of the one version, those in bricks of the other. Stores of any other version are refused:
-/// importing again is cheaper than reading all versions.
+/// Time-steps that are read as wholes are of the one version, those in bricks of the other. Stores of any
+/// other version are refused: importing again is cheaper than reading all versions.
 inline constexpr std::uint64_t store_format_version = 2;
 inline constexpr std::uint64_t brick_format_version = 3;
 
@@ -31,11 +31,13 @@ struct SourceFile {
     bool operator==(const SourceFile&) const = default;
 };
 
-/// What a store was made from: equal sources give equal stores, so an import of one need not be repeated.
+/// Says what a store was made from: equal sources give equal stores, so an import of one need not be
+/// repeated.
 struct StoreSource {
     std::vector<SourceFile> files;              ///< what all time-steps share
     std::vector<std::vector<SourceFile>> steps; ///< of each time-step
-    /// --fields and --times of an import, empty: everything. Flow, grid and times of what was generated.
+    /// Holds --fields and --times of an import, where empty means everything; flow, grid and times of what
+    /// was generated.
     std::string selection;
 
     bool operator==(const StoreSource&) const = default;
@@ -53,15 +55,16 @@ struct StoreManifest {
 
 std::string store_manifest_text(const StoreManifest& manifest);
 
-/// Error: Corrupt or OverLimit for text that is no manifest, Unsupported for another version, and Corrupt where
-/// its parts disagree: times, dimensions, bounds and sizes must match each other.
+/// Parses the text of store.json. Error: Corrupt or OverLimit for text that is no manifest, Unsupported for
+/// another version, and Corrupt where its parts disagree: times, dimensions, bounds and sizes must match each
+/// other.
 core::Result<StoreManifest> parse_store_manifest(std::string_view text);
 
 /// Reads and parses `folder`/store.json. Error: NotFound, Io, and as parse_store_manifest.
 core::Result<StoreManifest> read_store_manifest(const std::filesystem::path& folder,
                                                 const core::Disk& disk);
 
-/// The layout in a folder.
+/// Returns the layout in a folder.
 StoreLayout store_layout(const StoreManifest& manifest, std::filesystem::path folder);
 
 } // namespace wakesurf::store

@@ -219,7 +219,8 @@ Result<bool> StoreReader::read(std::size_t column,
     bool gaps = known && known->gaps;
     const auto file = layout_.folder / name;
     const bool half = layout_.precision == Precision::Half;
-    // In pieces, so that a cancelled load ends soon, and what is checked is still in the processor's cache where a disk is near.
+    // In pieces, so that a cancelled load ends soon, and what is checked is still in the processor's cache
+    // where a disk is near.
     const std::size_t piece_bytes = disk_->pace().piece;
     std::vector<std::uint16_t> halves(half ? piece_bytes / sizeof(float) : 0);
     std::uint32_t sum = 0;

@@ -1,5 +1,5 @@
-// Reads a store: the folder of raw files that wakesurf-import and `wakesurf generate` write. First stage of the path;
-// the manifest's text is read by store/store_manifest.hpp, which fills the layout.
+// Reads a store: the folder of raw files that wakesurf-import and `wakesurf generate` write. First stage of
+// the path; the manifest's text is read by store/store_manifest.hpp, which fills the layout.
 #pragma once
 
 #include "core/base/disk.hpp"
@@ -26,19 +26,22 @@ namespace wakesurf::store {
 class FileBricks;
 class StoredBricks;
 
-/// A time-step counts as ready when its checksums are there, which are written last: a store can be read while it is
-/// still being written. A file is checked against its checksum when it is read for the first time, and again when it is
-/// another file than it was then; of a file in bricks, each of them. Checksums that were seen once stay: values of another series that takes this one's place are never
-/// read as this one's. Thread safety: concurrent calls are fine.
+/// A time-step counts as ready when its checksums are there, which are written last: a store can be read
+/// while it is still being written. A file is checked against its checksum when it is read for the first
+/// time, and again when it is another file than it was then; of a file in bricks, each of them. Checksums
+/// that were seen once stay: values of another series that takes this one's place are never read as this
+/// one's. Thread safety: concurrent calls are fine.
 class StoreReader final : public core::TimeStepSource, public core::ScalarSource {
   public:
-    /// Reads the grid and the mask. Error: InvalidArgument (grid or times make no sense), NotFound, Io, Corrupt.
-    /// @param brick_threads  that read for bricks(), 0: as many as the disk likes; they begin when the first brick is asked for
+    /// Reads the grid and the mask. Error: InvalidArgument (grid or times make no sense), NotFound, Io,
+    /// Corrupt.
+    /// @param brick_threads  that read for bricks(), 0: as many as the disk likes; they begin when the first
+    ///                       brick is asked for
     static core::Result<std::shared_ptr<const StoreReader>>
     open(StoreLayout layout, std::shared_ptr<const core::Disk> disk, std::size_t brick_threads = 0);
     ~StoreReader() override;
 
-    /// As the source had it.
+    /// Returns the grid as the source had it.
     const core::Grid& grid() const override { return grid_; }
 
     const core::SolidMask& mask() const override { return mask_; }
@@ -57,31 +60,33 @@ class StoreReader final : public core::TimeStepSource, public core::ScalarSource
     bool whole(std::size_t index) const;
     std::size_t bytes_per_step() const override;
 
-    /// What its values are told from others by, as far as they are known: see look_again().
+    /// Returns what its values are told from others by, as far as they are known: see look_again().
     ValueMarks marks() const;
 
-    /// ValueMarks::text and ValueMarks::contradicts of them.
+    /// Returns their ValueMarks::text.
     std::string values() const;
-    /// As ValueMarks::contradicts.
+    /// Calls ValueMarks::contradicts.
     bool contradicts(std::string_view values) const;
 
-    /// Learns the checksums that have come. False where those known are others by now: the store was replaced. Error: Io.
+    /// Learns the checksums that have come. False where those known are others by now: the store was
+    /// replaced. Error: Io.
     core::Result<bool> look_again() const;
 
-    /// Corrupt: truncated, another checksum, or the store was replaced.
+    /// Loads a time-step. Corrupt: truncated, another checksum, or the store was replaced.
     core::Result<std::shared_ptr<const core::TimeStep>> load(std::size_t index,
                                                              std::stop_token stop) const override;
 
-    /// Of a store in bricks. load() and load_scalar() read all of them there.
+    /// Returns the source of a store in bricks. load() and load_scalar() read all of them there.
     const core::BrickSource* bricks() const override;
 
     void let_go() const override { slabs_->clear(); }
 
-    /// One float a node. @param scalar  index into layout().scalars. Error: as load.
+    /// Loads a scalar at a time-step, one float a node. Error: that of load.
     core::Result<core::Slab>
     load_scalar(std::size_t scalar, std::size_t index, const std::stop_token& stop) const;
 
-    /// The same, from memory if it was asked for lately. Of at most 4 scalars two time-steps each are kept.
+    /// Returns a scalar from memory if it was asked for lately. Two time-steps each of at most 4 scalars are
+    /// kept.
     core::Result<std::shared_ptr<const core::Slab>> scalar_values(
         std::size_t scalar, std::size_t index, const std::stop_token& stop) const override;
 
@@ -89,14 +94,14 @@ class StoreReader final : public core::TimeStepSource, public core::ScalarSource
         return bricks_ == nullptr ? std::nullopt : std::optional(1 + scalar);
     }
 
-    /// What scalar_values keeps at most.
+    /// Returns the bytes that scalar_values keeps at most.
     std::size_t scalar_memory() const;
 
     /// Empty where the store has none. Error: NotFound, Io, Corrupt.
     core::Result<core::WallGeometry> load_walls() const;
 
   private:
-    /// What is known of a file of a time-step since it was checked.
+    /// Holds what is known of a file of a time-step since it was checked.
     struct Seen {
         core::FileIdentity identity;
         bool gaps = false;

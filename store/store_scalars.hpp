@@ -1,4 +1,5 @@
-// The scalar fields of a store as those who sample them see them: what was imported, then the families that were made since.
+// The scalar fields of a store as those who sample them see them: what was imported, then the families that
+// were made since.
 #pragma once
 
 #include "core/base/disk.hpp"
@@ -16,10 +17,12 @@
 
 namespace wakesurf::store {
 
-/// As the families were when it was opened; opening it again costs the reading of one small file. Thread safety: concurrent calls are fine.
+/// Serves the families as they were when it was opened; opening it again costs the reading of one small file.
+/// Thread safety: concurrent calls are fine.
 class StoreScalars final : public core::ScalarSource {
   public:
-    /// Without those whose velocities are not there any more. A families.json that cannot be read counts as none.
+    /// Without those whose velocities are not there any more. A families.json that cannot be read counts as
+    /// none.
     static std::shared_ptr<const StoreScalars> open(std::shared_ptr<const StoreReader> reader,
                                                     std::shared_ptr<const core::Disk> disk);
 
@@ -28,10 +31,10 @@ class StoreScalars final : public core::ScalarSource {
     /// Changes with the families and their values; empty: there are none.
     const std::string& mark() const { return mark_; }
 
-    /// Of all, in the order of their numbers.
+    /// Returns the names of all scalars, in the order of their numbers.
     std::vector<std::string> names() const;
 
-    /// Its number. Error: NotFound, listing what there is.
+    /// Returns the scalar's number. Error: NotFound, listing what there is.
     core::Result<std::size_t> find(std::string_view name) const;
 
     /// Those at which a family has values; empty for what was imported, which has values at all.
@@ -39,16 +42,17 @@ class StoreScalars final : public core::ScalarSource {
 
     const std::vector<double>& times() const override { return reader_->times(); }
 
-    /// Of a family at a time-step that it was not made for: no value at any node; also once it was removed.
+    /// Returns one float a node. A family at a time-step that it was not made for has no value at any node,
+    /// also once it was removed.
     core::Result<std::shared_ptr<const core::Slab>> scalar_values(
         std::size_t scalar, std::size_t index, const std::stop_token& stop) const override;
 
-    /// Of what was imported: families are whole.
+    /// Returns the brick field of an imported scalar: families are whole.
     std::optional<std::size_t> brick_field(std::size_t scalar) const override {
         return scalar < imported() ? reader_->brick_field(scalar) : std::nullopt;
     }
 
-    /// What is kept of families at most.
+    /// Returns the bytes that are kept of families at most.
     std::size_t family_memory() const;
 
   private:

@@ -27,14 +27,14 @@ namespace {
 
 constexpr std::string_view lock_name = "store.lock";
 
-// What a signal handler may touch: the name of the unfinished file, valid while `unfinished` is set.
+// Hold what a signal handler may touch: the name of the unfinished file, valid while `unfinished` is set.
 std::array<char, 4096> part_name{};
 std::atomic<bool> unfinished{false};
 std::string_view last_words;
 void (*before_end)() = nullptr;
 
-// A file reaches the disk in portions, so that one as large as memory neither fills it with unwritten pages nor keeps
-// Ctrl-C waiting for all of them at the end.
+// A file reaches the disk in portions, so that one as large as memory neither fills it with unwritten pages
+// nor keeps Ctrl-C waiting for all of them at the end.
 constexpr off_t portion_bytes = off_t{32} << 20;
 
 extern "C" void end_now(int) {
@@ -120,14 +120,16 @@ core::Result<std::uint32_t> fill(int file, const std::string& name, const NextPi
         }
         if (at - portion < portion_bytes)
             continue;
-        // Starts this portion on its way to the disk and waits for the one before, as the disk works at its own pace.
+        // Starts this portion on its way to the disk and waits for the one before, as the disk works at its
+        // own pace.
         ::sync_file_range(file, portion, at - portion, SYNC_FILE_RANGE_WRITE);
         ::sync_file_range(file, 0, portion, SYNC_FILE_RANGE_WAIT_BEFORE);
         portion = at;
     }
 }
 
-/// What `write` puts into the file *.part is the file `name` once that has gone well, and gone where it has not.
+/// Runs `write` on the file *.part, which becomes the file `name` if that goes well, and is removed if it
+/// does not.
 template <class Write>
 auto appear(const fs::path& folder, const std::string& name, const Write& write)
     -> decltype(write(0)) {
@@ -217,7 +219,8 @@ StoreWriter::write_in_place(const std::string& name,
                             const std::function<core::Result<void>(const PutBytes&)>& fill) {
     return appear(folder_, name,
                   [&](int file) -> core::Result<int> {
-                      // One place on the disk for what comes in pieces, where the file system knows how; a full disk says so now.
+                      // One place on the disk for what comes in pieces, where the file system knows how; a
+                      // full disk says so now.
                       if (::fallocate(file, 0, 0, static_cast<off_t>(size)) != 0 &&
                           (errno == ENOSPC || errno == EDQUOT))
                           return tl::unexpected(cannot_write(name).error());
@@ -229,7 +232,8 @@ StoreWriter::write_in_place(const std::string& name,
                                  unsent += static_cast<off_t>(bytes.size());
                                  if (unsent < portion_bytes)
                                      return {};
-                                 // As fill() above, for a file whose bytes come in no order: 0 is all of it.
+                                 // This does what fill() above does, for a file whose bytes come in no order:
+                                 // 0 is all of it.
                                  ::sync_file_range(file, 0, 0,
                                                    SYNC_FILE_RANGE_WAIT_BEFORE |
                                                        SYNC_FILE_RANGE_WRITE);

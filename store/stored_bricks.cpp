@@ -42,7 +42,7 @@ Result<bool> StoredBricks::gaps(std::size_t column, std::size_t index) const {
     });
 }
 
-// What is known of another file than `file` counts for nothing.
+// Returns nothing if what is known is of another file than `file`.
 StoredBricks::KnownFile StoredBricks::kept(const Key& key,
                                            const std::optional<FileIdentity>& file) const {
     const std::scoped_lock lock(mutex_);
@@ -117,7 +117,7 @@ Result<StoredBricks::KnownFile> StoredBricks::look_at(std::size_t column, std::s
         });
 }
 
-// What was replaced is not damaged: whoever reads on has to open the store again.
+// Checks a brick. A store that was replaced is not damaged: whoever reads on has to open it again.
 Result<void> StoredBricks::check(std::size_t column,
                                  std::size_t index,
                                  std::uint32_t found,

@@ -1,5 +1,5 @@
-// Bricks of a store's files, read in the calling thread and checked. The files' time-steps as wholes (store/store_reader.hpp) and the
-// source of bricks (store/file_bricks.hpp) are made of it.
+// Bricks of a store's files, read in the calling thread and checked. The files' time-steps as wholes
+// (store/store_reader.hpp) and the source of bricks (store/file_bricks.hpp) are made of it.
 #pragma once
 
 #include "core/base/disk.hpp"
@@ -25,20 +25,20 @@
 
 namespace wakesurf::store {
 
-/// A brick is checked against its checksum when it is read for the first time, and again when its file is another one than it was then.
-/// Memory: 8 bytes a brick, and 6 a brick of the files read last, up to 64 MiB, but of at least 8 files. Thread safety: concurrent
-/// calls are fine.
+/// A brick is checked against its checksum when it is read for the first time, and again when its file is
+/// another one than it was then. Memory: 8 bytes a brick, and 6 a brick of the files read last, up to 64 MiB,
+/// but of at least 8 files. Thread safety: concurrent calls are fine.
 class StoredBricks {
   public:
-    /// The record of a column at a time-step in checksums.u32. Error: NotFound while it is not ready, Corrupt where the store was replaced;
-    /// to be read after the brick's name.
+    /// Returns the record of a column at a time-step in checksums.u32. Error: NotFound while it is not ready,
+    /// Corrupt where the store was replaced; to be read after the brick's name.
     using Expected =
         std::function<core::Result<std::uint32_t>(std::size_t column, std::size_t index)>;
 
     /// Told of each brick of a read, by its index there.
     using Told = std::function<void(std::size_t which, core::Result<void> outcome)>;
 
-    /// REQUIRES: check_layout(layout), and brick_cells is not 0.
+    /// Opens the bricks. REQUIRES: check_layout(layout), and brick_cells is not 0.
     StoredBricks(StoreLayout layout, std::shared_ptr<const core::Disk> disk, Expected expected);
 
     const core::BrickLayout& layout() const { return bricks_; }
@@ -47,10 +47,10 @@ class StoredBricks {
 
     std::size_t columns() const { return layout_.columns(); }
 
-    /// In the order of the file.
+    /// Returns the brick's place in the order of the file.
     std::size_t place_of(std::size_t brick) const { return places_[brick]; }
 
-    /// What lies at a place.
+    /// Returns the brick that lies at a place.
     std::size_t brick_at(std::size_t place) const { return order_[place]; }
 
     /// Numbers of a brick.
@@ -58,7 +58,7 @@ class StoredBricks {
         return bricks_.nodes_per_brick() * components_of(column);
     }
 
-    /// Bytes of a brick in its file.
+    /// Returns the bytes of a brick in its file.
     std::size_t stored_bytes(std::size_t column) const {
         return step_file_size(bricks_.nodes_per_brick(), components_of(column), layout_.precision);
     }
@@ -67,7 +67,8 @@ class StoredBricks {
     core::Result<bool> gaps(std::size_t column, std::size_t index) const;
 
     /// Reads neighbours in one go, from `place` on: each where `to` says, which has values(column) numbers.
-    /// Error of a brick: NotFound, Io, Corrupt, Cancelled where the disk was slow and `stop` fired; naming it.
+    /// Error of a brick: NotFound, Io, Corrupt, Cancelled where the disk was slow and `stop` fired; naming
+    /// it.
     void read(std::size_t column,
               std::size_t index,
               std::size_t place,
@@ -75,16 +76,17 @@ class StoredBricks {
               const Told& told,
               const std::stop_token& stop = {}) const;
 
-    /// "brick 17 of time-step 3 (velocity_000003.f32)".
+    /// Returns "brick 17 of time-step 3 (velocity_000003.f32)".
     std::string name_of(std::size_t column, std::size_t index, std::size_t brick) const;
 
   private:
-    /// What is known of a file of bricks. The index belongs to the time-step; which bricks are checked, to the file.
+    /// Holds what is known of a file of bricks. The index belongs to the time-step; which bricks are checked,
+    /// to the file.
     struct Known {
         BrickIndex index;
         core::FileIdentity file;
-        std::unique_ptr<std::atomic<bool>[]>
-            checked; ///< by place; null where there are no checksums
+        /// Says by place which bricks are checked; null where there are no checksums.
+        std::unique_ptr<std::atomic<bool>[]> checked;
     };
 
     using KnownFile = std::shared_ptr<const Known>;
@@ -104,9 +106,9 @@ class StoredBricks {
     core::BrickLayout bricks_;
     std::vector<std::uint32_t> order_;
     std::vector<std::uint32_t> places_;
-    mutable std::array<std::mutex, 16>
-        looking_;              ///< at a file: one reads its index for all who want it
-    mutable std::mutex mutex_; ///< guards kept_
+    /// Each guards a file: one thread reads its index for all who want it.
+    mutable std::array<std::mutex, 16> looking_;
+    mutable std::mutex mutex_;                          ///< guards kept_
     mutable std::list<std::pair<Key, KnownFile>> kept_; ///< used last first
 };
 

@@ -41,7 +41,7 @@ std::string families_text(const std::vector<StoredFamily>& families) {
         1);
 }
 
-// It becomes part of a file name.
+// Returns whether it may become part of a file name.
 bool family_stem(const std::string& stem) {
     const std::string_view number =
         std::string_view(stem).substr(std::min(stem.size(), stem_begin.size()));

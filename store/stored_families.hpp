@@ -1,5 +1,5 @@
-// families.json: which families of stream surfaces are kept beside a store's data, and in which files their values are. It is a file of
-// its own, since store.json is its importer's, which may be writing it.
+// families.json: which families of stream surfaces are kept beside a store's data, and in which files their
+// values are. It is a file of its own, since store.json is its importer's, which may be writing it.
 #pragma once
 
 #include "core/base/disk.hpp"
@@ -20,7 +20,7 @@ namespace wakesurf::store {
 
 inline constexpr std::string_view families_file_name = "families.json";
 
-/// Of a dataset: each takes as much of the disk as a scalar field.
+/// A dataset has at most so many: each takes as much of the disk as a scalar field.
 inline constexpr std::size_t most_families = 16;
 
 struct StoredFamily {
@@ -46,15 +46,17 @@ core::Result<std::vector<StoredFamily>> read_families(const std::filesystem::pat
 std::vector<StoredFamily> current_families(std::vector<StoredFamily> families,
                                            const ValueMarks& now);
 
-/// Error: Io where the folder cannot be written to, or its disk has less room than `bytes`.
+/// Checks that a family can be written. Error: Io where the folder cannot be written to, or its disk has less
+/// room than `bytes`.
 core::Result<void> check_room_for_family(const std::filesystem::path& folder, std::uint64_t bytes);
 
-/// Writes the values, then families.json with this one more: a reader sees it whole or not at all, and so does the next start after a
-/// power cut. One process at a time. Its stem and sums are chosen here. Those whose velocities are gone go with it.
+/// Writes the values, then families.json with this one more: a reader sees it whole or not at all, and so
+/// does the next start after a power cut. One process at a time. Its stem and sums are chosen here. Those
+/// whose velocities are gone go with it.
 /// @param now     of the velocities it was traced through
 /// @param values  of each step
-/// @param taken   whether it may be added to those that are there: asked while no other can be added
-/// Error: what `taken` returns; OverLimit beyond most_families; Io, with nothing changed.
+/// @param taken   whether it may be added to those that are there: asked while no other can be added Error:
+///                what `taken` returns; OverLimit beyond most_families; Io, with nothing changed.
 core::Result<void>
 add_family(const std::filesystem::path& folder,
            const ValueMarks& now,
@@ -62,7 +64,7 @@ add_family(const std::filesystem::path& folder,
            std::span<const std::vector<float>> values,
            const std::function<core::Result<void>(const std::vector<StoredFamily>&)>& taken);
 
-/// Error: NotFound, Io, Corrupt.
+/// Removes a family. Error: NotFound, Io, Corrupt.
 core::Result<void> remove_family(const std::filesystem::path& folder, std::string_view name);
 
 } // namespace wakesurf::store

@@ -14,7 +14,7 @@ namespace wakesurf::store {
 
 namespace {
 
-/// A step of splitmix64: whatever differs before differs after.
+/// Takes a step of splitmix64: whatever differs before differs after.
 std::uint64_t mixed(std::uint64_t so_far, std::uint64_t word) {
     std::uint64_t x = (so_far ^ word) + 0x9e3779b97f4a7c15u;
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;

@@ -1,5 +1,6 @@
-// What the values of a store are told from others by: its grid and fields, then the times and checksums of its time-steps, in order. A
-// series that grows has the marks it had before; one that was computed again has others.
+// Tells the values of a store from others: by its grid and fields, then the times and checksums of its
+// time-steps, in order. A series that grows has the marks it had before; one that was computed again has
+// others.
 #pragma once
 
 #include "core/base/disk.hpp"
@@ -17,27 +18,30 @@ namespace wakesurf::store {
 /// Checksums of a store's values, by which it is known again.
 class ValueMarks {
   public:
-    /// Of the time-steps whose checksums are on the disk now; of none where there are no checksums yet. Error: Io.
+    /// Reads the marks of the time-steps whose checksums are on the disk now; of none where there are no
+    /// checksums yet. Error: Io.
     static core::Result<ValueMarks> read(const StoreLayout& layout, const core::Disk& disk);
 
     /// Time-steps that are known.
     std::size_t steps() const { return marks_.size() - 1; }
 
-    /// Of a velocity (column 0) or a scalar. REQUIRES: index < steps().
+    /// Returns the checksum of a velocity (column 0) or a scalar. REQUIRES: index < steps().
     std::uint32_t checksum(std::size_t index, std::size_t column) const {
         return records_[index * columns_ + column];
     }
 
-    /// The grid and the fields, the first time-step, and all that are known, for another time or place: "0-09c3f0a1b2c3d4e5 1-... 16-...".
+    /// The grid and the fields, the first time-step, and all that are known, for another time or place:
+    /// "0-09c3f0a1b2c3d4e5 1-... 16-...".
     std::string text() const;
 
-    /// The grid and the fields alone.
+    /// Returns the mark of the grid and the fields alone.
     std::string shared_text() const { return word(0); }
 
     /// These are the values of `before`, and perhaps more time-steps after them.
     bool continues(const ValueMarks& before) const;
 
-    /// Some of these values are certainly not those that text() told of. False for time-steps that are not known here.
+    /// Some of these values are certainly not those that text() told of. False for time-steps that are not
+    /// known here.
     bool contradicts(std::string_view text) const;
 
   private:

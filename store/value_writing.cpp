@@ -77,7 +77,7 @@ Written write_values(StoreWriter& writer,
                      std::size_t column,
                      std::size_t index,
                      std::span<const float> values) {
-    // In pieces: halves are made of one after the other.
+    // Halves are made piece by piece.
     static constexpr std::size_t piece = std::size_t{1} << 20;
     return write_values(writer, layout, column, index,
                         [rest = values]() mutable -> core::Result<std::span<const float>> {

@@ -23,7 +23,7 @@ core::Result<std::uint32_t> write_values(StoreWriter& writer,
                                          std::size_t index,
                                          const NextValues& next);
 
-/// The same of values that are in memory.
+/// Writes values that are in memory.
 core::Result<std::uint32_t> write_values(StoreWriter& writer,
                                          const StoreLayout& layout,
                                          std::size_t column,

@@ -26,7 +26,8 @@ char small(char c) {
     return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
 }
 
-// "Velocity[i] (m/s)" -> "Velocity[i]": what stands in brackets at the end is a unit where it holds more than an index.
+// Makes "Velocity[i]" of "Velocity[i] (m/s)": what stands in brackets at the end is a unit where it holds
+// more than an index.
 std::string without_unit(const std::string& name) {
     constexpr std::string_view ends = ")]";
     if (name.empty() || ends.find(name.back()) == std::string_view::npos)
@@ -38,7 +39,7 @@ std::string without_unit(const std::string& name) {
     return name.substr(0, open);
 }
 
-// Lower case, letters and digits only: "Velocity_X" and "velocity-x" are one name. u' is no u.
+// Returns lower case, letters and digits only: "Velocity_X" and "velocity-x" are one name. u' is no u.
 std::string plain(const std::string& name) {
     std::string out;
     for (const char c : without_unit(name))
@@ -113,7 +114,7 @@ constexpr auto signs_of_others = std::to_array<std::string_view>(
 constexpr auto words_of_others = std::to_array<std::string_view>(
     {"rms", "slip", "solid", "body", "tau", "star", "min", "max", "old", "prev", "wave", "std",
      "var", "moving", "base", "blade", "omega"});
-// Of one component: its gradient, or a statistic of it.
+// Name what is derived from one component: its gradient, or a statistic of it.
 constexpr auto component_words =
     std::to_array<std::string_view>({"x", "y", "z", "w", "ux", "uy", "uz", "vx", "vy", "vz", "velx",
                                      "vely", "velz", "u1", "u2", "u3", "vel1", "vel2", "vel3"});
@@ -155,7 +156,7 @@ std::vector<Triple> names_of(std::span<const std::string_view> stems,
     return {out.begin(), out.end()};
 }
 
-// What a name looks like: U_X as u_x does not, Vel_Y as Vel_X does.
+// Returns what a name looks like: U_X as u_x does not, Vel_Y as Vel_X does.
 std::string look_of(const std::string& name) {
     std::string out;
     for (const char c : name)
@@ -163,7 +164,8 @@ std::string look_of(const std::string& name) {
     return out;
 }
 
-// One triple for each look that the first component's name has; where it is clear, others may look otherwise: Vx, VY, vz.
+// One triple for each look that the first component's name has; where it is clear, others may look otherwise:
+// Vx, VY, vz.
 void add_triples(const std::vector<FieldInfo>& fields,
                  const Triple& names,
                  FieldInfo::Source source,
@@ -202,7 +204,7 @@ bool is_of_something_else(const std::string& name, const Words& words) {
            (any_word_of(words, component_words) && words.size() > 1);
 }
 
-// U.air, U.particles: as OpenFOAM names the velocity of each phase.
+// Recognises U.air, U.particles: OpenFOAM names the velocity of each phase so.
 bool is_of_a_phase(const std::string& name) {
     return name.starts_with("U.") && name.size() > 2 && !holds_any_of(plain(name), average_words);
 }

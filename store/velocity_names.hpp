@@ -1,4 +1,5 @@
-// What the name of an array says about it: a velocity of the fluid, a part of one, a momentum, or something else.
+// Says what the name of an array tells about it: a velocity of the fluid, a part of one, a momentum, or
+// something else.
 #pragma once
 
 #include "core/dataset/dataset_info.hpp"
@@ -20,16 +21,16 @@ enum class VectorName {
     Unknown
 };
 
-/// Of a 3-component array.
+/// Returns the meaning of a 3-component array.
 VectorName meaning_of_vector(const std::string& name);
 
 bool is_density(const core::FieldInfo& field);
 
-/// Three 1-component arrays of one place, in the order x, y, z.
+/// Holds three 1-component arrays of one place, in the order x, y, z.
 using Components = std::vector<core::FieldInfo>;
 
-/// Every triple whose names are those of components: u v w, VelocityX.., x_velocity.., vel1.., vx1.., "Velocity[i] (m/s)"..
-/// Names that differ by capital letters only are told apart.
+/// Every triple whose names are those of components: u v w, VelocityX.., x_velocity.., vel1.., vx1..,
+/// "Velocity[i] (m/s)".. Names that differ by capital letters only are told apart.
 std::vector<Components> velocity_components(const std::vector<core::FieldInfo>& fields,
                                             core::FieldInfo::Source source);
 std::vector<Components> momentum_components(const std::vector<core::FieldInfo>& fields,

@@ -7,10 +7,10 @@
 
 namespace wakesurf::store {
 
-/// False where it fails; errno says why.
+/// Returns false where it fails; errno says why.
 bool write_whole(int file, std::span<const std::byte> bytes);
 
-/// The same at a place of a file.
+/// Writes at a place of a file.
 bool write_whole_at(int file, std::uint64_t at, std::span<const std::byte> bytes);
 
 /// False at the end of the file or where it fails.

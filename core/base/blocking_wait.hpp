@@ -1,5 +1,5 @@
-// Who runs jobs on its threads hears when one of them waits for data, and can let another thread take its place meanwhile: a surface that
-// waits for bricks holds no thread that others need.
+// Threads that run jobs hear when a job waits for data, and may lend its place to another job meanwhile. A
+// surface that waits for bricks then occupies no thread that others need.
 #pragma once
 
 #include <utility>
@@ -21,7 +21,7 @@ class BlockingWait {
         ~Listener() = default;
     };
 
-    /// Of the calling thread from now on. @param listener  null: nobody
+    /// Registers the listener of the calling thread from now on.
     static void listen(Listener* listener) { of_thread = listener; }
 
     BlockingWait() : listener_(std::exchange(of_thread, nullptr)) {

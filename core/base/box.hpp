@@ -5,21 +5,21 @@
 
 namespace wakesurf::core {
 
-/// A box with sides along the axes.
+/// Holds two opposite corners of an axis-aligned box.
 struct Box {
     Vec3 lo{0.0}; ///< the corner of the smallest coordinates
     Vec3 hi{0.0}; ///< the corner of the largest
 
-    /// False for points with a NaN coordinate.
+    /// Returns false for points with a NaN coordinate.
     bool contains(const Vec3& p) const {
         return p.x >= lo.x && p.x <= hi.x && p.y >= lo.y && p.y <= hi.y && p.z >= lo.z &&
                p.z <= hi.z;
     }
 
-    /// Lengths of the sides.
+    /// Returns the lengths of the sides.
     Vec3 extent() const { return hi - lo; }
 
-    /// Distance of the two corners.
+    /// Returns the distance of the two corners.
     double diagonal() const { return glm::length(extent()); }
 };
 

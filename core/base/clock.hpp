@@ -13,10 +13,10 @@ class Clock {
     virtual std::chrono::steady_clock::time_point now() const = 0;
 };
 
-/// The machine's own.
+/// Reads the machine's monotonic clock.
 class SteadyClock final : public Clock {
   public:
-    /// As std::chrono::steady_clock.
+    /// Returns the time of std::chrono::steady_clock.
     std::chrono::steady_clock::time_point now() const override {
         return std::chrono::steady_clock::now();
     }

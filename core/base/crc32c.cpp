@@ -1,7 +1,7 @@
 // Slicing-by-8: eight tables turn eight bytes into eight independent look-ups. Source: Kounavis, Berry, Novel
 // Table Lookup-Based Algorithms for High-Performance CRC Generation, IEEE Trans. Comput. 57(11), 2008.
-// Processors with SSE 4.2 have an instruction for eight bytes, of which three can be under way: three streams, joined by what
-// zeros would have made of the earlier ones (the operator of zlib's crc32_combine).
+// Processors with SSE 4.2 have an instruction for eight bytes, of which three can be under way: three
+// streams, joined by what zeros would have made of the earlier ones (the operator of zlib's crc32_combine).
 #include "core/base/crc32c.hpp"
 
 #if defined(__x86_64__)
@@ -39,7 +39,7 @@ constexpr Tables make_tables() {
 
 constexpr Tables tables = make_tables();
 
-// Bytes of one of the three streams: what is left over at the end goes through one.
+// Each of the three streams is so many bytes long; what is left over at the end goes through one.
 constexpr std::size_t stream_bytes = 4096;
 
 using Shift = std::array<std::array<std::uint32_t, 256>, 4>;
@@ -49,7 +49,8 @@ constexpr std::uint32_t shifted(const Shift& shift, std::uint32_t crc) {
            shift[3][crc >> 24];
 }
 
-/// What `stream_bytes` zeros make of a register, by its bytes: linear, so squared until the zeros are that many.
+/// Returns what `stream_bytes` zero bytes make of a register, by the register's bytes. The map is linear, so
+/// it is squared until the zeros are that many.
 constexpr Shift make_shift() {
     using Images = std::array<std::uint32_t, 32>;
     const auto image = [](const Images& of, std::uint32_t bits) {

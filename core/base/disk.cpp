@@ -29,7 +29,7 @@ class Descriptor {
     int fd_;
 };
 
-// Only the last part of the path: messages may reach a client.
+// The message names only the last part of the path, because it may reach a client.
 tl::unexpected<Error> failure(const std::filesystem::path& file, int error) {
     const auto code = error == ENOENT || error == ENOTDIR ? Error::Code::NotFound : Error::Code::Io;
     return fail(code, "cannot read " + file.filename().string() + ": " +

@@ -25,10 +25,11 @@ class Disk {
   public:
     virtual ~Disk() = default;
 
-    /// Size of a regular file in bytes. Error: NotFound, Io.
+    /// Returns the size of a regular file in bytes. Error: NotFound, Io.
     virtual Result<std::uint64_t> size(const std::filesystem::path& file) const = 0;
 
-    /// Error: NotFound, Io. A disk that knows only sizes tells files apart by their size.
+    /// Returns what tells this file from another of its name. Error: NotFound, Io. A disk that knows only
+    /// sizes tells files apart by their size.
     virtual Result<FileIdentity> identity(const std::filesystem::path& file) const {
         return size(file).map([](std::uint64_t bytes) { return FileIdentity{bytes, 0, 0}; });
     }
@@ -38,7 +39,7 @@ class Disk {
                               std::uint64_t offset,
                               std::span<std::byte> out) const = 0;
 
-    /// The same; what may take long ends as Cancelled where `stop` fires.
+    /// Reads like read(), but a long read ends as Cancelled when `stop` fires.
     virtual Result<void> read_stoppable(const std::filesystem::path& file,
                                         std::uint64_t offset,
                                         std::span<std::byte> out,
@@ -47,7 +48,7 @@ class Disk {
         return read(file, offset, out);
     }
 
-    /// How it is read fastest.
+    /// Says how a disk is read fastest.
     struct Pace {
         std::size_t readers = 4;                  ///< at the same time
         std::size_t piece = std::size_t{1} << 20; ///< bytes of a long file in one go
@@ -56,7 +57,7 @@ class Disk {
     virtual Pace pace() const { return {}; } ///< of all its files
 };
 
-/// The real one: pread in a loop (EINTR and short reads handled), never mmap, because a file
+/// Reads the real disk by pread in a loop (EINTR and short reads handled). It never uses mmap, because a file
 /// truncated under a mapping is a SIGBUS.
 class PosixDisk final : public Disk {
   public:

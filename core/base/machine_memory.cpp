@@ -61,7 +61,7 @@ std::vector<Hierarchy> hierarchies(const fs::path& root) {
     return out;
 }
 
-/// The group of this process in a hierarchy. (cgroups(7): hierarchy:controllers:path)
+/// Returns the the group of this process in a hierarchy. (cgroups(7): hierarchy:controllers:path)
 std::optional<fs::path> own_group(const fs::path& root, int version) {
     std::ifstream file(root / "proc/self/cgroup");
     for (std::string line; std::getline(file, line);) {
@@ -76,14 +76,14 @@ std::optional<fs::path> own_group(const fs::path& root, int version) {
     return std::nullopt;
 }
 
-/// Of one file: a number, or "max".
+/// Returns the limit in one file, which holds a number of bytes or "max".
 std::uint64_t limit_in(const fs::path& file) {
     std::ifstream in(file);
     std::uint64_t bytes = 0;
     return in >> bytes ? bytes : unlimited;
 }
 
-/// Of a group itself, without those it is in.
+/// Returns the limit of a group itself, without the groups that contain it.
 std::uint64_t limit_of(const fs::path& group, int version) {
     if (version == 1)
         return limit_in(group / "memory.limit_in_bytes");
@@ -126,7 +126,7 @@ std::uint64_t granted_memory(const fs::path& root) {
 }
 
 std::uint64_t resident_memory() {
-    // Without a stream: it is asked for while memory is being taken.
+    // This opens no stream, because it is called while memory is being taken.
     const int file = ::open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
     if (file < 0)
         return 0;

@@ -1,5 +1,5 @@
-// How much memory the machine has, and how much of it this process may have: the limit where an allocation fails or the kernel
-// ends the process.
+// Tells how much memory the machine has, and how much of it this process may have before an allocation fails
+// or the kernel ends the process.
 #pragma once
 
 #include <cstdint>
@@ -10,15 +10,16 @@ namespace wakesurf::core {
 /// Bytes; 0 where the system does not say.
 std::uint64_t machine_memory();
 
-/// The least of machine_memory() and the limits of the control groups that this process is in, version 1 or 2, nested ones too.
-/// Bytes; 0 where the system does not say.
+/// The least of machine_memory() and the limits of the control groups that this process is in, version 1 or
+/// 2, nested ones too. Bytes; 0 where the system does not say.
 /// @param root  where /proc and /sys are, for tests
 std::uint64_t granted_memory(const std::filesystem::path& root = "/");
 
-/// What this process holds of the machine's memory, in bytes; 0 where the system does not say. Cost: some 3 microseconds.
+/// Returns the bytes of memory that this process has resident; 0 where the system does not say. Cost: some 3
+/// microseconds.
 std::uint64_t resident_memory();
 
-/// The most that it ever held, likewise.
+/// Returns the largest resident_memory() so far, in bytes; 0 where the system does not say.
 std::uint64_t peak_resident_memory();
 
 } // namespace wakesurf::core

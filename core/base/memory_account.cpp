@@ -1,6 +1,6 @@
 #include "core/base/memory_account.hpp"
 
-#include "core/base/doorbell.hpp"
+#include "core/base/event_count.hpp"
 
 #include <algorithm>
 #include <array>
@@ -50,8 +50,8 @@ struct MemoryAccount::Giver {
     bool ended = false;
 };
 
-/// What is counted needs no lock: those who answer people would wait for threads of low priority that hold it. Sums are taken modulo 2^64,
-/// which is right for both directions.
+/// Counting takes no lock: threads that answer clients would wait for threads of low priority that hold it.
+/// Sums are taken modulo 2^64, which is right for both directions.
 struct MemoryAccount::State {
     explicit State(std::size_t all) : budget(all) {}
 
@@ -60,12 +60,13 @@ struct MemoryAccount::State {
     std::array<std::atomic<std::size_t>, memory_uses> by_use{};
     std::atomic<std::size_t> refused{0};
     std::atomic<std::size_t> unseen{0}; ///< bytes taken since the last look
-    Doorbell given_back;
+    EventCount given_back;
     std::mutex asking;                        ///< guards `givers`
     std::list<std::shared_ptr<Giver>> givers; ///< in their order
     std::function<std::size_t()> resident;
     std::atomic<std::uint64_t> looks{0};
-    /// KiB beyond the shares in its low bits; above them the number of the look that saw them.
+    /// Holds KiB beyond the shares in its low bits, and above them the number of the measurement that found
+    /// them.
     std::atomic<std::uint64_t> seen{0};
     std::atomic<std::size_t> program{0}; ///< bytes beyond the shares at the first look: they stay
 
@@ -79,8 +80,8 @@ struct MemoryAccount::State {
 
     std::size_t used() const { return shares + other(); }
 
-    /// Several threads may look at a time: one that is set aside meanwhile would keep the others from seeing. What the look that began
-    /// last saw stays.
+    /// Several threads may look at a time: one that is set aside meanwhile would keep the others from seeing.
+    /// What the look that began last saw stays.
     void look() {
         if (!resident)
             return;
@@ -89,7 +90,7 @@ struct MemoryAccount::State {
         const std::size_t held = resident();
         const std::size_t importers = of(MemoryUse::Importers), all = shares;
         const std::size_t here = all - std::min(all, importers);
-        // What is told but not touched yet hides as much that is there.
+        // Memory that is reported but not touched yet hides as much that is resident.
         const std::size_t beyond = std::max(held - std::min(held, here), program.load());
         const std::uint64_t kibibytes =
             std::min(beyond / 1024 + (beyond % 1024 != 0), most_kibibytes);
@@ -109,10 +110,10 @@ struct MemoryAccount::State {
 
     bool fits(std::size_t more) const { return fits(more, used()); }
 
-    /// Until `more` fits, or the time is over. `stop` rings as well.
+    /// Until `more` fits, or the time is over. `stop` notifies as well.
     void sleep(std::size_t more, const std::stop_token& stop, Clock::time_point until) {
         for (;;) {
-            const auto seen = given_back.rings();
+            const auto seen = given_back.notifications();
             const auto now = Clock::now();
             if (fits(more) || stop.stop_requested() || now >= until)
                 return;
@@ -140,7 +141,7 @@ struct MemoryAccount::State {
         return true;
     }
 
-    /// Until `more` fits. @param little  small work wants it
+    /// Asks others to give memory back until `more` fits.
     bool ask(std::size_t more, bool little = false) {
         std::vector<std::shared_ptr<Giver>> all;
         {
@@ -196,7 +197,7 @@ bool MemoryAccount::Share::grow_to(std::size_t bytes) {
     if (grow_within_free(bytes))
         return true;
     const std::size_t more = bytes - bytes_;
-    // What another took of it meanwhile is asked for once more.
+    // What another thread took of it meanwhile is asked for once more.
     for (int i = 0; i < 2; ++i)
         if (state_->ask(more) && grow_within_free(bytes))
             return true;
@@ -217,7 +218,7 @@ bool MemoryAccount::Share::grow_to(std::size_t bytes,
         ++state_->refused;
         return false;
     }
-    const std::stop_callback wake(stop, [this] { state_->given_back.ring_all(); });
+    const std::stop_callback wake(stop, [this] { state_->given_back.notify_all(); });
     for (;;) {
         state_->ask(more, leave == 0 && bytes <= small_of(state_->budget));
         if (grow_within_free(bytes, leave))
@@ -241,7 +242,7 @@ void MemoryAccount::Share::set(std::size_t bytes) {
     if (state_) {
         state_->change(use_, bytes_, bytes);
         if (bytes < bytes_)
-            state_->given_back.ring_all();
+            state_->given_back.notify_all();
     }
     bytes_ = bytes;
 }

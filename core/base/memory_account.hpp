@@ -1,5 +1,6 @@
-// The one account of a process's memory: whatever takes much opens a share and grows it before it allocates. What does not fit
-// is asked back from those who hold something that can be had again, in the order of `GiveBack`, or refused.
+// The one account of a process's memory: whatever takes much opens a share and grows it before it allocates.
+// What does not fit is asked back from those who hold something that can be had again, in the order of
+// `GiveBack`, or refused.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -14,7 +15,7 @@
 
 namespace wakesurf::core {
 
-/// What memory is taken for.
+/// Names what memory is taken for.
 enum class MemoryUse {
     TimeSteps,
     Meshes,    ///< grids of datasets, what finds cells in them, obstacles
@@ -30,20 +31,23 @@ enum class MemoryUse {
 };
 inline constexpr std::size_t memory_uses = 11;
 
-/// For metrics and statistics: "timeSteps", "meshes", ...
+/// Returns the use's name in metrics and statistics: "timeSteps", "meshes", ...
 std::string_view name_of(MemoryUse use);
 
-/// Who is asked first: what is cheapest to have again.
+/// Orders those who are asked to give memory back: the cheapest to have again comes first.
 enum class GiveBack {
     SpareHeap, ///< what the allocator keeps of memory that was freed
     Downloads, ///< finished files that are kept for the next who asks
     Histories, ///< checkpoints that no one plays just now
     TimeSteps, ///< those beyond the smallest window that no one holds
     Surfaces, ///< updates only those who have fallen behind would read, then whole surfaces no one looks at
-    Builds, ///< the surface being computed that has been large for the longest: for small work only, and one at a time
+    /// Stops the build that has exceeded small() for the longest; only for requests up to small(), one at a
+    /// time.
+    Builds,
 };
 
-/// Thread safety: everything may be called from any thread, a Share by one thread at a time. Copies are the same account.
+/// Thread safety: everything may be called from any thread, a Share by one thread at a time. Copies are the
+/// same account.
 class MemoryAccount {
     struct State;
     struct Giver;
@@ -52,20 +56,21 @@ class MemoryAccount {
     /// @param budget  bytes of all shares together
     explicit MemoryAccount(std::size_t budget);
 
-    /// Counts what the process holds beyond its shares as `Other`, measured again whenever another 1/256 of the budget has been taken;
-    /// never less than it is now, which is the program itself.
-    /// REQUIRES: no other thread uses the account yet.
-    /// @param resident  bytes of the process, without importers; called from any thread, also from several at a time
+    /// Counts what the process holds beyond its shares as `Other`, measured again whenever another 1/256 of
+    /// the budget has been taken; never less than it is now, which is the program itself. REQUIRES: no other
+    /// thread uses the account yet.
+    /// @param resident  bytes of the process, without importers; called from any thread, also from several at
+    ///                  a time
     void watch(std::function<std::size_t()> resident) const;
 
     /// Looks now.
     void look() const;
 
-    /// The last part of the budget is for small work: a share that grows beyond small() leaves that much free, so that those who need
-    /// little go on beside those who need all there is.
+    /// The last part of the budget is for small work: a share that grows beyond small() leaves that much
+    /// free, so that those who need little go on beside those who need all there is.
     std::size_t small() const { return small_of(budget()); }
 
-    /// Bytes that large work leaves to small work.
+    /// Returns the bytes that large work leaves to small work.
     std::size_t kept_for_small() const { return budget() / 8; }
 
     /// A part of the account, from open() until its end.
@@ -76,31 +81,31 @@ class MemoryAccount {
         Share(Share&& other) noexcept;
         Share& operator=(Share&& other) noexcept;
 
-        /// False: it does not fit, even after others were asked to give back; the share is as it was. Does not wait. Cost where it
-        /// fits: 50 ns.
+        /// Returns false, and leaves the share as it was, if it does not fit even after others were asked to
+        /// give memory back. It does not wait. Cost where it fits: 50 ns.
         bool grow_to(std::size_t bytes);
 
-        /// The same, and waits for what others need some time to give back; for a share that stays small(), large work ends. Not on a
-        /// thread on which they do that.
+        /// Tries like `grow_to`, but waits up to `patience`. A share up to small() may end large builds. Do
+        /// not call it on a thread that gives memory back.
         /// @param leave  so many bytes stay free
         bool grow_to(std::size_t bytes,
                      const std::stop_token& stop,
                      std::chrono::milliseconds patience,
                      std::size_t leave = 0);
 
-        /// The same within what is free: no one is asked.
+        /// Grows like grow_to() within what is free: no one is asked to give back.
         bool grow_within_free(std::size_t bytes, std::size_t leave = 0);
 
         /// Nothing where it is smaller already.
         void shrink_to(std::size_t bytes);
 
-        /// What has been taken already, whether it fits or not.
+        /// Records what has been taken already, whether it fits or not.
         void set(std::size_t bytes);
 
         /// Takes over all bytes of another share of the same account.
         void join(Share&& other);
 
-        /// What it has taken.
+        /// Returns the bytes that the share has taken.
         std::size_t bytes() const { return bytes_; }
 
       private:
@@ -116,9 +121,10 @@ class MemoryAccount {
     /// A share without memory yet, which counts as `use`.
     Share open(MemoryUse use) const;
 
-    /// `give_back` is called with how many bytes are wanted, on the thread that wants them, and not from two threads at once. Other
-    /// calls of the account do not wait for it. It shrinks its shares at once, or sees to it on another thread, and must not grow any.
-    /// Until the ticket is dropped, which waits for a call under way.
+    /// `give_back` is called with how many bytes are wanted, on the thread that wants them, and not from two
+    /// threads at once. Other calls of the account do not wait for it. It shrinks its shares at once, or sees
+    /// to it on another thread, and must not grow any. Until the ticket is dropped, which waits for a call
+    /// under way.
     [[nodiscard]] std::shared_ptr<void>
     on_need(GiveBack order, std::function<void(std::size_t wanted)> give_back) const;
 
@@ -126,20 +132,20 @@ class MemoryAccount {
     std::size_t budget() const;
     /// Bytes that all shares have taken.
     std::size_t used() const;
-    /// The same of one use.
+    /// Returns the bytes that all shares of one use have taken.
     std::size_t used(MemoryUse use) const;
     std::size_t free() const; ///< 0 where more is taken than there may be
 
-    /// How often something did not fit.
+    /// Returns how often something did not fit.
     std::size_t refused() const;
 
     /// Asks others, in their order, until so many bytes are free or all have been asked.
     void make_room(std::size_t bytes) const;
 
-    /// OverLimit, for people. @param what   begins the sentence: "a surface of 4000000 quads"
+    /// Returns an OverLimit error with a message for people.
     Error refusal(std::string_view what, std::size_t bytes) const;
 
-    /// The same, of work that ended so that small work can go on. @param bytes  that it held
+    /// Returns the error of work that ended so that small work can go on.
     Error gave_way(std::string_view what, std::size_t bytes) const;
 
   private:

@@ -37,7 +37,8 @@ Character first_of(std::string_view text) {
                                                                : Character{code, bytes};
 }
 
-/// Unicode's controls, line ends, directions, joiners, fillers, variation selectors, private use, tags and non-characters.
+/// Unicode's controls, line ends, directions, joiners, fillers, variation selectors, private use, tags and
+/// non-characters.
 bool acts_or_hides(std::uint32_t code) {
     constexpr std::array<std::pair<std::uint32_t, std::uint32_t>, 19> ranges{{{0x00, 0x1f},
                                                                               {0x7f, 0x9f},
@@ -76,7 +77,7 @@ void add_hex(std::string& out, const char* start, std::uint32_t value, int digit
         out += "0123456789abcdef"[value >> bit & 15];
 }
 
-/// As JSON has it, so that JSON stays JSON.
+/// Escapes as JSON does, so that JSON stays JSON.
 void add_escaped(std::string& out, std::uint32_t code) {
     if (code < 0x10000)
         return add_hex(out, "\\u", code, 4);

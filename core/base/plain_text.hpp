@@ -1,5 +1,5 @@
-// Text that others have written, made so that nothing in it acts: no control characters, nothing that turns the writing direction or
-// cannot be seen.
+// Text that others have written, made so that nothing in it acts: no control characters, nothing that turns
+// the writing direction or cannot be seen.
 #pragma once
 
 #include <cstddef>
@@ -8,17 +8,18 @@
 
 namespace wakesurf::core {
 
-/// A name, as people see it: without such characters, blanks in a row as one, none at the ends; at most `longest` bytes, cut between
-/// characters. What is not UTF-8 is left out.
+/// Returns a name as people see it: without such characters, runs of blanks as one, none at the ends; at most
+/// `longest` bytes, cut between characters. What is not UTF-8 is left out.
 std::string display_name(std::string_view name, std::size_t longest);
 
-/// The same of a text of several lines, whose blanks and line ends stay.
+/// Does the same to a text of several lines, whose blanks and line ends stay.
 std::string display_lines(std::string_view text, std::size_t longest);
 
-/// For a terminal or a log: such characters as \u001b, bytes that are not UTF-8 as \xff. Line ends and tabs stay.
+/// Returns text that is safe on a terminal or in a log: such characters as \u001b, bytes that are not UTF-8
+/// as \xff. Line ends and tabs stay.
 std::string printable(std::string_view text);
 
-/// The same on one line.
+/// Does the same on one line.
 std::string printable_line(std::string_view text);
 
 } // namespace wakesurf::core

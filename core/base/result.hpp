@@ -9,9 +9,9 @@
 
 namespace wakesurf::core {
 
-/// What went wrong, for a program and for a person.
+/// Says what went wrong, for a program and for a person.
 struct Error {
-    /// What kind of fault: what a program decides by.
+    /// Names the kind of fault, which is what a program decides by.
     enum class Code {
         NotFound,
         Corrupt,
@@ -26,9 +26,10 @@ struct Error {
     Code code = Code::Io; ///< what kind of fault it is
     std::string message;  ///< one sentence for a person, without a server path
     std::string hint;     ///< what to do about it; may be empty
-    /// Of a time-step that cannot be read: the time up to which the series can, on the way things were going.
+    /// Says, for a time-step that cannot be read, the time up to which the series can, in the direction of
+    /// the run.
     std::optional<double> readable_until{};
-    /// Of OverLimit: the most there may be. Nothing: what ran out is the machine's memory.
+    /// Holds, for OverLimit, the largest value allowed. It is empty where the machine's memory ran out.
     std::optional<std::uint64_t> limit{};
 };
 
@@ -40,7 +41,7 @@ inline tl::unexpected<Error> fail(Error::Code code, std::string message, std::st
     return tl::unexpected(Error{code, std::move(message), std::move(hint)});
 }
 
-/// The same for more than `limit` of something.
+/// Returns the error of more than `limit` of something.
 inline tl::unexpected<Error>
 over_limit(std::uint64_t limit, std::string message, std::string hint = {}) {
     return tl::unexpected(

@@ -1,4 +1,4 @@
-// What counts as the end of a range of coordinates or times. Solvers write 0.1 in 32 bits, which is
+// Says what counts as the end of a range of coordinates or times. Solvers write 0.1 in 32 bits, which is
 // 0.100000001: a person who types 0.1 means that plane, and that time.
 #pragma once
 
@@ -9,21 +9,22 @@
 
 namespace wakesurf::core {
 
-/// How far beyond an end of lo..hi a number still means that end: four roundings of a 32-bit number of their
-/// size. Far from the origin these become long beside the range, whose numbers then have more bits: no more
-/// than 1e-5 of the range. Where it is one number, of its size alone.
+/// Returns how far beyond an end of lo..hi a number still means that end: four roundings of a 32-bit number
+/// of their size. Far from the origin these become long beside the range, so the result is at most 1e-5 of
+/// the range. Where the range is one number, only its size counts.
 inline double rounding(double lo, double hi) {
     const double roundings = 0x1p-22 * std::max(std::abs(lo), std::abs(hi));
     return hi > lo ? std::min(roundings, 1e-5 * (hi - lo)) : roundings;
 }
 
-/// False for NaN.
+/// Returns false for NaN.
 inline bool within_rounding(double x, double lo, double hi) {
     const double slack = rounding(lo, hi);
     return x >= lo - slack && x <= hi + slack;
 }
 
-/// What a place may be off along each axis. A thin domain is as long on the others.
+/// Returns how far a point may be off along each axis, in units of length. A thin domain counts as long as
+/// its longest side.
 inline Vec3 rounding(const Box& box) {
     return {rounding(box.lo.x, box.hi.x), rounding(box.lo.y, box.hi.y),
             rounding(box.lo.z, box.hi.z)};

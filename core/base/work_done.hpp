@@ -1,5 +1,5 @@
-// How far a piece of work is, as a fraction, and for a surface in simulation time and quads: told by the
-// threads that work, read by those who wait. And what memory it takes, told by the same.
+// Tells how far a piece of work is, as a fraction, and for a surface in simulation time and quads, and what
+// memory it takes. The threads that work write it; those that wait read it.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -18,7 +18,7 @@ namespace wakesurf::core {
 /// Never goes back, but for the number of quads. Thread safety: every call may come from any thread.
 class WorkDone {
   public:
-    /// 0 to 1.
+    /// Returns the fraction that is done, 0 to 1.
     double fraction() const { return fraction_.load(std::memory_order_relaxed); }
 
     /// So much is done: 0 to 1; less than before is ignored.
@@ -36,7 +36,7 @@ class WorkDone {
         return std::isnan(time) ? std::nullopt : std::optional(time);
     }
 
-    /// That there are just now.
+    /// Returns the number of quads that there are just now.
     std::uint64_t quads() const { return quads_.load(std::memory_order_relaxed); }
 
     /// The surface has so many quads now.
@@ -61,10 +61,11 @@ class WorkPart {
   public:
     WorkPart() = default;
 
-    /// The whole of it; null: no one waits; no one counts its memory.
+    /// Makes the part that is the whole of `done`. Null `done`: no one waits. Null `memory`: no one counts
+    /// its memory.
     WorkPart(WorkDone* done, WorkMemory* memory = nullptr) : done_(done), memory_(memory) {}
 
-    /// The `i`-th of `parts` equal ones of this one.
+    /// Returns the the `i`-th of `parts` equal ones of this one.
     WorkPart part(std::size_t i, std::size_t parts) const {
         const auto all = static_cast<double>(parts);
         return between(static_cast<double>(i) / all, static_cast<double>(i + 1) / all);
@@ -78,8 +79,8 @@ class WorkPart {
         return out;
     }
 
-    /// What of this part is not done yet, as far as it is known: where work is begun again, it goes on from
-    /// there.
+    /// Returns what is not done yet of this part, as far as that is known, so that work that begins again
+    /// goes on from there.
     WorkPart rest() const {
         WorkPart out = *this;
         if (done_ == nullptr)
@@ -95,46 +96,46 @@ class WorkPart {
             done_->reached(from_ + share_ * std::clamp(fraction, 0.0, 1.0));
     }
 
-    /// As WorkDone::has().
+    /// Calls WorkDone::has().
     void has(std::uint64_t quads) const {
         if (done_ != nullptr)
             done_->has(quads);
     }
 
-    /// As WorkDone::came_to().
+    /// Calls WorkDone::came_to().
     void came_to(double time, double since) const {
         if (done_ != nullptr)
             done_->came_to(time, since);
     }
 
-    /// Null: no one counts.
+    /// Returns the memory counted for this work; null if no one counts.
     WorkMemory* memory() const { return memory_; }
 
-    /// It will hold so many bytes by itself, besides what above() names. Error: WorkMemory::refusal(), with which the work
-    /// should end.
+    /// It will hold so many bytes by itself, besides what above() names. Error: WorkMemory::refusal(), with
+    /// which the work should end.
     Result<void> holds(std::size_t bytes) const {
         return had(memory_ == nullptr || memory_->grow_to(others_ + bytes));
     }
 
-    /// So many bytes more. Error as above.
+    /// Takes so many bytes more. Error: WorkMemory::refusal().
     Result<void> takes(std::size_t bytes) const {
         return had(memory_ == nullptr || memory_->grow(bytes));
     }
 
-    /// So many bytes of what it holds or has taken are free again.
+    /// Releases so many bytes of what it holds or has taken.
     void gives_back(std::size_t bytes) const {
         if (memory_ != nullptr)
             memory_->shrink(bytes);
     }
 
-    /// The same memory, and no one is told how far it is.
+    /// Returns a part with the same memory that reports its progress to no one.
     WorkPart quietly() const {
         WorkPart out = *this;
         out.done_ = nullptr;
         return out;
     }
 
-    /// The same part, where other parts of the work hold so many bytes.
+    /// Returns the same part, where other parts of the work hold so many bytes.
     WorkPart above(std::size_t others) const {
         WorkPart out = *this;
         out.others_ += others;

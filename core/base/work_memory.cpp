@@ -11,7 +11,8 @@ constexpr std::size_t least_part = std::size_t{64} << 10;
 constexpr std::size_t largest_part = std::size_t{4} << 20;
 constexpr std::size_t most = std::size_t{1} << 50; ///< that sums of them do not wrap round
 
-// Small work waits so much longer: large work that is asked to end runs at low priority, and was seen to take over a second.
+// Small work waits so much longer: large work that is asked to end runs at low priority, and was seen to take
+// over a second.
 constexpr int small_patience = 5;
 
 } // namespace

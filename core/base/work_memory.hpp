@@ -1,5 +1,5 @@
-// What one piece of work takes of the account of memory, told before it is taken by all threads that work at it. The first that gets
-// none ends the work.
+// Tracks what one piece of work takes of the account of memory. All threads of the work report an allocation
+// before they make it; the first refusal ends the work.
 #pragma once
 
 #include "core/base/memory_account.hpp"
@@ -33,23 +33,24 @@ class WorkMemory {
     WorkMemory(const WorkMemory&) = delete;
     WorkMemory& operator=(const WorkMemory&) = delete;
 
-    /// So many bytes more. False where there is no memory: the work should end, see refusal(). Where the account has been asked
-    /// already, which it is for large parts at a time, it costs some 5 ns.
+    /// Takes so many bytes more. Returns false where there is no memory: the work should end, see refusal().
+    /// The account is asked for large parts at a time; a call in between costs some 5 ns.
     bool grow(std::size_t bytes);
 
-    /// So many bytes are free again.
+    /// Releases so many bytes.
     void shrink(std::size_t bytes) { taken_ -= bytes; }
 
-    /// All of it together. False as above.
+    /// Makes the total so many bytes. Returns false as grow() does.
     bool grow_to(std::size_t bytes);
 
-    /// What it takes now.
+    /// Returns the bytes that it takes now.
     std::size_t bytes() const { return taken_; }
 
     /// It was refused once.
     bool exhausted() const { return exhausted_; }
 
-    /// Why the work ended, after grow() returned false: OverLimit where there was no memory, Cancelled where it was stopped meanwhile.
+    /// Returns why the work ended, after grow() returned false: OverLimit where there was no memory,
+    /// Cancelled where it was stopped meanwhile.
     Error refusal() const;
 
   private:

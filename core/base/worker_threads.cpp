@@ -9,7 +9,7 @@ WorkerThreads::~WorkerThreads() {
         const std::scoped_lock lock(mutex_);
         ending_ = true;
     }
-    bell_.ring_all();
+    event_.notify_all();
     for (auto& thread : threads_)
         thread.join();
 }
@@ -22,17 +22,17 @@ void WorkerThreads::add(std::vector<Work> work) {
         while (!ending_ && threads_.size() < most_)
             threads_.emplace_back([this] { run(); });
     }
-    bell_.ring_all();
+    event_.notify_all();
 }
 
 void WorkerThreads::run() {
     std::unique_lock lock(mutex_);
     for (;;) {
-        const auto seen = bell_.rings();
+        const auto seen = event_.notifications();
         if (waiting_.empty() && ending_)
             return;
         if (waiting_.empty()) {
-            bell_.wait(lock, seen);
+            event_.wait(lock, seen);
             continue;
         }
         auto work = std::move(waiting_.front());

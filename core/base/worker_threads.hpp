@@ -1,7 +1,7 @@
 // A few threads for what waits for something slow, a disk for example, so that whoever asks for it does not.
 #pragma once
 
-#include "core/base/doorbell.hpp"
+#include "core/base/event_count.hpp"
 
 #include <cstddef>
 #include <deque>
@@ -12,10 +12,12 @@
 
 namespace wakesurf::core {
 
-/// First come, first served. The threads begin with the first work. Thread safety: concurrent calls are fine, from work too.
+/// Runs work first come, first served. The threads begin with the first work. Thread safety: concurrent calls
+/// are fine, from work too.
 class WorkerThreads {
   public:
-    /// Throws nothing. `ending`: whose threads these are is being destroyed; the work tells its owner so, and returns.
+    /// Throws nothing. `ending`: whose threads these are is being destroyed; the work tells its owner so, and
+    /// returns.
     using Work = std::function<void(bool ending)>;
 
     /// @param most  threads, at least 1
@@ -24,7 +26,8 @@ class WorkerThreads {
     WorkerThreads(const WorkerThreads&) = delete;
     WorkerThreads& operator=(const WorkerThreads&) = delete;
 
-    /// Waits for all work; what has not begun is called with `ending`. REQUIRES: called from none of these threads.
+    /// Waits for all work; what has not begun is called with `ending`. REQUIRES: called from none of these
+    /// threads.
     ~WorkerThreads();
 
     void add(std::vector<Work> work);
@@ -37,7 +40,7 @@ class WorkerThreads {
     std::deque<Work> waiting_;
     bool ending_ = false;
     std::vector<std::thread> threads_;
-    Doorbell bell_;
+    EventCount event_;
 };
 
 } // namespace wakesurf::core

@@ -1,5 +1,6 @@
-// A byte for each node of a grid in bricks, of which most hold one value only: those share its bytes, so that the walls of a large grid
-// take the memory of the bricks through which they go. Beside brick_table.hpp, which holds what is read when it is needed.
+// A byte for each node of a grid in bricks, of which most hold one value only: those share its bytes, so that
+// the walls of a large grid take the memory of the bricks through which they go. Beside brick_table.hpp,
+// which holds what is read when it is needed.
 #pragma once
 
 #include "core/dataset/brick_layout.hpp"
@@ -17,15 +18,15 @@ namespace wakesurf::core {
 /// Costs a pointer a brick, and the bytes of bricks with several values. Thread safety: of any const object.
 class BrickBytes {
   public:
-    /// 0 everywhere.
+    /// Makes a grid of zeros.
     explicit BrickBytes(const BrickLayout& layout);
-    /// What at() returned stays where it is.
+    /// Moving keeps the pointers that at() returned valid.
     BrickBytes(BrickBytes&&) = default;
 
-    /// The same.
+    /// Moving keeps the pointers that at() returned valid.
     BrickBytes& operator=(BrickBytes&&) = default;
 
-    /// How the grid lies in bricks.
+    /// Returns how the grid is cut into bricks.
     const BrickLayout& layout() const { return layout_; }
 
     /// Replaces a brick's bytes. REQUIRES: as many as it has nodes, x fastest.
@@ -34,13 +35,13 @@ class BrickBytes {
     /// Replaces them by one value.
     void set(std::size_t brick, std::uint8_t value) { at_[brick] = same(value); }
 
-    /// A brick's bytes, x fastest.
+    /// Returns a brick's bytes, x fastest.
     const std::uint8_t* at(std::size_t brick) const { return at_[brick]; }
 
     /// The value of all of a brick's nodes; none where they have several.
     std::optional<std::uint8_t> only_value(std::size_t brick) const;
 
-    /// Of a node by its place on each axis; of a cell by its lowest node's.
+    /// Returns the byte of a node by its index on each axis; for a cell, give the lowest node's.
     std::uint8_t of(const std::array<std::size_t, 3>& node) const {
         const auto place = layout_.place_of(node);
         return at_[place.brick][place.node];
@@ -49,7 +50,7 @@ class BrickBytes {
     /// By brick, as the batch kernel takes them.
     const std::uint8_t* const* pointers() const { return at_.data(); }
 
-    /// Memory.
+    /// Returns the bytes of memory that it takes.
     std::size_t bytes() const;
 
   private:

@@ -1,7 +1,7 @@
 #include "core/dataset/brick_cache.hpp"
 
 #include "core/base/blocking_wait.hpp"
-#include "core/base/doorbell.hpp"
+#include "core/base/event_count.hpp"
 #include "core/dataset/retired_slots.hpp"
 #include "core/dataset/slab.hpp"
 
@@ -15,16 +15,18 @@ namespace wakesurf::core {
 
 namespace {
 
-// A particle's stages lie in up to eight bricks, of which cubics read four time-steps; a few particles at once.
+// A particle's stages lie in up to eight bricks, of which cubics read four time-steps; a few particles at
+// once.
 constexpr std::size_t fewest_slots = 128;
 
 // Bricks are taken from memory in pieces large enough for huge pages.
 constexpr std::size_t most_slots_a_slab = 64;
 
-// Of fields at time-steps that have bricks in memory: what two hold who sample velocity by cubics, and a scalar beside it.
+// Limits the fields at time-steps that have bricks in memory: cubic sampling of velocity holds four for each
+// of two callers, and a scalar beside it.
 constexpr std::size_t most_tables = 12;
 
-// Of the account one part in so many, for what begins elsewhere.
+// Keeps 1/8 of the account free for others.
 constexpr std::size_t left_free = 8;
 
 // Rounds of misses: a few intervals of a surface that is played.
@@ -45,7 +47,7 @@ std::size_t BrickCache::smallest_budget(const BrickLayout& layout) {
 }
 
 struct BrickCache::State {
-    /// Room for a brick.
+    /// Holds the values of one brick.
     struct Slot {
         float* memory = nullptr;
         BrickTable* table = nullptr; ///< null: free
@@ -59,7 +61,7 @@ struct BrickCache::State {
         bool done = false;
     };
 
-    /// A field at a time-step.
+    /// Names a field at a time-step.
     struct StepName {
         std::size_t step, field;
 
@@ -95,7 +97,7 @@ struct BrickCache::State {
     std::size_t slots_a_slab;
 
     mutable std::mutex mutex;
-    Doorbell changed; ///< a brick has come, or room has
+    EventCount changed; ///< a brick has come, or room has
     std::vector<Slab> slabs;
     std::vector<Slot> slots;
     std::vector<std::size_t> free;
@@ -126,7 +128,8 @@ struct BrickCache::State {
         return step;
     }
 
-    /// Those that no one holds: the empty ones, and all bricks of the one asked for longest ago where there are too many.
+    /// Those that no one holds: the empty ones, and all bricks of the one asked for longest ago where there
+    /// are too many.
     void forget_steps() {
         const auto held = [](const Step& step) { return step.table.use_count() > 1; };
         const auto erase_empty = [&] {
@@ -241,7 +244,7 @@ struct BrickCache::State {
         std::shared_ptr<Load> load;
     };
 
-    /// What start() has begun.
+    /// Holds what start() has begun.
     struct Batch {
         std::vector<std::shared_ptr<Load>> waiting; ///< for these
         std::vector<BrickRead> reads;               ///< to be started without the lock
@@ -292,7 +295,7 @@ struct BrickCache::State {
         return batch;
     }
 
-    /// Without the lock: a source may answer at once.
+    /// Reads without the lock, because a source may answer at once.
     void read(const std::shared_ptr<State>& self, Batch& batch) {
         if (batch.reads.empty())
             return;
@@ -334,7 +337,7 @@ struct BrickCache::State {
                 free.push_back(of.slot);
             }
         }
-        changed.ring_all();
+        changed.notify_all();
         tell();
     }
 };
@@ -353,8 +356,8 @@ BrickCache::~BrickCache() {
     state_->asked.reset();
     state_->closing.request_stop();
     std::unique_lock lock(state_->mutex);
-    for (auto seen = state_->changed.rings(); !state_->loads.empty();
-         seen = state_->changed.rings())
+    for (auto seen = state_->changed.notifications(); !state_->loads.empty();
+         seen = state_->changed.notifications())
         state_->changed.wait(lock, seen);
 }
 
@@ -398,7 +401,7 @@ BrickCache::Reading::~Reading() {
         room = state.free.size() > before;
     }
     if (room)
-        state.changed.ring_all();
+        state.changed.notify_all();
 }
 
 std::size_t BrickCache::capacity() const {
@@ -417,14 +420,14 @@ Result<void> BrickCache::fetch(std::span<const BrickName> bricks,
                                std::span<const BrickName> soon) {
     State& state = *state_;
     const BlockingWait blocked;
-    const std::stop_callback wake(stop, [&] { state.changed.ring_all(); });
+    const std::stop_callback wake(stop, [&] { state.changed.notify_all(); });
     ++state.age;
     ++state.waits;
     bool asked = false;
     std::vector<std::shared_ptr<State::Load>> waiting;
     for (bool all = false; !all;) {
         State::Batch batch;
-        const auto seen = state.changed.rings();
+        const auto seen = state.changed.notifications();
         {
             const std::scoped_lock lock(state.mutex);
             batch = state.start(bricks, std::nullopt);
@@ -446,8 +449,8 @@ Result<void> BrickCache::fetch(std::span<const BrickName> bricks,
         return std::all_of(waiting.begin(), waiting.end(),
                            [](const auto& load) { return load->done; });
     };
-    for (auto seen = state.changed.rings(); !done() && !stop.stop_requested();
-         seen = state.changed.rings())
+    for (auto seen = state.changed.notifications(); !done() && !stop.stop_requested();
+         seen = state.changed.notifications())
         state.changed.wait(lock, seen);
     if (!done())
         return fail(Error::Code::Cancelled, "waiting for bricks was cancelled");

@@ -1,5 +1,6 @@
-// Bricks of time-steps in memory within a byte budget: what a time-step cache has for time-steps that are larger than memory. Who samples
-// finds out which bricks are missing, asks for all of them at once, and goes on when they are there.
+// Bricks of time-steps in memory within a byte budget: what a time-step cache has for time-steps that are
+// larger than memory. Who samples finds out which bricks are missing, asks for all of them at once, and goes
+// on when they are there.
 #pragma once
 
 #include "core/base/memory_account.hpp"
@@ -19,7 +20,7 @@
 
 namespace wakesurf::core {
 
-/// A brick of a time-step.
+/// Names a brick of a time-step.
 struct BrickName {
     std::size_t step;
     std::size_t brick;
@@ -62,16 +63,18 @@ class BrickCache {
 
     const BrickLayout& layout() const;
 
-    /// The bricks of a field at a time-step, as they come and go. The table is the same for all while anyone holds it.
+    /// The bricks of a field at a time-step, as they come and go. The table is the same for all while anyone
+    /// holds it.
     std::shared_ptr<const BrickTable> table(std::size_t step, std::size_t field = 0);
 
-    /// What is read in place of a brick that is missing.
+    /// Returns the values that are read in place of a missing brick.
     const float* zeros() const;
 
-    /// What BrickTable::use notes.
+    /// Returns the age that BrickTable::use notes.
     BrickTable::Age age() const;
 
-    /// While it is held, no memory of a brick that its holder has seen gets other values. Short: the cache waits for it when it needs room.
+    /// While it is held, no memory of a brick that its holder has seen gets other values. Short: the cache
+    /// waits for it when it needs room.
     class Reading {
       public:
         explicit Reading(BrickCache& cache);
@@ -84,20 +87,22 @@ class BrickCache {
         std::uint64_t began_;
     };
 
-    /// How many bricks the budget holds.
+    /// Returns how many bricks the budget holds.
     std::size_t capacity() const;
 
-    /// How many bricks fetch() can bring together.
+    /// Returns how many bricks fetch() can bring together.
     std::size_t most_at_once() const;
 
-    /// Waits until all are in memory; some may have gone again when it returns. REQUIRES: at most most_at_once(), and the caller holds no
-    /// Reading. Error: what reading one of them reports; Cancelled when `stop` fires first.
+    /// Waits until all are in memory; some may have gone again when it returns. REQUIRES: at most
+    /// most_at_once(), and the caller holds no Reading. Error: what reading one of them reports; Cancelled
+    /// when `stop` fires first.
     /// @param soon  is asked for as by prefetch(), before the wait
     Result<void> fetch(std::span<const BrickName> bricks,
                        const std::stop_token& stop,
                        std::span<const BrickName> soon = {});
 
-    /// Asks for what is not there yet, as far as there is room that no brick used lately has, and returns at once.
+    /// Asks for what is not there yet, as far as there is room that no brick used lately has, and returns at
+    /// once.
     void prefetch(std::span<const BrickName> bricks);
 
     /// Bricks of velocity of a time-step in memory that were used at `since` or later.
@@ -108,7 +113,8 @@ class BrickCache {
         std::size_t loading = 0;  ///< on their way
     };
 
-    /// How much of the velocity is there, by time-step; those without a brick are left out. Cost: a few time-steps, however many bricks.
+    /// Returns how many bricks of the velocity are in memory, by time-step; time-steps without a brick are
+    /// left out. Cost: that of a few time-steps, however many bricks there are.
     std::map<std::size_t, Held> held() const;
 
     Status status() const;

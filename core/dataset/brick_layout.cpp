@@ -9,7 +9,7 @@ namespace wakesurf::core {
 
 namespace {
 
-/// Two free bits after each of the low 21.
+/// Puts two zero bits after each of the low 21 bits.
 std::uint64_t spread(std::uint64_t bits) {
     bits = (bits | bits << 32) & 0x001f00000000ffffull;
     bits = (bits | bits << 16) & 0x001f0000ff0000ffull;

@@ -1,5 +1,6 @@
-// How the nodes of a uniform or a rectilinear grid lie in bricks, the pieces in which a time-step that is larger than memory is
-// stored, read and kept: each has 32 cells an axis and all their nodes, so that a cell's eight nodes are in one brick.
+// Cuts the nodes of a uniform or a rectilinear grid into bricks, the pieces in which a time-step that is
+// larger than memory is stored, read and kept: each has 32 cells an axis and all their nodes, so that a
+// cell's eight nodes are in one brick.
 #pragma once
 
 #include <algorithm>
@@ -11,11 +12,13 @@
 
 namespace wakesurf::core {
 
-/// Bricks have numbers, x fastest. On the disk they lie in Morton order, where neighbours are near each other. All bricks of a grid are
-/// of one size: where the grid ends within one, the nodes beyond repeat the last ones.
+/// Bricks have numbers, x fastest. On the disk they lie in Morton order, where neighbours are near each
+/// other. All bricks of a grid are of one size: where the grid ends within one, the nodes beyond repeat the
+/// last ones.
 class BrickLayout {
   public:
-    /// What measured best: bricks of 16 halve the bytes, but take five times the reads and three times the rounds of them.
+    /// This size measured best: bricks of 16 halve the bytes, but take five times the reads and three times
+    /// the rounds of them.
     static constexpr std::uint32_t usual_cells = 32;
 
     /// @param dimensions  nodes an axis of the grid, at least 2
@@ -23,25 +26,25 @@ class BrickLayout {
     explicit BrickLayout(const std::array<std::uint32_t, 3>& dimensions,
                          std::uint32_t cells = usual_cells);
 
-    /// Nodes an axis of the grid.
+    /// Returns the grid's nodes an axis.
     const std::array<std::uint32_t, 3>& dimensions() const { return dimensions_; }
 
-    /// Cells an axis of a brick.
+    /// Returns a brick's cells an axis.
     std::uint32_t cells() const { return std::uint32_t{1} << shift_; }
 
-    /// The same is 2 to the power of this.
+    /// Returns the base-2 logarithm of cells().
     std::uint32_t shift() const { return shift_; }
 
-    /// Bricks an axis.
+    /// Returns the number of bricks an axis.
     const std::array<std::uint32_t, 3>& bricks() const { return bricks_; }
 
-    /// All bricks.
+    /// Returns the number of all bricks.
     std::size_t count() const { return std::size_t{bricks_[0]} * bricks_[1] * bricks_[2]; }
 
-    /// Nodes an axis of each brick: one more than cells, or all of a thinner grid's.
+    /// Returns the nodes an axis of each brick: one more than cells, or all of a thinner grid's.
     const std::array<std::uint32_t, 3>& brick_nodes() const { return brick_nodes_; }
 
-    /// Nodes of a brick, x fastest.
+    /// Returns the number of a brick's nodes, which are stored x fastest.
     std::size_t nodes_per_brick() const {
         return std::size_t{brick_nodes_[0]} * brick_nodes_[1] * brick_nodes_[2];
     }
@@ -81,7 +84,7 @@ class BrickLayout {
     /// The grid's node that is a brick's lowest.
     std::array<std::size_t, 3> first_node(std::size_t brick) const;
 
-    /// Bricks in the order of the disk: the number of each. Cost: a sort of all bricks.
+    /// Returns the numbers of the bricks in the order of the disk. Cost: a sort of all bricks.
     std::vector<std::uint32_t> morton_order() const;
 
   private:

@@ -1,4 +1,5 @@
-// Which bricks of a time-step are in memory and where: what the brick cache fills and samplers read. See step_nodes.hpp.
+// Which bricks of a time-step are in memory and where: what the brick cache fills and samplers read. See
+// step_nodes.hpp.
 #pragma once
 
 #include <cstddef>
@@ -9,23 +10,24 @@
 
 namespace wakesurf::core {
 
-/// The bricks of a field at one time-step: a pointer each, null while it is not in memory, and when it was last used. Costs 10 bytes a brick, of
-/// which only the pages that are touched are there. Thread safety: readers go on while the cache puts bricks and takes them away; what
-/// they have seen stays while they hold a BrickCache::Reading.
+/// Holds the bricks of a field at one time-step: a pointer each, null while it is not in memory, and when it
+/// was last used. It costs 10 bytes a brick, of which only the pages that are touched are resident. Thread
+/// safety: readers go on while the cache puts bricks and takes them away; what they have seen stays while
+/// they hold a BrickCache::Reading.
 class BrickTable {
   public:
     /// Counts on whenever bricks are asked for, and wraps round.
     using Age = std::uint16_t;
 
-    /// Of a time-step, all of whose bricks are missing. Throws std::bad_alloc.
+    /// Makes the table of a time-step, all of whose bricks are missing. Throws std::bad_alloc.
     /// @param field  as in BrickRead
     BrickTable(std::size_t step, std::size_t bricks, std::size_t field = 0)
         : step_(step), field_(field), at_(zeros<const float*>(bricks)), used_(zeros<Age>(bricks)) {}
 
-    /// The index of its time-step.
+    /// Returns the index of its time-step.
     std::size_t step() const { return step_; }
 
-    /// 0: velocity; a scalar: 1 + its index.
+    /// Returns 0 for velocity, 1 + its index for a scalar.
     std::size_t field() const { return field_; }
 
     /// Null where the brick is missing.
@@ -49,13 +51,13 @@ class BrickTable {
             __atomic_store_n(used_.get() + brick, now, __ATOMIC_RELAXED);
     }
 
-    /// As the batch kernel takes them.
+    /// Returns the pointers by brick, as the batch kernel takes them.
     const float* const* pointers() const { return at_.get(); }
 
-    /// The same of used().
+    /// Returns the values of used() by brick.
     Age* ages() const { return used_.get(); }
 
-    /// What the table of so many bricks can take.
+    /// Returns the bytes that the table of so many bricks can take.
     static std::size_t bytes(std::size_t bricks) {
         return bricks * (sizeof(const float*) + sizeof(Age));
     }

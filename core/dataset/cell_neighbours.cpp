@@ -13,10 +13,10 @@ namespace {
 
 constexpr std::uint32_t no_node = 0xffffffffu;
 
-/// A face as one number: the cell's times eight, plus its own.
+/// Numbers a face: eight times the cell's number, plus the face's own.
 using FaceNumber = std::uint32_t;
 
-// Of the four shapes, together: asked for every face of a mesh several times.
+// Holds the faces of the four shapes together, because every face of a mesh asks for them several times.
 struct FaceTable {
     std::array<std::size_t, 4> count{};
     std::array<std::array<CellFace, 6>, 4> face{};
@@ -83,7 +83,7 @@ struct Candidate {
     }
 };
 
-/// Of faces sorted by nodes and number. Two faces of one cell are no neighbours.
+/// Joins cells at faces that are sorted by nodes and number. Two faces of one cell are no neighbours.
 void join(std::vector<MeshCell>& cells, const std::vector<Candidate>& faces) {
     for (std::size_t i = 0; i < faces.size();) {
         std::size_t end = i + 1;

@@ -1,5 +1,5 @@
-// Which cells of a mesh lie beyond which faces: found from the nodes that faces share. The importer fills the mesh
-// with this and then says which of the faces left over are walls.
+// Which cells of a mesh lie beyond which faces: found from the nodes that faces share. The importer fills the
+// mesh with this and then says which of the faces left over are walls.
 #pragma once
 
 #include "core/dataset/cell_mesh.hpp"
@@ -9,10 +9,11 @@
 
 namespace wakesurf::core {
 
-/// Fills `beyond` of every cell, overwriting what was there: `beyond_domain` where no other cell has a face of the same
-/// nodes. Nodes repeated within a face count once, so that a hexahedron collapsed to a wedge meets its neighbours; a face
-/// collapsed to a line has none. Where more than two cells share a face, the two of lowest number are neighbours.
-/// Runs in parallel; the result does not depend on the number of threads. Takes 4 bytes a face and 8 a node meanwhile.
+/// Fills `beyond` of every cell, overwriting what was there: `beyond_domain` where no other cell has a face
+/// of the same nodes. Nodes repeated within a face count once, so that a hexahedron collapsed to a wedge
+/// meets its neighbours; a face collapsed to a line has none. Where more than two cells share a face, the two
+/// of lowest number are neighbours. Runs in parallel; the result does not depend on the number of threads.
+/// Takes 4 bytes a face and 8 a node meanwhile.
 /// @throws std::length_error  more than 2^29 cells; std::out_of_range  a node number without a point
 void connect_cells(CellMesh& mesh);
 

@@ -1,4 +1,4 @@
-// What a dataset is, as `info --json` and `dataset.describe` tell it. Values only; the JSON text of it
+// Describes a dataset as `info --json` and `dataset.describe` tell it. It holds values only; their JSON text
 // lives in protocol/api/dataset_json.hpp.
 #pragma once
 
@@ -14,10 +14,10 @@ namespace wakesurf::core {
 
 enum class GridKind { Uniform, Rectilinear, Curvilinear, Unstructured, Analytic };
 
-/// How values at nodes are stored; in memory they are float32.
+/// Says how values at nodes are stored; in memory they are float32.
 enum class Precision : std::uint8_t { Single, Half };
 
-/// An array of a dataset.
+/// Describes an array of a dataset.
 struct FieldInfo {
     /// Where the source has its values.
     enum class Source { Point, Cell };
@@ -29,11 +29,11 @@ struct FieldInfo {
         0.0, 0.0};       ///< over what has been read so far; of the magnitude for vectors
     std::string unit;    ///< empty where the format has none
     bool family = false; ///< made here, from the velocity: core/surface/family
-    bool stored =
-        true; ///< false: an import leaves it out, as it does masks, so nobody can ask for it
+    /// Is false where an import leaves the array out, as it does masks, so that nobody can ask for it.
+    bool stored = true;
 };
 
-/// What there is to know of a dataset without reading its values.
+/// Holds what is known of a dataset without reading its values.
 struct DatasetInfo {
     std::string dataset;               ///< id, stable between starts
     std::string name;                  ///< for people
@@ -57,7 +57,8 @@ struct DatasetInfo {
     bool obstacle = false;                   ///< parts of the domain are solid
     std::uint64_t bytes_per_step = 0;        ///< memory of a time-step's velocity
 
-    /// Default separation distance: the finest node spacing; for analytic flows 1/100 of the shortest side.
+    /// Holds the default separation distance, in units of length: the finest node spacing; for analytic flows
+    /// 1/100 of the shortest side.
     double finest_spacing = 0.0;
 };
 

@@ -34,7 +34,7 @@ double closest_nodes(const RectilinearGrid& grid) {
     return closest;
 }
 
-// Cube root of the volume of the box round a cell.
+// Returns the cube root of the volume of the box round a cell.
 double cell_size(const CellMesh& mesh, const MeshCell& cell) {
     Vec3 lo = mesh.points[cell.node[0]];
     Vec3 hi = lo;

@@ -1,4 +1,5 @@
-// The grid of a dataset as its source has it: nothing is resampled. What kind it is decides how it is sampled (core/field).
+// The grid of a dataset as its source has it: nothing is resampled. What kind it is decides how it is sampled
+// (core/field).
 #pragma once
 
 #include "core/dataset/cell_mesh.hpp"
@@ -18,14 +19,15 @@ std::size_t cell_count(const Grid& grid);
 /// Where a node of the values in memory is. REQUIRES: node < node_count(grid).
 Vec3 node_position(const Grid& grid, std::size_t node);
 
-/// Memory of its arrays.
+/// Returns the bytes of its arrays.
 std::size_t memory_of(const Grid& grid);
 
-/// Box round all nodes.
+/// Returns the box round all nodes.
 Box bounds(const Grid& grid);
 
-/// Finest detail a surface should resolve: the closest nodes on an axis; of a cell mesh the size of its smaller cells
-/// (a tenth are smaller: boundary layers have cells much flatter than what surfaces are drawn with).
+/// Finest detail a surface should resolve: the closest nodes on an axis; of a cell mesh the size of its
+/// smaller cells (a tenth are smaller: boundary layers have cells much flatter than what surfaces are drawn
+/// with).
 double finest_spacing(const Grid& grid);
 
 } // namespace wakesurf::core

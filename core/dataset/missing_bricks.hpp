@@ -1,4 +1,5 @@
-// Bricks that were found missing while an interval between two stored times was sampled: gathered from all threads, then fetched together.
+// Bricks that were found missing while an interval between two stored times was sampled: gathered from all
+// threads, then fetched together.
 #pragma once
 
 #include "core/dataset/brick_cache.hpp"
@@ -10,7 +11,7 @@
 
 namespace wakesurf::core {
 
-/// Of one pass over an interval. Thread safety: add() may come from any thread.
+/// Collects what one pass over an interval misses. Thread safety: add() may come from any thread.
 class MissingBricks {
   public:
     /// @param steps  what a brick is wanted of: the time-steps that are sampled together
@@ -31,13 +32,14 @@ class MissingBricks {
         bricks_.insert(bricks_.end(), bricks.begin(), bricks.end());
     }
 
-    /// Will be wanted soon: is read along with what is missing, where there is room. REQUIRES: called from one thread.
+    /// Asks for a brick that will be wanted soon: it is read along with what is missing, where there is room.
+    /// REQUIRES: called from one thread.
     void look_ahead(std::size_t brick) {
         if (ahead_.empty() || ahead_.back() != brick)
             ahead_.push_back(static_cast<std::uint32_t>(brick));
     }
 
-    /// In the first pass over an interval: looks ahead even where nothing is missing yet.
+    /// Marks the first pass over an interval, which looks ahead even where nothing is missing yet.
     void begins() { begins_ = true; }
 
     enum class Outcome {
@@ -47,16 +49,17 @@ class MissingBricks {
         Failed   ///< see error()
     };
 
-    /// What has been added since the last time.
+    /// Fetches what has been added since the last time.
     /// @param anyway  fetches as many as fit where they are too many
     Outcome fetch(const std::stop_token& stop, bool anyway);
 
-    /// Why the last fetch failed.
+    /// Returns why the last fetch failed.
     const std::optional<Error>& error() const { return error_; }
 
-    /// How items of a range go on in the next round.
+    /// Says how items of a range go on in the next round.
     enum class Again {
-        Redo, ///< all from the start, also those that are done: what all need has to be there at the same time
+        /// Begins all again, also those that are done: what all need has to be there at the same time.
+        Redo,
         Restart, ///< those that are not done, from the start: what one needs has to be there at the same time
         GoOn ///< those that are not done, from where they wait
     };
@@ -65,10 +68,11 @@ class MissingBricks {
         void operator()(std::size_t, std::size_t) const {}
     };
 
-    /// Calls `go(begin, end)` for ranges of `count` items, again for those of which some were waiting for bricks, until none is. Returns
-    /// false where `go` did, or what was missing cannot be had.
+    /// Calls `go(begin, end)` for ranges of `count` items, again for those of which some were waiting for
+    /// bricks, until none is. Returns false where `go` did, or what was missing cannot be had.
     /// @param missing  null: all is there
-    /// @param ahead    `ahead(begin, end)` is called where some are waiting or the interval begins, and may call look_ahead()
+    /// @param ahead    `ahead(begin, end)` is called where some are waiting or the interval begins, and may
+    ///                 call look_ahead()
     template <class Go, class Ahead = Nothing>
     static bool in_rounds(MissingBricks* missing,
                           std::size_t count,
@@ -113,7 +117,8 @@ class MissingBricks {
     }
 
   private:
-    /// Of one range. A way that needs more would lead through more bricks one after the other than grids have.
+    /// Limits the rounds of one range. A way that needs more would lead through more bricks one after the
+    /// other than grids have.
     static constexpr int most_rounds = 10'000;
 
     bool give_up();
@@ -128,7 +133,7 @@ class MissingBricks {
     std::optional<Error> error_;
 };
 
-/// What one thread finds missing: of a sampler's view that no other thread has.
+/// Collects what one thread finds missing in a sampler's view that no other thread has.
 class BrickMisses {
   public:
     BrickMisses() = default;
@@ -151,20 +156,20 @@ class BrickMisses {
 
     BrickTable::Age age() const { return age_; }
 
-    /// What to read in its place: what is made of that is thrown away.
+    /// Notes a missing brick. Returns zeros to read in its place; what is made of them is thrown away.
     const float* note(std::size_t brick) const {
         missed_ = true;
         want(brick);
         return zeros_;
     }
 
-    /// For something else than what is sampled by this view now.
+    /// Asks for a brick for something else than what this view samples now.
     void want(std::size_t brick) const {
         if (bricks_.empty() || bricks_.back() != brick)
             bricks_.push_back(static_cast<std::uint32_t>(brick));
     }
 
-    /// As if nothing had been missing.
+    /// Forgets what was missing.
     void forget() const {
         missed_ = false;
         bricks_.clear();
@@ -172,7 +177,7 @@ class BrickMisses {
 
     bool any() const { return missed_; }
 
-    /// Whether anything was missing since the last time.
+    /// Returns whether anything was missing since the last time.
     bool take() const { return std::exchange(missed_, false); }
 
   private:

@@ -9,16 +9,16 @@
 
 namespace wakesurf::core {
 
-/// Nodes where the planes of three axes meet.
+/// Holds the nodes where the planes of three axes meet.
 struct RectilinearGrid {
     std::array<std::vector<double>, 3> coordinates; ///< strictly increasing, at least 2 an axis
 
-    /// Number of nodes.
+    /// Returns the number of nodes.
     std::size_t nodes() const {
         return coordinates[0].size() * coordinates[1].size() * coordinates[2].size();
     }
 
-    /// From the first node to the last.
+    /// Returns the box from the first node to the last.
     Box bounds() const {
         Box box;
         for (int axis = 0; axis < 3; ++axis) {

@@ -1,5 +1,6 @@
-// Room of bricks that are taken away while someone may still read them: it is free once all readings that began before have ended
-// (epoch-based reclamation, Fraser, Practical lock-freedom, 2004, 5.2.3; here with a lock).
+// Room of bricks that are taken away while someone may still read them: it is free once all readings that
+// began before have ended (epoch-based reclamation, Fraser, Practical lock-freedom, 2004, 5.2.3; here with a
+// lock).
 #pragma once
 
 #include <algorithm>
@@ -11,7 +12,7 @@
 
 namespace wakesurf::core {
 
-/// Not thread safe.
+/// Keeps slots until no reading can see them. It is not thread safe.
 class RetiredSlots {
   public:
     using Epoch = std::uint64_t;
@@ -23,7 +24,7 @@ class RetiredSlots {
 
     bool being_read() const { return !readings_.empty(); }
 
-    /// What is retired from now on is not seen by readings that begin later.
+    /// Begins an epoch: what is retired from now on is not seen by readings that begin later.
     void next_epoch() { ++epoch_; }
 
     void retire(std::size_t slot) { retired_.push_back({epoch_, slot}); }

@@ -18,13 +18,15 @@ class ScalarSource {
   public:
     virtual ~ScalarSource() = default;
 
-    /// Times of all time-steps, strictly increasing.
+    /// Returns the times of all time-steps, strictly increasing.
     virtual const std::vector<double>& times() const = 0;
 
-    /// As what its bricks are read, BrickRead::field, where the source has them beside those of the velocity; nothing where it is had whole.
+    /// Returns the BrickRead::field of the scalar, if the source has its bricks beside those of the velocity;
+    /// nothing if it is had whole.
     virtual std::optional<std::size_t> brick_field(std::size_t /*scalar*/) const { return {}; }
 
-    /// One float a node, of a scalar at a time-step. Error: NotFound (not written yet), Corrupt, Io, Cancelled.
+    /// Returns one float a node, of a scalar at a time-step. Error: NotFound (not written yet), Corrupt, Io,
+    /// Cancelled.
     virtual Result<std::shared_ptr<const Slab>>
     scalar_values(std::size_t scalar, std::size_t step, const std::stop_token& stop) const = 0;
 };

@@ -1,5 +1,5 @@
-// The scalar time-steps that were asked for last, for all who sample them: a surface that is dragged or played needs the same ones
-// again and again.
+// The scalar time-steps that were asked for last, for all who sample them: a surface that is dragged or
+// played needs the same ones again and again.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -13,7 +13,8 @@
 
 namespace wakesurf::core {
 
-/// Thread safety: concurrent calls are fine; who asks for one that is just being read reads it as well.
+/// Keeps the scalars last asked for. Thread safety: concurrent calls are fine; a caller that asks for one
+/// that is just being read reads it as well.
 class ScalarSteps {
   public:
     using Values = std::shared_ptr<const Slab>; ///< floats, one a node
@@ -21,11 +22,12 @@ class ScalarSteps {
     /// @param most  kept at a time; those in use may be more
     explicit ScalarSteps(std::size_t most) : most_(most) {}
 
-    /// Of a scalar at a time-step. Where it is not there, the one not asked for longest goes, and `read` returns it. Error: as `read`.
+    /// Returns a scalar at a time-step. If it is not kept, the one asked for longest ago goes, and `read`
+    /// returns it. Error: that of `read`.
     Result<Values>
     get(std::size_t scalar, std::size_t step, const std::function<Result<Slab>()>& read);
 
-    /// How many are kept.
+    /// Returns how many are kept at most.
     std::size_t most() const { return most_; }
 
   private:

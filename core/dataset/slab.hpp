@@ -12,7 +12,7 @@ namespace wakesurf::core {
 class Slab {
   public:
     Slab() = default;
-    /// Zeroed. Throws std::bad_alloc.
+    /// Allocates zeroed memory. Throws std::bad_alloc.
     explicit Slab(std::size_t bytes);
     ~Slab();
     Slab(Slab&& other) noexcept;
@@ -20,16 +20,17 @@ class Slab {
     Slab(const Slab&) = delete;
     Slab& operator=(const Slab&) = delete;
 
-    /// As many as were asked for.
+    /// Returns as many bytes as were asked for.
     std::span<std::byte> bytes() { return {data_, size_}; }
 
-    /// The same.
+    /// Returns as many bytes as were asked for.
     std::span<const std::byte> bytes() const { return {data_, size_}; }
 
-    /// What the operating system gave, page rounding included: the figure the cache accounts.
+    /// Returns the bytes that the operating system gave, page rounding included: the figure the cache
+    /// accounts.
     std::size_t reserved() const { return reserved_; }
 
-    /// What a slab of `bytes` will reserve.
+    /// Returns what a slab of `bytes` will reserve, in bytes.
     static std::size_t reservation(std::size_t bytes);
 
   private:

@@ -1,5 +1,5 @@
-// Slabs of one size that are used again: giving 300 MB back to the operating system and getting them back, zeroed, costs as
-// much as filling them.
+// Slabs of one size that are used again: giving 300 MB back to the operating system and getting them back,
+// zeroed, costs as much as filling them.
 #pragma once
 
 #include "core/dataset/slab.hpp"
@@ -10,14 +10,14 @@
 
 namespace wakesurf::core {
 
-/// Keeps what was given back until somebody takes it, so that no more slabs exist than were ever in use at once.
-/// Thread safety: every call may come from any thread.
+/// Keeps what was given back until somebody takes it, so that no more slabs exist than were ever in use at
+/// once. Thread safety: every call may come from any thread.
 class SlabPool {
   public:
     /// A pool of slabs of so many bytes, none of which is there yet.
     explicit SlabPool(std::size_t bytes) : bytes_(bytes) { idle_.reserve(most_idle); }
 
-    /// With whatever its last user left in it. Throws std::bad_alloc.
+    /// Returns a slab with whatever its last user left in it. Throws std::bad_alloc.
     Slab take() {
         {
             const std::scoped_lock lock(mutex_);

@@ -1,5 +1,5 @@
-// Which nodes of a uniform or a rectilinear grid lie inside an obstacle. The wall is where the trilinear fluid fraction
-// falls below one half: midway between a fluid and a solid node.
+// Which nodes of a uniform or a rectilinear grid lie inside an obstacle. The wall is where the trilinear
+// fluid fraction falls below one half: midway between a fluid and a solid node.
 #pragma once
 
 #include "core/dataset/brick_bytes.hpp"
@@ -12,7 +12,7 @@
 
 namespace wakesurf::core {
 
-/// One byte a node: 1 fluid, 0 solid. In one piece, or in bricks. Neither: no obstacle.
+/// Holds one byte a node, 1 fluid or 0 solid, in one piece or in bricks. With neither there is no obstacle.
 struct SolidMask {
     std::vector<std::uint8_t> fluid;                    ///< in one piece, x fastest
     std::shared_ptr<const BrickBytes> bricks = nullptr; ///< of a grid in bricks
@@ -26,7 +26,8 @@ struct SolidMask {
         return (bricks != nullptr ? bricks->of(node) : fluid[index]) != 0;
     }
 
-    /// The same of nodes one after the other, at the cost of three divisions each.
+    /// Returns whether the node of a flat index is fluid, at the cost of three divisions where it is in
+    /// bricks.
     bool is_fluid(std::size_t index) const {
         if (bricks == nullptr)
             return fluid[index] != 0;
@@ -34,7 +35,7 @@ struct SolidMask {
         return bricks->at(place.brick)[place.node] != 0;
     }
 
-    /// Memory.
+    /// Returns the bytes of memory that it takes.
     std::size_t bytes() const { return bricks != nullptr ? bricks->bytes() : fluid.size(); }
 };
 

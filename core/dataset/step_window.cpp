@@ -35,7 +35,7 @@ void StepWindow::give_back(std::size_t index) {
         room_wanted = !demanded.empty() || !prefetched.empty();
     }
     if (room_wanted)
-        work.ring_one();
+        work.notify_one();
 }
 
 void StepWindow::demand(std::size_t index) {
@@ -60,7 +60,7 @@ bool StepWindow::may_be_deadlocked() const {
     return lent >= room() && lent <= held;
 }
 
-/// For one more. Within what is free: others are not asked while the window is locked.
+/// Makes room for one more time-step within what is free: others are not asked while the window is locked.
 bool StepWindow::make_room(std::size_t leave) {
     if (used >= capacity)
         return false;
@@ -97,7 +97,7 @@ std::shared_ptr<const TimeStep> StepWindow::evict(std::size_t index) {
     return step;
 }
 
-// Least recently used outside the window; inside it the farthest from its position.
+// Returns the least recently used time-step outside the window; inside it the farthest from its position.
 std::optional<std::size_t> StepWindow::victim(bool spare_window) const {
     std::optional<std::size_t> best;
     const auto distance = [&](std::size_t i) { return i > position ? i - position : position - i; };

@@ -1,8 +1,8 @@
-// What the cache holds at a time: which time-steps are resident, which are being loaded, and what makes room for the next. The
-// cache's threads and callers share one, by its mutex.
+// Tracks what the cache holds at a time: which time-steps are resident, which are being loaded, and what
+// makes room for the next. The cache's threads and callers share one window, by its mutex.
 #pragma once
 
-#include "core/base/doorbell.hpp"
+#include "core/base/event_count.hpp"
 #include "core/base/memory_account.hpp"
 #include "core/dataset/time_step_cache.hpp"
 
@@ -40,12 +40,12 @@ struct StepJob {
 /// memory counts from the moment its load is picked until it is evicted, and only steps that no one
 /// holds are evicted: that is what makes the budget hard.
 struct StepWindow {
-    static constexpr std::size_t left_free =
-        8; ///< of the account one part in so many, for what begins elsewhere
+    /// Keeps 1/8 of the account free for others.
+    static constexpr std::size_t left_free = 8;
 
     std::mutex mutex;
-    Doorbell changed; ///< a load ended
-    Doorbell work;    ///< something to load, or room for it
+    EventCount changed; ///< a load ended
+    EventCount work;    ///< something to load, or room for it
     std::vector<StepEntry> entries;
     std::deque<std::size_t> demanded;   ///< cold steps somebody waits for, oldest first
     std::deque<std::size_t> prefetched; ///< cold steps to load ahead, nearest first

@@ -14,8 +14,8 @@ namespace wakesurf::core {
 /// Nothing is loaded: the cache above it hands out what is here. Thread safety: concurrent calls are fine.
 class StepsInMemory final : public TimeStepSource {
   public:
-    /// Velocity at every node of the grid at one time: x, y and z of the first node (node_position), then of the next. What is not
-    /// finite: the domain has a gap there at that time.
+    /// Holds the velocity at every node of the grid at one time: x, y and z of the first node
+    /// (node_position), then of the next. Where a value is not finite, the domain has a gap at that time.
     using Velocity = std::span<const float>;
 
     /// Copies the velocities.
@@ -28,7 +28,7 @@ class StepsInMemory final : public TimeStepSource {
                                                              const std::vector<Velocity>& velocity,
                                                              SolidMask mask = {});
 
-    /// As it was given.
+    /// Returns the grid as it was given.
     const Grid& grid() const override { return grid_; }
 
     const SolidMask& mask() const override { return mask_; }

@@ -11,21 +11,21 @@
 
 namespace wakesurf::core {
 
-/// Immutable once shared. Velocity is float3 in file order (x fastest), 12 bytes a node.
+/// Holds a time-step, immutable once shared. Velocity is float3 in file order (x fastest), 12 bytes a node.
 struct TimeStep {
     std::size_t index = 0; ///< in the series, from 0
     double time = 0.0;     ///< of the series, in its unit
     Slab slab;             ///< the velocities
-    std::shared_ptr<const BrickTable>
-        bricks{};      ///< the velocities instead, where they come brick by brick
+    /// Holds the velocities instead, where they come brick by brick.
+    std::shared_ptr<const BrickTable> bricks{};
     bool gaps = false; ///< some velocities are not finite: there the domain ends at this time
 
-    /// The velocities as samplers reach them.
+    /// Returns the velocities as samplers reach them.
     StepNodes nodes() const {
         return bricks ? StepNodes(bricks.get()) : StepNodes(velocity().data());
     }
 
-    /// REQUIRES: not in bricks. X, y and z of the first node, then of the next.
+    /// Returns x, y and z of the first node, then of the next. REQUIRES: not in bricks.
     std::span<const float> velocity() const {
         return {reinterpret_cast<const float*>(slab.bytes().data()),
                 slab.bytes().size() / sizeof(float)};

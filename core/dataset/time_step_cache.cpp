@@ -28,7 +28,7 @@ constexpr int looks_when_merely_full = 300;
 
 constexpr std::size_t fewest_steps = 4;
 
-// How long an acquire() that waits for room may see nothing given back.
+// Limits how long an acquire() that waits for room may see nothing given back.
 class Patience {
   public:
     bool ends(bool full, bool maybe_deadlocked, std::uint64_t progress) {
@@ -90,15 +90,15 @@ void TimeStepCache::State::announce() {
 }
 
 void TimeStepCache::State::load_until(const std::stop_token& stop) {
-    const std::stop_callback wake(stop, [this] { window->work.ring_all(); });
+    const std::stop_callback wake(stop, [this] { window->work.notify_all(); });
     while (true) {
         std::optional<StepJob> job;
         {
             std::unique_lock lock(window->mutex);
             ++window->idle_threads;
             const auto picked = [&] { return (job = window->pick()).has_value(); };
-            for (auto seen = window->work.rings(); !stop.stop_requested() && !picked();
-                 seen = window->work.rings()) {
+            for (auto seen = window->work.notifications(); !stop.stop_requested() && !picked();
+                 seen = window->work.notifications()) {
                 if (!window->hungry()) {
                     window->work.wait(lock, seen);
                     continue;
@@ -106,11 +106,12 @@ void TimeStepCache::State::load_until(const std::stop_token& stop) {
                 lock.unlock();
                 window->account->make_room(step_bytes); // of others: someone waits for it
                 lock.lock();
-                // However often it rings: to ask others costs them something.
+                // The loop ends by time however often others notify, because asking them costs them
+                // something.
                 const auto end = Clock::now() + look;
-                for (seen = window->work.rings();
+                for (seen = window->work.notifications();
                      !stop.stop_requested() && !picked() && Clock::now() < end;
-                     seen = window->work.rings())
+                     seen = window->work.notifications())
                     window->work.wait(lock, seen, end - Clock::now());
                 if (job)
                     break;
@@ -122,8 +123,8 @@ void TimeStepCache::State::load_until(const std::stop_token& stop) {
         job->evicted.reset();
         announce();
         window->finish(job->index, load(*job));
-        window->changed.ring_all();
-        window->work.ring_one();
+        window->changed.notify_all();
+        window->work.notify_one();
         announce();
     }
 }
@@ -237,8 +238,8 @@ void TimeStepCache::State::prefetch_bricks(std::size_t index, int direction) {
     if (begun >= count)
         return;
     const auto used = bricks->used(begun, prefetched_at.exchange(bricks->age()));
-    // What is read ahead must leave room for the interval itself: without this a surface read 44 % more bytes of time-steps that were
-    // four times the budget.
+    // Reading ahead must leave room for the interval itself: without this a surface read 44 % more bytes of
+    // time-steps that were four times the budget.
     if (3 * used.size() > bricks->capacity())
         return;
     std::vector<BrickName> wanted;
@@ -254,8 +255,8 @@ TimeStepCache::acquire(std::size_t index, std::stop_token stop, std::size_t held
     State::Window& window = *state_->window;
     if (state_->bricks && index < window.entries.size())
         return state_->in_bricks(index);
-    // Before the lock: its end waits for a call under way.
-    const std::stop_callback wake(stop, [&] { window.changed.ring_all(); });
+    // This stands before the lock, because its end waits for a call under way.
+    const std::stop_callback wake(stop, [&] { window.changed.notify_all(); });
     std::unique_lock lock(window.mutex);
     if (index >= window.entries.size())
         return fail(Error::Code::InvalidArgument, "there is no time-step " + std::to_string(index));
@@ -272,20 +273,21 @@ TimeStepCache::acquire(std::size_t index, std::stop_token stop, std::size_t held
     window.demand(index);
     ++entry.waiters;
     window.held += held;
-    window.work.ring_one();
+    window.work.notify_one();
     Patience patience;
     bool given_up = false;
     const auto waited = [&] {
         const auto end = Clock::now() + look;
-        for (auto seen = window.changed.rings();
-             !done() && !stop.stop_requested() && Clock::now() < end; seen = window.changed.rings())
+        for (auto seen = window.changed.notifications();
+             !done() && !stop.stop_requested() && Clock::now() < end;
+             seen = window.changed.notifications())
             window.changed.wait(lock, seen, end - Clock::now());
         return done();
     };
     while (!waited() && !stop.stop_requested() && !given_up) {
         given_up = patience.ends(window.lent >= window.room(), window.may_be_deadlocked(),
                                  window.progress);
-        window.work.ring_one(); // others may have given memory back
+        window.work.notify_one(); // others may have given memory back
     }
     window.held -= held;
     window.withdraw(index);
@@ -310,7 +312,7 @@ void TimeStepCache::prefetch(std::size_t index, int direction, std::size_t behin
     }
     State::Window& window = *state_->window;
     const auto count = window.entries.size(); // fixed at construction, as the capacity
-    // As far as the series goes; wraps below 0: no step.
+    // The row ends where the series does; an index that wraps below 0 is no step.
     const auto row = [&](std::size_t length, bool upward) {
         std::vector<std::size_t> steps;
         for (std::size_t i = 1; i <= length && i <= count; ++i)
@@ -344,7 +346,7 @@ void TimeStepCache::prefetch(std::size_t index, int direction, std::size_t behin
     window.position = index;
     window.prefetched = std::move(wanted);
     window.stop_loads([](const StepEntry& e) { return e.waiters == 0 && !e.in_window; });
-    window.work.ring_all();
+    window.work.notify_all();
 }
 
 TimeStepCache::Status TimeStepCache::status() const {

@@ -21,7 +21,8 @@ class BrickCache;
 
 enum class StepState { Cold, Loading, Resident };
 
-/// How many bytes of a time-step's velocity are in memory, and how many are being read: all or none, or, brick by brick, a part.
+/// Says how many bytes of a time-step's velocity are in memory, and how many are being read: all or none, or,
+/// brick by brick, a part.
 struct StepHeld {
     std::size_t resident = 0; ///< in memory
     std::size_t loading = 0;  ///< on their way
@@ -36,21 +37,21 @@ struct StepHeld {
     bool operator==(const StepHeld&) const = default;
 };
 
-/// Thread safety: every call may come from any thread. A time-step handed out stays valid as long as its
-/// holder keeps it; it counts against the budget until then.
+/// Keeps time-steps in memory within a budget. Thread safety: every call may come from any thread. A
+/// time-step handed out stays valid as long as its holder keeps it; it counts against the budget until then.
 class TimeStepCache {
   public:
-    /// How much it may take, and how it loads.
+    /// Says how much the cache may take, and how it loads.
     struct Options {
         std::size_t budget_bytes = std::size_t{4} << 30; ///< raised to smallest_budget() if smaller
         std::size_t load_threads = 1; ///< time-steps that are read at the same time
-        /// With one the budget is smallest_budget(), which is taken at once, and whatever others leave free; that is given back when
-        /// they need it.
+        /// With one the budget is smallest_budget(), which is taken at once, and whatever others leave free;
+        /// that is given back when they need it.
         std::optional<MemoryAccount> account{};
         bool by_brick = false; ///< where the source has bricks, also if four time-steps fit
     };
 
-    /// What is in memory, for people.
+    /// Says what is in memory, for people.
     struct Status {
         std::vector<StepHeld> steps; ///< one a time-step of the series
         std::size_t step_bytes = 0;  ///< of a time-step that is all there
@@ -60,17 +61,18 @@ class TimeStepCache {
         std::uint64_t loads = 0;     ///< time-steps read, demanded and ahead
     };
 
-    /// Room for one caller who interpolates by cubics in time: 4 time-steps, or all where they are fewer, or some bricks where the source
-    /// has bricks.
+    /// Returns the bytes that one caller needs who interpolates by cubics in time: 4 time-steps, or all where
+    /// they are fewer, or some bricks where the source has bricks.
     static std::size_t smallest_budget(const TimeStepSource& source);
 
     /// Four time-steps, or all where they are fewer.
     static std::size_t smallest_window(const TimeStepSource& source);
 
-    /// Whether time-steps are had brick by brick, as they are where the source has bricks and four time-steps do not fit.
+    /// Returns whether time-steps are had brick by brick, as they are where the source has bricks and four
+    /// time-steps do not fit.
     static bool pages(const TimeStepSource& source, std::size_t budget_bytes);
 
-    /// What an account of so many bytes leaves to them at most.
+    /// Returns the bytes that an account of so many bytes leaves to time-steps at most.
     static std::size_t room_in(std::size_t account_bytes) { return account_bytes / 2; }
 
     /// Loads nothing yet.
@@ -79,11 +81,12 @@ class TimeStepCache {
     TimeStepCache(const TimeStepCache&) = delete;
     TimeStepCache& operator=(const TimeStepCache&) = delete;
 
-    /// Where the time-steps come from.
+    /// Returns the source of the time-steps.
     const TimeStepSource& source() const;
 
-    /// What time-steps are in memory by, of which four do not fit the budget and that the source has in bricks. They are handed out at
-    /// once, and whoever samples asks for what is missing. Null where time-steps are loaded whole.
+    /// Returns the cache of bricks if the source has bricks and four time-steps do not fit the budget.
+    /// Time-steps are then handed out at once, and whoever samples asks for what is missing. Null where
+    /// time-steps are loaded whole.
     const std::shared_ptr<BrickCache>& bricks() const;
 
     /// The time-step, loaded if it is not resident; two callers of one cold time-step cause one load.
@@ -96,16 +99,18 @@ class TimeStepCache {
     Result<std::shared_ptr<const TimeStep>>
     acquire(std::size_t index, std::stop_token stop = {}, std::size_t held = 3);
 
-    /// Asks for the time-steps after `index` in the direction of play (+1 or -1), nearest first, as
-    /// many as fit the budget without evicting `index` itself. Returns at once.
-    /// @param behind  how many time-steps before `index` (against the direction) are needed again and again, and stay too
+    /// Asks for the time-steps after `index` in the direction of play (+1 or -1), nearest first, as many as
+    /// fit the budget without evicting `index` itself. Returns at once.
+    /// @param behind  how many time-steps before `index` (against the direction) are needed again and again,
+    ///                and stay too
     void prefetch(std::size_t index, int direction, std::size_t behind = 0);
 
-    /// As things are at the moment; what changes meanwhile may be in one of the numbers and not yet in another. Waits for no one.
+    /// Returns a snapshot without waiting; what changes meanwhile may be in one of the numbers and not yet in
+    /// another.
     Status status() const;
 
-    /// Called (from any thread, without the cache's lock) whenever what is held of a step changes. Returns when
-    /// the previous listener is not running any more; a listener must not set another one.
+    /// Called (from any thread, without the cache's lock) whenever what is held of a step changes. Returns
+    /// when the previous listener is not running any more; a listener must not set another one.
     void on_change(std::function<void()> listener);
 
   private:

@@ -20,13 +20,13 @@ class TimeStepSource {
   public:
     virtual ~TimeStepSource() = default;
 
-    /// What all time-steps share; lives as long as the source.
+    /// Returns the grid that all time-steps share; it lives as long as the source.
     virtual const Grid& grid() const = 0;
 
     /// Empty for cell meshes, whose walls are faces.
     virtual const SolidMask& mask() const = 0;
 
-    /// Times of all time-steps of the series, strictly increasing, whether written yet or not.
+    /// Returns the times of all time-steps of the series, strictly increasing, whether written yet or not.
     virtual const std::vector<double>& times() const = 0;
 
     /// True when load(index) can succeed now: while an import runs, steps become ready one by one.
@@ -35,7 +35,7 @@ class TimeStepSource {
     /// Memory load(index) takes.
     virtual std::size_t bytes_per_step() const = 0;
 
-    /// Error: NotFound (not written yet), Corrupt, Io, Cancelled.
+    /// Loads a time-step. Error: NotFound (not written yet), Corrupt, Io, Cancelled.
     virtual Result<std::shared_ptr<const TimeStep>> load(std::size_t index,
                                                          std::stop_token stop) const = 0;
 

@@ -9,23 +9,23 @@
 
 namespace wakesurf::core {
 
-/// Nodes at equal distances along each axis.
+/// Holds nodes at equal distances along each axis.
 struct UniformGrid {
     Vec3 origin{0.0};  ///< the first node
     Vec3 spacing{1.0}; ///< from node to node along each axis, above 0
     std::array<std::uint32_t, 3> dimensions{2, 2, 2}; ///< nodes per axis, each at least 2
 
-    /// Number of nodes.
+    /// Returns the number of nodes.
     std::size_t nodes() const { return std::size_t{dimensions[0]} * dimensions[1] * dimensions[2]; }
 
-    /// From the first node to the last.
+    /// Returns the box from the first node to the last.
     Box bounds() const {
         return {origin,
                 origin + spacing * Vec3(dimensions[0] - 1, dimensions[1] - 1, dimensions[2] - 1)};
     }
 };
 
-/// Node of a flat index, x fastest.
+/// Returns the position of the node of a flat index, x fastest.
 inline Vec3 node_position(const UniformGrid& grid, std::size_t node) {
     const std::size_t nx = grid.dimensions[0];
     const std::size_t ny = grid.dimensions[1];

@@ -1,5 +1,5 @@
-// Advances many particles at once over one field, in parallel. Each is a pure function of where it is, so the result
-// is the same for any number of threads.
+// Advances many particles at once over one field, in parallel. Each is a pure function of where it is, so the
+// result is the same for any number of threads.
 #pragma once
 
 #include "core/dataset/missing_bricks.hpp"
@@ -18,8 +18,9 @@
 
 namespace wakesurf::core {
 
-/// Calls `advance(begin, end)` for ranges of particles, which are small: the few that are traced again have the longest ways. Returns false if `stop` fired. Isolated: a thread that waits here
-/// takes no work of another surface.
+/// Calls `advance(begin, end)` for ranges of particles, which are small: the few that are traced again have
+/// the longest ways. Returns false if `stop` fired. Isolated: a thread that waits here takes no work of
+/// another surface.
 template <class Advance>
 bool in_ranges(std::size_t count,
                const std::stop_token& stop,
@@ -41,12 +42,14 @@ struct NothingAhead {
     void operator()(const auto&, std::size_t) const {}
 };
 
-// Of a surface's particles: they are much nearer to each other than bricks are large.
+// Looks ahead for at most so many of a surface's particles: they are much nearer to each other than bricks
+// are large.
 inline constexpr std::size_t enough_ahead = 4096;
 
-/// Calls `advance(view, begin, end)` with a view of the field each: the field itself or a copy, or a cursor that serves a block of as many
-/// particles whatever the number of threads. Where values were missing it is called again: it leaves the particles that met them as they
-/// were. Returns as in_ranges, and false where what is missing cannot be had.
+/// Calls `advance(view, begin, end)` with a view of the field each: the field itself or a copy, or a cursor
+/// that serves a block of as many particles whatever the number of threads. Where values were missing it is
+/// called again: it leaves the particles that met them as they were. Returns as in_ranges, and false where
+/// what is missing cannot be had.
 /// @param ahead  `ahead(view, i)` says of some of them what will be missing next
 template <class Field, class Advance, class Ahead = NothingAhead>
 bool in_blocks(const Field& field,
@@ -85,7 +88,7 @@ bool in_blocks(const Field& field,
     }
 }
 
-/// True for those that move on towards `to` (in the direction of `sign`: +1 or -1).
+/// Returns true for particles that move on towards `to` (in the direction of `sign`: +1 or -1).
 inline bool still_to_go(const Particles& p, std::size_t i, double to, int sign) {
     return p.end[i] == CurveEnd::Running && sign * (to - p.time[i]) > 0.0;
 }
@@ -109,7 +112,7 @@ inline void put_back(const Particles& p, std::size_t i, const ParticleState& at)
     }
 }
 
-/// For in_blocks.
+/// Returns where a particle will be, for in_blocks.
 inline auto ahead_of(const Particles& p, int sign) {
     return [&p, sign](const auto& view, std::size_t i) {
         if (p.end[i] == CurveEnd::Running)

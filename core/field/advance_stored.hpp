@@ -1,5 +1,6 @@
-// Advances many particles through stored data by RK4, in batches of a kernel, in parallel. Each is a pure function of
-// where it is: neither the batch it travels in nor the number of threads changes a bit, and neither does the kernel.
+// Advances many particles through stored data by RK4, in batches of a kernel, in parallel. Each is a pure
+// function of where it is: neither the batch it travels in nor the number of threads changes a bit, and
+// neither does the kernel.
 #pragma once
 
 #include "core/field/cubic_sampler.hpp"
@@ -13,11 +14,11 @@
 
 namespace wakesurf::core {
 
-/// The kernel for this processor.
+/// Returns the kernel for this processor.
 Rk4Kernel choose_rk4_kernel(Simd simd);
 
-/// As advance_particles with Method::Rk4 does, to float accuracy: velocity is computed in float, the position kept
-/// in double. A step in which a particle ends is computed as there.
+/// Advances like advance_particles with Method::Rk4, to float accuracy: velocity is computed in float, the
+/// position kept in double. A step in which a particle ends is computed as there.
 /// @param sign  direction of time, +1 or -1
 /// Returns false if `stop` fired.
 bool advance_stored(const GridSampler<UniformGrid>& field,
@@ -52,10 +53,11 @@ bool sample_stored(const GridSampler<RectilinearAxes>& field,
                    std::span<Vec3f> velocities,
                    const std::stop_token& stop);
 
-/// False: the kernel cannot sample the field. It has gaps, or fewer than four nodes on an axis.
+/// Returns false if the kernel cannot sample the field, because it has gaps or fewer than four nodes on an
+/// axis.
 bool kernel_samples(const CubicSampler& field);
 
-/// The same through the smooth field. REQUIRES: kernel_samples(field).
+/// Advances through the smooth field. REQUIRES: kernel_samples(field).
 bool advance_stored(const CubicSampler& field,
                     Rk4Kernel kernel,
                     const Particles& particles,

@@ -12,7 +12,7 @@ namespace wakesurf::core {
 
 namespace {
 
-/// Smallest and largest speed on 17^3 points of the domain at time 0.
+/// Returns the smallest and the largest speed on 17^3 points of the domain at time 0.
 std::array<double, 2> speed_range(const Flow& flow) {
     std::array<double, 2> range{std::numeric_limits<double>::infinity(), 0.0};
     const Box box = flow.domain();
@@ -35,7 +35,7 @@ std::string joined(const std::vector<std::string>& words) {
     return text;
 }
 
-/// The entry with its parameters replaced by those given.
+/// Returns the entry with its parameters replaced by those given.
 Result<AnalyticEntry> parse(std::string_view specification) {
     const std::size_t question = specification.find('?');
     const std::string_view name = specification.substr(0, question);

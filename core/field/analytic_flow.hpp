@@ -14,11 +14,12 @@ namespace wakesurf::core {
 
 std::vector<std::string> analytic_flow_names();
 
-/// `lamb-oseen` or `lamb-oseen?gamma=1,rc=0.2`.
-/// Error: NotFound with the list of names, InvalidArgument for an unknown or unreadable parameter.
+/// Makes the flow of a name with parameters: `lamb-oseen` or `lamb-oseen?gamma=1,rc=0.2`. Error: NotFound
+/// with the list of names, InvalidArgument for an unknown or unreadable parameter.
 Result<std::unique_ptr<Flow>> make_analytic_flow(std::string_view specification);
 
-/// As `info` shows it: times 0..10 in 21 steps where the flow is unsteady, one time 0 where it is steady.
+/// Describes the flow as `info` shows it: times 0..10 in 21 steps where the flow is unsteady, one time 0
+/// where it is steady.
 Result<DatasetInfo> describe_analytic_flow(std::string_view specification);
 
 } // namespace wakesurf::core

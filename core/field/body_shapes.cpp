@@ -8,13 +8,14 @@ namespace wakesurf::core {
 
 namespace {
 
-/// A corner of the outline that turns about the z axis.
+/// Holds a corner of the outline that turns about the z axis.
 struct Turned {
     double radius;
     double z;
 };
 
-// Between neighbours 3.75 degrees: the chord lies 0.05 % of the radius inside the body, half a pixel of a sphere that fills the screen.
+// Corners are 3.75 degrees apart: the chord lies 0.05 % of the radius inside the body, half a pixel of a
+// sphere that fills the screen.
 constexpr std::uint32_t around = 96;
 constexpr int pieces_along = 48;
 

@@ -11,7 +11,8 @@
 
 namespace wakesurf::core {
 
-/// A form is a velocity(position, time). One with a body says what is solid, and has a wall(box) where its shape can be looked at.
+/// A form is a velocity(position, time). One with a body says what is solid, and has a wall(box) where its
+/// shape can be looked at.
 template <class Form>
 concept HasBody = requires(const Form& form, const Vec3& p) {
     form.solid(p);
@@ -29,7 +30,8 @@ struct BoundedForm {
 
     Vec3 velocity(const Vec3& p, double t) const { return form.velocity(p, t); }
 
-    /// (grad v) w by central differences: 1e-5 of the domain balances truncation and rounding at about 1e-10.
+    /// Returns (grad v) w by central differences: 1e-5 of the domain balances truncation and rounding at
+    /// about 1e-10.
     Vec3 derivative(const Vec3& p, double t, const Vec3& w) const {
         const double length = glm::length(w);
         if (length == 0.0)
@@ -58,7 +60,8 @@ struct BoundedForm {
         return std::min({side.x, side.y, side.z}) / 100.0;
     }
 
-    /// True where one of the 26 points round `p`, a part of the finest spacing away on each axis, lies in the body.
+    /// True where one of the 26 points round `p`, a part of the finest spacing away on each axis, lies in the
+    /// body.
     bool at_wall(const Vec3& p) const {
         if constexpr (!HasBody<Form>)
             return false;

@@ -61,7 +61,7 @@ void spread(const Nodes& nodes, std::vector<std::uint8_t>& state) {
     }
 }
 
-/// Of bricks, one by one: each with the nodes round it, of which a grid has none beyond its end.
+/// Visits bricks one by one, each with the nodes round it, of which a grid has none beyond its end.
 class RoundBricks {
   public:
     explicit RoundBricks(const BrickBytes& fluid) : fluid_(fluid), layout_(fluid.layout()) {}

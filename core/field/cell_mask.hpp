@@ -1,4 +1,4 @@
-// What the solid mask makes of the cells of a grid.
+// Says what the solid mask makes of the cells of a grid.
 #pragma once
 
 #include "core/dataset/solid_mask.hpp"
@@ -11,7 +11,8 @@
 
 namespace wakesurf::core {
 
-/// Per cell: are all, none or some of its nodes fluid? One byte read answers nearly every status question. In bricks where the mask is.
+/// Says for each cell whether all, none or some of its nodes are fluid, so that one byte read answers nearly
+/// every status question. It is in bricks where the mask is.
 class CellMask {
   public:
     /// @param dimensions  nodes an axis of the uniform or rectilinear grid
@@ -30,10 +31,10 @@ class CellMask {
     /// A State a byte, by the cell's lowest node; null where all is fluid, or in bricks.
     const std::uint8_t* whole() const { return whole_.empty() ? nullptr : whole_.data(); }
 
-    /// The same by brick; null where all is fluid, or in one piece.
+    /// Returns the bytes by brick; null where all is fluid, or in one piece.
     const BrickBytes* bricks() const { return bricks_ ? &*bricks_ : nullptr; }
 
-    /// The same of the cell and those round it, 4^3 nodes: Fluid where all are, else Mixed.
+    /// Makes the mask of each cell and those round it, 4^3 nodes: Fluid where all are, else Mixed.
     static CellMask round_cells(const std::array<std::uint32_t, 3>& dimensions,
                                 const SolidMask& mask);
 

@@ -1,6 +1,6 @@
 // Velocity fields with closed forms: truth for tests, and flows to explore without data. Each is continued a
-// little beyond its domain and into its obstacle, as the integrator asks. The tornado is that of Crawfis and Max, Texture
-// Splats for 3D Scalar and Vector Field Visualization, 1993.
+// little beyond its domain and into its obstacle, as the integrator asks. The tornado is that of Crawfis and
+// Max, Texture Splats for 3D Scalar and Vector Field Visualization, 1993.
 #pragma once
 
 #include "core/base/vec3.hpp"

@@ -1,4 +1,5 @@
-// Three components in two registers of two doubles, which every x86-64 has: by itself the compiler leaves them scalar.
+// Three components in two registers of two doubles, which every x86-64 has: by itself the compiler leaves
+// them scalar.
 #pragma once
 
 #include "core/base/vec3.hpp"

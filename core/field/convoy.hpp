@@ -32,8 +32,8 @@ class Convoy {
 
     bool empty() const { return batch_.count == 0; }
 
-    /// False: the particle is at another time than those that wait here, or would have to be done again as
-    /// most of those before.
+    /// Returns false if the particle is at another time than those that wait here, or would have to be done
+    /// again as most of those before.
     bool join(std::size_t particle) {
         if (apart_ > 0) {
             --apart_;
@@ -103,7 +103,7 @@ class Convoy {
         shared_from_ = -1.0;
     }
 
-    /// For the steps that come next, unless the last ones had the same.
+    /// Prepares the steps that come next, unless the last ones had the same time-steps.
     void share_time_steps() {
         batch_.share_of_steps = &share_[0][0][0];
         if (shared_from_ == batch_.taken[0])

@@ -1,5 +1,6 @@
-// Smooth sampling of stored data: tricubic in space and cubic in time, Catmull-Rom in both, which makes velocity
-// continuously differentiable between obstacles. Source: Catmull, Rom, A Class of Local Interpolating Splines, 1974.
+// Smooth sampling of stored data: tricubic in space and cubic in time, Catmull-Rom in both, which makes
+// velocity continuously differentiable between obstacles. Source: Catmull, Rom, A Class of Local
+// Interpolating Splines, 1974.
 #pragma once
 
 #include "core/field/grid_sampler.hpp"
@@ -35,8 +36,9 @@ struct CubicWeights {
     }
 };
 
-/// Shares of four time-steps in the value at a time between the middle two: cubic with the slopes of the parabolas
-/// through three neighbours, one-sided at the ends of the series. Nothing stands for a time-step that is missing.
+/// Shares of four time-steps in the value at a time between the middle two: cubic with the slopes of the
+/// parabolas through three neighbours, one-sided at the ends of the series. Nothing stands for a time-step
+/// that is missing.
 inline std::array<double, 4>
 cubic_time_shares(const std::array<double, 4>& time, bool before, bool after, double t) {
     const double h = time[2] - time[1];
@@ -66,8 +68,8 @@ cubic_time_shares(const std::array<double, 4>& time, bool before, bool after, do
     return {-d0, 1.0 - rising + d0 - d1, rising + d1 - d2, d2};
 }
 
-/// Cells whose 4^3 nodes touch a solid one are trilinear in space: a cubic would overshoot at the wall. Where one of them has no
-/// velocity at one of the four times, the field is linear in space and time.
+/// Cells whose 4^3 nodes touch a solid one are trilinear in space: a cubic would overshoot at the wall. Where
+/// one of them has no velocity at one of the four times, the field is linear in space and time.
 struct CubicSampler {
     GridSampler<UniformGrid> linear; ///< over the two middle time-steps
     StepNodes before{};              ///< the time-steps round them; none at the ends of the series
@@ -87,7 +89,7 @@ struct CubicSampler {
         });
     }
 
-    /// (grad v) w, exact.
+    /// Returns (grad v) w, exactly.
     Vec3 derivative(const Vec3& p, double t, const Vec3& w) const {
         const Stencil at = stencil(p);
         if (gaps && touches_gap(at))
@@ -104,7 +106,7 @@ struct CubicSampler {
                    });
     }
 
-    // A PagedField.
+    // Implements PagedField.
     bool missed() const { return linear.missed(); }
 
     bool take_missed() const { return linear.take_missed(); }
@@ -117,7 +119,7 @@ struct CubicSampler {
 
     bool at_wall(const Vec3& p) const { return linear.at_wall(p); }
 
-    /// Of the four time-steps.
+    /// Returns the weights of the four time-steps.
     std::array<double, 4> shares(double t) const {
         if (!linear.velocity1)
             return {0.0, 1.0, 0.0, 0.0};
@@ -127,7 +129,7 @@ struct CubicSampler {
     }
 
   private:
-    /// The nodes round a point: cell - 1 .. cell + 2 on each axis, as far as there are any.
+    /// Holds the nodes round a point: cell - 1 .. cell + 2 on each axis, as far as there are any.
     struct Stencil {
         std::array<CubicWeights, 3> axis;
         std::array<std::size_t, 3> cell;
@@ -140,7 +142,8 @@ struct CubicSampler {
             return row * grid.dimensions[0] + cell[0] + x - 1;
         }
 
-        /// Bricks of the four nodes on each axis, and where these are in them: what a node has is the sum of three.
+        /// Bricks of the four nodes on each axis, and where these are in them: what a node has is the sum of
+        /// three.
         std::array<std::array<std::size_t, 4>, 3> brick;
         std::array<std::array<std::size_t, 4>, 3> in_brick;
 

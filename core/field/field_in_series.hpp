@@ -1,5 +1,5 @@
-// A field that is a polynomial in each cell, and a particle's way through it by one Taylor series a cell: no step goes across a face,
-// where the field has a kink and Runge-Kutta steps of any order are of second.
+// A field that is a polynomial in each cell, and a particle's way through it by one Taylor series a cell: no
+// step goes across a face, where the field has a kink and Runge-Kutta steps of any order are of second.
 #pragma once
 
 #include "core/integrate/advance_curve.hpp"
@@ -18,8 +18,8 @@ concept FieldInSeries = requires {
     &Field::series_steps;
 };
 
-/// Steps that carry a particle's tangents with it, w' = (grad v) w by the midpoint rule over either half of a step, in the cell of its
-/// series: no point has to be found for them.
+/// Steps that carry a particle's tangents with it, w' = (grad v) w by the midpoint rule over either half of a
+/// step, in the cell of its series: no point has to be found for them.
 template <class Steps>
 class CarryingSteps {
   public:
@@ -57,7 +57,8 @@ class CarryingSteps {
     Carried& carried_;
 };
 
-/// As advance_particle with Method::Dopri5. Keeps nothing of the way. Returns false if `stop` fired: the particle is then on its way.
+/// Advances like advance_particle with Method::Dopri5, and keeps nothing of the way. Returns false if `stop`
+/// fired: the particle is then on its way.
 template <FieldInSeries Field>
 bool advance_in_series(const Field& field,
                        ParticleState& at,

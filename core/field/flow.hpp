@@ -21,7 +21,7 @@ namespace wakesurf::core {
 
 class BrickCache;
 
-/// What tracing took besides computing.
+/// Says what tracing took besides computing.
 struct TraceCost {
     double load = 0.0; ///< s spent waiting for time-steps
 };
@@ -37,16 +37,18 @@ class Flow {
     /// Times at which the flow is known; nothing for closed forms, which are known at all times.
     virtual std::optional<std::array<double, 2>> time_range() const = 0;
 
-    /// Finest detail of the field: node spacing, or 1/100 of the shortest side for closed forms.
+    /// Returns the finest detail of the field, in units of length: the node spacing, or 1/100 of the shortest
+    /// side for closed forms.
     virtual double finest_spacing() const = 0;
 
-    /// Whether a place is in the fluid, in an obstacle, or outside.
+    /// Returns whether a place is in the fluid, in an obstacle, or outside.
     virtual PointStatus status(const Vec3& position) const = 0;
 
     /// The nodes the stored field's value at a point comes from.
     virtual NodeShares shares(const Vec3& position) const { return {status(position), 0, {}, {}}; }
 
-    /// What fields over those nodes are had by, where they come brick by brick; null where they are had whole.
+    /// Returns the cache that fields over those nodes go through if they come brick by brick; null if they
+    /// are had whole.
     virtual std::shared_ptr<BrickCache> bricks() const { return nullptr; }
 
     /// Integrates every curve from its seed to its end. Runs in parallel over curves in the caller's arena;
@@ -55,40 +57,45 @@ class Flow {
     virtual Result<TraceCost>
     trace(std::span<Curve> curves, const TraceOptions& options, std::stop_token stop) const = 0;
 
-    /// Carries every running particle from the time it has reached to `to`, tangents too where there are any. All of
-    /// them move the same way in time. Runs in parallel; the result does not depend on the number of threads. A
-    /// particle that ends stays at the place and time where it did.
-    /// Error: Cancelled (particles are then at various times), or what loading a time-step reports.
+    /// Carries every running particle from the time it has reached to `to`, tangents too where there are any.
+    /// All of them move the same way in time. Runs in parallel; the result does not depend on the number of
+    /// threads. A particle that ends stays at the place and time where it did. Error: Cancelled (particles
+    /// are then at various times), or what loading a time-step reports.
     virtual Result<TraceCost> advance(const Particles& particles,
                                       double to,
                                       const AdvanceOptions& options,
                                       std::stop_token stop) const = 0;
 
-    /// True when the data between two times are few (4 GiB): particles can be traced again from the one to the other at little cost, at
-    /// none but computing where the memory holds them. Depends on these data alone, not on memory, and not on a series that grows.
+    /// True when the data between two times are few (4 GiB): particles can be traced again from the one to
+    /// the other at little cost, at none but computing where the memory holds them. Depends on these data
+    /// alone, not on memory, and not on a series that grows.
     virtual bool few_data(double from, double to) const = 0;
 
-    /// True where `smooth` means something other than linear: of stored data on a uniform grid. The others are sampled the same with both.
+    /// True where `smooth` means something other than linear: of stored data on a uniform grid. The others
+    /// are sampled the same with both.
     virtual bool has_smooth() const { return false; }
 
-    /// True where RK4 carries many particles at a time, faster than the steps of controlled error of Method::Dopri5 but with errors that
-    /// have to be looked at: on uniform and rectilinear grids.
+    /// True where RK4 carries many particles at a time, faster than the steps of controlled error of
+    /// Method::Dopri5 but with errors that have to be looked at: on uniform and rectilinear grids.
     virtual bool steps_in_batches() const { return false; }
 
     /// True when parts of the domain are solid.
     virtual bool obstacle() const = 0;
 
-    /// False: no wall reaches into a box that begins in the fluid, so that all of it is fluid. Cheaper than a status where that is dear.
+    /// Returns false if no wall reaches into a box that begins in the fluid, so that all of it is fluid. It
+    /// is cheaper than a status where that is dear.
     virtual bool may_have_wall(const Box&) const { return obstacle(); }
 
-    /// False: no wall is met on the straight way between two places: either both or neither are in a solid. Likewise.
+    /// Returns false if no wall is met on the straight way between two places: either both or neither are in
+    /// a solid.
     virtual bool may_cross_wall(const Vec3&, const Vec3&) const { return obstacle(); }
 
-    /// What is solid, to look at, where the flow itself knows its shape; nothing of stored data, whose store has it.
+    /// Returns the solids to look at, where the flow itself knows their shape; nothing for stored data, whose
+    /// store has it.
     virtual WallGeometry walls() const { return {}; }
 
-    /// Velocity at n points, each at its own time; the field's continuation outside the domain, zero inside
-    /// obstacles of stored data.
+    /// Samples the velocity at n points, each at its own time: the field's continuation outside the domain,
+    /// zero inside obstacles of stored data.
     /// @param smooth  stored data: tricubic in space and cubic in time instead of linear
     /// Error: Cancelled, OutOfTime, or what loading a time-step reports.
     virtual Result<void> sample(std::span<const Vec3> positions,
@@ -97,10 +104,10 @@ class Flow {
                                 std::stop_token stop,
                                 bool smooth = false) const = 0;
 
-    /// Sets gap[i] to 1 where a stored field has no velocity at a point's time: a node's that counts there is no finite number. Such points
-    /// are outside the domain at that time, whatever status() says; what sample() has there goes on from the nodes near by.
-    /// Others stay as they are. Cost: nothing to speak of where the data have no gaps.
-    /// Error: as sample.
+    /// Sets gap[i] to 1 where a stored field has no velocity at a point's time: a node's that counts there is
+    /// no finite number. Such points are outside the domain at that time, whatever status() says; what
+    /// sample() has there goes on from the nodes near by. Others stay as they are. Cost: nothing to speak of
+    /// where the data have no gaps. Error: as sample.
     virtual Result<void> mark_gaps(std::span<const Vec3> /*positions*/,
                                    std::span<const double> /*times*/,
                                    std::span<std::uint8_t> /*gap*/,
@@ -108,9 +115,9 @@ class Flow {
         return {};
     }
 
-    /// Velocity at n points at one time in float. Where particles are carried in batches these are the
-    /// kernel's samples, several times as fast and some 1e-6 of the speed from those of sample(); the same
-    /// bits as Particles::velocity.
+    /// Samples the velocity at n points at one time in float. Where particles are carried in batches these
+    /// are the kernel's samples, several times as fast and some 1e-6 of the speed from those of sample(),
+    /// with the same bits as Particles::velocity.
     /// @param cell  as Particles::cell
     virtual Result<void> sample_at(std::span<const Vec3> positions,
                                    double time,

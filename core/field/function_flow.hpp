@@ -11,21 +11,22 @@
 
 namespace wakesurf::core {
 
-/// Velocity at a place and time, in the units that places and times are in. Many threads call it at once. It is smooth, finite also a
-/// little beyond the domain and inside a body, and depends on nothing but its arguments: surfaces are then the same on any number of threads.
+/// Velocity at a place and time, in the units that places and times are in. Many threads call it at once. It
+/// is smooth, finite also a little beyond the domain and inside a body, and depends on nothing but its
+/// arguments: surfaces are then the same on any number of threads.
 using VelocityFunction = std::function<Vec3(const Vec3& position, double time)>;
 
-/// What stands in the flow.
+/// Describes the solid that stands in the flow.
 struct FlowBody {
-    std::function<bool(const Vec3& position)>
-        solid;           ///< particles end where it is true; called by many threads at once
+    /// Particles end where it returns true; many threads may call it at once.
+    std::function<bool(const Vec3& position)> solid;
     WallGeometry wall{}; ///< to look at; may be empty
 };
 
-/// A flow in a box, known at all times. Its `finest_spacing` is 1/100 of the box's shortest side.
+/// Makes a flow in a box, known at all times. Its `finest_spacing` is 1/100 of the box's shortest side.
 std::unique_ptr<Flow> make_function_flow(VelocityFunction velocity, const Box& domain);
 
-/// The same round a body. REQUIRES: `body.solid` is set.
+/// Makes a flow round a body. REQUIRES: `body.solid` is set.
 std::unique_ptr<Flow>
 make_function_flow(VelocityFunction velocity, const Box& domain, FlowBody body);
 

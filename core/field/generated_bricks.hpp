@@ -1,5 +1,6 @@
-// A built-in flow as the bricks of a grid that no disk needs to hold: what reads them is real, only the data are made when they are asked
-// for. For tests and benchmarks of what pages bricks. Beside store/file_bricks.hpp on the path.
+// A built-in flow as the bricks of a grid that no disk needs to hold: what reads them is real, only the data
+// are made when they are asked for. For tests and benchmarks of what pages bricks. Beside
+// store/file_bricks.hpp on the path.
 #pragma once
 
 #include "core/base/worker_threads.hpp"
@@ -14,14 +15,15 @@
 
 namespace wakesurf::core {
 
-/// The values that `wakesurf generate` writes for the same flow, grid and times. Memory: none to speak of; where the flow has an obstacle,
-/// a byte a node of the bricks that its walls go through. Thread safety: concurrent calls are fine.
+/// Computes the values that `wakesurf generate` writes for the same flow, grid and times. It takes next to no
+/// memory; where the flow has an obstacle, a byte a node of the bricks that its walls go through. Thread
+/// safety: concurrent calls are fine.
 class GeneratedBricks final : public TimeStepSource, public BrickSource {
   public:
     /// @param flow   NAME[?k=v,...] of make_analytic_flow
     /// @param times  strictly increasing, at least one
-    /// @param cells  an axis of a brick, a power of two
-    /// Error: as make_analytic_flow; InvalidArgument for a grid thinner than 2 nodes and times that do not rise.
+    /// @param cells  an axis of a brick, a power of two Error: as make_analytic_flow; InvalidArgument for a
+    ///               grid thinner than 2 nodes and times that do not rise.
     static Result<std::shared_ptr<const GeneratedBricks>>
     make(std::string_view flow,
          const UniformGrid& grid,
@@ -39,7 +41,7 @@ class GeneratedBricks final : public TimeStepSource, public BrickSource {
 
     std::size_t bytes_per_step() const override;
 
-    /// Error: Unsupported, always: there are only bricks.
+    /// Fails always with Unsupported, because there are only bricks.
     Result<std::shared_ptr<const TimeStep>> load(std::size_t index,
                                                  std::stop_token stop) const override;
 
@@ -58,7 +60,7 @@ class GeneratedBricks final : public TimeStepSource, public BrickSource {
                     std::uint32_t cells,
                     std::size_t threads);
 
-    /// Of a brick's node; those beyond the grid are where its last ones are.
+    /// Returns the position of a brick's node; nodes beyond the grid are where its last ones are.
     Vec3 position(std::size_t brick, std::size_t node) const;
 
     Result<void> sample(const BrickRead& read, const std::stop_token& stop) const;

@@ -1,5 +1,6 @@
-// Trilinear in space, linear in time: the stored field between its nodes, on a uniform or a rectilinear grid. A pair of
-// time-steps, or one for a frozen field. Mirrors what vtkProbeFilter returns on image data and rectilinear grids.
+// Trilinear in space, linear in time: the stored field between its nodes, on a uniform or a rectilinear grid.
+// A pair of time-steps, or one for a frozen field. Mirrors what vtkProbeFilter returns on image data and
+// rectilinear grids.
 #pragma once
 
 #include "core/base/point_status.hpp"
@@ -15,8 +16,8 @@
 
 namespace wakesurf::core {
 
-/// Where a point falls in the grid. Outside points get the nearest border cell and fractions clamped to it, which
-/// continues the field constantly. NaN counts as the lower border.
+/// Says where a point falls in the grid. Outside points get the nearest border cell and fractions clamped to
+/// it, which continues the field constantly. NaN counts as the lower border.
 struct CellPoint {
     std::size_t node; ///< the cell's lowest
     Vec3 fraction;
@@ -37,7 +38,7 @@ CellPoint locate(const Grid& grid, const Vec3& p) {
     return at;
 }
 
-/// Distance in memory between neighbours in y and z, in nodes.
+/// Holds the distance in memory between neighbours in y and z, in nodes.
 struct Strides {
     std::size_t row;
     std::size_t slice;
@@ -49,7 +50,7 @@ Strides strides(const Grid& grid) {
     return {row, row * dimensions(grid)[1]};
 }
 
-/// The eight nodes of a cell in x, y, z order.
+/// Returns the eight nodes of a cell in x, y, z order.
 inline std::array<std::size_t, 8> cell_nodes(const Strides& stride, std::size_t first) {
     std::array<std::size_t, 8> node;
     for (std::size_t i = 0; i < 8; ++i)
@@ -57,7 +58,7 @@ inline std::array<std::size_t, 8> cell_nodes(const Strides& stride, std::size_t 
     return node;
 }
 
-/// They and their trilinear weights.
+/// Holds the eight nodes and their trilinear weights.
 struct Corners {
     std::array<std::size_t, 8> node;
     double weight[8];
@@ -85,25 +86,26 @@ struct GridSampler {
     StepNodes velocity1; ///< none: frozen at the first
     double time0 = 0.0;
     double interval = 1.0;
-    bool gaps =
-        false; ///< some velocities are not finite: cells with such a node are outside the domain
+    /// Says that some velocities are not finite: cells with such a node are outside the domain.
+    bool gaps = false;
     const BrickLayout* layout = nullptr; ///< null: time-steps are in one piece
     BrickMisses misses{};                ///< of this copy, where they are in bricks
 
-    // A PagedField.
+    // Implements PagedField.
     bool missed() const { return misses.any(); }
 
     bool take_missed() const { return misses.take(); }
 
     MissingBricks* missing() const { return misses.all(); }
 
-    /// What a batch that is sampled for the view was missing.
+    /// Notes what a batch that is sampled for the view was missing.
     void note_missing(std::size_t brick) const { misses.want(brick); }
 
-    /// Finite everywhere: in a cell with a gap the other nodes' values go on into it, so that a step that leads there can be
-    /// followed up to the cell's face.
+    /// Returns a finite velocity everywhere: in a cell with a gap the other nodes' values go on into it, so
+    /// that a step that leads there can be followed up to the cell's face.
     Vec3 velocity(const Vec3& p, double t) const {
-        // Two components at a time, z of both time-steps together: by itself the compiler leaves them scalar.
+        // Holds two components at a time, z of both time-steps together: by itself the compiler leaves them
+        // scalar.
         using Pair = double __attribute__((vector_size(16)));
         const CellPoint cell = locate(*grid, p);
         const StoredCell stored = stored_cell(cell.cell, cell.node);
@@ -124,19 +126,20 @@ struct GridSampler {
         return gaps && !finite(v) ? beside_gaps(at, first, second, t) : v;
     }
 
-    /// (grad v) w: the exact derivative of the trilinear field within its cell; 0 in a cell with a gap.
+    /// Returns (grad v) w, the exact derivative of the trilinear field within its cell; 0 in a cell with a
+    /// gap.
     Vec3 derivative(const Vec3& p, double t, const Vec3& w) const {
         return derivatives(p, t, {&w, 1})[0];
     }
 
-    /// Of one or two vectors `w`: they share the slopes.
+    /// Returns the derivatives along one or two vectors `w`, which share the slopes.
     std::array<Vec3, 2> derivatives(const Vec3& p, double t, std::span<const Vec3> w) const {
         std::array<Vec3, 2> result{};
         std::transform(w.begin(), w.end(), result.begin(), gradient(p, t));
         return result;
     }
 
-    /// The same as a function of w, for as long as the field.
+    /// Returns (grad v) w as a function of w, valid for as long as the field.
     auto gradient(const Vec3& p, double t) const {
         const CellPoint at = locate(*grid, p);
         const StoredCell stored = stored_cell(at.cell, at.node);
@@ -187,8 +190,8 @@ struct GridSampler {
         return fluid < 0.5 ? PointStatus::InObstacle : PointStatus::Inside;
     }
 
-    /// See FieldWithWalls. The wall lies between solid nodes and those next to them; where the data hold the fluid at the latter, a
-    /// particle gets no farther.
+    /// Implements FieldWithWalls::at_wall. The wall lies between solid nodes and those next to them; where
+    /// the data hold the fluid at the latter, a particle gets no farther.
     bool at_wall(const Vec3& p) const {
         if (mask->empty())
             return false;
@@ -233,7 +236,7 @@ struct GridSampler {
                 stride};
     }
 
-    /// The velocity of the cell's lowest node.
+    /// Returns the velocity of the cell's lowest node.
     const float* at_first(const StepNodes& step, const StoredCell& cell) const {
         if (step.bricks == nullptr)
             return step.whole + 3 * cell.node;
@@ -268,7 +271,7 @@ struct GridSampler {
         return false;
     }
 
-    /// Change of the velocity across the cell along each axis.
+    /// Holds the change of the velocity across the cell along each axis.
     using Slopes = std::array<Vec3, 3>;
 
     static Slopes slopes(const float* velocity, const Strides& stride, const Vec3& fraction) {
@@ -298,7 +301,8 @@ struct GridSampler {
         return step.x * slopes[0] + step.y * slopes[1] + step.z * slopes[2];
     }
 
-    /// Mean of the nodes that have a velocity, by their weights: meets the trilinear field at faces without a gap.
+    /// Mean of the nodes that have a velocity, by their weights: meets the trilinear field at faces without a
+    /// gap.
     Vec3 beside_gaps(const Corners& at, const float* first, const float* second, double t) const {
         Vec3 total(0.0);
         double weights = 0.0;

@@ -24,10 +24,10 @@ Result<Interval> Intervals::acquire(std::size_t k, Needs needs, const std::stop_
     if (!tight_ && (got || got.error().code != Error::Code::OverLimit))
         return got;
     {
-        const std::stop_callback wake(stop, [this] { turn_over_.ring_all(); });
+        const std::stop_callback wake(stop, [this] { turn_over_.notify_all(); });
         std::unique_lock lock(mutex_);
-        for (auto seen = turn_over_.rings(); turn_taken_ && !stop.stop_requested();
-             seen = turn_over_.rings())
+        for (auto seen = turn_over_.notifications(); turn_taken_ && !stop.stop_requested();
+             seen = turn_over_.notifications())
             turn_over_.wait(lock, seen);
         if (turn_taken_)
             return fail(Error::Code::Cancelled, "waiting for time-steps was cancelled");
@@ -42,7 +42,7 @@ Result<Interval> Intervals::acquire(std::size_t k, Needs needs, const std::stop_
         const std::scoped_lock lock(mutex_);
         turn_taken_ = false;
     }
-    turn_over_.ring_one();
+    turn_over_.notify_one();
     return got;
 }
 

@@ -1,7 +1,7 @@
 // The time-steps an interval between two stored times needs, held while particles cross it.
 #pragma once
 
-#include "core/base/doorbell.hpp"
+#include "core/base/event_count.hpp"
 #include "core/dataset/missing_bricks.hpp"
 #include "core/dataset/time_step_cache.hpp"
 
@@ -12,8 +12,8 @@
 namespace wakesurf::core {
 
 struct Interval {
-    std::shared_ptr<const TimeStep>
-        before; ///< null unless asked for, and at the start of the series
+    /// Is null unless asked for, and at the start of the series.
+    std::shared_ptr<const TimeStep> before;
     std::shared_ptr<const TimeStep> first;
     std::shared_ptr<const TimeStep> second; ///< null where one time-step is all that is needed
     std::shared_ptr<const TimeStep> after;  ///< null unless asked for, and at the end of the series
@@ -31,9 +31,9 @@ class Intervals {
 
     explicit Intervals(std::shared_ptr<TimeStepCache> cache);
 
-    /// Interval [times[k], times[k+1]]; holds nothing yet when called. Callers who hold between them what each still
-    /// wants let go, and take turns; in a small cache they do so from the start.
-    /// Error: as TimeStepCache::acquire.
+    /// Interval [times[k], times[k+1]]; holds nothing yet when called. Callers who hold between them what
+    /// each still wants let go, and take turns; in a small cache they do so from the start. Error: as
+    /// TimeStepCache::acquire.
     Result<Interval> acquire(std::size_t k, Needs needs, const std::stop_token& stop) const;
 
   private:
@@ -42,7 +42,7 @@ class Intervals {
     std::shared_ptr<TimeStepCache> cache_;
     bool tight_;
     mutable std::mutex mutex_;
-    mutable Doorbell turn_over_;
+    mutable EventCount turn_over_;
     mutable bool turn_taken_ = false;
 };
 

@@ -1,5 +1,5 @@
-// A stored field as a flow: time-steps come through the cache, interval by interval. What happens within one is the business
-// of the grid's Sampling.
+// A stored field as a flow: time-steps come through the cache, interval by interval. What happens within one
+// is the business of the grid's Sampling.
 #pragma once
 
 #include "core/base/clock.hpp"
@@ -18,7 +18,8 @@
 
 namespace wakesurf::core {
 
-/// @tparam Sampling  what samples the grid of the cache's source; uniform_sampling.hpp shows what is asked of it
+/// @tparam Sampling  what samples the grid of the cache's source; uniform_sampling.hpp shows what is asked of
+/// it
 template <class Sampling>
 class IntervalFlow final : public Flow {
     static constexpr std::size_t few = std::size_t{4} << 30;
@@ -192,7 +193,8 @@ class IntervalFlow final : public Flow {
     }
 
   private:
-    /// Calls `each(chosen)` with the points of every interval in the order of time, so that the window slides once over the data. Empty: all.
+    /// Calls `each(chosen)` with the points of every interval in the order of time, so that the window slides
+    /// once over the data. Empty: all.
     template <class Each>
     Result<void> by_interval(std::span<const double> times, const Each& each) const {
         const auto [first, last] = std::minmax_element(times.begin(), times.end());
@@ -217,8 +219,9 @@ class IntervalFlow final : public Flow {
         return {};
     }
 
-    /// Of an interval whose time-steps have gaps: calls `use(interval, i)` for each of the points, the interval cut to the one time-step
-    /// that counts at its time where that is a stored one. A gap in the other is none then.
+    /// Calls `use(interval, i)` for each of the points of an interval whose time-steps have gaps. The
+    /// interval is cut to the one time-step that counts at the point's time where that is a stored one; a gap
+    /// in the other is none then.
     template <class Use>
     Result<void> each_at_its_steps(const Interval& held,
                                    std::span<const double> times,
@@ -248,7 +251,7 @@ class IntervalFlow final : public Flow {
                        held);
     }
 
-    /// Of something that has ended early where it is not `whole`.
+    /// Returns the error of something that has ended early, if it is not `whole`.
     static Result<void> outcome(bool whole, const Interval& held) {
         if (whole)
             return {};
@@ -340,7 +343,7 @@ class IntervalFlow final : public Flow {
         return each_at_its_steps(*held, times, chosen, count, stop, again);
     }
 
-    /// x, y and z at a node.
+    /// Returns x, y and z at a node.
     static const float*
     velocity_at(const TimeStep& step, std::size_t node, const BrickMisses& misses) {
         if (!step.bricks)
@@ -369,7 +372,8 @@ class IntervalFlow final : public Flow {
                           : Intervals::Needs::Both;
     }
 
-    /// What a field frozen at `time` needs: one time-step if the time is a stored one, else those round it.
+    /// Holds what a field frozen at `time` needs: one time-step if the time is a stored one, else those round
+    /// it.
     Result<Interval>
     frozen_interval(double time, bool smoothly, const std::stop_token& stop) const {
         const std::vector<double>& times = source_.times();
@@ -401,7 +405,8 @@ class IntervalFlow final : public Flow {
         return tl::unexpected(cut_short(options));
     }
 
-    /// Says up to where the series can be read: to the end of the interval that was met first, unless that is what is broken.
+    /// Says up to where the series can be read: to the end of the interval that was met first, unless that is
+    /// what is broken.
     tl::unexpected<Error> unreadable(Error error,
                                      std::size_t interval,
                                      int direction,

@@ -1,5 +1,6 @@
-// Which bricks particles come to next, by large steps. A front meets one new brick at a time: with what lies ahead brought
-// along, a streak surface has fewer rounds of misses an interval. A hint: it changes when bricks are read, never what is made of them.
+// Which bricks particles come to next, by large steps. A front meets one new brick at a time: with what lies
+// ahead brought along, a streak surface has fewer rounds of misses an interval. A hint: it changes when
+// bricks are read, never what is made of them.
 #pragma once
 
 #include "core/field/cubic_sampler.hpp"
@@ -19,9 +20,8 @@ inline const GridSampler<UniformGrid>& trilinear_part(const CubicSampler& field)
     return field.linear;
 }
 
-/// Asks for the bricks on the way of a particle to the end of the interval, at most two bricks far: in large steps, and straight on from
-/// where its velocity is not known.
-/// REQUIRES: a view of a field in bricks.
+/// Asks for the bricks on the way of a particle to the end of the interval, at most two bricks far: in large
+/// steps, and straight on from where its velocity is not known. REQUIRES: a view of a field in bricks.
 /// @param sign    direction of time, +1 or -1
 /// @param frozen  the field stays as it is at `t`, for ever
 template <class Field>

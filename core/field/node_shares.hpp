@@ -1,4 +1,5 @@
-// Which nodes of a stored field make the value at a point, and how much of it each: what scalar fields are sampled by.
+// Which nodes of a stored field make the value at a point, and how much of it each: what scalar fields are
+// sampled by.
 #pragma once
 
 #include "core/base/point_status.hpp"
@@ -10,7 +11,8 @@
 
 namespace wakesurf::core {
 
-/// Shares add up to 1. None where the point is outside the domain or in an obstacle, and of closed forms, which have no nodes.
+/// Shares add up to 1. None where the point is outside the domain or in an obstacle, and of closed forms,
+/// which have no nodes.
 struct NodeShares {
     PointStatus status = PointStatus::OutsideDomain; ///< of the point
     std::size_t count = 0;                           ///< of the nodes that count
@@ -18,8 +20,8 @@ struct NodeShares {
     std::array<double, 8> share{};                   ///< what each counts; together 1
 };
 
-/// Nodes without a value that have no more than this of a point's shares are the rounding of a point on a cell's face or edge: the others
-/// make its value.
+/// Nodes without a value that have no more than this of a point's shares are the rounding of a point on a
+/// cell's face or edge: the others make its value.
 inline constexpr double rounding_share = 1e-6;
 
 /// Value at a point of a field over the nodes; NaN where too much of it has no finite value.
@@ -38,7 +40,7 @@ double weighed_by(const NodeShares& shares, const Value& value) {
     return known >= 1.0 - rounding_share ? sum / known : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// The same. @param value  value(node)
+/// Sums the values of the nodes by their shares.
 template <class Value>
 double weighed(const NodeShares& shares, const Value& value) {
     return weighed_by(shares, [&](std::size_t i) { return value(shares.node[i]); });

@@ -15,7 +15,7 @@
 
 namespace wakesurf::core {
 
-/// Lanes that miss a brick, which the field's view notes.
+/// Returns the lanes that miss a brick, which the field's view notes.
 template <class Field>
 Rk4Batch::Bits note_missing(const Field& view, const Rk4Batch& batch) {
     const Rk4Batch::Bits all = (Rk4Batch::Bits{1} << batch.count) - 1u;
@@ -24,8 +24,8 @@ Rk4Batch::Bits note_missing(const Field& view, const Rk4Batch& batch) {
     return all & batch.missing;
 }
 
-/// Particles of one range in the lanes of a batch. A particle takes a lane, all its steps there, and leaves
-/// the lane to the next: those that have more steps to go than others hold no one up.
+/// Carries particles of one range in the lanes of a batch. A particle takes a lane, all its steps there, and
+/// leaves the lane to the next: those that have more steps to go than others hold no one up.
 /// @tparam Field  computes in double the steps in which particles end
 template <class Field>
 class Passage {
@@ -167,7 +167,8 @@ class Passage {
         batch_.taken[lane] += 1.0;
     }
 
-    /// The step in double, which finds where the particle ends. False: it has, and is back among the others, or has to wait.
+    /// The step in double, which finds where the particle ends. False: it has, and is back among the others,
+    /// or has to wait.
     bool step_alone(std::size_t lane) {
         ParticleState at = state(lane);
         rk4_particle_step(field_, at, batch_.dt[lane], options_, particles_.tangents());

@@ -13,8 +13,9 @@
 
 namespace wakesurf::core {
 
-/// A table a axis of evenly spaced buckets says near which node to look; a few steps from there find the cell, or a binary
-/// search where a stretched grid has many nodes in a bucket. Thread safety: immutable. Keeps a reference to the grid.
+/// A table a axis of evenly spaced buckets says near which node to look; a few steps from there find the
+/// cell, or a binary search where a stretched grid has many nodes in a bucket. Thread safety: immutable.
+/// Keeps a reference to the grid.
 class RectilinearAxes {
   public:
     explicit RectilinearAxes(const RectilinearGrid& grid);
@@ -29,7 +30,7 @@ class RectilinearAxes {
         return axes_[axis].coordinate[node];
     }
 
-    /// As along() of a uniform grid.
+    /// Returns what along() of a uniform grid does.
     AxisPoint along(std::size_t axis, double x) const {
         const Axis& a = axes_[axis];
         const std::size_t cell = a.cell(x);
@@ -41,7 +42,7 @@ class RectilinearAxes {
     /// The axes as the batch kernel takes them.
     const AxisTable* tables() const { return tables_.data(); }
 
-    /// Bytes of the tables.
+    /// Returns the bytes of the tables.
     std::size_t bytes() const;
 
   private:
@@ -49,8 +50,8 @@ class RectilinearAxes {
         const double* coordinate;
         std::size_t last; ///< cell
         double per_bucket;
-        std::vector<std::uint32_t>
-            start;                    ///< a bucket's first cell; one more than there are buckets
+        /// Holds each bucket's first cell; it has one more entry than there are buckets.
+        std::vector<std::uint32_t> start;
         std::vector<CellReach> reach; ///< by cell
 
         std::size_t cell(double x) const;

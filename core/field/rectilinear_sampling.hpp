@@ -1,5 +1,5 @@
-// How a stored field on a rectilinear grid is sampled between two time-steps: as on a uniform one, but for
-// the smooth field, which is trilinear here.
+// Samples a stored field on a rectilinear grid between two time-steps: as on a uniform one, but for the
+// smooth field, which is trilinear here.
 #pragma once
 
 #include "core/field/advance_stored.hpp"
@@ -19,7 +19,7 @@ class RectilinearSampling {
 
     RectilinearSampling(const RectilinearGrid& grid, const SolidMask& mask, Simd simd);
 
-    /// At no particular time.
+    /// Returns the status at no particular time.
     PointStatus status(const Vec3& position) const { return linear({}).status(position); }
 
     NodeShares shares(const Vec3& position) const { return linear({}).shares(position); }

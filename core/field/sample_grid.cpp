@@ -14,7 +14,8 @@ namespace {
 
 using Range = std::array<double, 2>;
 
-// Nodes a task: the 56 KB it works on stay in its core's cache, and malloc need not ask the system for them.
+// Limits the nodes of a task: the 56 KB it works on stay in its core's cache, and malloc need not ask the
+// system for them.
 constexpr std::size_t task_nodes = 1024;
 
 Error not_finite(const Vec3& p, double time) {

@@ -16,7 +16,7 @@ namespace wakesurf::core {
 
 namespace {
 
-// The time-step at or before a time, and the part of the way to the next.
+// Names the time-step at or before a time, and the part of the way to the next.
 struct Moment {
     std::size_t step = 0;
     double part = 0.0;
@@ -32,7 +32,7 @@ Moment moment_of(const std::vector<double>& times, double time) {
     return {step, (time - times[step]) / (times[step + 1] - times[step])};
 }
 
-// The two time-steps last asked for: in order of time that is all it takes.
+// Keeps the two time-steps last asked for: in order of time that is all it takes.
 class TwoSteps {
   public:
     TwoSteps(const ScalarSource& source, std::size_t scalar, const std::stop_token& stop)
@@ -80,7 +80,7 @@ struct Points {
     std::span<const double> part; ///< of the way to the second time
 };
 
-/// Of the point that is k-th, whose i-th node has the values `first(i)` and `second(i)`.
+/// Sets the value of the k-th point, whose i-th node has the values `first(i)` and `second(i)`.
 template <class First, class Second>
 double value_at(const Points& points, std::size_t k, const First& first, const Second& second) {
     const NodeShares& shares = points.shares[k];
@@ -89,7 +89,8 @@ double value_at(const Points& points, std::size_t k, const First& first, const S
     return part > 0.0 ? value + part * (weighed_by(shares, second) - value) : value;
 }
 
-/// The values of the points at time-steps that are in one piece each. @param take  take(k, value), from any thread
+/// The values of the points at time-steps that are in one piece each. @param take  take(k, value), from any
+/// thread
 template <class Take>
 Result<void> sample_whole(const Points& points,
                           TwoSteps& steps,
@@ -114,7 +115,7 @@ Result<void> sample_whole(const Points& points,
     return {};
 }
 
-/// The same where they come brick by brick.
+/// Samples values that come brick by brick.
 template <class Take>
 Result<void> sample_bricks(const Points& points,
                            const std::shared_ptr<BrickCache>& cache,
@@ -192,7 +193,8 @@ Result<std::vector<float>> sample_scalar(const Flow& flow,
     std::vector<NodeShares> shares;
     std::vector<double> part;
     for (std::size_t begin = 0; begin < order.size();) {
-        // The points of one interval of time, but not too many: their shares are kept from one end of it to the other.
+        // A turn takes the points of one interval of time, but not too many: their shares are kept from one
+        // end of it to the other.
         const std::size_t step = moment_of(source.times(), times[order[begin]]).step;
         part.clear();
         while (part.size() < most_at_once && begin + part.size() < order.size()) {

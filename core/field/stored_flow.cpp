@@ -11,7 +11,7 @@ namespace wakesurf::core {
 
 namespace {
 
-// One overload for every kind of grid.
+// Each kind of grid has an overload.
 
 auto sampling_of(const UniformGrid& grid, const TimeStepSource& source, Simd simd) {
     return std::make_unique<const UniformSampling>(grid, source.mask(), simd);

@@ -29,7 +29,7 @@ BrickPlaces places_in(const BrickLayout& layout) {
     return places;
 }
 
-/// What does not depend on where the nodes are.
+/// Sets what does not depend on where the nodes are.
 template <class Grid>
 StoredPair pair_on(const GridSampler<Grid>& field, const AdvanceOptions& options) {
     StoredPair pair{};
@@ -56,7 +56,7 @@ StoredPair pair_on(const GridSampler<Grid>& field, const AdvanceOptions& options
     fill(pair.low, box.lo);
     fill(pair.high, box.hi);
     fill(pair.stride, Vec3(1.0, last.x + 1.0, (last.x + 1.0) * (last.y + 1.0)));
-    // A little more than the limit: near it, the step in double decides.
+    // The threshold is a little more than the limit: near it, the step in double decides.
     const double speed = 1.00001 * options.stagnation_speed;
     pair.stagnation2 = static_cast<float>(speed * speed);
     return pair;

@@ -1,5 +1,5 @@
-// The time-steps of an interval as a sampler's, and what ends before it starts: particles where the new time-step has no
-// velocity.
+// The time-steps of an interval as a sampler's, and what ends before it starts: particles where the new
+// time-step has no velocity.
 #pragma once
 
 #include "core/field/advance_particles.hpp"
@@ -59,7 +59,7 @@ bool end_in_gaps(const GridSampler<Grid>& field,
     return in_blocks(field, particles.count(), stop, some, 1024);
 }
 
-/// The same for curves that have come some way; those that have not yet begun find out themselves.
+/// Prepares curves that have come some way; those that have not yet begun find out themselves.
 template <class Grid>
 bool end_in_gaps(const GridSampler<Grid>& field,
                  std::span<Curve> curves,

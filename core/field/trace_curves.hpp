@@ -20,9 +20,9 @@
 
 namespace wakesurf::core {
 
-/// Advances until the simulation time `limit` (infinite: to every curve's own end). Returns false if `stop` fired, or there is no memory
-/// for the steps: see cut_short; or what is missing cannot be had: see MissingBricks::error.
-/// Isolated: a thread that waits here takes no work of another surface.
+/// Advances until the simulation time `limit` (infinite: to every curve's own end). Returns false if `stop`
+/// fired, or there is no memory for the steps: see cut_short; or what is missing cannot be had: see
+/// MissingBricks::error. Isolated: a thread that waits here takes no work of another surface.
 template <VelocityField Field>
 bool trace_curves(const Field& field,
                   std::span<Curve> curves,

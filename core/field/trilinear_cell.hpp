@@ -1,6 +1,7 @@
-// Stored data the way a particle meets it: cell by cell. Within a cell the trilinear field is a polynomial, so the
-// particle's path has a Taylor series whose terms follow from one another. Across a face the field only is continuous, so a series
-// serves up to the face. Source of the recurrences: Hairer, Norsett, Wanner, Solving ODEs I, I.8.
+// Stored data the way a particle meets it: cell by cell. Within a cell the trilinear field is a polynomial,
+// so the particle's path has a Taylor series whose terms follow from one another. Across a face the field
+// only is continuous, so a series serves up to the face. Source of the recurrences: Hairer, Norsett, Wanner,
+// Solving ODEs I, I.8.
 #pragma once
 
 #include "core/field/components.hpp"
@@ -14,7 +15,7 @@
 
 namespace wakesurf::core {
 
-/// Coefficients of 1, x, y, xy, z, xz, yz, xyz; x, y, z run from 0 to 1 through the cell.
+/// Holds the coefficients of 1, x, y, xy, z, xz, yz, xyz; x, y, z run from 0 to 1 through the cell.
 struct TrilinearPolynomial {
     std::array<Components, 8> c;
 
@@ -34,15 +35,15 @@ struct TrilinearPolynomial {
                     c[i] = c[i] - c[i ^ bit];
     }
 
-    /// Without the constant: m are the values of x, y, xy, z, xz, yz, xyz.
+    /// Evaluates without the constant: m are the values of x, y, xy, z, xz, yz, xyz.
     Components rest(const double (&m)[7]) const {
         return ((c[1] * m[0] + c[2] * m[1]) + (c[3] * m[2] + c[4] * m[3])) +
                ((c[5] * m[4] + c[6] * m[5]) + c[7] * m[6]);
     }
 };
 
-/// A cursor over the cells of a sampler's grid. Positions within a cell are in units of the cell; time runs in units of the
-/// field's, downstream or upstream.
+/// Moves over the cells of a sampler's grid. Positions within a cell are in units of the cell; time runs in
+/// units of the field's, downstream or upstream.
 template <class Grid>
 class TrilinearCell {
   public:
@@ -101,13 +102,13 @@ class TrilinearCell {
 
     const Vec3& per_size() const { return per_size_; }
 
-    /// Shortest side.
+    /// Returns the shortest side, in units of length.
     double finest() const { return finest_; }
 
-    /// False: all of the cell is fluid.
+    /// Returns false if all of the cell is fluid.
     bool obstacle() const { return field_.cells->state(cell_, node_) != CellMask::Fluid; }
 
-    /// The path of a particle at `u` in the cell at field time `t`.
+    /// Returns the path of a particle at `u` in the cell at field time `t`.
     PathSeries series(const Vec3& u, double t) const {
         return field_.velocity1 ? expand<true>(u, (t - field_.time0) / field_.interval)
                                 : expand<false>(u, 0.0);

@@ -1,5 +1,5 @@
-// Steps along a curve through stored data on a grid, cell by cell: each follows the Taylor series of the particle's path and ends
-// where that leaves the cell.
+// Steps along a curve through stored data on a grid, cell by cell: each follows the Taylor series of the
+// particle's path and ends where that leaves the cell.
 #pragma once
 
 #include "core/field/trilinear_cell.hpp"
@@ -12,14 +12,14 @@
 
 namespace wakesurf::core {
 
-/// When and through which face a particle leaves its cell.
+/// Says when and through which face a particle leaves its cell.
 struct CellExit {
     double time = std::numeric_limits<double>::infinity();
     std::size_t axis = 0;
     int step = 0; ///< of the cell's index; 0: not at all
 };
 
-/// By the path's first three terms, from the cell's inside.
+/// Estimates the exit by the path's first three terms, from the cell's inside.
 inline CellExit roughly_leaves(const PathSeries& path, std::size_t axis) {
     const double direction = path.term[1][axis] < 0.0 ? -1.0 : 1.0;
     const double behind =
@@ -35,8 +35,9 @@ inline CellExit roughly_leaves(const PathSeries& path, std::size_t axis) {
     return {(v + std::sqrt(v * v - 4.0 * a * behind)) / (-2.0 * a), axis, -step}; // turns back
 }
 
-/// Newton's iteration from a rough exit. A particle that is d cells past the face when the next cell takes over is off by some
-/// d * d of what the field's kink there turns it by, so 1e-5 is near enough except at the domain's border.
+/// Sharpens a rough exit by Newton's iteration. A particle that is d cells past the face when the next cell
+/// takes over is off by some d * d of what the field's kink there turns it by, so 1e-5 is near enough except
+/// at the domain's border.
 inline void sharpen(const PathSeries& path, CellExit& exit, double near_enough = 5e-3) {
     const double face = exit.step > 0 ? 1.0 : 0.0;
     for (int i = 0; i < 5; ++i) {
@@ -71,7 +72,8 @@ inline CellExit leaves_cell(const PathSeries& path) {
     return first;
 }
 
-/// A CurveSteps: as Dormand-Prince steps of the same tolerance, but as long as the cells. Keeps references to the field and the options.
+/// Makes Dormand-Prince steps of the same tolerance, but as long as the cells; a CurveSteps. It keeps
+/// references to the field and the options.
 template <class Grid>
 class TrilinearSteps {
   public:
@@ -129,7 +131,7 @@ class TrilinearSteps {
         return StepOutcome::Taken;
     }
 
-    /// (grad v) w at theta of a step, as a function of w.
+    /// Returns (grad v) w at theta of a step, as a function of w.
     auto gradient(const CurveStep& step, double theta, double time) const {
         return field_.gradient(Vec3(step.at(theta)), time);
     }

@@ -21,7 +21,8 @@ inline const std::array<std::uint32_t, 3>& dimensions(const UniformGrid& grid) {
     return grid.dimensions;
 }
 
-/// Coordinates beyond the border get the nearest cell and fractions clamped to it. NaN counts as the lower border.
+/// Returns the cell of a coordinate and the fraction in it. Coordinates beyond the border get the nearest
+/// cell and fractions clamped to it. NaN counts as the lower border.
 inline AxisPoint along(const UniformGrid& grid, std::size_t axis, double coordinate) {
     const auto i = static_cast<int>(axis);
     const double cells = grid.dimensions[axis] - 1;

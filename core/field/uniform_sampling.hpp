@@ -1,5 +1,5 @@
-// How a stored field on a uniform grid is sampled between two time-steps: linear, smooth, in batches of the vector kernel,
-// or cell by cell, whichever serves.
+// Samples a stored field on a uniform grid between two time-steps: linear, smooth, in batches of the vector
+// kernel, or cell by cell, whichever serves.
 #pragma once
 
 #include "core/field/advance_stored.hpp"
@@ -21,7 +21,7 @@ class UniformSampling {
 
     UniformSampling(const UniformGrid& grid, const SolidMask& mask, Simd simd);
 
-    /// At no particular time.
+    /// Returns the status at no particular time.
     PointStatus status(const Vec3& position) const { return linear({}).status(position); }
 
     NodeShares shares(const Vec3& position) const { return linear({}).shares(position); }
@@ -70,8 +70,8 @@ class UniformSampling {
     const SolidMask& mask_;
     CellMask cells_;
     mutable std::once_flag round_cells_made_;
-    mutable std::optional<CellMask>
-        round_cells_; ///< made when the field is smooth for the first time
+    /// Is made when the field is smooth for the first time.
+    mutable std::optional<CellMask> round_cells_;
     Rk4Kernel kernel_;
 };
 

@@ -66,8 +66,8 @@ glm::dmat3 gradient_of(const Star& star, const Vec3* velocity) {
     return out;
 }
 
-/// Calls `take` with the number of each point and the gradient there, some points at a time, in the order of time: then
-/// each time-step is loaded about once.
+/// Calls `take` with the number of each point and the gradient there, some points at a time, in the order of
+/// time: then each time-step is loaded about once.
 template <class Take>
 Result<void> each_gradient(const Flow& flow,
                            std::span<const Vec3> positions,

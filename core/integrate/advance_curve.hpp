@@ -1,6 +1,7 @@
-// Carries one particle from where its curve ends to a given time, or until it leaves the domain, meets an obstacle or stands
-// still. One loop for steps of every kind: by Runge-Kutta through any field (runge_kutta_steps.hpp), by Taylor series through the
-// cells of a grid (field/trilinear_steps.hpp) or of a mesh (field/cells/cell_steps.hpp).
+// Carries one particle from where its curve ends to a given time, or until it leaves the domain, meets an
+// obstacle or stands still. One loop for steps of every kind: by Runge-Kutta through any field
+// (runge_kutta_steps.hpp), by Taylor series through the cells of a grid (field/trilinear_steps.hpp) or of a
+// mesh (field/cells/cell_steps.hpp).
 #pragma once
 
 #include "core/base/point_status.hpp"
@@ -21,27 +22,31 @@ namespace wakesurf::core {
 template <class F>
 concept VelocityField = requires(const F& field, const Vec3& p, double t) {
     { field.velocity(p, t) } -> std::convertible_to<Vec3>;
-    /// (grad v) w, here of a vector p.
+    /// Returns (grad v) w, here of a vector p.
     { field.derivative(p, t, p) } -> std::convertible_to<Vec3>;
     { field.status(p) } -> std::same_as<PointStatus>;
 };
 
-/// What became of an attempt at a step. Again: its error was too large, the next one will be shorter. Stagnation: the particle is
-/// slower than TraceOptions::stagnation_speed, or its velocity is not a number.
+/// Says what became of an attempt at a step. Again: its error was too large, the next one will be shorter.
+/// Stagnation: the particle is slower than TraceOptions::stagnation_speed, or its velocity is not a number.
 enum class StepOutcome { Taken, Again, Stagnation };
 
-/// How one curve goes on: where it is, how far a step goes and by which formula.
+/// Says how one curve goes on: where it is, how far a step goes and by which formula.
 template <class S>
 concept CurveSteps = requires(
     S& steps, const S& const_steps, Curve& curve, CurveStep& step, double left, PointStatus& to) {
     { const_steps.field() } -> VelocityField;
-    /// Goes to where the curve ends, before the first step of a call. Returns whether it may go on from there.
+    /// Goes to where the curve ends, before the first step of a call. Returns whether it may go on from
+    /// there.
     { steps.begin(curve) } -> std::same_as<PointStatus>;
-    /// Tries a step of at most `left`. Taken: `step` has its points and its `dt`, which is `left` in size where that ends it.
+    /// Tries a step of at most `left`. Taken: `step` has its points and its `dt`, which is `left` in size
+    /// where that ends it.
     { steps.attempt(curve, left, step) } -> std::same_as<StepOutcome>;
-    /// theta of the last point of the step that is still inside, 1 when all of it is; otherwise `to` says what it meets.
+    /// theta of the last point of the step that is still inside, 1 when all of it is; otherwise `to` says
+    /// what it meets.
     { steps.inside_until(step, to) } -> std::same_as<double>;
-    /// Goes to the end of the step, where the curve ends now. Returns false where that is the domain's border.
+    /// Goes to the end of the step, where the curve ends now. Returns false where that is the domain's
+    /// border.
     { steps.arrive(curve) } -> std::same_as<bool>;
 };
 
@@ -75,8 +80,9 @@ inside_until(const Field& field, const CurveStep& step, double longest_step, Poi
     return 1.0;
 }
 
-/// The tangent across the rake carried along a step: w' = (grad v) w, by the classic Runge-Kutta formula. Within the cell of a
-/// series, where it is a polynomial too and points on the faces belong to the next cell as well, by the midpoint rule over either half.
+/// Carries the tangent across the rake along a step: w' = (grad v) w, by the classic Runge-Kutta formula.
+/// Within the cell of a series, where it is a polynomial too and points on the faces belong to the next cell
+/// as well, it takes the midpoint rule over either half.
 /// @param release  simulation time of the curve, @param frozen the field stays as it is then
 template <class Steps>
 StretchStep carry_stretch(
@@ -137,16 +143,17 @@ struct WaypointOf<Steps> {
     using Type = typename Steps::Waypoint;
 };
 
-/// Of a curve that waits; nothing where it begins or goes on from `curve.last`.
+/// Says where a curve waits; nothing where it begins or goes on from `curve.last`.
 template <class Steps>
 using WaitingAt = std::optional<typename WaypointOf<Steps>::Type>;
 
-/// Goes on from `curve.last` until `until` (time since release, same sign as the duration), or until values are missing: the curve is
-/// then as it was before the step that met them.
-/// Returns false if `stop` fired or `keep` returned false. Thread safety: disjoint curves may be advanced concurrently.
+/// Goes on from `curve.last` until `until` (time since release, same sign as the duration), or until values
+/// are missing: the curve is then as it was before the step that met them. Returns false if `stop` fired or
+/// `keep` returned false. Thread safety: disjoint curves may be advanced concurrently.
 /// @param steps  of this curve, in the direction of its duration
 /// @param keep   keep(step) is called with each step that was taken; false: the curve cannot go on
-/// @param place  where it waits, from one call to the next. Null: a curve that meets missing values is good for nothing
+/// @param place  where it waits, from one call to the next. Null: a curve that meets missing values is good
+///               for nothing
 template <CurveSteps Steps, class Keep>
 bool advance_steps(Steps steps,
                    Curve& curve,
@@ -238,8 +245,8 @@ bool advance_steps(Steps steps,
     return true;
 }
 
-/// The same from where the curve ends, or its seed, and the curve keeps its steps, or the options' watch sees them. Returns false also
-/// where there is no memory.
+/// Advances from where the curve ends, or its seed, and the curve keeps its steps, or the options' watch sees
+/// them. Returns false also where there is no memory.
 template <CurveSteps Steps>
 bool advance_curve(Steps steps,
                    Curve& curve,

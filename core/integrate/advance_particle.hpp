@@ -1,6 +1,6 @@
-// Carries one particle of a moving surface to a given time, or until it leaves the domain, meets an obstacle or stands
-// still. Keeps nothing of the way there, unlike advance_curve. Works on any field with `velocity`, `derivative` and
-// `status`.
+// Carries one particle of a moving surface to a given time, or until it leaves the domain, meets an obstacle
+// or stands still. Keeps nothing of the way there, unlike advance_curve. Works on any field with `velocity`,
+// `derivative` and `status`.
 #pragma once
 
 #include "core/base/point_status.hpp"
@@ -24,20 +24,20 @@ concept CarryingField = requires(const F& field, const Vec3& p, double t) {
     { field.status(p) } -> std::same_as<PointStatus>;
 };
 
-/// One particle between steps.
+/// Holds one particle between steps.
 struct ParticleState {
     Carried carried;
     double time = 0.0;
     CurveEnd end = CurveEnd::Running;
 };
 
-/// How far a particle comes in a step.
+/// Says how far a particle comes in a step.
 struct Way {
     double part = 1.0; ///< of the step's time; 1: it does not leave
     Vec3 position;
 };
 
-/// Where on the way from `before` to `after` the particle leaves, on the cubic through both.
+/// Finds where on the way from `before` to `after` the particle leaves, on the cubic through both.
 template <CarryingField Field>
 Way leaves_at(const Field& field,
               const Carried& before,
@@ -81,7 +81,7 @@ void take_step(const Field& field,
     at.time += way.part * dt;
 }
 
-/// A particle's velocity and the change of its tangents.
+/// Holds a particle's velocity and the change of its tangents.
 template <CarryingField Field>
 Carried carried_slope(const Field& field, const Carried& y, double t, bool tangents) {
     const Vec3 v = field.velocity(y.position, t);
@@ -97,12 +97,12 @@ Carried carried_slope(const Field& field, const Carried& y, double t, bool tange
     }
 }
 
-/// Number of equal steps Rk4 divides a length of time into.
+/// Returns the number of equal steps that Rk4 divides a length of time into.
 inline double rk4_steps(double whole, const AdvanceOptions& options) {
     return std::max(1.0, std::ceil(std::abs(whole) / options.step - 1e-9));
 }
 
-/// One of those steps. Leaves the time to the caller unless the particle ends.
+/// Takes one of those steps. It leaves the time to the caller unless the particle ends.
 template <CarryingField Field>
 void rk4_particle_step(const Field& field,
                        ParticleState& at,

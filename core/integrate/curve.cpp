@@ -15,7 +15,7 @@ CurvePoint point_in(const Curve& curve, std::size_t index, double theta) {
     return {Vec3(y), step.time + theta * step.dt, y.w, stretch};
 }
 
-/// Arc length over that at the start of the step, and its derivative, at theta.
+/// Holds the arc length over that at the start of the step, and its derivative, at theta.
 struct ArcAt {
     double value, slope;
 };
@@ -30,7 +30,8 @@ ArcAt arc_at(const CurveStep& step, double theta) {
     return {theta * outer, outer + theta * (other * middle_slope - middle)};
 }
 
-/// theta at which the monotone arc length of a step reaches `arc`: Newton's iteration kept in a bracket.
+/// Returns the theta at which the monotone arc length of a step reaches `arc`, by Newton's iteration kept in
+/// a bracket.
 double theta_at_arc(const CurveStep& step, double arc) {
     const double wanted = arc - step.c[0].w;
     double low = 0.0;

@@ -1,5 +1,5 @@
-// An integral curve (streamline or pathline) as its integration leaves it: accepted steps with dense output, so
-// that a surface can take vertices anywhere on it without a new integration.
+// An integral curve (streamline or pathline) as its integration leaves it: accepted steps with dense output,
+// so that a surface can take vertices anywhere on it without a new integration.
 #pragma once
 
 #include "core/base/vec3.hpp"
@@ -21,16 +21,17 @@ enum class CurveEnd : std::uint8_t { Running, Time, Domain, Obstacle, Stagnation
 struct Curve;
 struct CurveStep;
 
-/// Is shown each step once it is taken: the curve ends at `curve.last` then, which may be within the step. False: that was far enough.
+/// Is shown each step once it is taken: the curve ends at `curve.last` then, which may be within the step.
+/// False: that was far enough.
 using StepWatch = std::function<bool(const Curve& curve, const CurveStep& step)>;
 
-/// How curves are integrated.
+/// Says how curves are integrated.
 struct TraceOptions {
     /// Steps of controlled error, or steps that are all as long.
     enum class Method { Dopri5, Rk4 };
     Method method = Method::Dopri5; ///< of the steps
-    bool frozen =
-        false; ///< true: the field as it is at `Curve::release` (stream); false: it moves on (path)
+    /// Takes the field as it is at `Curve::release` (stream); false: it moves on (path).
+    bool frozen = false;
     double tolerance = 1e-6;   ///< Dopri5: error allowed per unit length
     double step = 0.0;         ///< Rk4: the time step; Dopri5: the first one tried, 0: chosen
     double longest_step = 0.0; ///< arc length a step may cover, in the dataset's length unit; > 0
@@ -39,20 +40,21 @@ struct TraceOptions {
     bool stretch = false; ///< transport the tangent across the rake: 96 bytes a step more
     bool smooth = false;  ///< stored data: tricubic in space and cubic in time instead of linear
     WorkMemory* memory = nullptr; ///< what the steps take is counted there, where there is one
-    /// Sees the steps of a frozen field, of which none is kept then. Called from several threads, for different curves.
+    /// Sees the steps of a frozen field, of which none is kept then. Called from several threads, for
+    /// different curves.
     const StepWatch* watch = nullptr;
 };
 
-/// Dense output of one accepted step, Hairer, Norsett, Wanner, Solving ODEs I, II.6: y(theta) =
-/// c0 + theta (c1 + (1 - theta)(c2 + theta (c3 + (1 - theta) c4))); xyz is the position, w the arc length.
+/// Holds the dense output of one accepted step, Hairer, Norsett, Wanner, Solving ODEs I, II.6: y(theta) = c0
+/// + theta (c1 + (1 - theta)(c2 + theta (c3 + (1 - theta) c4))); xyz is the position, w the arc length.
 struct CurveStep {
     double time = 0.0;           ///< since release
     double dt = 0.0;             ///< negative upstream
     std::array<glm::dvec4, 5> c; ///< coefficients of the polynomial
-    double error =
-        0.0; ///< how far off the step's end may be for what the integrator leaves out, as it estimates it; RK4: 0
+    /// Is how far off the step's end may be for what the integrator leaves out, as it estimates it; RK4: 0.
+    double error = 0.0;
 
-    /// Position and arc length at a part of the step, 0 to 1.
+    /// Returns the position and arc length at a part of the step, 0 to 1.
     glm::dvec4 at(double theta) const {
         const double other = 1.0 - theta;
         return c[0] + theta * (c[1] + other * (c[2] + theta * (c[3] + other * c[4])));
@@ -66,7 +68,7 @@ struct StretchStep {
     Vec3 start_change{0.0}; ///< how it changes there, by theta
     Vec3 end_change{0.0};   ///< the same
 
-    /// The tangent at a part of the step, 0 to 1.
+    /// Returns the tangent at a part of the step, 0 to 1.
     Vec3 at(double theta) const {
         const double other = 1.0 - theta;
         const Vec3 change = end - start;
@@ -75,7 +77,7 @@ struct StretchStep {
     }
 };
 
-/// A point of a curve.
+/// Holds a point of a curve.
 struct CurvePoint {
     Vec3 position{0.0}; ///< where it is
     double time = 0.0;  ///< since release; negative upstream
@@ -83,7 +85,7 @@ struct CurvePoint {
     Vec3 stretch{0.0};  ///< dx/ds there, with TraceOptions::stretch
 };
 
-/// Filled by Flow::trace. The seed, release time and duration are inputs.
+/// Holds a curve that Flow::trace fills. The seed, release time and duration are inputs.
 struct Curve {
     Vec3 seed{0.0};         ///< where it begins
     Vec3 seed_tangent{0.0}; ///< dc/ds at the seed; used with TraceOptions::stretch
@@ -97,10 +99,10 @@ struct Curve {
     double next_dt = 0.0;     ///< the integrator's proposal, kept between sliding-window intervals
     std::size_t attempts = 0; ///< accepted and rejected steps
 
-    /// The point at an arc length from the seed, 0..last.arc. Cost: O(log steps).
+    /// Returns the point at an arc length from the seed, 0..last.arc. Cost: O(log steps).
     CurvePoint at_arc(double arc) const;
 
-    /// The point so long after the release, 0..last.time, negative upstream. Cost: O(log steps).
+    /// Returns the point so long after the release, 0..last.time, negative upstream. Cost: O(log steps).
     CurvePoint at_time(double time) const;
 };
 
@@ -115,20 +117,21 @@ inline bool keep_step(Curve& curve, const CurveStep& step, const TraceOptions& o
     return true;
 }
 
-/// Why tracing ended early: it was stopped, or there was no memory.
+/// Returns why tracing ended early: it was stopped, or there was no memory.
 inline Error cut_short(const TraceOptions& options) {
     if (options.memory != nullptr && options.memory->exhausted())
         return options.memory->refusal();
     return {Error::Code::Cancelled, "the integration was cancelled", ""};
 }
 
-/// Takes points off a curve in order of arc length: no search, and the first guess of each is where the last one was.
+/// Takes points off a curve in order of arc length: no search, and the first guess of each is where the last
+/// one was.
 class CurveReader {
   public:
-    /// Of a curve that lives as long.
+    /// Reads a curve, which must live as long.
     explicit CurveReader(const Curve& curve) : curve_(curve) {}
 
-    /// As Curve::at_arc. @param arc  not less than in the last call
+    /// Returns what Curve::at_arc does.
     CurvePoint at_arc(double arc);
 
   private:

@@ -1,5 +1,5 @@
-// The shortest steps of a curve that goes cell by cell. One that grazes a face may cross it to and fro at once, and then goes on a little
-// regardless.
+// The shortest steps of a curve that goes cell by cell. One that grazes a face may cross it to and fro at
+// once, and then goes on a little regardless.
 #pragma once
 
 #include <algorithm>
@@ -7,15 +7,16 @@
 
 namespace wakesurf::core {
 
-/// Velocities on either side of a face may both point at it, or fall to zero there: the particle then slides along. With the shortest steps
-/// alone a sheet on a snappyHexMesh sphere was busy without end (50,000 steps for a fiftieth of a cell), and so was one of a sampled tornado
-/// (20,000 steps for five cells). The steps double, up to a hundredth of the cell.
+/// Velocities on either side of a face may both point at it, or fall to zero there: the particle then slides
+/// along. With the shortest steps alone a sheet on a snappyHexMesh sphere was busy without end (50,000 steps
+/// for a fiftieth of a cell), and so was one of a sampled tornado (20,000 steps for five cells). The steps
+/// double, up to a hundredth of the cell.
 class GrazingSteps {
   public:
-    static constexpr double shortest =
-        1e-5; ///< of the time in which the particle would cross its cell
+    /// Is a part of the time in which the particle would cross its cell.
+    static constexpr double shortest = 1e-5;
 
-    /// How long the next step is at least, likewise. @param exit  when the particle leaves the cell, likewise
+    /// Returns how long the next step is at least, in the units of `exit`.
     double least(double exit) {
         if (exit > 0.1)
             short_steps_ = 0;
@@ -28,8 +29,8 @@ class GrazingSteps {
 
   private:
     static constexpr double longest = 1e-2;
-    static constexpr int round_a_corner =
-        6; ///< cells whose corners a path may cut one after another
+    /// Counts the cells whose corners a path may cut one after another.
+    static constexpr int round_a_corner = 6;
 
     int short_steps_ = 0; ///< since it last crossed a cell
 };

@@ -1,5 +1,5 @@
-// Particles that are carried together: the vertices of streak and time surfaces, which all move in every step.
-// Filled by Flow::advance.
+// Particles that are carried together: the vertices of streak and time surfaces, which all move in every
+// step. Filled by Flow::advance.
 #pragma once
 
 #include "core/base/vec3.hpp"
@@ -27,20 +27,21 @@ struct Particles {
     std::span<Vec3f> velocity{};
     std::span<std::uint8_t> sampled{}; ///< 1: `velocity` was written
 
-    /// May be left empty. Of meshes of cells: where to look for a particle first, or no_cell, and afterwards the
-    /// cell it has come to. Changes how fast it is found, not where it goes, unless cells overlap.
+    /// May be left empty. Of meshes of cells: where to look for a particle first, or no_cell, and afterwards
+    /// the cell it has come to. Changes how fast it is found, not where it goes, unless cells overlap.
     std::span<std::uint32_t> cell{};
 
-    /// Number of particles.
+    /// Returns the number of particles.
     std::size_t count() const { return position.size(); }
 
-    /// They carry tangents.
+    /// Returns whether they carry tangents.
     bool tangents() const { return !along_s.empty(); }
 };
 
-/// How particles are carried.
+/// Says how particles are carried.
 struct AdvanceOptions {
-    /// Dopri5: error control; through stored data that are linear one Taylor series a cell of the same tolerance, as in TraceOptions.
+    /// Dopri5 controls its error; through stored data that are linear it takes one Taylor series a cell of
+    /// the same tolerance, as in TraceOptions.
     enum class Method { Rk4, Dopri5 };
     Method method = Method::Rk4;     ///< of the steps
     double step = 0.0;               ///< Rk4: longest time step; > 0

@@ -1,6 +1,7 @@
-// A particle's path through a cell in which the field is a polynomial, as a Taylor series in time, and the step along it. Runge-Kutta
-// steps across the faces of such data are only of second order, and error control answers with steps a fraction of a cell; a series
-// needs no trial steps, and its error is that of its last terms. Source: Hairer, Norsett, Wanner, Solving ODEs I, I.8.
+// A particle's path through a cell in which the field is a polynomial, as a Taylor series in time, and the
+// step along it. Runge-Kutta steps across the faces of such data are only of second order, and error control
+// answers with steps a fraction of a cell; a series needs no trial steps, and its error is that of its last
+// terms. Source: Hairer, Norsett, Wanner, Solving ODEs I, I.8.
 #pragma once
 
 #include "core/integrate/curve.hpp"
@@ -12,7 +13,7 @@
 
 namespace wakesurf::core {
 
-/// Position in units of the cell as a polynomial in time: the sum of term[k] t^k.
+/// Holds the position in units of the cell as a polynomial in time: the sum of term[k] t^k.
 struct PathSeries {
     static constexpr std::size_t order = 5;
     std::array<std::array<double, 3>, order + 1> term;
@@ -32,7 +33,8 @@ struct PathSeries {
     }
 };
 
-/// Largest error of the series after time `t`, over t: what the dense output leaves out of the last term, and the term after it.
+/// Returns the largest error of the series after time `t`, over t: what the dense output leaves out of the
+/// last term, and the term after it.
 inline double series_error(const PathSeries& path, const Vec3& size, double t) {
     const auto square_of = [&](std::size_t k) {
         const Vec3 term = Vec3(path.term[k][0], path.term[k][1], path.term[k][2]) * size;
@@ -45,8 +47,8 @@ inline double series_error(const PathSeries& path, const Vec3& size, double t) {
     return last * square * square * (0.0025 + ratio * t);
 }
 
-/// How far the series' end after time `t` may be off: by the terms after the last one. One that happens to be small says nothing of the next,
-/// so they grow as fast as any of the last three did.
+/// Returns how far the series' end after time `t` may be off by the terms after the last one. One that
+/// happens to be small says nothing of the next, so they grow as fast as any of the last three did.
 inline double end_error(const PathSeries& path, const Vec3& size, double t) {
     const auto length_of = [&](std::size_t k) {
         return glm::length(Vec3(path.term[k][0], path.term[k][1], path.term[k][2]) * size);
@@ -61,15 +63,16 @@ inline double end_error(const PathSeries& path, const Vec3& size, double t) {
     return growth * std::max(last * t, fourth * growth) * power / std::max(1.0 - growth, 0.1);
 }
 
-/// True where the series is so good that its error need not be known: were each term as large as the one before.
+/// True where the series is so good that its error need not be known: were each term as large as the one
+/// before.
 inline bool surely_within(const PathSeries& path, const Vec3& size, double t, double allowed) {
     const Vec3 last = Vec3(path.term[5][0], path.term[5][1], path.term[5][2]) * size;
     const double power = t * t * t * t;
     return glm::dot(last, last) * power * power <= allowed * allowed;
 }
 
-/// The dense output of a series up to time `t`: its fifth power becomes the quartic that meets it at both ends and is elsewhere
-/// nearest, within 0.0025 (Chebyshev).
+/// Returns the dense output of a series up to time `t`: its fifth power becomes the quartic that meets it at
+/// both ends and is elsewhere nearest, within 0.0025 (Chebyshev).
 inline CurveStep
 dense_output(const PathSeries& path, const Vec3& lo, const Vec3& size, double arc, double t) {
     constexpr double quartic[5] = {0.0, -0.07725424859373686, 0.7317627457812106,
@@ -93,8 +96,8 @@ dense_output(const PathSeries& path, const Vec3& lo, const Vec3& size, double ar
     return step;
 }
 
-/// Arc length along a step by Simpson's rule, as a cubic with the speeds at both ends. Returns false where the speed falls
-/// so much on the way that the cubic would not rise.
+/// Arc length along a step by Simpson's rule, as a cubic with the speeds at both ends. Returns false where
+/// the speed falls so much on the way that the cubic would not rise.
 inline bool add_arc(CurveStep& step, double v0, double v_middle, double v1, double t) {
     const double length = t / 6.0 * (v0 + 4.0 * v_middle + v1);
     if (std::max(v0, v1) * t > 2.9 * length)
@@ -106,8 +109,8 @@ inline bool add_arc(CurveStep& step, double v0, double v_middle, double v1, doub
     return true;
 }
 
-/// The step along a series from its start, with dense output and without times. Shortens `t` until the series' error over it is allowed.
-/// Nothing: the particle stands still.
+/// Returns the step along a series from its start, with dense output and without times. It shortens `t` until
+/// the series' error over it is allowed. Nothing is returned where the particle stands still.
 /// @param lo, size  of the cell whose coordinates the series is in
 /// @param least  `t` is not shortened below this for an error, which the step then states
 inline std::optional<CurveStep> series_step(const PathSeries& path,

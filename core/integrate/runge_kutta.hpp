@@ -1,5 +1,6 @@
-// One Runge-Kutta step with dense output: Dormand-Prince 5(4) with error estimate, and classic RK4. The state is
-// position and arc length. Source: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, II.5-II.6.
+// One Runge-Kutta step with dense output: Dormand-Prince 5(4) with error estimate, and classic RK4. The state
+// is position and arc length. Source: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I,
+// II.5-II.6.
 #pragma once
 
 #include "core/integrate/curve.hpp"
@@ -15,7 +16,8 @@ struct RungeKuttaStep {
     double error = 0.0; ///< estimated position error; 0 for RK4
 };
 
-/// d(position, arc)/dt; `sign` is the sign of dt, so that the arc length grows in either direction of time. `velocity(position, time)` must be defined a step beyond the domain.
+/// d(position, arc)/dt; `sign` is the sign of dt, so that the arc length grows in either direction of time.
+/// `velocity(position, time)` must be defined a step beyond the domain.
 template <class Velocity>
 glm::dvec4 slope(const Velocity& velocity, const glm::dvec4& y, double time, double sign) {
     const Vec3 v = velocity(Vec3(y), time);
@@ -35,7 +37,8 @@ inline void hermite_output(CurveStep& step,
     step.c[4] = glm::dvec4(0.0);
 }
 
-/// The stages of a Dormand-Prince 5(4) step that the solutions and their error are made of; y + dt * rate is its end.
+/// The stages of a Dormand-Prince 5(4) step that the solutions and their error are made of; y + dt * rate is
+/// its end.
 template <class State>
 struct Dopri5Stages {
     State k1, k3, k4, k5, k6, k7, rate;
@@ -60,7 +63,7 @@ dopri5_stages(const Slope& f, const State& y, double time, double dt, const Stat
     return {k1, k3, k4, k5, k6, k(1.0, rate), rate};
 }
 
-/// The difference of the fifth and fourth order solutions, over dt.
+/// Returns the difference of the fifth and fourth order solutions, over dt.
 template <class State>
 State dopri5_error(const Dopri5Stages<State>& k) {
     return 71.0 / 57600 * k.k1 - 71.0 / 16695 * k.k3 + 71.0 / 1920 * k.k4 -
@@ -96,7 +99,7 @@ dopri5_step(const Velocity& f, const glm::dvec4& y, double time, double dt, cons
     return result;
 }
 
-/// What a classic RK4 step changes y by.
+/// Returns what a classic RK4 step changes y by.
 template <class State, class Slope>
 State rk4_change(const Slope& f, const State& y, double time, double dt, const State& k1) {
     const State k2 = f(y + 0.5 * dt * k1, time + 0.5 * dt);

@@ -1,5 +1,5 @@
-// Steps along a curve through any field with a velocity: Dormand-Prince 5(4) under error control, or RK4 of one length. The field is
-// continued smoothly a step beyond the domain.
+// Steps along a curve through any field with a velocity: Dormand-Prince 5(4) under error control, or RK4 of
+// one length. The field is continued smoothly a step beyond the domain.
 #pragma once
 
 #include "core/integrate/advance_curve.hpp"
@@ -10,7 +10,7 @@
 
 namespace wakesurf::core {
 
-/// A CurveSteps. Keeps references to the field and the options.
+/// Makes Runge-Kutta steps; a CurveSteps. It keeps references to the field and the options.
 template <VelocityField Field>
 class RungeKuttaSteps {
   public:

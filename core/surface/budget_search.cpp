@@ -8,7 +8,7 @@ namespace wakesurf::core {
 
 namespace {
 
-// Of the budget.
+// The first trial may take this part of the budget.
 constexpr double first_trial = 1.0 / 24.0;
 /// Until one is counted: it is not known how much too many they are.
 constexpr double most_at_first = 1.0 / 4.0;
@@ -16,12 +16,14 @@ constexpr double last_trial = 0.33;
 constexpr double near_enough = 0.2; ///< for a law of few counts to tell the rest
 constexpr double aimed_at = 0.85;
 constexpr double enough = 0.7;
-/// What is taken for the count of a surface that was given up.
+/// A surface that was given up counts as so many times the quads at which it was.
 constexpr double count_of_given_up = 1.15;
 
-/// Of the power law: a smaller one measured is a jump of the count between two trials.
+/// The power law's exponent is at least this: a smaller one measured is a jump of the count between two
+/// trials.
 constexpr double least_exponent = 1.0;
-/// The exponent taken for it far from the budget: between that of rows alone, 1, and that of rows and columns, 2.
+/// This exponent is assumed far from the budget: it lies between that of rows alone, 1, and that of rows and
+/// columns, 2.
 constexpr double most_likely = 1.6;
 constexpr double most_growth = 6.0; ///< of quads, from one trial to the next
 constexpr double closest = 1.01;    ///< ratio of two separations between which no third is tried
@@ -60,7 +62,7 @@ std::optional<BudgetSearch::Trial> BudgetSearch::next() {
         if (too_fine_ >= coarsest_)
             return std::nullopt;
         double separation = requested_;
-        // At a quarter of them, where it grows by the square; further each time.
+        // The search stops at a quarter of them, where the count grows by the square; further each time.
         if (const double too_fine = std::max(too_fine_, too_fine_trial_); too_fine > 0.0)
             separation = std::pow(4.0, std::max(1, trials_ - 1)) * too_fine;
         else if (estimate_ > first_trial * budget)
@@ -76,7 +78,7 @@ std::optional<BudgetSearch::Trial> BudgetSearch::next() {
         near() ? aimed_at * budget : std::min(most_growth * finest_->quads, last_trial * budget);
     double separation =
         separation_of(std::max(aim, 1.3 * finest_->quads), near() ? 0.0 : most_likely);
-    // What the law says of the separation asked for, with room for what it does not know.
+    // This is what the law says of the separation asked for, with room for what it does not know.
     const double there = finest_->quads * std::pow(finest_->separation / requested_, exponent());
     if (too_fine_ == 0.0 && (separation <= requested_ * 1.05 || there < 0.5 * budget))
         return last_ = {requested_, most_};

@@ -1,5 +1,6 @@
-// How coarse a surface has to be for its quad budget: which separations are tried one after the other, from what was counted at those before.
-// Cheap trials at a small part of the budget come first, so that finding the separation costs less than the surface itself.
+// Finds how coarse a surface has to be for its quad budget: which separations are tried one after the other,
+// from what was counted at those before. Cheap trials at a small part of the budget come first, so that
+// finding the separation costs less than the surface itself.
 #pragma once
 
 #include "core/base/box.hpp"
@@ -10,13 +11,14 @@
 
 namespace wakesurf::core {
 
-/// Of what is left to do, in what is told of how far it is: a trial, or a surface that is begun again.
+/// Progress gives a trial, or a surface that is begun again, this part of what is left to do.
 inline constexpr double trial_share = 0.5;
 
-/// A value. The next trial depends on the counts alone, so the same surface always ends at the same separation.
+/// Chooses the trials; a value. The next trial depends on the counts alone, so the same surface always ends
+/// at the same separation.
 class BudgetSearch {
   public:
-    /// To be built at `separation`, and given up beyond `most` quads.
+    /// Is to be built at `separation`, and given up beyond `most` quads.
     struct Trial {
         double separation;
         std::uint64_t most;
@@ -28,10 +30,10 @@ class BudgetSearch {
     /// @param most       the quad budget, at least 1
     BudgetSearch(double requested, double coarsest, double estimate, std::uint64_t most);
 
-    /// Nothing: not even the coarsest surface fits.
+    /// Returns the next trial; nothing if not even the coarsest surface fits.
     std::optional<Trial> next();
 
-    /// What became of the last trial: so many quads. True: this surface is the one to keep.
+    /// Takes the number of quads of the last trial. Returns true if this surface is the one to keep.
     bool built(std::uint64_t quads);
 
     /// From now on the finest surface counted is good enough.
@@ -40,10 +42,11 @@ class BudgetSearch {
     /// It was given up, or would have been.
     void exceeded();
 
-    /// Coarser surfaces have been counted, and the last one is large enough to tell the separation of the next trial.
+    /// Coarser surfaces have been counted, and the last one is large enough to tell the separation of the
+    /// next trial.
     bool near() const;
 
-    /// How many trials with the whole budget were given up.
+    /// Returns how many trials with the whole budget were given up.
     int given_up() const { return given_up_; }
 
     double coarsest() const { return coarsest_; }
@@ -54,7 +57,7 @@ class BudgetSearch {
         double quads;
     };
 
-    /// Of the power law between separation and quads.
+    /// Returns the exponent of the power law between separation and quads.
     double exponent() const;
 
     /// Where that law, from the finest surface counted, has so many quads.
@@ -68,8 +71,8 @@ class BudgetSearch {
     int trials_ = 0;
     int given_up_ = 0;
     bool settled_ = false; ///< nothing better is looked for
-    double too_fine_ =
-        0.0; ///< the largest separation that was given up with the whole budget; 0: none
+    /// Is the largest separation that was given up with the whole budget; 0: none.
+    double too_fine_ = 0.0;
     double too_fine_trial_ = 0.0; ///< likewise, with less than the budget
     std::optional<Count> finest_; ///< counted, and within the budget
     std::optional<Count> before_; ///< the one counted before that
@@ -78,7 +81,7 @@ class BudgetSearch {
 /// The largest separation that a quad budget may lead to: a tenth of the domain's longest side.
 double coarsest_separation(const Box& domain);
 
-/// What is said where even that needs more quads than allowed.
+/// Returns the error of a surface that needs more quads than allowed even at the largest separation.
 tl::unexpected<Error> cannot_be_coarser(std::uint64_t max_quads, double separation);
 
 } // namespace wakesurf::core

@@ -1,5 +1,6 @@
-// How far a particle may be from where it should be, along the surface as across it, on a surface that the flow carries and deforms: in
-// coordinates in which it does not change. It decides when a vertex is traced again; what is stated is the part across the surface.
+// Bounds how far a particle may be from where it should be, along the surface as across it, on a surface that
+// the flow carries and deforms: in coordinates in which it does not change. It decides when a vertex is
+// traced again; what is stated is the part across the surface.
 #pragma once
 
 #include "core/surface/carried_error.hpp"
@@ -9,9 +10,10 @@
 
 namespace wakesurf::core {
 
-/// Errors of all directions that have come together since a particle was released. Along the surface they are an ellipse in the surface's
-/// coordinates, which takes part in what happens to the surface without being touched: an error keeps its coordinates. Through
-/// the surface they are lengths times areas, for the flow keeps volumes. Errors add up as if all had one direction.
+/// Errors of all directions that have come together since a particle was released. Along the surface they are
+/// an ellipse in the surface's coordinates, which takes part in what happens to the surface without being
+/// touched: an error keeps its coordinates. Through the surface they are lengths times areas, for the flow
+/// keeps volumes. Errors add up as if all had one direction.
 class CarriedDistance {
   public:
     /// Length that it has where the tangents are these.
@@ -20,14 +22,14 @@ class CarriedDistance {
         return det > 0.0 ? std::hypot(along(at), double(through_) / std::sqrt(det)) : along(at);
     }
 
-    /// Adds an error of any direction that arose where the tangents are these. A particle that had no tangents, since nothing moved
-    /// where it was released, has no errors.
+    /// Adds an error of any direction that arose where the tangents are these. A particle that had no
+    /// tangents, since nothing moved where it was released, has no errors.
     void add(const SurfaceTangents& at, double radius) {
         const Metric g = metric(at);
         const double det = determinant(g);
         if (!(radius > 0.0 && det > 0.0))
             return;
-        // The ellipse round all sums of one of either ellipse, of the least trace.
+        // The sum is the ellipse round all sums of one of either ellipse, of the least trace.
         const double before = along(at);
         const double added = std::sqrt(2.0) * radius;
         const double own = before > 0.0 ? 1.0 + added / before : 1.0;
@@ -37,7 +39,7 @@ class CarriedDistance {
         through_ += static_cast<float>(radius * std::sqrt(det));
     }
 
-    /// Half-way between two particles.
+    /// Returns the distance half-way between two particles.
     static CarriedDistance between(const CarriedDistance& p, const CarriedDistance& q) {
         CarriedDistance mid;
         mid.set(0.5 * (square(p.a_) + square(q.a_)),
@@ -58,7 +60,8 @@ class CarriedDistance {
         return {glm::dot(at.s, at.s), glm::dot(at.s, at.t), glm::dot(at.t, at.t)};
     }
 
-    /// Kept away from zero: where the tangents are parallel, what lies between them is not known.
+    /// Returns the determinant, kept away from zero: where the tangents are parallel, what lies between them
+    /// is not known.
     static double determinant(const Metric& g) {
         return std::max(g.ss * g.tt - g.st * g.st, 1e-8 * g.ss * g.tt);
     }
@@ -79,7 +82,8 @@ class CarriedDistance {
         c_ = static_cast<float>(std::sqrt(std::max(tt - b * b, 0.0)));
     }
 
-    /// A root of the ellipse's matrix, lower triangular: along a sheared surface the terms of the matrix itself would cancel.
+    /// Hold a root of the ellipse's matrix, lower triangular: along a sheared surface the terms of the matrix
+    /// itself would cancel.
     float a_ = 0.0f, b_ = 0.0f, c_ = 0.0f;
     float through_ = 0.0f;
 };

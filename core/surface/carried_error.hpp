@@ -1,5 +1,5 @@
-// How far a particle is from a surface that the flow carries and deforms: across it. What has slid along the surface is where the surface is,
-// and stays there.
+// Carries how far a particle is from a surface that the flow moves and deforms, across it. What has slid
+// along the surface is where the surface is, and stays there.
 #pragma once
 
 #include "core/base/vec3.hpp"
@@ -9,12 +9,12 @@
 
 namespace wakesurf::core {
 
-/// Tangents of a surface at a particle: how its place changes with the surface's two coordinates.
+/// Holds the tangents of a surface at a particle: how its place changes with the surface's two coordinates.
 struct SurfaceTangents {
     Vec3 s; ///< dx/ds
     Vec3 t; ///< dx/dt
 
-    /// How much of a vector points across the surface; all of it where the tangents do not say.
+    /// Returns how much of a vector points across the surface; all of it where the tangents do not say.
     double across(const Vec3& v) const {
         const Vec3 normal = glm::cross(s, t);
         const double length = glm::length(normal);
@@ -23,20 +23,21 @@ struct SurfaceTangents {
                    : glm::length(v);
     }
 
-    /// Of a unit of either coordinate. Kept away from zero: where the tangents are parallel, what lies between them is not known.
+    /// Returns the area of a unit of either coordinate, kept away from zero: where the tangents are parallel,
+    /// what lies between them is not known.
     double area() const {
         const Vec3 normal = glm::cross(s, t);
         const double square = glm::dot(normal, normal), sides = glm::dot(s, s) * glm::dot(t, t);
-        // That they are far from parallel can be told without their lengths, which are two roots.
+        // This tells that they are far from parallel without their lengths, which are two roots.
         return square > 1.001e-8 * sides
                    ? std::sqrt(square)
                    : std::max(std::sqrt(square), 1e-4 * glm::length(s) * glm::length(t));
     }
 };
 
-/// Errors that have come together since a particle was released, each as the volume between the surface and where the particle was put: for
-/// a unit of the surface's coordinates that is a length across times an area, and the flow keeps volumes. Errors add up as if
-/// all were on one side.
+/// Errors that have come together since a particle was released, each as the volume between the surface and
+/// where the particle was put: for a unit of the surface's coordinates that is a length across times an area,
+/// and the flow keeps volumes. Errors add up as if all were on one side.
 class CarriedError {
   public:
     /// Length across the surface that it has where the tangents are these.
@@ -45,13 +46,13 @@ class CarriedError {
     /// @param area  of the tangents there
     double across(double area) const { return volume_ > 0.0f ? double(volume_) / area : 0.0; }
 
-    /// Adds an error that arose where the tangents are these. A particle that had no tangents, since nothing moved where it was
-    /// released, has no errors.
+    /// Adds an error that arose where the tangents are these. A particle that had no tangents, since nothing
+    /// moved where it was released, has no errors.
     void add(const SurfaceTangents& at, double across) {
         volume_ += static_cast<float>(across * at.area());
     }
 
-    /// Half-way between two particles.
+    /// Returns the error half-way between two particles.
     static CarriedError between(const CarriedError& p, const CarriedError& q) {
         CarriedError mid;
         mid.volume_ = 0.5f * (p.volume_ + q.volume_);

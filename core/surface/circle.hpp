@@ -8,7 +8,7 @@
 
 namespace wakesurf::core {
 
-/// A circle, or an arc of it.
+/// Holds a circle, or an arc of it.
 struct Circle {
     Vec3 centre; ///< of the circle
     Vec3 u;      ///< radius to where it begins
@@ -20,14 +20,15 @@ struct Circle {
     /// @param turn  0..1, once round; every point at the radius but for rounding
     Vec3 at(double turn) const;
 
-    /// Change of the place a turn.
+    /// Returns the change of the place a turn, in units of length.
     Vec3 tangent(double turn) const;
 
-    /// Of the circle.
+    /// Returns the radius of the circle, in units of length.
     double radius() const { return glm::length(u); }
 };
 
-/// From which turn to which; the second is above 1 where the arc goes past the circle's beginning. {0, 1}: all of it.
+/// From which turn to which; the second is above 1 where the arc goes past the circle's beginning. {0, 1}:
+/// all of it.
 using Arc = std::array<double, 2>;
 
 /// The longest part of a circle inside a box, its ends in it as well. Nothing: no part.

@@ -26,7 +26,7 @@ bool above(double parameter, double value) {
     return parameter >= value;
 }
 
-/// Without a jump between them.
+/// Removes the jumps between the values.
 void unwrap(std::span<double> values) {
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
     if (*high - *low <= 0.5)

@@ -8,7 +8,7 @@ namespace wakesurf::core {
 
 namespace {
 
-/// Of a quad's squared diagonal: below it the quad is a line.
+/// A quad whose area is below this part of its squared diagonal is a line.
 constexpr double least_area = 1e-6;
 
 /// The first quad tells, unless the surface is a line: this is asked in every frame that plays.
@@ -22,7 +22,7 @@ bool has_area(const QuadComplex& mesh) {
     });
 }
 
-/// Where the particles come from: along the rake, and all over the patch of a time surface.
+/// Returns where the particles come from: along the rake, and all over the patch of a time surface.
 std::vector<Vec3> origins(const SurfacePlan& plan) {
     constexpr int along = 33;
     constexpr int across = 9;
@@ -46,7 +46,7 @@ Emptiness because(Emptiness::Reason reason, const char* message, const char* hin
     return {reason, message, hint};
 }
 
-/// What the places tell at which particles are released. Nothing: some are released, and move.
+/// Returns what the places tell at which particles are released; nothing if some are released, and move.
 Result<std::optional<Emptiness>> at_release(const SurfacePlan& plan, const std::stop_token& stop) {
     using Reason = Emptiness::Reason;
     const Flow& flow = *plan.flow;

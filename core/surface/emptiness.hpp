@@ -1,4 +1,5 @@
-// Why a surface shows nothing: found out afterwards, from the rake, the field there and what became of the particles.
+// Why a surface shows nothing: found out afterwards, from the rake, the field there and what became of the
+// particles.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -11,8 +12,8 @@
 
 namespace wakesurf::core {
 
-/// Nothing: there is something to see, quads with an area. Cost: one quad; where there is nothing to see, all quads and a few hundred samples.
-/// Error: what sampling reports.
+/// Returns why a surface is empty; nothing if there is something to see, quads with an area. Cost: one quad;
+/// where there is nothing to see, all quads and a few hundred samples. Error: what sampling reports.
 Result<std::optional<Emptiness>> why_empty(const SurfacePlan& plan,
                                            const QuadComplex& mesh,
                                            const SurfaceStatistics& statistics,

@@ -9,7 +9,7 @@ namespace wakesurf::core {
 
 namespace {
 
-/// What a cell tells of a parameter's gradient: by Green's theorem on its outline.
+/// Holds what a cell tells of a parameter's gradient, by Green's theorem on its outline.
 struct Slope {
     Vec3 gradient{0.0}; ///< times the area
     double area = 0.0;
@@ -38,7 +38,7 @@ Slope slope_of(const QuadComplex& mesh,
     return slope;
 }
 
-/// A cell as levels see it.
+/// Holds a cell as levels see it.
 struct CellSpan {
     double low, high; ///< of the parameter, beside each other also across the seam of a closed rake
     double unit;      ///< the longest at a corner
@@ -64,8 +64,8 @@ std::vector<CellSpan> spans_of(const QuadComplex& mesh,
 }
 
 struct CoarsestLevel {
-    double
-        power; ///< the largest power of two that has a multiple between low and high, apart from 0
+    /// Is the largest power of two that has a multiple between low and high, apart from 0.
+    double power;
     double value; ///< 0 if that is between them, else that multiple
 };
 
@@ -171,8 +171,8 @@ Result<std::vector<EvenLevel>> even_levels(const QuadComplex& mesh,
     if (wraps)
         levels.push_back({1.0, 2.0 * near});
     const std::vector<CellSpan> spans = spans_of(mesh, parameter, unit, wraps);
-    // Half as far apart each time, and only values that a cell has where units are long enough: beside a stagnation line the parameter
-    // is a thousand times denser than elsewhere.
+    // Half as far apart each time, and only values that a cell has where units are long enough: beside a
+    // stagnation line the parameter is a thousand times denser than elsewhere.
     constexpr int finest = 40;
     double apart = coarsest->value == 0.0 ? coarsest->power : 0.5 * coarsest->power;
     bool more = true;

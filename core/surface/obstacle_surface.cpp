@@ -12,15 +12,16 @@ namespace {
 
 using Index = std::array<std::uint32_t, 3>;
 
-/// Node coordinates on each axis, whatever the grid.
+/// Holds node coordinates on each axis, whatever the grid.
 using Axes = std::array<std::vector<double>, 3>;
 
-/// Corners of the nodes' boxes: corner c of an axis lies midway between nodes c - 1 and c, clamped to the domain.
+/// Numbers the corners of the nodes' boxes: corner c of an axis lies midway between nodes c - 1 and c,
+/// clamped to the domain.
 class Wall {
   public:
     explicit Wall(const Axes& axes) : axes_(axes) {}
 
-    /// The face of `node` towards the next node along `axis`, or towards the one before it.
+    /// Adds the face of `node` towards the next node along `axis`, or towards the one before it.
     void add_face(const Index& node, int axis, bool towards_next, bool fluid_above) {
         const int u = (axis + 1) % 3;
         const int v = (axis + 2) % 3;
@@ -74,12 +75,13 @@ Axes axes_of(const UniformGrid& grid) {
     return axes;
 }
 
-/// Nodes of a row, from the first to before the last.
+/// Names nodes of a row, from the first to before the last.
 struct Part {
     std::uint32_t from, to;
 };
 
-/// Parts of the rows through bricks in which a wall may be, in x; all of them for a mask in one piece. `j` and `k` are the rows' places.
+/// Parts of the rows through bricks in which a wall may be, in x; all of them for a mask in one piece. `j`
+/// and `k` are the rows' places.
 std::vector<Part> parts_with_walls(const SolidMask& mask,
                                    const std::array<std::size_t, 3>& n,
                                    std::size_t j,

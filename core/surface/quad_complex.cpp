@@ -33,7 +33,8 @@ bool repeats(const CellPolygon& outline) {
     return false;
 }
 
-/// Two vertices on one point of the parameter rectangle would be a crack; 1e-12 of the range counts as one point.
+/// Two vertices on one point of the parameter rectangle would be a crack; 1e-12 of the range counts as one
+/// point.
 std::string first_twin(const QuadComplex& mesh) {
     std::vector<VertexId> order(mesh.vertices());
     std::iota(order.begin(), order.end(), 0u);
@@ -88,8 +89,8 @@ Cell mirror(const Cell& cell) {
 }
 
 void label_components(QuadComplex& complex) {
-    // Union-find over the vertices of each cell; parts meet only where cells share vertices. No vertex comes
-    // before its parent.
+    // This is union-find over the vertices of each cell; parts meet only where cells share vertices. No
+    // vertex comes before its parent.
     std::vector<VertexId>& parent = complex.component;
     parent.resize(complex.vertices());
     std::iota(parent.begin(), parent.end(), 0u);

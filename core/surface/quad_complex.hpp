@@ -18,18 +18,18 @@ namespace wakesurf::core {
 using VertexId = std::uint32_t;
 inline constexpr VertexId no_vertex = 0xffffffffu;
 
-/// Corners run counter-clockwise round the cell: (s-, t young), (s+, young), (s+, old), (s-, old).
-/// mid[i] hangs on the side from corner[i] to corner[(i + 1) % 4], or is no_vertex.
+/// Holds a quad. Corners run counter-clockwise round the cell: (s-, t young), (s+, young), (s+, old), (s-,
+/// old). mid[i] hangs on the side from corner[i] to corner[(i + 1) % 4], or is no_vertex.
 struct Cell {
-    /// The four corners.
+    /// Holds the four corners.
     std::array<VertexId, 4> corner{no_vertex, no_vertex, no_vertex, no_vertex};
-    /// The node that hangs on each side, if any.
+    /// Holds the node that hangs on each side, if any.
     std::array<VertexId, 4> mid{no_vertex, no_vertex, no_vertex, no_vertex};
 
     bool operator==(const Cell&) const = default;
 };
 
-/// A cell's outline: 4 to 8 vertices, corners and mid nodes in order.
+/// Holds a cell's outline: 4 to 8 vertices, corners and mid nodes in order.
 struct CellPolygon {
     std::array<VertexId, 8> vertex; ///< the first `count` count
     std::uint32_t count = 0;        ///< 4 to 8
@@ -37,7 +37,7 @@ struct CellPolygon {
 
 CellPolygon polygon(const Cell& cell);
 
-/// The same cell, facing the other way: its first side keeps its place and is run through backward.
+/// Returns the cell facing the other way: its first side keeps its place and is run through backward.
 Cell mirror(const Cell& cell);
 
 /// Structure of arrays; every vertex array has one entry a vertex.
@@ -49,35 +49,36 @@ struct QuadComplex {
     std::vector<float> deformation; ///< log2 of area now / area at birth; empty when not asked for
     std::vector<std::uint32_t> component;   ///< which connected part it is in, the largest is 0
     std::vector<std::uint8_t> approximated; ///< 1: interpolated, not traced from the rake
-    /// Length: how far the vertex may be from the true surface, across it, as estimated; empty: of a mesh that no builder has made
+    /// Holds the estimated distance of the vertex from the true surface, across it, a length; empty for a
+    /// mesh that no builder has made.
     std::vector<float> error;
     std::vector<SurfaceTangents> tangents; ///< dx/ds and dx/dt; empty when not asked for
-    std::vector<Vec3f>
-        normal; ///< of length 1, or 0 where there is none; empty: as the cells beside say
+    /// Has length 1, or 0 where there is none; empty: as the cells beside say.
+    std::vector<Vec3f> normal;
     std::vector<Cell> cells; ///< quads, with their hanging nodes
 
-    /// Number of vertices.
+    /// Returns the number of vertices.
     std::size_t vertices() const { return position.size(); }
 
-    /// Magnitude of a vertex's velocity.
+    /// Returns the magnitude of a vertex's velocity.
     double speed(VertexId v) const { return glm::length(glm::dvec3(velocity[v])); }
 
-    /// The invariants a watertight oriented surface must keep: ids in range, no repeated vertex in a cell, every
-    /// directed edge once, no two vertices at one (s, t). Returns the first violation, or an empty string.
-    /// Cost: O(cells + vertices log vertices).
+    /// The invariants a watertight oriented surface must keep: ids in range, no repeated vertex in a cell,
+    /// every directed edge once, no two vertices at one (s, t). Returns the first violation, or an empty
+    /// string. Cost: O(cells + vertices log vertices).
     std::string validate() const;
 };
 
 /// Numbers the edge-connected parts of the surface, largest first, into `component`.
 void label_components(QuadComplex& complex);
 
-/// Bytes of all arrays.
+/// Returns the bytes of all arrays.
 std::size_t memory_of(const QuadComplex& complex);
 
-/// What is said of the estimated errors of a surface's vertices.
+/// Sums up the estimated errors of a surface's vertices.
 struct StatedError {
-    double error99 =
-        0.0; ///< length: 99 % of the vertices that are not uncertain have no larger one
+    /// Is a length: 99 % of the vertices that are not uncertain have no larger error.
+    double error99 = 0.0;
     std::uint64_t uncertain = 0; ///< vertices whose error exceeds the separation
 
     bool operator==(const StatedError&) const = default;
@@ -86,7 +87,7 @@ struct StatedError {
 /// Nothing where no errors are estimated.
 std::optional<StatedError> stated_error(const QuadComplex& complex, double separation);
 
-/// Longest sub-edge (sides cut at their mid nodes).
+/// Returns the length of the longest sub-edge (sides cut at their mid nodes).
 double longest_edge(const QuadComplex& complex);
 
 } // namespace wakesurf::core

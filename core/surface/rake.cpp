@@ -16,7 +16,8 @@ Circle circle_of(const Rake& rake) {
     return {rake.points[0], rake.points[1], rake.points[2]};
 }
 
-/// Part of a segment inside a box as parameters in 0..1 (Liang and Barsky 1984); empty when lo > hi.
+/// Returns the part of a segment inside a box as parameters in 0..1 (Liang and Barsky 1984); empty when lo >
+/// hi.
 std::array<double, 2> inside_part(const Vec3& a, const Vec3& b, const Box& box) {
     double lo = 0.0;
     double hi = 1.0;
@@ -100,7 +101,7 @@ Result<ClippedRake> clip_rake(const Rake& asked, const Box& domain) {
         }
         if (lo > 0.0)
             finish_run();
-        // Of a segment that only grazes a corner both ends may round to one point, which is no segment.
+        // Both ends of a segment that only grazes a corner may round to one point, which is no segment.
         const auto add = [&](double at) {
             const Vec3 p = glm::clamp(glm::mix(a, b, at), domain.lo, domain.hi);
             if (run.empty() || glm::length(p - run.back()) > 0.0)

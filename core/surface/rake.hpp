@@ -14,11 +14,11 @@ namespace wakesurf::core {
 
 /// Where particles are released.
 struct Rake {
-    /// What its points mean.
+    /// Says what its points mean.
     enum class Kind { Line, Polyline, Circle, Points };
     Kind kind = Kind::Line; ///< what `points` mean
-    std::vector<Vec3>
-        points; ///< line: 2; polyline: 2 or more; circle: centre and two points of the rim
+    /// Holds 2 points of a line, 2 or more of a polyline, the centre and two points of the rim of a circle.
+    std::vector<Vec3> points;
     std::uint32_t seeds = 32; ///< how many it begins with, at least 2
     Arc arc{0.0, 1.0}; ///< circle: the part of it that releases, all of it unless clip_rake cut it
 
@@ -28,37 +28,38 @@ struct Rake {
     bool operator==(const Rake&) const = default;
 };
 
-/// The part of a rake inside a domain.
+/// Holds the part of a rake inside a domain.
 struct ClippedRake {
     Rake rake;            ///< that part
     bool clipped = false; ///< part of the rake was outside and has been cut away
 };
 
-/// Keeps the part of a rake inside the domain: the longest, if there are several. Of a circle that is an arc of the same circle,
-/// whatever arc of it the rake had. Error: InvalidArgument (too few or coinciding points, non-finite
-/// coordinates, fewer than 2 seeds), OutOfDomain with the distance when nothing is inside.
+/// Keeps the part of a rake inside the domain: the longest, if there are several. Of a circle that is an arc
+/// of the same circle, whatever arc of it the rake had. Error: InvalidArgument (too few or coinciding points,
+/// non-finite coordinates, fewer than 2 seeds), OutOfDomain with the distance when nothing is inside.
 Result<ClippedRake> clip_rake(const Rake& rake, const Box& domain);
 
-/// The seeding curve c(s), s in 0..1 by arc length.
+/// Holds the seeding curve c(s), s in 0..1 by arc length.
 class SeedingCurve {
   public:
-    /// None yet.
+    /// Makes no curve yet.
     SeedingCurve() = default;
-    /// REQUIRES: a rake that clip_rake returns.
+    /// Makes the curve of a rake. REQUIRES: a rake that clip_rake returns.
     explicit SeedingCurve(const Rake& rake);
-    /// The place there.
+    /// Returns the place there.
     Vec3 at(double s) const;
 
-    /// dc/ds; constant on each straight piece.
+    /// Returns dc/ds, which is constant on each straight piece.
     Vec3 tangent(double s) const;
 
     /// A whole circle returns to its start.
     bool closed() const { return round_ && part_ == Arc{0.0, 1.0}; }
 
-    /// In the dataset's length unit.
+    /// Returns the length in the dataset's length unit.
     double length() const { return round_ ? round_length_ : arc_.back(); }
 
-    /// Seed parameters, between 0 and 1, where the curve turns sharply; a circle, and an arc of one, has none.
+    /// Seed parameters, between 0 and 1, where the curve turns sharply; a circle, and an arc of one, has
+    /// none.
     std::vector<double> corners() const;
 
   private:
@@ -73,16 +74,16 @@ class SeedingCurve {
     double round_length_ = 0.0;
 };
 
-/// Into how many intervals seeds part a seeding curve of `length`: no longer than `separation`, and as many as the rake asks for.
-/// Where the quad budget has raised the separation above the one `requested`, the rake's seeds give way: they are no closer than a
-/// quarter of it.
+/// Returns into how many intervals seeds part a seeding curve of `length`: no longer than `separation`, and
+/// as many as the rake asks for. Where the quad budget has raised the separation above the one `requested`,
+/// the rake's seeds give way: they are no closer than a quarter of it.
 double seed_intervals(const Rake& rake, double length, double separation, double requested);
 
-/// The same of a surface whose grid stays as it is: what the rake asks for, however far apart.
+/// Returns the intervals of a surface whose grid stays as it is: what the rake asks for, however far apart.
 double grid_intervals(const Rake& rake, double length, double separation, double requested);
 
-/// Seed parameters from 0 to below 1: about `intervals` even steps, and every corner (ascending) a seed, so that the surface
-/// starts at the rake's own shape.
+/// Returns seed parameters from 0 to below 1: about `intervals` even steps, and every corner (ascending) a
+/// seed, so that the surface starts at the rake's own shape.
 std::vector<double> seed_parameters(const std::vector<double>& corners, double intervals);
 
 } // namespace wakesurf::core

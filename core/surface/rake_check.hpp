@@ -1,4 +1,5 @@
-// What every rake has to be, wherever its surfaces may lie: the one check of rakes that are asked for, kept or read from a file.
+// Checks what every rake has to be, wherever its surfaces may lie: the one check of rakes that are asked for,
+// kept or read from a file.
 #pragma once
 
 #include "core/base/result.hpp"

@@ -8,7 +8,7 @@
 
 namespace wakesurf::core {
 
-/// What build_surface returns.
+/// Holds what build_surface returns.
 struct Surface {
     QuadComplex mesh;             ///< the surface itself
     SurfaceStatistics statistics; ///< what it took and gave

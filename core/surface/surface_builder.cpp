@@ -20,10 +20,10 @@ namespace wakesurf::core {
 
 namespace {
 
-/// Quads of strips for one of the mesh that they become: neighbours that are small are joined in it.
+/// A quad of the mesh comes from at most so many quads of strips: neighbours that are small are joined in it.
 constexpr std::uint64_t most_before_joining = 2;
-constexpr std::size_t mesh_bytes =
-    300; ///< a quad, while its vertices and what they carry are put together
+/// A quad takes so many bytes while its vertices and what they carry are put together.
+constexpr std::size_t mesh_bytes = 300;
 
 std::set<double> first_seeds(const SeedingCurve& seeding, double intervals) {
     const auto even = seed_parameters(seeding.corners(), intervals);
@@ -40,8 +40,8 @@ std::uint64_t quads_of(const std::vector<Sheet>& sheets) {
     return quads;
 }
 
-/// One sheet per direction over the same seeds; a direction that cuts the rake makes the other follow. Nothing: they have more
-/// than `most` quads together.
+/// One sheet per direction over the same seeds; a direction that cuts the rake makes the other follow.
+/// Nothing: they have more than `most` quads together.
 Result<std::optional<std::vector<Sheet>>> build_sheets(const SurfacePlan& plan,
                                                        const std::vector<SheetOptions>& directions,
                                                        std::set<double> seeds,
@@ -69,14 +69,14 @@ Result<std::optional<std::vector<Sheet>>> build_sheets(const SurfacePlan& plan,
     return sheets;
 }
 
-/// A surface without what its vertices carry.
+/// Holds a surface without what its vertices carry.
 struct Bare {
     SheetMesh mesh;
     SurfaceStatistics statistics;
 };
 
-/// Quads of a sheet swept by the rake as far as 17 of its curves reach, where nothing diverges: keeps a request for millions of
-/// columns from being traced at all.
+/// Returns the quads of a sheet swept by the rake as far as 17 of its curves reach, where nothing diverges.
+/// This keeps a request for millions of columns from being traced at all.
 Result<double> undiverged_quads(const SurfacePlan& plan,
                                 const std::vector<SheetOptions>& directions,
                                 const std::stop_token& stop) {
@@ -207,7 +207,7 @@ Result<Surface> build_whole(const SurfacePlan& plan,
     const auto start = clock.now();
     if (parameters.kind == SurfaceKind::Streak || parameters.kind == SurfaceKind::Time)
         return build_moving_surface(plan, stop, clock, work);
-    // What its vertices carry takes about as long as the sheets.
+    // Sampling what its vertices carry takes about as long as the sheets.
     const auto build = parameters.refine == Refine::On ? build_within_budget : build_fixed;
     auto built = build(plan, clock, stop, work.part(0, 2));
     if (!built)

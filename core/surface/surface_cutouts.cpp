@@ -24,7 +24,7 @@ struct HalfPlane {
     double at(const Corner& corner) const { return c0 + ca * corner.a + cb * corner.b; }
 };
 
-/// Sutherland and Hodgman 1974.
+/// Cuts a piece by a half plane: Sutherland and Hodgman 1974.
 Piece cut(const Piece& piece, const HalfPlane& keep) {
     Piece out;
     for (std::size_t i = 0; i < piece.size(); ++i) {
@@ -88,7 +88,7 @@ class CellsByPlace {
         }
     }
 
-    /// Ascending, each once.
+    /// Returns the cells near a point, ascending, each once.
     std::vector<std::size_t> near(const Vec3& p, double reach) const {
         std::vector<std::size_t> found;
         visit(p - reach, p + reach, [&](const Key& key) {
@@ -116,7 +116,7 @@ class CellsByPlace {
     std::map<Key, std::vector<std::size_t>> cells_;
 };
 
-/// Of boxes that few cells share and no cell is in thousands of.
+/// Returns the size of boxes that few cells share, such that no cell is in thousands of them.
 double box_size(const QuadComplex& mesh) {
     double sum = 0.0;
     double largest = 0.0;
@@ -140,7 +140,7 @@ struct Anchor {
 
 constexpr double arrow_length = 3.0; ///< widths
 
-/// One arrow's two parts in a: across, b: along, in widths; both convex.
+/// An arrow has two parts, in a: across, b: along, in widths; both convex.
 constexpr HalfPlane shaft[]{
     {1.0 / 6.0, 1.0, 0.0}, {1.0 / 6.0, -1.0, 0.0}, {0.0, 0.0, 1.0}, {2.0, 0.0, -1.0}};
 constexpr HalfPlane head[]{{-2.0, 0.0, 1.0}, {1.5, 1.0, -0.5}, {1.5, -1.0, -0.5}};
@@ -211,7 +211,7 @@ Result<Cutouts> ribbons(const QuadComplex& mesh,
 
 namespace {
 
-/// What the surface is like round an anchor: at the vertex that is nearest.
+/// Says what the surface is like round an anchor: at the vertex that is nearest.
 struct Surroundings {
     Vec3 flow{0.0}, normal{0.0};
     double t = 0.0, unit_of_t = 0.0;
@@ -307,7 +307,8 @@ Result<Cutouts> arrows(const QuadComplex& mesh,
                 area += add(out, piece, shaft, line.value);
                 area += add(out, std::move(piece), head, line.value);
             }
-            // One that reaches over a border is left out. In the surface none is smaller than flat, whichever way that bends.
+            // One that reaches over a border is left out. In the surface none is smaller than flat, whichever
+            // way that bends.
             if (!options.along_lines && area < (1.0 - 1e-5) * arrow_area)
                 take_back(out, before);
         }

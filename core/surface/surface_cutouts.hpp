@@ -1,5 +1,6 @@
-// Pieces cut out of a surface: ribbons along lines of one of its parameters, and arrows along the flow. Their polygons are parts of the mesh's
-// own cells, so they lie in it. By-products as in McLoughlin, Laramee, Zhang, Easy Integral Surfaces, CGI 2009.
+// Pieces cut out of a surface: ribbons along lines of one of its parameters, and arrows along the flow. Their
+// polygons are parts of the mesh's own cells, so they lie in it. By-products as in McLoughlin, Laramee,
+// Zhang, Easy Integral Surfaces, CGI 2009.
 #pragma once
 
 #include "core/surface/even_lines.hpp"
@@ -21,11 +22,13 @@ struct Cutouts {
     };
 };
 
-/// Polygons of ribbons, each a part of one cell, and arrows: more are an error, OverLimit, before there is no memory for them.
+/// Limits the polygons of ribbons, each a part of one cell, and arrows: more are an error, OverLimit, before
+/// there is no memory for them.
 inline constexpr std::size_t most_cutouts = 2'000'000;
 inline constexpr std::size_t most_arrows = 100'000;
 
-/// The parts of the surface within half of `width` of the lines of `levels`, measured on the surface, where those are.
+/// The parts of the surface within half of `width` of the lines of `levels`, measured on the surface, where
+/// those are.
 /// @param unit  lengths_per_unit of the parameter. Cost: O(levels times cells).
 Result<Cutouts> ribbons(const QuadComplex& mesh,
                         std::span<const double> parameter,
@@ -35,14 +38,14 @@ Result<Cutouts> ribbons(const QuadComplex& mesh,
                         bool wraps);
 
 struct ArrowOptions {
-    /// The lines are the flow's, as those of mesh.s on stream and path surfaces: arrows bend with them. Else each points the way of the velocity
-    /// in the surface, its middle on the line.
+    /// The lines are the flow's, as those of mesh.s on stream and path surfaces: arrows bend with them. Else
+    /// each points the way of the velocity in the surface, its middle on the line.
     bool along_lines = true;
     bool wraps = false;
 };
 
-/// Arrows, `spacing` from one to the next along a line and between lines; a head as long and as wide as `width`, behind it a shaft of a third of
-/// that and twice as long.
+/// Cuts out arrows, `spacing` from one to the next along a line and between lines; a head is as long and as
+/// wide as `width`, behind it is a shaft of a third of that and twice as long.
 /// @param lines  of mesh.s, as even_lines returns them
 Result<Cutouts> arrows(const QuadComplex& mesh,
                        std::span<const ContourLine> lines,

@@ -1,4 +1,4 @@
-// What a surface is asked to be: the parameters of `wakesurf surface` and `surface.set`.
+// Says what a surface is asked to be: the parameters of `wakesurf surface` and `surface.set`.
 #pragma once
 
 #include "core/surface/rake.hpp"
@@ -13,53 +13,53 @@ enum class SurfaceKind { Stream, Path, Streak, Time, Level };
 enum class Direction { Forward, Backward, Both };
 enum class Accuracy { Fast, Balanced, Exact };
 
-/// Of stored velocity between nodes and time-steps. Linear: what the shape functions of a cell give, linear
-/// in time, as ParaView shows it; every grid has it. Smooth: cubic in space and time, of a uniform grid.
-/// Closed forms are not interpolated.
+/// Says how stored velocity is interpolated between nodes and time-steps. Linear: what the shape functions of
+/// a cell give, linear in time, as ParaView shows it; every grid has it. Smooth: cubic in space and time, of
+/// a uniform grid. Closed forms are not interpolated.
 enum class Interpolation { Linear, Smooth };
 
-/// On: quads are cut, joined and reconnected, and torn at obstacles, so that the mesh follows the surface.
-/// Off: the grid that the rake begins with stays as it is, as in von Funck, Weinkauf, Theisel, Seidel, Smoke
-/// Surfaces, 2008; quads with a particle that has ended are left out.
+/// Says whether the mesh follows the surface. On: quads are cut, joined and reconnected, and torn at
+/// obstacles. Off: the grid that the rake begins with stays as it is, as in von Funck, Weinkauf, Theisel,
+/// Seidel, Smoke Surfaces, 2008; quads with a particle that has ended are left out.
 enum class Refine { On, Off };
 
 /// A request for a surface, as it was made.
 struct SurfaceParameters {
     SurfaceKind kind = SurfaceKind::Stream; ///< which of the kinds
-    double from =
-        0.0; ///< where it starts. Stream: time at which the field is frozen; else: the (first) release
-    /// where it ends: before `from` where time runs backward. Stream: `to - from` is the integration time,
-    /// and `to` need not lie in the data; else: shown until
-    /// Level: a steady field has one time, `from`.
+    /// Is the time where it starts. Stream: time at which the field is frozen; else: the (first) release.
+    double from = 0.0;
+    /// Is the time where it ends: before `from` where time runs backward. Stream: `to - from` is the
+    /// integration time, and `to` need not lie in the data; else: shown until Level: a steady field has one
+    /// time, `from`.
     double to = 1.0;
-    std::optional<Direction>
-        direction{}; ///< nothing: as `from` and `to` say (direction_of); what contradicts them is refused
-    double separation =
-        0.0; ///< longest edge allowed, in the dataset's length unit; 0: DatasetInfo::finest_spacing
-    Accuracy accuracy =
-        Accuracy::Balanced; ///< of tracing and inserting, in the field as interpolated
+    /// Is empty where `from` and `to` say it (direction_of); what contradicts them is refused.
+    std::optional<Direction> direction{};
+    /// Is the longest edge allowed, in the dataset's length unit; 0: DatasetInfo::finest_spacing.
+    double separation = 0.0;
+    /// Is the accuracy of tracing and inserting, in the field as interpolated.
+    Accuracy accuracy = Accuracy::Balanced;
     Interpolation interpolation = Interpolation::Linear; ///< of stored velocity
-    double merge =
-        0.35; ///< cells merge where both of their sides are shorter than this part of the separation; 0: never
-    /// degrees: neighbouring cells that meet at more are refined, along the flow and across, those of stream
-    /// and path surfaces down to an eighth of the separation; 180: never
+    /// Lets cells merge where both of their sides are shorter than this part of the separation; 0: never.
+    double merge = 0.35;
+    /// Limits the angle between neighbouring cells, in degrees: cells that meet at more are refined, along
+    /// the flow and across, those of stream and path surfaces down to an eighth of the separation; 180:
+    /// never.
     double angle = 20.0;
-    /// part of the largest speed: a particle that is slower counts as at rest and ends, in all four kinds of
-    /// surface. While the fastest crosses the domain, one of a millionth of its speed moves a fifteenth of a
-    /// step of the 2^16 a side on which positions travel: ending it cannot be seen. 0: only what does not
-    /// move at all
+    /// Is a part of the largest speed: a particle that is slower counts as at rest and ends, in all four
+    /// kinds of surface. 0: only what does not move at all. Default: such a particle moves 1/15 of a lattice
+    /// step (domain / 65,536) while the fastest crosses the domain, which cannot be seen.
     double stagnation_speed = 1e-6;
-    Refine refine =
-        Refine::On; ///< off: `merge`, `angle` and `separation` across the flow count for nothing
+    /// With Off, `merge`, `angle` and `separation` across the flow count for nothing.
+    Refine refine = Refine::On;
     std::uint64_t max_quads = 1'000'000; ///< the separation gives way where more would be needed
-    bool deformation =
-        false; ///< compute the deformation array: that of stream and path surfaces takes time
-    bool tangents =
-        false; ///< keep dx/ds and dx/dt of each vertex, which takes the same time: what patches/ needs
-    std::optional<double>
-        release_until{}; ///< streak: the release stops here (a streak sheet); default: `to`
-    std::optional<double>
-        life{}; ///< path, streak, time: a particle ends at this age; default: it lives to the end
+    /// Computes the deformation array: that of stream and path surfaces takes time.
+    bool deformation = false;
+    /// Keeps dx/ds and dx/dt of each vertex, which takes the same time: what patches/ needs.
+    bool tangents = false;
+    /// Ends the release of a streak surface (a streak sheet); default: `to`.
+    std::optional<double> release_until{};
+    /// Ends a particle of a path, streak or time surface at this age; default: it lives to the end.
+    std::optional<double> life{};
     std::optional<Rake> rake2{}; ///< time: the patch lies between the rake and this one
     std::optional<Vec3> sweep{}; ///< time: the patch is the rake swept along this vector
 

@@ -1,4 +1,4 @@
-// What building a surface took and gave: the shape of `--stats` and `surface.stats`.
+// Says what building a surface took and gave: the shape of `--stats` and `surface.stats`.
 #pragma once
 
 #include "core/integrate/curve.hpp"
@@ -14,7 +14,7 @@ namespace wakesurf::core {
 
 /// Why there is nothing to see of a surface, in words for people.
 struct Emptiness {
-    /// What a program decides by.
+    /// Names the reason by which a program decides.
     enum class Reason {
         InBody,
         OutsideCells,
@@ -56,7 +56,7 @@ struct SurfaceStatistics {
         }
     };
 
-    /// By the clock, in seconds.
+    /// Holds times by the clock, in seconds.
     struct Seconds {
         double load = 0;   ///< waiting for time-steps
         double advect = 0; ///< carrying particles
@@ -72,7 +72,7 @@ struct SurfaceStatistics {
     std::uint64_t vertex_steps = 0;         ///< integrator steps of all columns
     std::uint64_t approximated = 0;         ///< vertices that are interpolated
     Terminated terminated;                  ///< what ended its particles
-    /// Of a level surface: the values of its field at that time.
+    /// Holds, for a level surface, the range of its field at that time.
     std::optional<std::array<double, 2>> field_range{};
     /// Cells of a streak or time surface that were deleted amid living particles, until then: these went
     /// apart, or came together, so much that no cells between them can follow.
@@ -82,7 +82,8 @@ struct SurfaceStatistics {
     double requested_separation = 0;    ///< the one asked for
     Seconds seconds;                    ///< what it took
     std::optional<StatedError> error{}; ///< nothing: none was estimated
-    /// Of a path surface of both directions: where the data begin, if that cuts its backward side short.
+    /// Holds, for a path surface of both directions, the time at which the data begin, if that cuts its
+    /// backward side short.
     std::optional<double> data_end{};
 
     /// The quad budget did not allow the separation asked for.

@@ -1,6 +1,6 @@
-// One meaning for `from`, `to` and `direction`, in the command line, the API and here: a surface starts at `from` and ends at `to`; where
-// `to` is the earlier one, time runs backward. Stream and path surfaces may also go both ways: to `to`, which is the later end, and as
-// long before `from`.
+// One meaning for `from`, `to` and `direction`, in the command line, the API and here: a surface starts at
+// `from` and ends at `to`; where `to` is the earlier one, time runs backward. Stream and path surfaces may
+// also go both ways: to `to`, which is the later end, and as long before `from`.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -13,29 +13,34 @@
 
 namespace wakesurf::core {
 
-/// As people write it, to 12 digits: enough for seconds since 1970 with their milliseconds.
+/// Returns the time as people write it, to 12 digits: enough for seconds since 1970 with their milliseconds.
 std::string time_text(double time);
 
-/// Whether a time comes after `first` on the way to `last`, which may be the earlier one, and not beyond it.
+/// Returns whether a time comes after `first` on the way to `last`, which may be the earlier one, and not
+/// beyond it.
 bool between(double time, double first, double last);
 
-/// 1, or -1 where time runs backward. A surface of both directions is shown at the times of its forward side.
+/// Returns 1, or -1 where time runs backward. A surface of both directions is shown at the times of its
+/// forward side.
 double time_sign(const SurfaceParameters& parameters);
 
-/// From `from` to `to`, never negative.
+/// Returns the time from `from` to `to`, never negative.
 double time_span(const SurfaceParameters& parameters);
 
-/// The direction asked for, or what `from` and `to` say.
+/// Returns the direction asked for, or what `from` and `to` say.
 Direction direction_of(const SurfaceParameters& parameters);
 
-/// Whether `from`, `to` and `direction` go together. Error: InvalidArgument, whose hint has the right spelling.
+/// Checks that `from`, `to` and `direction` go together. Error: InvalidArgument, whose hint has the right
+/// spelling.
 Result<void> check_direction(const SurfaceParameters& parameters);
 
-/// How long particles are followed, negative backward, on each side that there is. The backward side of a path surface of both
-/// directions ends where the data begin, and is left out where they begin at `from`.
+/// Returns how long particles are followed, negative backward, on each side that there is. The backward side
+/// of a path surface of both directions ends where the data begin, and is left out where they begin at
+/// `from`.
 std::vector<double> side_durations(const Flow& flow, const SurfaceParameters& parameters);
 
-/// Of a path surface of both directions: where the data begin, if that cuts its backward side short.
+/// Returns, for a path surface of both directions, the time at which the data begin, if that cuts its
+/// backward side short.
 std::optional<double> data_end(const Flow& flow, const SurfaceParameters& parameters);
 
 } // namespace wakesurf::core

@@ -1,5 +1,5 @@
-// What the values at the vertices of a surface range over, for colours: without the last per cent of its area, which beside walls and
-// at singular places has values many times as large as all the rest.
+// Computes what the values at the vertices of a surface range over, for colours: without the last per cent of
+// its area, which beside walls and at singular places has values many times as large as all the rest.
 #pragma once
 
 #include "core/surface/quad_complex.hpp"
@@ -20,9 +20,9 @@ struct ValueRange {
 /// A quarter of the area of each cell round a vertex that has it as a corner.
 std::vector<float> vertex_areas(const QuadComplex& complex);
 
-/// At the upper end the last per cent is left out, and at the lower end where there are values below zero: each only where it would take
-/// more than a fifth of the range. Of many vertices a part is looked at, the same each time; `least` and `greatest` are of all.
-/// Nothing where no value is finite.
+/// At the upper end the last per cent is left out, and at the lower end where there are values below zero:
+/// each only where it would take more than a fifth of the range. Of many vertices a part is looked at, the
+/// same each time; `least` and `greatest` are of all. Nothing where no value is finite.
 /// @param areas  one a value; without any, or where they are all 0, each vertex counts the same
 std::optional<ValueRange> value_range(std::span<const double> values, std::span<const float> areas);
 

@@ -1,4 +1,5 @@
-// What is known at every vertex besides its place: velocity, and how much the surface has been stretched.
+// Computes what is known at every vertex besides its place: velocity, and how much the surface has been
+// stretched.
 #pragma once
 
 #include "core/surface/columns/sheet_mesh.hpp"
@@ -12,30 +13,31 @@
 
 namespace wakesurf::core {
 
-/// What the engine knows of every vertex besides its place and velocity, by the names that files and frames have for it.
+/// Name what the engine knows of every vertex besides its place and velocity, as files and frames do.
 inline constexpr std::string_view deformation_name = "deformation";
 inline constexpr std::string_view approximated_name = "approximated";
 inline constexpr std::string_view error_name = "error";
-/// Components of the velocity, along x, y and z.
+/// Name the components of the velocity, along x, y and z.
 inline constexpr std::array<std::string_view, 3> velocity_component_names{
     "velocity_x", "velocity_y", "velocity_z"};
 
-/// Components of the surface's normal, of length 1.
+/// Name the components of the surface's normal, of length 1.
 inline constexpr std::array<std::string_view, 3> normal_component_names{"normal_x", "normal_y",
                                                                         "normal_z"};
 
-/// A component of the velocity or of the normal, by one of the names above: one number a vertex, NaN where there is no normal. Nothing for other
-/// names. Normals are those of the mesh, or else of its tangents. Cost: O(vertices).
+/// Returns a component of the velocity or of the normal, by one of the names above: one number a vertex, NaN
+/// where there is no normal; nothing for other names. Normals are those of the mesh, or else of its tangents.
+/// Cost: O(vertices).
 std::optional<std::vector<float>> vertex_component(const QuadComplex& mesh, std::string_view name);
 
-/// Whether it is such a name.
+/// Returns whether it is such a name.
 bool is_vertex_component(std::string_view name);
 
-/// Whether it is such a name and needs tangents.
+/// Returns whether it is such a name and needs tangents.
 bool is_normal_component(std::string_view name);
 
-/// Fills velocity, and tangents and deformation when asked for: log2 of the area element |dx/ds x v| over what it was at release.
-/// Error: what sampling reports. Cost: one sample a vertex, two with deformation.
+/// Fills velocity, and tangents and deformation when asked for: log2 of the area element |dx/ds x v| over
+/// what it was at release. Error: what sampling reports. Cost: one sample a vertex, two with deformation.
 Result<void> add_attributes(SheetMesh& mesh, const SurfacePlan& plan, std::stop_token stop);
 
 } // namespace wakesurf::core

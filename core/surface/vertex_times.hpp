@@ -8,7 +8,8 @@
 
 namespace wakesurf::core {
 
-/// One time a vertex: the frozen time of a stream surface, release plus t on a path surface, the time a streak or time surface is shown at.
+/// Returns one time a vertex: the frozen time of a stream surface, release plus t on a path surface, the time
+/// a streak or time surface is shown at.
 std::vector<double> vertex_times(const Surface& surface, const SurfaceParameters& parameters);
 
 } // namespace wakesurf::core

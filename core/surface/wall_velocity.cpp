@@ -11,8 +11,9 @@ namespace wakesurf::core {
 
 namespace {
 
-/// Of the cells round each vertex, by their areas; of any length. Walls of stores are turned as their source has them, so a cell that
-/// is turned against those before it counts the other way round.
+/// Returns a normal for each vertex, of any length: the sum of those of the cells round it, by their areas.
+/// Walls of stores are turned as their source has them, so a cell that is turned against those before it
+/// counts the other way round.
 std::vector<Vec3> wall_normals(const QuadComplex& wall) {
     std::vector<Vec3> sums(wall.vertices(), Vec3(0.0));
     for (const Cell& cell : wall.cells) {
@@ -38,7 +39,8 @@ Vec3 kept_in(const Box& box, const Vec3& from, const Vec3& place) {
     return kept;
 }
 
-/// The nearest place in the fluid, on either side. The edge of a body at the domain's border looks out of the domain.
+/// Returns the nearest place in the fluid, on either side. The edge of a body at the domain's border looks
+/// out of the domain.
 std::optional<Vec3> place_off_wall(const Flow& flow, const Vec3& at, const Vec3& normal) {
     const double length = glm::length(normal);
     if (!(length > 0.0))

@@ -1,9 +1,9 @@
-// The session's loop on the network's io_context. Compute threads, which run at lower priorities, post here all the time: a mailbox and a
+// The session's loop on the network's io_context. Compute threads, which run at lower priorities, post here all the time: a queue and a
 // descriptor that wakes, because asio's own queue has a lock, which it holds while it wakes the network thread. That thread then waited
 // for the poster it had just displaced: up to 114 ms on two busy cores, several times a second.
 #pragma once
 
-#include "core/base/mailbox.hpp"
+#include "core/base/mpsc_queue.hpp"
 #include "server/service/base/loop.hpp"
 
 #include <boost/asio/io_context.hpp>
@@ -25,7 +25,7 @@ class IoLoop final : public Loop {
     void wait();
 
     boost::asio::io_context& context_;
-    core::Mailbox<std::function<void()>> posted_;
+    core::MpscQueue<std::function<void()>> posted_;
     boost::asio::posix::stream_descriptor woken_; ///< an eventfd
 };
 

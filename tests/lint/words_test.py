@@ -33,6 +33,11 @@ HOMES = {
 }
 DECLARED = re.compile(r"^[ \t]*(?:struct|class|enum class|enum|using)[ \t]+(\w+)(?=[ \t]*(?:\{|;|:|=|final\b|$))", re.MULTILINE)
 
+# Rooms whose comments in front of declarations are sentences. The list grows.
+ROOMS_OF_SENTENCES = re.compile(r"(core|store)/.*\.(hpp|cpp)$")
+WITHOUT_SUBJECT = re.compile(r"(Of|As|The same|What|Whether|Who|How|So many|That)\b(?! is why)")
+LONGEST_COMMENT = 110
+
 
 def line_of(text, offset):
     return text.count("\n", 0, offset) + 1
@@ -61,7 +66,35 @@ def word_away_from_home(path, text):
                    "this word; choose one that says what this is")
 
 
-RULES = [spelt_color, word_away_from_home]
+def comment_that_is_no_sentence(path, text):
+    """A comment in front of a declaration, or at the head of a header, begins with a word that leaves out its subject or its verb."""
+    if not ROOMS_OF_SENTENCES.match(path):
+        return
+    before = ""
+    for number, line in enumerate(text.split("\n"), 1):
+        comment = re.match(r"\s*///(?!<) ?(.*)" if number > 1 else r"//+ (.*)", line)
+        begins = comment is not None and WITHOUT_SUBJECT.match(comment.group(1))
+        if begins and not before.startswith("//"):
+            yield (f"{path}:{number}: {begins.group(1)}: say it in a sentence with subject and verb: `Returns ...`, `Holds ...`, "
+                   "`The ... is ...`")
+        before = line.strip()
+
+
+def comment_out_of_its_place(path, text):
+    """A comment that goes beyond a column, or stands behind a declaration that it breaks into lines."""
+    if not ROOMS_OF_SENTENCES.match(path):
+        return
+    before = ""
+    for number, line in enumerate(text.split("\n"), 1):
+        code, mark, _ = line.partition("//")
+        if mark and len(line) > LONGEST_COMMENT:
+            yield f"{path}:{number}: a comment ends before column {LONGEST_COMMENT}"
+        if "///<" in line and (not code.strip() or not re.search(r"(^|[;{},:])$", before)):
+            yield f"{path}:{number}: a comment of a declaration of several lines stands above it"
+        before = code.strip()
+
+
+RULES = [spelt_color, word_away_from_home, comment_that_is_no_sentence, comment_out_of_its_place]
 
 BAD = [
     (spelt_color, "web-client/src/a.ts", "const rakeColor = 1;\n"),
@@ -70,6 +103,14 @@ BAD = [
     (word_away_from_home, "server/net/a.hpp", "    struct Place {\n"),
     (word_away_from_home, "core/a.cpp", "using Turn = std::function<void()>;\n"),
     (word_away_from_home, "server/service/session/a.hpp", "enum class Lane { A, B };\n"),
+    (comment_that_is_no_sentence, "core/a.hpp", "// How far it is.\n#pragma once\n"),
+    (comment_that_is_no_sentence, "core/a.hpp", "struct A {\n    /// Of the budget.\n    double part;\n"),
+    (comment_that_is_no_sentence, "core/a.cpp", "/// The same of a text.\nvoid f();\n"),
+    (comment_that_is_no_sentence, "store/a.cpp", "/// What it takes.\nint bytes();\n"),
+    (comment_that_is_no_sentence, "store/a.hpp", "int a;\n/// Whether it is there, in a\n/// sentence of two lines.\nbool b;\n"),
+    (comment_out_of_its_place, "core/a.hpp", "    double from =\n        0.0; ///< where it starts\n"),
+    (comment_out_of_its_place, "core/a.hpp", "    double to; ///< where it\n               ///< ends\n"),
+    (comment_out_of_its_place, "core/a.cpp", "/// " + "word " * 22 + "\n"),
 ]
 GOOD = [
     (spelt_color, "web-client/src/a.ts", "import { Color } from 'three';\nmesh.material.color.set(colour);\n"),
@@ -79,6 +120,15 @@ GOOD = [
     (word_away_from_home, "server/service/compute/fair_queue.hpp", "    struct Turn {\n"),
     (word_away_from_home, "server/net/a.cpp", "Admission::Place place;\nstruct PlaceOfMine {};\n"),
     (word_away_from_home, "tests/core/a.cpp", "struct Turn {\n"),
+    (comment_that_is_no_sentence, "core/a.hpp", "/// Returns what it takes, in bytes.\nint bytes();\n"),
+    (comment_that_is_no_sentence, "core/a.hpp", "/// Returns bytes.\n/// What is free is left out.\nint bytes();\n"),
+    (comment_that_is_no_sentence, "core/a.cpp", "    // What fits is kept.\n    keep();\n"),
+    (comment_that_is_no_sentence, "core/a.cpp", "/// Asks for more.\nvoid f();\n"),
+    (comment_that_is_no_sentence, "server/a.hpp", "/// What it takes.\nint bytes();\n"),
+    (comment_out_of_its_place, "core/a.hpp", "    double to = 1.0; ///< where it ends\n    double from; ///< and begins\n"),
+    (comment_out_of_its_place, "core/a.hpp", "  private:\n    double to; ///< where it ends\n"),
+    (comment_out_of_its_place, "core/a.hpp", "enum A {\n    B, ///< one\n    C ///< the other\n};\n"),
+    (comment_out_of_its_place, "server/a.cpp", "/// " + "word " * 22 + "\n"),
 ]
 
 

@@ -19,7 +19,8 @@ struct Item {
     std::uint32_t number;
 };
 
-/// Sorts items so that each run of 4, 16, 64 ... is compact: every child of the implicit tree is one of those.
+/// Sorts items so that each run of 4, 16, 64 ... is compact: every child of the implicit tree is one of
+/// those.
 void arrange(std::span<Item> items) {
     if (items.size() <= 4)
         return;

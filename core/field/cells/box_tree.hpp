@@ -1,7 +1,7 @@
-// Boxes that are found by place: a tree of four children a node, whose shape follows from the number of boxes alone, so
-// that it needs no pointers. Splitting at medians keeps it balanced however finely parts of a mesh are graded.
-// Boxes are float, rounded outward: a node is a line and a half of cache and tells about its four children in a few
-// instructions.
+// Boxes that are found by place: a tree of four children a node, whose shape follows from the number of boxes
+// alone, so that it needs no pointers. Splitting at medians keeps it balanced however finely parts of a mesh
+// are graded. Boxes are float, rounded outward: a node is a line and a half of cache and tells about its four
+// children in a few instructions.
 #pragma once
 
 #include "core/base/box.hpp"
@@ -20,24 +20,25 @@ struct FloatBox {
     std::array<float, 3> hi;
 };
 
-/// The smallest float box round a box that is larger by a billionth on every side. What is not a number makes a box that
-/// is never found.
+/// The smallest float box round a box that is larger by a billionth on every side. What is not a number makes
+/// a box that is never found.
 FloatBox rounded_outward(const Box& box);
 
-/// Memory: 36 bytes a box. Thread safety: concurrent queries are fine.
+/// Finds boxes near a place. Memory: 36 bytes a box. Thread safety: concurrent queries are fine.
 class BoxTree {
   public:
     BoxTree() = default;
 
-    /// Built in parallel; the same tree on any number of threads. Cost: O(n log n), 0.3 us a box on one thread.
+    /// Builds the tree in parallel; it is the same on any number of threads. Cost: O(n log n), 0.3 us a box
+    /// on one thread.
     explicit BoxTree(std::span<const FloatBox> boxes);
 
     bool empty() const { return number_.empty(); }
 
     std::size_t bytes() const;
 
-    /// Calls visit(number) for each box that may overlap one, always in the same order, until it returns true. Returns whether
-    /// it did.
+    /// Calls visit(number) for each box that may overlap one, always in the same order, until it returns
+    /// true. Returns whether it did.
     template <class Visit>
     bool visit(const Box& box, const Visit& visit) const {
         const auto lo = nearest_float(box.lo);

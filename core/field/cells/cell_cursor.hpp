@@ -1,5 +1,6 @@
-// Follows one particle from cell to cell: the same cell, else the cell beyond the face the point is farthest beyond, else
-// the locator's. Outside of all it stays in the last cell, at the nearest place in it. Where it begins, beyond by rounding is inside.
+// Follows one particle from cell to cell: the same cell, else the cell beyond the face the point is farthest
+// beyond, else the locator's. Outside of all it stays in the last cell, at the nearest place in it. Where it
+// begins, beyond by rounding is inside.
 #pragma once
 
 #include "core/base/point_status.hpp"
@@ -12,8 +13,9 @@
 
 namespace wakesurf::core {
 
-/// For one particle, one thread. Answers depend on the points asked before only to rounding, and at walls, which the cursor
-/// does not pass. Cost: 50 ns where the point is in the same cell, 150 more for another one, 1 us for the locator.
+/// Follows one particle on one thread. Answers depend on the points asked before only to rounding, and at
+/// walls, which the cursor does not pass. Cost: 50 ns where the point is in the same cell, 150 more for
+/// another one, 1 us for the locator.
 class CellCursor {
   public:
     static constexpr std::uint32_t nowhere = BoxTree::none();
@@ -35,8 +37,8 @@ class CellCursor {
         return status_;
     }
 
-    /// For another particle: answers as a new cursor, to the bit unless cells overlap, but finds the first point at once where that is
-    /// well inside one cell.
+    /// Begins with another particle: it answers as a new cursor, to the bit unless cells overlap, but finds
+    /// the first point at once where that is well inside one cell.
     /// @param guess  that cell; `nowhere`: the one in which the particle before began
     void restart(std::uint32_t guess = nowhere) {
         if (domain_->one_piece && guess != begun_ && guess < domain_->mesh.cells.size())
@@ -46,7 +48,8 @@ class CellCursor {
         status_ = PointStatus::OutsideDomain;
     }
 
-    /// Where the last point is, or for one outside the nearest place in the last cell. `nowhere` before the first.
+    /// Where the last point is, or for one outside the nearest place in the last cell. `nowhere` before the
+    /// first.
     std::uint32_t cell() const { return cell_; }
 
     const Vec3& local() const { return local_; }
@@ -58,7 +61,7 @@ class CellCursor {
   private:
     static constexpr int most_moves = 32;
 
-    /// Along each axis.
+    /// Compares along each axis.
     static bool within(const Vec3& by, const Vec3& most) {
         return std::abs(by.x) <= most.x && std::abs(by.y) <= most.y && std::abs(by.z) <= most.z;
     }
@@ -80,7 +83,8 @@ class CellCursor {
         return walk(p, u, usable, true);
     }
 
-    /// From the present cell, where `p` is at `u`, outside. @param elsewhere  false: the locator knows it in no cell
+    /// From the present cell, where `p` is at `u`, outside. @param elsewhere  false: the locator knows it in
+    /// no cell
     template <class Usable>
     PointStatus walk(const Vec3& p, Vec3 u, const Usable& usable, bool elsewhere) {
         PointStatus beyond = PointStatus::OutsideDomain;
@@ -106,7 +110,7 @@ class CellCursor {
                 return move({at, u}, p, usable);
         }
         const CellPlace edge{at, u};
-        // Without a way of its own, as seen from the nearest place in the last cell.
+        // A cursor without a way of its own looks from the nearest place in the last cell.
         const Vec3 from = anchor_cell_ != nowhere ? anchor_ : here_.position(local_);
         const bool crossed = !domain_->walls.empty() && domain_->walls.crossed(from, p);
         if (elsewhere && !crossed) {
@@ -123,8 +127,9 @@ class CellCursor {
         return crossed ? PointStatus::InObstacle : beyond;
     }
 
-    /// The nearest place in the cell beyond a crack as wide as a rounding, in which `p` is: cells of different sizes that meet leave some, as
-    /// the nodes of the small ones are not those of the large ones. @param from  where the particle comes from
+    /// The nearest place in the cell beyond a crack as wide as a rounding, in which `p` is: cells of
+    /// different sizes that meet leave some, as the nodes of the small ones are not those of the large ones.
+    /// @param from  where the particle comes from
     std::optional<CellPlace> across_crack(const Vec3& p, const Vec3& from) {
         const Vec3 widest = 2.0 * domain_->rounding;
         for (const Vec3& way : {p - here_.position(local_), p - from}) {
@@ -187,8 +192,8 @@ class CellCursor {
         return PointStatus::Inside;
     }
 
-    /// Whether the way from the anchor to `p` in `cell` goes through a wall. Seldom has to be asked: not within a cell, nor
-    /// between two that share a face, unless a wall begins at one of their nodes.
+    /// Returns whether the way from the anchor to `p` in `cell` goes through a wall. It is seldom asked: not
+    /// within a cell, nor between two that share a face, unless a wall begins at one of their nodes.
     bool through_wall(std::uint32_t cell, const Vec3& p) const {
         const CellWalls& walls = domain_->walls;
         if (walls.empty() || anchor_cell_ == nowhere || anchor_cell_ == cell)

@@ -1,6 +1,7 @@
-// One cell's map from local coordinates to space, and its inverse by Newton's iteration. The inverse of the Jacobian is
-// kept from point to point: the points that are asked for follow one another through the cell, so most take one or two
-// corrections with the matrix that is there. In parallelepipeds and tetrahedra the first is exact.
+// One cell's map from local coordinates to space, and its inverse by Newton's iteration. The inverse of the
+// Jacobian is kept from point to point: the points that are asked for follow one another through the cell, so
+// most take one or two corrections with the matrix that is there. In parallelepipeds and tetrahedra the first
+// is exact.
 #pragma once
 
 #include "core/field/cells/cell_polynomial.hpp"
@@ -39,12 +40,12 @@ class CellGeometry {
 
     bool pyramid() const { return shape_ == CellShape::Pyramid; }
 
-    /// True where the cell has no volume to speak of, or coordinates that are no numbers: it contains nothing, and nothing
-    /// else may be asked of it.
+    /// True where the cell has no volume to speak of, or coordinates that are no numbers: it contains
+    /// nothing, and nothing else may be asked of it.
     bool flat() const { return flat_; }
 
-    /// True where a look from the centre shows that the cell does not contain `p`. To be asked before anything else of a cell
-    /// that has just been entered and is not flat.
+    /// True where a look from the centre shows that the cell does not contain `p`. To be asked before
+    /// anything else of a cell that has just been entered and is not flat.
     bool surely_outside(const Vec3& p) const {
         const Vec3 centre = turned_;
         const Vec3 change = inverse_ * (p - origin_ - position_.at(pyramid(), centre).vector());
@@ -53,9 +54,9 @@ class CellGeometry {
         return *std::max_element(beyond.begin(), beyond.end()) > bend_ + face_tolerance;
     }
 
-    /// Local coordinates of a point. Where the point is outside they may only give the direction.
-    /// @param u  a guess; clamped to the cell where it is far outside
-    /// Returns false where the iteration did not end, which says that the point is outside of all but very distorted cells.
+    /// Finds the local coordinates of a point. Where the point is outside they may only give the direction.
+    /// @param u  a guess; clamped to the cell where it is far outside Returns false where the iteration did
+    ///           not end, which says that the point is outside of all but very distorted cells.
     bool invert(const Vec3& p, Vec3& u) {
         const Vec3 relative = p - origin_;
         if (linear_) {
@@ -96,7 +97,7 @@ class CellGeometry {
         return false;
     }
 
-    /// Change of the local coordinates along `w` at `u`.
+    /// Returns the change of the local coordinates along `w` at `u`.
     Vec3 along(const Vec3& u, const Vec3& w) {
         if (!linear_ && largest(u - turned_) > 0.0)
             turn_round(u);
@@ -112,7 +113,7 @@ class CellGeometry {
   private:
     static constexpr double precise = 1e-13; ///< of local coordinates
 
-    /// Rows of the Jacobian's inverse.
+    /// Holds the rows of the Jacobian's inverse.
     struct Inverse {
         Vec3 u, v, w;
 
@@ -125,7 +126,7 @@ class CellGeometry {
         return std::max(std::max(std::abs(x.x), std::abs(x.y)), std::abs(x.z));
     }
 
-    /// The inverse at `u`. Returns false, and leaves it, where there is no volume.
+    /// Computes the inverse at `u`. Returns false, and leaves it, where there is no volume.
     bool turn_round(const Vec3& u) {
         const auto slope = position_.slopes(pyramid(), u);
         const Vec3 a = slope[0].vector(), b = slope[1].vector(), c = slope[2].vector();

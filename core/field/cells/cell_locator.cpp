@@ -22,8 +22,8 @@ Box box_of(const CellMesh& mesh, const MeshCell& cell) {
     return box;
 }
 
-/// True where a plane along one of the cell's faces has all nodes on one side of it and `p` beyond them: the cell
-/// is within the hull of its nodes.
+/// True where a plane along one of the cell's faces has all nodes on one side of it and `p` beyond them: the
+/// cell is within the hull of its nodes.
 bool beyond_nodes(const CellGeometry& geometry, const Vec3& p) {
     const CellShape shape = geometry.shape();
     std::array<Vec3, 8> node;

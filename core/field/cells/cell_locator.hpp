@@ -1,4 +1,5 @@
-// Finds the cell of a point in a mesh from nothing: for first points, and where a walk through faces finds no way.
+// Finds the cell of a point in a mesh from nothing: for first points, and where a walk through faces finds no
+// way.
 #pragma once
 
 #include "core/field/cells/box_tree.hpp"
@@ -8,7 +9,7 @@
 
 namespace wakesurf::core {
 
-/// A point in a cell.
+/// Names a cell and a point's local coordinates in it.
 struct CellPlace {
     std::uint32_t cell;
     Vec3 local;
@@ -17,10 +18,10 @@ struct CellPlace {
 /// Keeps a reference to the mesh. Memory: 36 bytes a cell. Thread safety: concurrent queries are fine.
 class CellLocator {
   public:
-    /// Built in parallel. Cost: as BoxTree.
+    /// Builds the locator in parallel. Cost: that of BoxTree.
     explicit CellLocator(const CellMesh& mesh);
 
-    /// The cell of lowest number among those that contain `p`, faces included. Nothing for NaN.
+    /// Returns the cell of lowest number among those that contain `p`, faces included; nothing for NaN.
     /// @param geometry  work space; afterwards that of the cell found, or any
     std::optional<CellPlace> find(const Vec3& p, CellGeometry& geometry) const;
 
@@ -37,7 +38,8 @@ class CellLocator {
     Box bounds_;
 };
 
-/// Whether the geometry's cell contains `p`, and where; tries harder than Newton's iteration from the centre alone.
+/// Returns whether the geometry's cell contains `p`, and where. It tries harder than Newton's iteration from
+/// the centre alone.
 bool contains(CellGeometry& geometry, const Vec3& p, Vec3& local);
 
 } // namespace wakesurf::core

@@ -1,6 +1,7 @@
-// A particle's path within one cell as a Taylor series. Position and velocity are polynomials of the local coordinates, so
-// the terms of x(u(t)) and v(u(t)) follow from those of u(t), and from x' = v follows the next term of u: a linear equation
-// with the Jacobian at the start, whatever the order. Source: Hairer, Norsett, Wanner, Solving ODEs I, I.8.
+// A particle's path within one cell as a Taylor series. Position and velocity are polynomials of the local
+// coordinates, so the terms of x(u(t)) and v(u(t)) follow from those of u(t), and from x' = v follows the
+// next term of u: a linear equation with the Jacobian at the start, whatever the order. Source: Hairer,
+// Norsett, Wanner, Solving ODEs I, I.8.
 #pragma once
 
 #include "core/field/cells/cell_geometry.hpp"
@@ -16,7 +17,7 @@ struct CellPath {
     PathSeries local;
 };
 
-/// Velocity within a cell: linear in time.
+/// Holds the velocity within a cell, which is linear in time.
 struct CellVelocity {
     const CellPolynomial* now;
     const CellPolynomial* change; ///< over the interval; null: steady
@@ -57,7 +58,7 @@ inline CellPath cell_path(CellGeometry& geometry,
         const Components next = v * (sign / static_cast<double>(k + 1));
         path.space.term[k + 1] = {next.xy[0], next.xy[1], next.z[0]};
 
-        // What the terms known so far add to the next one of each monomial.
+        // Holds what the terms known so far add to the next one of each monomial.
         double xy_known = 0.0, xz_known = 0.0, yz_known = 0.0, xyz_known = 0.0, e_known = 0.0;
         for (std::size_t i = 1; i <= k; ++i) {
             xy_known += x[i] * y[k + 1 - i];
@@ -85,8 +86,8 @@ inline CellPath cell_path(CellGeometry& geometry,
     return path;
 }
 
-/// When a path is a little beyond a face of its cell, far enough to be found in the next one; infinite: not at all, as far as
-/// the series' first three terms tell.
+/// When a path is a little beyond a face of its cell, far enough to be found in the next one; infinite: not
+/// at all, as far as the series' first three terms tell.
 inline double leaves_cell(CellShape shape, const PathSeries& local) {
     constexpr double beyond =
         1e-7; // of a cell: what the field's kink there turns the path by is its square

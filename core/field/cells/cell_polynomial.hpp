@@ -1,6 +1,7 @@
-// What varies over a cell as VTK's shape functions have it: position and velocity are polynomials of the same few
-// monomials of the cell's local coordinates (u, v, w), whatever its shape. They are VTK's parametric coordinates (r, s, t)
-// except in a pyramid, where u = r (1 - t) and v = s (1 - t): there position is smooth up to and at the apex.
+// Describes what varies over a cell as VTK's shape functions have it: position and velocity are polynomials
+// of the same few monomials of the cell's local coordinates (u, v, w), whatever its shape. They are VTK's
+// parametric coordinates (r, s, t) except in a pyramid, where u = r (1 - t) and v = s (1 - t): there position
+// is smooth up to and at the apex.
 #pragma once
 
 #include "core/dataset/cell_mesh.hpp"
@@ -12,7 +13,7 @@
 
 namespace wakesurf::core {
 
-/// Of a pyramid's local coordinates: r and s, limited to a little more than they are inside, and finite at the apex.
+/// Returns a pyramid's r and s, limited to a little more than they are inside, and finite at the apex.
 struct PyramidRatios {
     double r, s;
 
@@ -78,13 +79,13 @@ struct CellPolynomial {
         return (c[0] + c[4] * u.z) + (along_u * u.x + along_v * u.y);
     }
 
-    /// Without the constant: m are the values of the other monomials.
+    /// Evaluates without the constant; m are the values of the other monomials.
     Components rest(const double (&m)[7]) const {
         return ((c[1] * m[0] + c[2] * m[1]) + (c[3] * m[2] + c[4] * m[3])) +
                ((c[5] * m[4] + c[6] * m[5]) + c[7] * m[6]);
     }
 
-    /// Change along each local coordinate.
+    /// Returns the change along each local coordinate.
     std::array<Components, 3> slopes(bool pyramid, const Vec3& u) const {
         if (pyramid) {
             const PyramidRatios ratio(u);

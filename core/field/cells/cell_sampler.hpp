@@ -1,5 +1,5 @@
-// The stored field of a cell mesh between its nodes: VTK's shape functions in space, linear in time. A pair of
-// time-steps, or one for a frozen field. Mirrors what vtkProbeFilter returns.
+// The stored field of a cell mesh between its nodes: VTK's shape functions in space, linear in time. A pair
+// of time-steps, or one for a frozen field. Mirrors what vtkProbeFilter returns.
 #pragma once
 
 #include "core/field/cells/cell_cursor.hpp"
@@ -23,7 +23,8 @@ using CellSteps = CellStepsOf<CellSamplerCursor>;
 using SharedCellSteps = CellStepsOf<const CellSamplerCursor&>;
 struct TraceOptions;
 
-/// Stateless: every call finds its cell again. Particles take a cursor. Thread safety: concurrent calls are fine.
+/// Keeps no state: every call finds its cell again. Particles take a cursor. Thread safety: concurrent calls
+/// are fine.
 struct CellSampler {
     const CellDomain* domain;
     const float* velocity0;
@@ -32,7 +33,7 @@ struct CellSampler {
     double interval = 1.0;
     bool gaps = false; ///< velocities that are not finite occur: outside the domain there
 
-    /// Of a cell with gaps nothing is used.
+    /// Returns false for a cell with gaps, of which nothing is used.
     bool usable(std::uint32_t cell) const {
         if (!gaps)
             return true;
@@ -46,19 +47,19 @@ struct CellSampler {
         return true;
     }
 
-    /// The same, for one particle: remembers its cell.
+    /// Returns a sampler for one particle, which remembers its cell.
     CellSamplerCursor cursor() const;
 
-    /// Of one curve. @param sign  +1 downstream, -1 upstream
+    /// Returns the steps of one curve.
     CellSteps series_steps(const TraceOptions& options, double sign) const;
 
     /// Outside the domain that of the nearest place in a near cell; zero where there is none.
     Vec3 velocity(const Vec3& p, double t) const;
 
-    /// (grad v) w: the exact derivative within the cell.
+    /// Returns (grad v) w, the exact derivative within the cell.
     Vec3 derivative(const Vec3& p, double t, const Vec3& w) const;
 
-    /// Of one or two vectors `w`.
+    /// Returns the derivatives along one or two vectors `w`.
     std::array<Vec3, 2> derivatives(const Vec3& p, double t, std::span<const Vec3> w) const;
 
     PointStatus status(const Vec3& p) const;
@@ -71,10 +72,10 @@ class CellSamplerCursor {
   public:
     explicit CellSamplerCursor(const CellSampler& field) : field_(field), place_(*field.domain) {}
 
-    /// For another particle: see CellCursor.
+    /// Begins with another particle: see CellCursor.
     void restart(std::uint32_t guess = CellCursor::nowhere) const { place_.restart(guess); }
 
-    /// Of the particle that has the cursor.
+    /// Returns the steps of the particle that has the cursor.
     SharedCellSteps series_steps(const TraceOptions& options, double sign) const;
 
     Vec3 velocity(const Vec3& p, double t) const {
@@ -89,8 +90,8 @@ class CellSamplerCursor {
         return (v + fit.change.at(pyramid, place_.local()) * part).vector();
     }
 
-    /// (grad v) w at local coordinates of the present cell, as a function of w. REQUIRES: a velocity or a path has been asked for; the
-    /// function is used before anything else is.
+    /// Returns (grad v) w at local coordinates of the present cell, as a function of w. REQUIRES: a velocity
+    /// or a path has been asked for; the function is used before anything else is.
     auto gradient_here(const Vec3& local, double t) const {
         const bool pyramid = place_.geometry().pyramid();
         const Fit& fit = fit_[here_];
@@ -118,7 +119,8 @@ class CellSamplerCursor {
         return result;
     }
 
-    /// The path of a particle that is at `p`, inside, at field time `t`. @param sign  +1 downstream, -1 upstream
+    /// The path of a particle that is at `p`, inside, at field time `t`. @param sign  +1 downstream, -1
+    /// upstream
     CellPath path(const Vec3& p, double t, double sign, bool frozen) const {
         go_to(p, true);
         const Fit& fit = fit_[here_];
@@ -129,8 +131,8 @@ class CellSamplerCursor {
         return cell_path(place_.geometry(), velocity, p, place_.local(), sign);
     }
 
-    /// How far the particle at `p`, inside, goes in a time t >= 0, if it stays in its cell and the field is linear there and steady: by
-    /// the closed form. Nothing where it is not. @param sign  +1 downstream, -1 upstream
+    /// Returns how far the particle at `p`, inside, goes in a time t >= 0, if it stays in its cell and the
+    /// field is linear there and steady, by the closed form; otherwise nothing.
     std::optional<Vec3>
     linear_way(const Vec3& p, double at, double sign, bool frozen, double t) const {
         if ((field_.velocity1 && !frozen) || !go_to(p, true) ||
@@ -150,7 +152,8 @@ class CellSamplerCursor {
         return place_.locate(p, true, [&](std::uint32_t cell) { return field_.usable(cell); });
     }
 
-    /// See FieldWithWalls. Also at the edge or the corner of a wall, in a cell that only touches it there.
+    /// Implements FieldWithWalls::at_wall, also at the edge or the corner of a wall, in a cell that only
+    /// touches it there.
     bool at_wall(const Vec3& p) const {
         const CellDomain& domain = *field_.domain;
         return go_to(p, false) &&
@@ -160,14 +163,15 @@ class CellSamplerCursor {
     const CellCursor& place() const { return place_; }
 
   private:
-    /// A cell's velocity.
+    /// Holds a cell's velocity.
     struct Fit {
         std::uint32_t cell = CellCursor::nowhere;
         CellPolynomial now;
         CellPolynomial change;
     };
 
-    /// In or near a cell with a gap: the mean of its nodes that have a velocity, by their shares. It meets the field at faces without a gap.
+    /// Returns the velocity in or near a cell with a gap: the mean of its nodes that have one, by their
+    /// shares. It meets the field at faces without a gap.
     Vec3 beside_gap(const Vec3& p, double t) const {
         const CellDomain& domain = *field_.domain;
         CellGeometry geometry;

@@ -9,8 +9,8 @@ namespace wakesurf::core {
 
 namespace {
 
-/// Whether a point is no farther from the place in the cell where it would be than rounding. What ends at the border of the domain does so
-/// a little beyond it.
+/// Returns whether a point is no farther than rounding from where it would be in the cell. What ends at the
+/// border of the domain does so a little beyond it.
 bool beside(const CellCursor& place, const Vec3& point) {
     const CellGeometry& cell = place.geometry();
     const Vec3 across =

@@ -1,5 +1,5 @@
-// How a stored field on a mesh of cells is sampled between two time-steps: natively, each particle and each curve with a
-// cursor of its own.
+// Samples a stored field on a mesh of cells between two time-steps, natively: each particle and each curve
+// has a cursor of its own.
 #pragma once
 
 #include "core/field/cells/cell_sampler.hpp"
@@ -13,14 +13,14 @@
 
 namespace wakesurf::core {
 
-/// What is asked of a Sampling (uniform_sampling.hpp). `smooth` changes nothing: the field of a mesh of cells is what its
-/// shape functions give. Thread safety: concurrent calls are fine. Keeps a reference to the mesh.
+/// Fulfils the concept Sampling. `smooth` changes nothing: the field of a mesh of cells is what its shape
+/// functions give. Thread safety: concurrent calls are fine. It keeps a reference to the mesh.
 class CellSampling {
   public:
     static constexpr bool has_smooth = false;
     static constexpr bool steps_in_batches = false;
 
-    /// Cost: that of CellDomain.
+    /// Builds the domain at the cost of CellDomain.
     explicit CellSampling(const CellMesh& mesh) : domain_(mesh) {}
 
     PointStatus status(const Vec3& position) const { return field({}).status(position); }

@@ -1,4 +1,4 @@
-// How much of each node of a cell the value at a place in it is made of.
+// Tells how much each node of a cell contributes to the value at a point in it.
 #pragma once
 
 #include "core/field/cells/cell_geometry.hpp"
@@ -13,7 +13,7 @@ shares_in_cell(const MeshCell& cell, const CellGeometry& geometry, const Vec3& l
     shares.status = PointStatus::Inside;
     shares.count = node_count(cell.shape);
     for (std::size_t i = 0; i < shares.count; ++i) {
-        // What the node's value is multiplied by is what a field returns that is one there and zero at the others.
+        // The weight of node i is the interpolant of the field that is 1 at i and 0 elsewhere.
         CellPolynomial one_here;
         one_here.fit(cell.shape, [&](std::size_t node) {
             Components value;

@@ -1,6 +1,6 @@
-// Steps along a curve through a mesh of cells, cell by cell: each follows the Taylor series of the particle's path (cell_path.hpp)
-// and ends a little beyond the face through which that leaves the cell. In tetrahedra of a steady field the ends are exact
-// (linear_cell.hpp).
+// Steps along a curve through a mesh of cells, cell by cell: each follows the Taylor series of the particle's
+// path (cell_path.hpp) and ends a little beyond the face through which that leaves the cell. In tetrahedra of
+// a steady field the ends are exact (linear_cell.hpp).
 #pragma once
 
 #include "core/field/cells/cell_sampler.hpp"
@@ -11,7 +11,8 @@
 
 namespace wakesurf::core {
 
-/// A CurveSteps: as Dormand-Prince steps of the same tolerance, but as long as the cells. Keeps a reference to the options.
+/// Makes Dormand-Prince steps of the same tolerance, but as long as the cells; a CurveSteps. It keeps a
+/// reference to the options.
 /// @tparam Cursor  a cursor, or a reference to one that serves particle after particle
 template <class Cursor>
 class CellStepsOf {
@@ -48,14 +49,16 @@ class CellStepsOf {
         step = *shortened;
         step.dt = sign_ * t;
         local_ = local;
-        // In a tetrahedron of a steady field the step ends where the closed form says; the series says where it passes.
+        // In a tetrahedron of a steady field the step ends where the closed form says; the series says where
+        // it passes.
         if (const auto way =
                 field_.linear_way(curve.last.position, time, sign_, options_.frozen, t))
             step.c[1] = glm::dvec4(*way, step.c[1].w);
         return StepOutcome::Taken;
     }
 
-    /// (grad v) w at theta of the step that was tried last, as a function of w. REQUIRES: it has not been looked at since.
+    /// (grad v) w at theta of the step that was tried last, as a function of w. REQUIRES: it has not been
+    /// looked at since.
     auto gradient(const CurveStep& step, double theta, double time) const {
         const double t = theta * std::abs(step.dt);
         return field_.gradient_here({local_.at(0, t), local_.at(1, t), local_.at(2, t)}, time);

@@ -1,5 +1,5 @@
-// The faces of a mesh that are walls, as the surfaces they are: a walk between cells may go round the end of a thin wall or
-// come out behind a corner, and then asks here whether the straight way goes through.
+// The faces of a mesh that are walls, as the surfaces they are: a walk between cells may go round the end of
+// a thin wall or come out behind a corner, and then asks here whether the straight way goes through.
 #pragma once
 
 #include "core/dataset/cell_mesh.hpp"
@@ -10,44 +10,47 @@
 
 namespace wakesurf::core {
 
-/// A triangle, or the bilinear patch a + s b + t c + s t d that a face of four nodes is, with its outward side known.
+/// A triangle, or the bilinear patch a + s b + t c + s t d that a face of four nodes is, with its outward
+/// side known.
 struct WallPatch {
     Vec3 a, b, c, d;
     bool triangle;
-    double
-        rounding; ///< lengths along the normal that are less are none: a part of what cells reach beyond their faces
+    /// Lengths along the normal that are less count as none: it is a part of what cells reach beyond their
+    /// faces.
+    double rounding;
     double outward; ///< +1 where b x c points out of the cell, -1 where into it
 
-    /// False: a plane along the patch has all of it on one side and the segment on the other.
+    /// Returns false if a plane along the patch has all of it on one side and the segment on the other.
     bool may_meet(const Vec3& from, const Vec3& to) const;
 
-    /// True where the segment leaves the patch's cell through the patch, and ends beyond it by more than rounding.
+    /// True where the segment leaves the patch's cell through the patch, and ends beyond it by more than
+    /// rounding.
     bool left_by(const Vec3& from, const Vec3& to) const;
 };
 
-/// Memory: 150 bytes a wall face, a byte a cell and a byte a node. Thread safety: concurrent queries are fine.
+/// Takes 150 bytes a wall face, a byte a cell and a byte a node. Thread safety: concurrent queries are fine.
 class CellWalls {
   public:
     explicit CellWalls(const CellMesh& mesh);
 
     bool empty() const { return patch_.empty(); }
 
-    /// False: no wall has a part in the box. Cost: 20 ns where none is near.
+    /// Returns false if no wall has a part in the box. Cost: 20 ns where none is near.
     bool near(const Box& box) const {
         return tree_.visit(box, [](std::uint32_t) { return true; });
     }
 
-    /// False: the segment meets no wall. Cost: as `near`, and 10 ns a wall face beside it.
+    /// Returns false if the segment meets no wall. Cost: that of `near`, and 10 ns a wall face beside it.
     bool may_cross(const Vec3& from, const Vec3& to) const {
         return tree_.visit(Box{glm::min(from, to), glm::max(from, to)},
                            [&](std::uint32_t number) { return patch_[number].may_meet(from, to); });
     }
 
-    /// True for cells with a node on a wall.
+    /// Returns true for cells with a node on a wall.
     bool beside(std::uint32_t cell) const { return beside_[cell] != 0; }
 
-    /// How much of a value at local coordinates `u` of a cell comes from nodes on a wall: 1 on a wall face, and falling from there to the
-    /// cell's other nodes.
+    /// Returns the share of wall nodes in a value at local coordinates `u` of a cell: 1 on a wall face, and
+    /// falling from there to the cell's other nodes.
     double share(const CellMesh& mesh, std::uint32_t cell, const Vec3& u) const;
 
     /// True where the segment goes through a wall, seen from inside the cells.

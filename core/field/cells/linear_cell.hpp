@@ -1,6 +1,6 @@
-// Where a particle goes in a field that is linear in space and does not change: the closed form by the exponential of its matrix. In a
-// tetrahedron the stored velocity is such a field. Source: Scheuermann, Bobach, Hagen, Mahrous, Hamann, Joy, Kollmann, A Tetrahedra-Based
-// Stream Surface Algorithm, 2001.
+// Where a particle goes in a field that is linear in space and does not change: the closed form by the
+// exponential of its matrix. In a tetrahedron the stored velocity is such a field. Source: Scheuermann,
+// Bobach, Hagen, Mahrous, Hamann, Joy, Kollmann, A Tetrahedra-Based Stream Surface Algorithm, 2001.
 #pragma once
 
 #include "core/base/vec3.hpp"
@@ -12,8 +12,9 @@
 
 namespace wakesurf::core {
 
-/// How far a particle of velocity `v` has gone after a time t >= 0, where velocity changes by `slope` times the way: the integral
-/// of exp(slope t) v, to rounding. The exponential's series, in pieces of the time within which it has no cancellation.
+/// Returns how far a particle of velocity `v` has gone after a time t >= 0, where velocity changes by `slope`
+/// times the way: the integral of exp(slope t) v, to rounding. It sums the exponential's series in pieces of
+/// the time within which it has no cancellation.
 inline Vec3 linear_way(const glm::dmat3& slope, const Vec3& v, double t) {
     double norm = 0.0;
     for (int column = 0; column < 3; ++column) {

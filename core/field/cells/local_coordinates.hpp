@@ -1,4 +1,5 @@
-// Where in a cell a point is, by its local coordinates: inside or not, beyond which face, and the nearest point inside.
+// Where in a cell a point is, by its local coordinates: inside or not, beyond which face, and the nearest
+// point inside.
 #pragma once
 
 #include "core/dataset/cell_mesh.hpp"
@@ -9,7 +10,8 @@
 
 namespace wakesurf::core {
 
-/// Points this far beyond a face, in units of the cell, still are inside: rounding opens no gaps between cells.
+/// Points this far beyond a face, in units of the cell, still are inside: rounding opens no gaps between
+/// cells.
 inline constexpr double face_tolerance = 1e-9;
 
 inline Vec3 cell_centre(CellShape shape) {
@@ -27,7 +29,7 @@ inline Vec3 cell_centre(CellShape shape) {
     return Vec3(0.5);
 }
 
-/// Of a cell's node.
+/// Returns the local coordinates of a cell's node.
 inline Vec3 node_local(CellShape shape, std::size_t i) {
     constexpr Vec3 low[] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
     switch (shape) {
@@ -45,8 +47,8 @@ inline Vec3 node_local(CellShape shape, std::size_t i) {
     return low[i % 4] + Vec3(0, 0, i / 4);
 }
 
-/// How far a point lies beyond each face, negative inside; in the order of MeshCell::beyond. Entries past the shape's own
-/// are below every other.
+/// Returns how far a point lies beyond each face, negative inside, in the order of MeshCell::beyond. Entries
+/// past the shape's own are below every other.
 inline std::array<double, 6> beyond_faces(CellShape shape, const Vec3& u) {
     constexpr double none = -1e300;
     switch (shape) {
@@ -69,7 +71,7 @@ inline std::size_t most_violated(CellShape shape, const Vec3& u) {
                                     beyond.begin());
 }
 
-/// False for NaN.
+/// Returns false for NaN.
 inline bool inside_cell(CellShape shape, const Vec3& u) {
     constexpr double e = face_tolerance;
     const double low = std::min(std::min(u.x, u.y), u.z);
@@ -86,7 +88,8 @@ inline bool inside_cell(CellShape shape, const Vec3& u) {
     return low >= -e && std::max(std::max(u.x, u.y), u.z) <= 1.0 + e;
 }
 
-/// True for a point that is in this cell alone of all that share faces: farther from each face than any tolerance. False for NaN.
+/// True for a point that is in this cell alone of all that share faces: farther from each face than any
+/// tolerance. False for NaN.
 inline bool well_inside_cell(CellShape shape, const Vec3& u) {
     const auto beyond = beyond_faces(shape, u);
     return finite(u) && *std::max_element(beyond.begin(), beyond.end()) < -1e3 * face_tolerance;

@@ -9,8 +9,8 @@
 
 namespace wakesurf::core {
 
-/// Four nodes of a row, twelve floats, in vectors of eight and four: what Lanes::FourNodes is where none has
-/// twelve.
+/// Holds four nodes of a row, twelve floats, in vectors of eight and four, where Lanes::FourNodes has no
+/// vector of twelve.
 template <class Lanes>
 struct NodesInTwo {
     using Floats = typename Lanes::Floats;
@@ -73,7 +73,7 @@ class WholeBlocks {
         return step_[step] + 3 * node_[lane];
     }
 
-    /// Floats from a row to the next, and from a slice.
+    /// Returns the floats from a row to the next; slice() those from a slice.
     std::int64_t row(std::size_t) const { return row_; }
 
     std::int64_t slice(std::size_t) const { return slice_; }
@@ -84,8 +84,9 @@ class WholeBlocks {
     alignas(64) std::int64_t node_[Rk4Batch::most];
 };
 
-/// The same of time-steps in bricks. Nodes of several bricks, as one particle in six has them where bricks have 32 cells, are brought
-/// together and kept: 64 nodes from as many as eight bricks. Marks lanes of which a brick is missing.
+/// Reads time-steps in bricks. Nodes of several bricks, as one particle in six has them where bricks have 32
+/// cells, are brought together and kept: 64 nodes from as many as eight bricks. Marks lanes of which a brick
+/// is missing.
 template <class Lanes, std::size_t Times>
 class BrickBlocks {
     using Floats = typename Lanes::Floats;
@@ -161,13 +162,13 @@ class BrickBlocks {
         return true;
     }
 
-    /// A part of four neighbouring nodes on an axis that is in one brick: where it begins, its first node in the brick, and what the
-    /// brick adds to the number.
+    /// A part of four neighbouring nodes on an axis that is in one brick: where it begins, its first node in
+    /// the brick, and what the brick adds to the number.
     struct Part {
         std::int64_t from, to, node, brick;
     };
 
-    /// One part or two.
+    /// Returns one or two: the number of bricks that the nodes lie in along an axis.
     static int parts_of(const BrickPlaces& in, std::size_t axis, float first, Part (&part)[2]) {
         const auto cells = static_cast<std::int64_t>(in.cells);
         const auto its = static_cast<std::int64_t>(first * in.per_cell);
@@ -246,7 +247,7 @@ class CubicSampling {
     using Vector = typename Lanes::Vector;
     static constexpr std::size_t most = Rk4Batch::most;
 
-    /// Of four neighbouring nodes.
+    /// Holds the weights of four neighbouring nodes.
     struct Shares {
         Floats node[4];
     };
@@ -304,7 +305,7 @@ class CubicSampling {
                         .store(row_share_[4 * z + y] + g);
     }
 
-    /// As LinearSampling::Stage.
+    /// Samples as LinearSampling::Stage does.
     class Stage {
       public:
         KernelSample<Lanes> sample(std::size_t i) const {
@@ -329,7 +330,7 @@ class CubicSampling {
       private:
         friend CubicSampling;
 
-        /// Of one particle.
+        /// Samples for one particle.
         struct One {
             Vector value, along_x, along_y, along_z;
         };
@@ -410,8 +411,8 @@ class CubicSampling {
     }
 
   private:
-    /// Stores a row's shares: the straight ones where `linear` is not 0; where a node is missing the field goes on linearly, so that it is
-    /// twice its neighbour less the next.
+    /// Stores a row's shares: the straight ones where `linear` is not 0; where a node is missing the field
+    /// goes on linearly, so that it is twice its neighbour less the next.
     static void shared(const Shares& cubic,
                        const Shares& straight,
                        const Floats& linear,
@@ -440,9 +441,8 @@ class CubicSampling {
 
     alignas(64) float value_[3][4][most]; ///< shares along each axis
     alignas(64) float slope_[3][4][most]; ///< in the slope
-    alignas(
-        32) float row_share_[16]
-                            [most]; ///< of the rows in the value, those of the first slice first
+    /// Are the shares of the rows in the value, those of the first slice first.
+    alignas(32) float row_share_[16][most];
     Blocks blocks_;
 };
 

@@ -1,5 +1,5 @@
-// Finds the bricks of particles, a vector of lanes at a time: each lane keeps the brick that it was found in, and only lanes that have
-// left theirs are looked up, one by one.
+// Finds the bricks of particles, a vector of lanes at a time: each lane keeps the brick that it was found in,
+// and only lanes that have left theirs are looked up, one by one.
 #pragma once
 
 #include "core/field/kernel/rk4_batch.hpp"
@@ -11,8 +11,8 @@ class BrickLookUp {
     using Floats = typename Lanes::Floats;
 
   public:
-    /// For the time-steps of the pair. What is kept of the same ones stays, also where they have changed places, as they have where
-    /// velocities are looked for at the second one's time.
+    /// Begins with the time-steps of the pair. What is kept of the same ones stays, also where they have
+    /// changed places, as they have where velocities are looked for at the second one's time.
     static void begin(const StoredPair& field, KeptBricks& kept) {
         const bool unsteady = field.bricks1.at != nullptr;
         const bool smooth = unsteady && field.smooth;
@@ -40,8 +40,8 @@ class BrickLookUp {
                 kept.beyond[axis][lane] = kept.block_at[axis][lane] = 0.0f;
     }
 
-    /// Bits of the lanes from `g` on, a vector of them, whose cells `at` are not in the bricks that are kept, with so many cells after
-    /// them; and what cells are left in those that are, the lane's own included.
+    /// Bits of the lanes from `g` on, a vector of them, whose cells `at` are not in the bricks that are kept,
+    /// with so many cells after them; and what cells are left in those that are, the lane's own included.
     static unsigned outside(const StoredPair& field,
                             const KeptBricks& kept,
                             std::size_t g,

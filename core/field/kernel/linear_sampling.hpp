@@ -1,5 +1,6 @@
-// Velocities of a batch's particles, trilinear in space and linear in time: velocity as in the file, an x-pair of nodes a load, which
-// is the best of 14 layouts (docs/measurements.md, The limit of the kernel). Twin: cubic_sampling.hpp.
+// Velocities of a batch's particles, trilinear in space and linear in time: velocity as in the file, an
+// x-pair of nodes a load, which is the best of 14 layouts (docs/measurements.md, The limit of the kernel).
+// Twin: cubic_sampling.hpp.
 #pragma once
 
 #include "core/field/kernel/stored_nodes.hpp"
@@ -24,12 +25,12 @@ class LinearSampling {
     static constexpr std::size_t row = 8; ///< floats
 
   public:
-    /// For a step of lanes 0 to `end`.
+    /// Begins a step of lanes 0 to `end`.
     void begin(const StoredPair& field, Rk4Batch& batch, std::size_t end) {
         nodes_.begin(field, batch);
         if constexpr (!Unsteady)
             return;
-        // Of those that have the same time, the first's are enough.
+        // Where all lanes have the same time, the first lane's shares are enough.
         stride_ = batch.straight != 0 ? 0 : row;
         const std::size_t count = batch.straight != 0 ? Lanes::together : end;
         for (std::size_t g = 0; g < count; g += Wide::size) {
@@ -52,7 +53,7 @@ class LinearSampling {
         }
     }
 
-    /// The places of lanes from `g` on, a vector of them, at the next stage.
+    /// Finds the places of a vector of lanes from `g` on, at the next stage.
     void place(const StoredPair& field,
                Rk4Batch& batch,
                const Places& places,
@@ -64,10 +65,11 @@ class LinearSampling {
         nodes_.take(field, batch, places, g, cell);
     }
 
-    /// What a stage's samples are taken with, by value: kept in registers while particles are written.
+    /// Holds what a stage's samples are taken with, by value, so that it is kept in registers while particles
+    /// are written.
     class Stage {
       public:
-        /// Of particle `i` and those that go together with it.
+        /// Samples for particle `i` and those that go together with it.
         KernelSample<Lanes> sample(std::size_t i) const {
             std::int64_t at[Lanes::together], then[Lanes::together];
             for (std::size_t k = 0; k < Lanes::together; ++k) {

@@ -15,7 +15,8 @@ class RectilinearPlaces {
     static constexpr std::size_t most = Rk4Batch::most;
 
   public:
-    /// As of UniformPlaces. Cells are those that RectilinearAxes finds: a face belongs to the one after it.
+    /// Begins as UniformPlaces does. Cells are those that RectilinearAxes finds: a face belongs to the one
+    /// after it.
     void begin(const StoredPair& field, const double (&position)[3][most], std::size_t end) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const double(&x)[most] = position[axis];
@@ -38,7 +39,7 @@ class RectilinearPlaces {
         }
     }
 
-    /// As of UniformPlaces, `by` in lengths.
+    /// Moves as UniformPlaces does, `by` in lengths.
     template <class Place>
     void move(const StoredPair& field, std::size_t g, const Floats (&by)[3], const Place& place) {
         const Floats none = Floats::all(0.0f);
@@ -91,21 +92,21 @@ class RectilinearPlaces {
         nodes_from<Lanes>(field, node_ + g, cell, node);
     }
 
-    /// As of UniformPlaces, in the cells of the last move.
+    /// Works as in UniformPlaces, in the cells of the last move.
     void in_cells(const Floats& w, std::size_t i, Floats (&cells)[3]) const {
         cells[0] = w.template each<0>() * Floats::each_of(scale_[0] + i);
         cells[1] = w.template each<1>() * Floats::each_of(scale_[1] + i);
         cells[2] = w.template each<2>() * Floats::each_of(scale_[2] + i);
     }
 
-    /// Of lanes from `g` on. Exact: an axis has fewer than 2^24 cells.
+    /// Returns the first cells of lanes from `g` on, exactly: an axis has fewer than 2^24 cells.
     Floats first_cell(std::size_t axis, std::size_t g) const {
         return Floats::both(Wide::load(cell_[axis] + g).narrow(),
                             Wide::load(cell_[axis] + g + Wide::size).narrow());
     }
 
   private:
-    /// CellReach of each particle's cell.
+    /// Holds the CellReach of each particle's cell.
     struct Reach {
         alignas(64) float lowest[most];
         alignas(64) float begin[most];
@@ -146,7 +147,7 @@ class RectilinearPlaces {
                     at > 0.0 ? table.start[static_cast<std::uint32_t>(at < last ? at : last)] : 0);
     }
 
-    /// From a cell near by. NaN is in the first cell.
+    /// Returns the cell of `x`, walking from a cell near by. NaN is in the first cell.
     static std::uint32_t walk(const AxisTable& table, double x, std::uint32_t cell) {
         while (cell < table.last && x >= table.coordinate[cell + 1])
             ++cell;
@@ -171,7 +172,8 @@ class RectilinearPlaces {
         to.per_width_after[lane] = from.per_width_after;
     }
 
-    /// Those that went beyond their neighbours' cells, `far` a bit each: rare, so one by one.
+    /// Finds the cells of particles that went beyond their neighbours' cells, `far` a bit each. They are
+    /// rare, so it goes one by one.
     void go_far(const AxisTable& table,
                 std::size_t axis,
                 std::size_t g,
@@ -204,8 +206,8 @@ class RectilinearPlaces {
 
     bool begun_ = false; ///< cells are those of the step before
     alignas(64) float start_[3][most];
-    alignas(64) float scale_[Tangents ? 3 : 1]
-                            [most];   ///< cells a unit of length, in the cell of the last move
+    /// Counts cells a unit of length, in the cell of the last move.
+    alignas(64) float scale_[Tangents ? 3 : 1][most];
     alignas(64) double low_[3][most]; ///< ends of the cell
     alignas(64) double high_[3][most];
     alignas(64) double cell_[3][most]; ///< its index

@@ -28,7 +28,7 @@ struct Avx2Lanes {
 
         void store(float* to) const { _mm_storeu_ps(to, v); }
 
-        /// Elements from `N` of this and the next one together.
+        /// Returns the elements from `N` of this and the next one together.
         template <int N>
         Quad from(Quad next) const {
             return {_mm_castsi128_ps(
@@ -55,10 +55,10 @@ struct Avx2Lanes {
 
         static Floats both(Quad low, Quad high) { return {_mm256_set_m128(high.v, low.v)}; }
 
-        /// A row a particle.
+        /// Loads a row for each particle.
         static Floats rows(const float* from, const std::int64_t* at) { return load(from + at[0]); }
 
-        /// A particle's number all over its row, and over its vectors in either half.
+        /// Spreads a particle's number over its row, and over its vectors in either half.
         static Floats each_of(const float* number) { return all(number[0]); }
 
         static Floats each_of_quads(const float* number) { return all(number[0]); }
@@ -75,12 +75,12 @@ struct Avx2Lanes {
 
         Quad high() const { return {_mm256_extractf128_ps(v, 1)}; }
 
-        /// The nodes of a row.
+        /// Returns the nodes of a row.
         Quad first() const { return low(); }
 
         Quad second() const { return low().template from<3>(high()); }
 
-        /// First nodes of two rows, and second ones.
+        /// Returns the first nodes of two rows; seconds() the second ones.
         static Floats firsts(Floats a, Floats b) {
             return {_mm256_permute2f128_ps(a.v, b.v, 0x20)};
         }
@@ -100,7 +100,7 @@ struct Avx2Lanes {
             return {_mm256_permute_ps(v, static_cast<int>(I * 0x55))};
         }
 
-        /// x, y and z of eight vectors.
+        /// Computes x, y and z of eight vectors.
         static void components(const float (*from)[4], Floats (&to)[3]) {
             const auto pair = [&](std::size_t i) {
                 return _mm256_set_m128(_mm_load_ps(from[i + 4]), _mm_load_ps(from[i]));
@@ -119,7 +119,7 @@ struct Avx2Lanes {
 
         Floats floor() const { return {_mm256_floor_ps(v)}; }
 
-        /// Bits of the elements where a > b.
+        /// Returns the bits of the elements where a > b.
         static unsigned above(Floats a, Floats b) {
             return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_GT_OQ)));
         }
@@ -153,7 +153,7 @@ struct Avx2Lanes {
 
         static Wide max(Wide a, Wide b) { return {_mm256_max_pd(a.v, b.v)}; }
 
-        /// Bits of the elements where a <= b.
+        /// Returns the bits of the elements where a <= b.
         static unsigned not_above(Wide a, Wide b) {
             return static_cast<unsigned>(_mm256_movemask_pd(_mm256_cmp_pd(a.v, b.v, _CMP_LE_OQ)));
         }
@@ -164,7 +164,7 @@ struct Avx2Lanes {
             return {_mm256_round_pd(v, _MM_FROUND_TO_ZERO | _MM_FROUND_NO_EXC)};
         }
 
-        /// Of integers below 2^51 in size: added to 3 * 2^51, they are the last bits of the sum.
+        /// Stores integers below 2^51 in size: added to 3 * 2^51, they are the last bits of the sum.
         void integers(std::int64_t* to) const {
             const __m256d base = _mm256_set1_pd(6755399441055744.0);
             const __m256i bits = _mm256_sub_epi64(_mm256_castpd_si256(_mm256_add_pd(v, base)),

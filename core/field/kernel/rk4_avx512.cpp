@@ -13,14 +13,14 @@ namespace wakesurf::core {
 
 namespace {
 
-/// Of particles A and B: a row of A's is in the low half of Floats, one of B's in the high half. The vectors
-/// of tangents follow each other as in memory: A's along s, A's along t, B's along s, B's along t.
+/// Holds particles A and B: a row of A's is in the low half of Floats, one of B's in the high half. The
+/// vectors of tangents follow each other as in memory: A's along s, A's along t, B's along s, B's along t.
 struct Avx512Lanes {
     static constexpr std::size_t together = 2;
 
     struct Wide;
 
-    /// Of one particle.
+    /// Holds a vector of one particle.
     struct Vector {
         __m128 v;
 
@@ -35,7 +35,7 @@ struct Avx512Lanes {
         friend Vector operator*(Vector a, Vector b) { return {_mm_mul_ps(a.v, b.v)}; }
     };
 
-    /// A vector of A's and one of B's.
+    /// Holds a vector of A's and one of B's.
     struct Quad {
         static constexpr std::size_t size = 8;
 
@@ -69,26 +69,26 @@ struct Avx512Lanes {
             return {_mm512_insertf32x8(_mm512_castps256_ps512(low.v), high.v, 1)};
         }
 
-        /// A row a particle.
+        /// Loads a row for each particle.
         static Floats rows(const float* from, const std::int64_t* at) {
             return both(Quad::load(from + at[0]), Quad::load(from + at[1]));
         }
 
-        /// A particle's number all over its row: A A B B, by vectors.
+        /// Spreads a particle's number over its row: A A B B, by vectors.
         static Floats each_of(const float* number) {
             return {
                 _mm512_permutevar_ps(pair_of(number), _mm512_setr_epi32(0, 0, 0, 0, 0, 0, 0, 0, 1,
                                                                         1, 1, 1, 1, 1, 1, 1))};
         }
 
-        /// The same over its vectors in either half: A B A B.
+        /// Spreads it over its vectors in either half: A B A B.
         static Floats each_of_quads(const float* number) {
             return {
                 _mm512_permutevar_ps(pair_of(number), _mm512_setr_epi32(0, 0, 0, 0, 1, 1, 1, 1, 0,
                                                                         0, 0, 0, 1, 1, 1, 1))};
         }
 
-        /// A A B B of A B.
+        /// Makes A A B B of A B.
         static Floats twice(Quad q) {
             const __m512 ab = _mm512_castps256_ps512(q.v);
             return {_mm512_shuffle_f32x4(ab, ab, 0x50)};
@@ -104,7 +104,7 @@ struct Avx512Lanes {
 
         Quad high() const { return {_mm512_extractf32x8_ps(v, 1)}; }
 
-        /// The nodes of the rows.
+        /// Returns the nodes of the rows.
         Quad first() const { return {_mm512_castps512_ps256(_mm512_shuffle_f32x4(v, v, 0x08))}; }
 
         Quad second() const {
@@ -112,7 +112,7 @@ struct Avx512Lanes {
                 _mm512_setr_epi32(3, 4, 5, 6, 11, 12, 13, 14, 0, 0, 0, 0, 0, 0, 0, 0), v))};
         }
 
-        /// First nodes of the rows of a, then of those of b, and second ones.
+        /// Returns the first nodes of the rows of a, then of those of b; seconds() the second ones.
         static Floats firsts(Floats a, Floats b) { return {_mm512_shuffle_f32x4(a.v, b.v, 0x88)}; }
 
         static Floats seconds(Floats a, Floats b) {
@@ -125,13 +125,13 @@ struct Avx512Lanes {
 
         Floats high_twice() const { return {_mm512_shuffle_f32x4(v, v, 0xfa)}; }
 
-        /// Component `I` of each vector, all over it.
+        /// Spreads component `I` of each vector over all of it.
         template <std::size_t I>
         Floats each() const {
             return {_mm512_permute_ps(v, static_cast<int>(I * 0x55))};
         }
 
-        /// x, y and z of sixteen vectors.
+        /// Computes x, y and z of sixteen vectors.
         static void components(const float (*from)[4], Floats (&to)[3]) {
             const auto four = [&](std::size_t i) { // as they were stored, two at a time
                 return both(Quad::load(from[i]), Quad::load(from[i + 8])).v;
@@ -156,7 +156,7 @@ struct Avx512Lanes {
             return {_mm512_roundscale_ps(v, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC)};
         }
 
-        /// Bits of the elements where a > b.
+        /// Returns the bits of the elements where a > b.
         static unsigned above(Floats a, Floats b) {
             return _mm512_cmp_ps_mask(a.v, b.v, _CMP_GT_OQ);
         }
@@ -198,7 +198,7 @@ struct Avx512Lanes {
 
         static Wide max(Wide a, Wide b) { return {_mm512_max_pd(a.v, b.v)}; }
 
-        /// Bits of the elements where a <= b.
+        /// Returns the bits of the elements where a <= b.
         static unsigned not_above(Wide a, Wide b) {
             return _mm512_cmp_pd_mask(a.v, b.v, _CMP_LE_OQ);
         }
@@ -224,7 +224,8 @@ struct Avx512Lanes {
 
     static Quad quad(const Vector* of) { return {_mm256_set_m128(of[1].v, of[0].v)}; }
 
-    /// In one load, with four floats more: those beyond the last node of a time-step can be read (Slab).
+    /// Loads four nodes at once, with four floats more: those beyond the last node of a time-step can be read
+    /// (Slab).
     struct FourNodes {
         __m512 v;
 

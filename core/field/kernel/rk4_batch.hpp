@@ -1,6 +1,6 @@
-// What a batch kernel works on: time-steps and up to 32 particles, for one RK4 step each or several. Plain
-// data, because some kernels are compiled for newer processors: an inline function of a shared header that it
-// emitted could replace everybody's (one definition rule) and crash the older ones.
+// Holds what a batch kernel works on: time-steps and up to 32 particles, for one RK4 step each or several. It
+// is plain data, because some kernels are compiled for newer processors: an inline function of a shared
+// header that it emitted could replace everybody's (one definition rule) and crash the older ones.
 #pragma once
 
 #include "core/field/kernel/simd.hpp"
@@ -21,7 +21,7 @@ struct CellReach {
     float per_width_before, per_width, per_width_after;
 };
 
-/// What finds cells on an axis of a rectilinear grid.
+/// Finds cells on an axis of a rectilinear grid.
 struct AxisTable {
     const double* coordinate;   ///< of nodes
     const std::uint32_t* start; ///< by bucket: a cell near which those of its coordinates are
@@ -31,13 +31,13 @@ struct AxisTable {
     const CellReach* cell;
 };
 
-/// A time-step in bricks: core/dataset/brick_table.hpp.
+/// Holds a time-step in bricks: core/dataset/brick_table.hpp.
 struct StoredBricks {
     const float* const* at; ///< by brick; null: missing
     std::uint16_t* used;    ///< by brick
 };
 
-/// A byte a cell, by its lowest node: in one piece or in bricks. Neither: there is no obstacle.
+/// Holds a byte a cell, by its lowest node, in one piece or in bricks. With neither there is no obstacle.
 struct StoredStates {
     const std::uint8_t* whole;         ///< by the grid's node
     const std::uint8_t* const* bricks; ///< by brick, then its node
@@ -53,14 +53,14 @@ struct BrickPlaces {
     double node[3];     ///< nodes within a brick, likewise
 };
 
-/// Time-steps of a uniform or a rectilinear grid. Vectors are x, y, z.
+/// Holds two time-steps of a uniform or a rectilinear grid. Vectors are x, y, z.
 struct StoredPair {
     const float* velocity0; ///< null: in bricks
     const float* velocity1; ///< null: frozen at the first, or in bricks
     StoredStates cell;      ///< CellMask
 
-    /// Cubic in space and, unless frozen, in time; a neighbour that the series does not have may be any time-step, of share 0.
-    /// REQUIRES: at least four nodes on each axis, no velocity that is no number.
+    /// Cubic in space and, unless frozen, in time; a neighbour that the series does not have may be any
+    /// time-step, of share 0. REQUIRES: at least four nodes on each axis, no velocity that is no number.
     bool smooth;
     const float* before;
     const float* after;
@@ -83,31 +83,32 @@ struct StoredPair {
     float stagnation2; ///< a slower particle (speed squared) may stand still
 };
 
-/// Where the lanes of a batch were found in bricks last: most are found there again, stage by stage and step by step, without a look
-/// into the tables. All of it holds as long as nothing is taken from memory, for the time-steps in `of`.
+/// Where the lanes of a batch were found in bricks last: most are found there again, stage by stage and step
+/// by step, without a look into the tables. All of it holds as long as nothing is taken from memory, for the
+/// time-steps in `of`.
 struct KeptBricks {
     static constexpr std::size_t lanes = 32;
-    static constexpr std::size_t block_floats =
-        64 * 3 + 4; ///< 4^3 nodes, and what the last load reads beyond
+    /// Counts 4^3 nodes, and what the last load reads beyond.
+    static constexpr std::size_t block_floats = 64 * 3 + 4;
 
     StoredBricks of[4] = {}; ///< what has been looked up, by slot
     std::size_t slot[4] = {0, 1, 2,
                            3}; ///< of the pair's first time-step, its second, before, after
     std::uint64_t absent = 0;  ///< a bit a lane: its brick is missing
-    alignas(64) float beyond[3][lanes] =
-        {}; ///< the first cell after the brick on each axis; 0: none is kept
-    alignas(64) std::int64_t end
-        [4]
-        [lanes]; ///< by slot: of the node there, were it in the brick; floats from BrickPlaces::zeros
+    /// Is the first cell after the brick on each axis; 0: none is kept.
+    alignas(64) float beyond[3][lanes] = {};
+    /// Is by slot the place of the node there, were it in the brick, in floats from BrickPlaces::zeros.
+    alignas(64) std::int64_t end[4][lanes];
 
-    // Of cubics, where nodes of several bricks were brought together.
+    // Tell cubics where nodes of several bricks were brought together.
     alignas(64) float block_at[3][lanes] = {}; ///< 1 + the lowest node; 0: there is none
     alignas(64) float block[4][lanes][block_floats];
 };
 
-/// Particles that take a step together, stage by stage: while one waits for its samples another computes (one at
-/// a time is 1.5-1.8 times slower: docs/measurements.md, The limit of the kernel). One array a coordinate: what is
-/// no load from the field is computed for 4 to 16 particles at once. Lanes beyond `count` hold any numbers.
+/// Particles that take a step together, stage by stage: while one waits for its samples another computes (one
+/// at a time is 1.5-1.8 times slower: docs/measurements.md, The limit of the kernel). One array a coordinate:
+/// what is no load from the field is computed for 4 to 16 particles at once. Lanes beyond `count` hold any
+/// numbers.
 struct Rk4Batch {
     static constexpr std::size_t most = KeptBricks::lanes;
 
@@ -123,21 +124,21 @@ struct Rk4Batch {
     alignas(64) double taken[most] = {}; ///< steps
     alignas(64) double steps[most] = {}; ///< to take
 
-    /// Smooth: shares of the four time-steps at the step's start, middle and end.
+    /// Holds, for the smooth field, the shares of the four time-steps at the step's start, middle and end.
     alignas(64) float share[3][4][most] = {};
 
-    /// 0: a step. Else so many at once, all of particles that have the same start, dt and taken: their
-    /// position, tangent and taken are then those after the last step, slow and outside what was so in any of
-    /// them. The shares of all are those of `share_of_steps`, 3 x 4 a step.
+    /// Is 0 for one step; else so many steps are taken at once, all of particles that have the same start, dt
+    /// and taken. Position, tangent and taken are then those after the last step, slow and outside what was
+    /// so in any of them. The shares of all are those of `share_of_steps`, 3 x 4 a step.
     std::size_t straight = 0;
     const float* share_of_steps = nullptr;
 
-    /// True: no step. Velocity is found where the particles are, at the times they have; `straight` says that
-    /// these are the same.
+    /// Asks for no step: velocity is found where the particles are, at the times they have; `straight` says
+    /// that these are the same.
     bool look = false;
     alignas(64) float velocity[most][4];
 
-    // What the kernel says. Bits of lanes.
+    // The kernel writes what follows. Sets are bits of lanes.
     alignas(64) double next[3][most];
     alignas(64) double next_tangent[most][8];
     Bits slow = 0;    ///< may stand still
@@ -149,17 +150,18 @@ struct Rk4Batch {
     KeptBricks kept; ///< between calls; of whatever lanes were then
 };
 
-/// One step of every particle: fills next, slow, outside, last and missing. Or several at once: `straight`.
+/// Takes one step of every particle, or several at once where `straight` says so; fills next, slow, outside,
+/// last and missing.
 using Rk4Kernel = void (*)(const StoredPair&, Rk4Batch&, bool tangents);
 
 void rk4_portable(const StoredPair& field, Rk4Batch& batch, bool tangents);
 
-/// For x86-64-v3. REQUIRES: avx2_compiled() and a processor that has it.
+/// Is compiled for x86-64-v3. REQUIRES: avx2_compiled() and a processor that has it.
 void rk4_avx2(const StoredPair& field, Rk4Batch& batch, bool tangents);
 
 bool avx2_compiled();
 
-/// For x86-64-v4. REQUIRES: avx512_compiled() and a processor that has it.
+/// Is compiled for x86-64-v4. REQUIRES: avx512_compiled() and a processor that has it.
 void rk4_avx512(const StoredPair& field, Rk4Batch& batch, bool tangents);
 
 bool avx512_compiled();

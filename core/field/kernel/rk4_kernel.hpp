@@ -20,12 +20,12 @@ class Rk4KernelOf {
     using Bits = Rk4Batch::Bits;
     static constexpr std::size_t most = Rk4Batch::most;
 
-    /// A bit for each element of a vector.
+    /// Has a bit for each element of a vector.
     template <class Vector>
     static constexpr unsigned all_of = (1u << Vector::size) - 1u;
 
   public:
-    /// Flattened: with calls between the stages the constants of a batch leave their registers.
+    /// Is flattened: with calls between the stages the constants of a batch leave their registers.
     [[gnu::flatten]] static void carry(const StoredPair& field, Rk4Batch& batch) {
         Rk4KernelOf kernel(field, batch);
         kernel.set_out();
@@ -98,7 +98,7 @@ class Rk4KernelOf {
         finish(next, next_tangent);
     }
 
-    /// Of the time-steps, the same for all. @param shares  as of Rk4Batch::share_of_steps
+    /// Sets the shares of the time-steps, the same for all.
     void share(const float* shares) {
         for (std::size_t at = 0; at < 3; ++at)
             for (std::size_t step = 0; step < 4; ++step)

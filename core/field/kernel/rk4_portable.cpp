@@ -1,11 +1,12 @@
-// The batch kernel on plain arrays, which the compiler turns into whatever vectors the baseline processor has.
+// The batch kernel on plain arrays, which the compiler turns into whatever vectors the baseline processor
+// has.
 #include "core/field/kernel/rk4_kernel.hpp"
 
 namespace wakesurf::core {
 
 namespace {
 
-/// `Self` derives from this and so gets arithmetic, element by element.
+/// Gives `Self`, which derives from this, its arithmetic, element by element.
 template <class Self, class T, std::size_t N>
 struct Array {
     static constexpr std::size_t size = N;
@@ -52,7 +53,7 @@ struct PortableLanes {
     struct Wide;
 
     struct Quad : Array<Quad, float, 4> {
-        /// Elements from `N` of this and the next one together.
+        /// Returns the elements from `N` of this and the next one together.
         template <std::size_t N>
         Quad from(const Quad& next) const {
             return made_of(
@@ -75,10 +76,10 @@ struct PortableLanes {
             return made_of([&](std::size_t i) { return i < 4 ? low.at[i] : high.at[i - 4]; });
         }
 
-        /// A row a particle.
+        /// Loads a row for each particle.
         static Floats rows(const float* from, const std::int64_t* at) { return load(from + at[0]); }
 
-        /// A particle's number all over its row, and over its vectors in either half.
+        /// Spreads a particle's number over its row, and over its vectors in either half.
         static Floats each_of(const float* number) { return all(number[0]); }
 
         static Floats each_of_quads(const float* number) { return all(number[0]); }
@@ -93,12 +94,12 @@ struct PortableLanes {
 
         Quad high() const { return Quad::load(at + 4); }
 
-        /// The nodes of a row.
+        /// Returns the nodes of a row.
         Quad first() const { return low(); }
 
         Quad second() const { return Quad::load(at + 3); }
 
-        /// First nodes of two rows, and second ones.
+        /// Returns the first nodes of two rows; seconds() the second ones.
         static Floats firsts(const Floats& a, const Floats& b) { return both(a.low(), b.low()); }
 
         static Floats seconds(const Floats& a, const Floats& b) {
@@ -109,13 +110,13 @@ struct PortableLanes {
 
         Floats high_twice() const { return twice(high()); }
 
-        /// Component `I` of either half, all over that half.
+        /// Spreads component `I` of either half over all of that half.
         template <std::size_t I>
         Floats each() const {
             return made_of([&](std::size_t i) { return at[i / 4 * 4 + I]; });
         }
 
-        /// x, y and z of eight vectors.
+        /// Computes x, y and z of eight vectors.
         static void components(const float (*from)[4], Floats (&to)[3]) {
             for (std::size_t axis = 0; axis < 3; ++axis)
                 to[axis] = made_of([&](std::size_t i) { return from[i][axis]; });
@@ -129,7 +130,7 @@ struct PortableLanes {
             return made_of([&](std::size_t i) { return a.at[i] > b.at[i] ? a.at[i] : b.at[i]; });
         }
 
-        /// Of what an integer holds.
+        /// Rounds down. REQUIRES: values that an int32 holds.
         Floats floor() const {
             return made_of([&](std::size_t i) {
                 const auto towards_zero = static_cast<float>(static_cast<std::int32_t>(at[i]));
@@ -137,7 +138,7 @@ struct PortableLanes {
             });
         }
 
-        /// Bits of the elements where a > b.
+        /// Returns the bits of the elements where a > b.
         static unsigned above(const Floats& a, const Floats& b) {
             unsigned bits = 0;
             for (std::size_t i = 0; i < 8; ++i)
@@ -165,7 +166,7 @@ struct PortableLanes {
             return made_of([&](std::size_t i) { return a.at[i] > b.at[i] ? a.at[i] : b.at[i]; });
         }
 
-        /// Bits of the elements where a <= b.
+        /// Returns the bits of the elements where a <= b.
         static unsigned not_above(const Wide& a, const Wide& b) {
             unsigned bits = 0;
             for (std::size_t i = 0; i < 4; ++i)

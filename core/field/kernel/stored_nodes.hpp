@@ -1,4 +1,5 @@
-// Where the lowest nodes of the particles' cells are in memory: in time-steps that are in one piece, or in their bricks.
+// Where the lowest nodes of the particles' cells are in memory: in time-steps that are in one piece, or in
+// their bricks.
 #pragma once
 
 #include "core/field/kernel/kept_bricks.hpp"
@@ -13,12 +14,12 @@ class WholeNodes {
   public:
     static const float* base(const StoredPair&, const float* velocity) { return velocity; }
 
-    /// Nodes between neighbours on each axis.
+    /// Returns the nodes between neighbours on each axis.
     static const double (&strides(const StoredPair& field))[3] { return field.stride; }
 
     void begin(const StoredPair&, Rk4Batch&) {}
 
-    /// Of lanes from `g` on, a vector of them; cells count from the places' first ones.
+    /// Finds the nodes of a vector of lanes from `g` on; cells count from the places' first ones.
     template <class Places>
     void take(const StoredPair& field,
               Rk4Batch&,

@@ -1,12 +1,12 @@
-// What is stored of particles' cells, a byte each, that the grid's obstacle makes of them.
+// Reads what is stored of particles' cells, a byte each, that the grid's obstacle makes of them.
 #pragma once
 
 #include "core/field/kernel/rk4_batch.hpp"
 
 namespace wakesurf::core {
 
-/// Bits of the lanes from `g` on, a vector of them, whose cells have another byte than 0; cells count from the places' first ones.
-/// REQUIRES: there are states.
+/// Bits of the lanes from `g` on, a vector of them, whose cells have another byte than 0; cells count from
+/// the places' first ones. REQUIRES: there are states.
 template <class Lanes, class Places>
 unsigned lanes_with_state(const StoredPair& field,
                           const StoredStates& states,

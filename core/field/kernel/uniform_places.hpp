@@ -78,7 +78,7 @@ class UniformPlaces {
         place(cell, fraction);
     }
 
-    /// The same where they began.
+    /// Stays where the particles began.
     template <class Place>
     void stay(std::size_t g, const Place& place) {
         const Floats none = Floats::all(0.0f);
@@ -90,7 +90,7 @@ class UniformPlaces {
         place(cell, fraction);
     }
 
-    /// Lowest nodes of cells counted from the first ones.
+    /// Returns the lowest nodes of cells counted from the first ones.
     void nodes(const StoredPair& field,
                std::size_t g,
                const Floats (&cell)[3],
@@ -107,19 +107,19 @@ class UniformPlaces {
         cells[2] = scaled.template each<2>();
     }
 
-    /// Cells to the last one on an axis, from those at `cell`.
+    /// Returns the number of cells to the last one on an axis, from those at `cell`.
     Floats to_last_cell(std::size_t axis, const Floats& cell) const {
         return Floats::all(last_cell_[axis]) - cell;
     }
 
-    /// Of the first ones.
+    /// Returns the first cells of lanes from `g` on.
     Floats first_cell(std::size_t axis, std::size_t g) const {
         return Floats::load(cell_[axis] + g);
     }
 
   private:
-    alignas(
-        32) float start_[3][Rk4Batch::most]; ///< from the first cell; outside the domain beyond it
+    /// Counts from the first cell; outside the domain beyond it.
+    alignas(32) float start_[3][Rk4Batch::most];
     alignas(64) float cell_[3][Rk4Batch::most];
     alignas(64) double node_[Rk4Batch::most];
     float last_[3];

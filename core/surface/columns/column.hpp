@@ -1,5 +1,5 @@
-// A column: the vertices of a stream or path surface along one integral curve, from where the column starts to where the
-// curve ends. A column inserted on divergence starts part-way up.
+// A column: the vertices of a stream or path surface along one integral curve, from where the column starts
+// to where the curve ends. A column inserted on divergence starts part-way up.
 #pragma once
 
 #include "core/integrate/curve.hpp"
@@ -25,7 +25,7 @@ struct Column {
 /// @param start  arc length of the first vertex, 0..curve.last.arc
 Column make_column(double s, const Curve& curve, double start, const ColumnSpacing& spacing);
 
-/// Arc length on `curve` nearest to `target`, searched from `guess` within `reach` either way.
+/// Returns the arc length on `curve` nearest to `target`, searched from `guess` within `reach` either way.
 double nearest_arc(const Curve& curve, const Vec3& target, double guess, double reach);
 
 } // namespace wakesurf::core

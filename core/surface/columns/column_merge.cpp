@@ -71,7 +71,7 @@ class ColumnMerger {
             on_left_[v] = index;
     }
 
-    /// The narrow rows of a column.
+    /// Collects the narrow rows of a column.
     void collect(const ColumnSpan& column) {
         rows_.clear();
         const VertexId last = column.first + column.count - 1;
@@ -100,7 +100,7 @@ class ColumnMerger {
         }
     }
 
-    /// True where one cell stands on the whole old side of another.
+    /// Returns true where one cell stands on the whole old side of another.
     static bool stacked(const Cell& young, const Cell& old) {
         return young.corner[2] == old.corner[1] && young.corner[3] == old.corner[0] &&
                young.mid[2] == no_vertex && old.mid[0] == no_vertex;
@@ -164,8 +164,8 @@ class ColumnMerger {
                limits_.neighbour_cosine * std::sqrt(glm::dot(a, a) * glm::dot(b, b));
     }
 
-    /// Widths count square to the column, whose direction is the unit vector `along`: skew fronts are long but not wide, and
-    /// do not make the surface turn.
+    /// Widths count square to the column, whose direction is the unit vector `along`: skew fronts are long
+    /// but not wide, and do not make the surface turn.
     bool narrow(VertexId a, VertexId middle, VertexId b, const Vec3& along, bool& begins) {
         const Vec3 first = position_[middle] - position_[a];
         const Vec3 second = position_[b] - position_[middle];
@@ -188,7 +188,8 @@ class ColumnMerger {
         return true;
     }
 
-    /// The cell below the split a column was born in, if the column's first vertex hangs on it and on nothing else.
+    /// The cell below the split a column was born in, if the column's first vertex hangs on it and on nothing
+    /// else.
     std::uint32_t birth_cell(const ColumnSpan& column, const Row& row) {
         const Cell& left = cell(row.left_young);
         const VertexId corner = left.corner[0];
@@ -225,7 +226,8 @@ class ColumnMerger {
         return square > 0.0 && glm::length(glm::cross(off, side)) < outline_shift * square;
     }
 
-    /// Zips the columns on either side of rows [begin, end) again, piece by piece between what begins or ends there.
+    /// Zips the columns on either side of rows [begin, end) again, piece by piece between what begins or ends
+    /// there.
     bool join(const ColumnSpan& column, std::size_t begin, std::size_t end) {
         made_.clear();
         std::size_t first = begin;
@@ -259,8 +261,8 @@ class ColumnMerger {
         return true;
     }
 
-    /// Appends to made_ the cells that take the place of rows `young` to `old`, between which the columns on either
-    /// side stay the same. Returns false where a front would be too long, cross an obstacle or bend.
+    /// Appends to made_ the cells that take the place of rows `young` to `old`, between which the columns on
+    /// either side stay the same. Returns false where a front would be too long, cross an obstacle or bend.
     bool zip(const Row& young, const Row& old) {
         const auto either = [](VertexId a, VertexId b) { return a != no_vertex ? a : b; };
         const VertexId left = cell(young.left_young).corner[0];
@@ -300,8 +302,8 @@ class ColumnMerger {
     std::vector<Cell>& cells_;
     std::span<const Vec3> position_;
     MergeLimits limits_;
-    std::vector<std::uint32_t>
-        on_left_; ///< by vertex: the cell left of the column's segment that begins there
+    /// Holds by vertex the cell left of the column's segment that begins there.
+    std::vector<std::uint32_t> on_left_;
     std::vector<std::uint32_t> on_right_; ///< and the one to its right
     std::vector<Row> rows_;
     std::vector<Cell> made_;

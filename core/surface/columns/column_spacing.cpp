@@ -7,7 +7,7 @@ namespace wakesurf::core {
 
 namespace {
 
-/// dy/dtheta of a step's dense output.
+/// Returns dy/dtheta of a step's dense output.
 Vec3 tangent(const CurveStep& step, double theta) {
     const double other = 1.0 - theta;
     const Vec3 inner = Vec3(step.c[3]) + other * Vec3(step.c[4]);
@@ -21,7 +21,7 @@ Vec3 unit(const Vec3& v, const Vec3& otherwise) {
     return square > 0.0 ? v * (1.0 / std::sqrt(square)) : otherwise;
 }
 
-/// Angle between unit vectors.
+/// Returns the angle between unit vectors, in radians.
 double angle(const Vec3& a, const Vec3& b) {
     return 2.0 * std::asin(std::min(0.5 * glm::length(b - a), 1.0));
 }

@@ -1,5 +1,6 @@
-// Where along a curve a column has its vertices: evenly by arc length where the curve is straight, closer together where it
-// turns. A pure function of one curve: neighbouring columns need not agree, zipping joins columns of any spacing.
+// Where along a curve a column has its vertices: evenly by arc length where the curve is straight, closer
+// together where it turns. A pure function of one curve: neighbouring columns need not agree, zipping joins
+// columns of any spacing.
 #pragma once
 
 #include "core/integrate/curve.hpp"
@@ -11,10 +12,10 @@ namespace wakesurf::core {
 
 struct ColumnSpacing {
     double longest; ///< arc length between vertices
-    double turn =
-        std::numbers::pi; ///< radians the curve may turn from one vertex to the next; pi: any
+    /// Limits the radians that the curve may turn from one vertex to the next; pi: any.
+    double turn = std::numbers::pi;
 
-    /// Part of `longest` below which a turn brings vertices no closer: a kink does not refine for ever.
+    /// A turn brings vertices no closer than this part of `longest`, so that a kink does not refine for ever.
     static constexpr double shortest = 1.0 / 8.0;
 };
 

@@ -40,7 +40,8 @@ class Neighbour {
         : curve_(curve == nullptr ? nullptr : &curve->curve),
           apart_(curve == nullptr ? 0.0 : curve->s - s) {}
 
-    /// dx/ds as the difference to where the neighbour's particle is at that time; nothing where that has ended.
+    /// dx/ds as the difference to where the neighbour's particle is at that time; nothing where that has
+    /// ended.
     std::optional<Vec3> tangent(const CurveState& at) {
         if (curve_ == nullptr || std::abs(at.time) > std::abs(curve_->last.time))
             return std::nullopt;

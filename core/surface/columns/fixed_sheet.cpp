@@ -14,7 +14,7 @@ namespace {
 constexpr double row_of_separation = 0.75;
 constexpr std::size_t grid_bytes = 500; ///< a quad, with its vertex, while the mesh is made
 
-/// The columns of one direction.
+/// Holds the columns of one direction.
 struct FixedColumns {
     std::deque<SeededCurve> columns;
     double life = 0.0;  ///< of the particle that lives longest, without sign
@@ -28,7 +28,7 @@ struct FixedColumns {
         return static_cast<std::size_t>(std::abs(column.curve.last.time) / row_time() + 1e-9);
     }
 
-    /// Quads between columns of that many rows, at most.
+    /// Returns the quads between columns of that many rows, at most.
     double quads() const { return rows * static_cast<double>(columns.size()); }
 };
 

@@ -23,14 +23,15 @@ constexpr int most_rounds = 128;
 constexpr double bend_width =
     1.0 / 8.0; // of the separation: no strip becomes narrower because the sheet bends
 constexpr int most_bend_rounds = 32;
-// A quad: its cell in a vector that grows by doubling, its columns' vertices, its part of the tree. With 160 a large sheet was seen to hold a
-// quarter more than it had told.
+// A quad takes its cell in a vector that grows by doubling, its columns' vertices, its part of the tree. With
+// 160 bytes a large sheet was seen to hold a quarter more than it had reported.
 constexpr std::size_t strip_bytes = 200;
 
-/// As many quads as may become one where seeds are close.
+/// Up to so many quads may become one where seeds are close.
 constexpr std::size_t most_joined = 16;
 
-/// Of a column from one vertex to the next. A quad's side may take two segments, and cells meet at the turn of a whole side.
+/// Returns how much a column may turn from one vertex to the next. A quad's side may take two segments, and
+/// cells meet at the turn of a whole side.
 double most_turn(double angle) {
     return angle < 180.0 ? 0.5 * angle * std::numbers::pi / 180.0 : std::numbers::pi;
 }
@@ -143,7 +144,7 @@ void Sheet::cut_at(const std::vector<double>& new_seeds) {
     strips_ = std::move(strips);
 }
 
-/// Of the rake: what lies before the strips that are not done.
+/// Returns the part of the rake that lies before the strips that are not done.
 double Sheet::part_without(const std::vector<std::size_t>& dirty) const {
     double rest = 0.0;
     for (const std::size_t i : dirty)
@@ -212,7 +213,7 @@ Result<bool> Sheet::build(const std::set<double>& seeds,
     return true;
 }
 
-/// What the strips want where the sheet bends. Only strips that want something.
+/// Returns what the strips want where the sheet bends, only for strips that want something.
 std::vector<Sheet::StripDemand> Sheet::bend_demands(const Clock& clock) {
     std::vector<StripDemand> demands;
     if (options_.angle >= 180.0)

@@ -1,5 +1,5 @@
-// A sheet: all strips of a rake in one direction of time, refined until every one is zipped. Traces the curves the
-// strips ask for, always from the rake, in batches.
+// A sheet: all strips of a rake in one direction of time, refined until every one is zipped. Traces the
+// curves the strips ask for, always from the rake, in batches.
 #pragma once
 
 #include "core/base/clock.hpp"
@@ -35,7 +35,7 @@ class Sheet {
 
     std::uint64_t quads() const;
 
-    /// Seed parameters at which the sheet now leaves the rake: `seeds` and those it added.
+    /// Returns the seed parameters at which the sheet now leaves the rake: `seeds` and those it added.
     const std::set<double>& seeds() const { return seeds_; }
 
     /// The strips along the rake; a closed rake's last one ends at the first one's left column.
@@ -49,7 +49,7 @@ class Sheet {
 
     bool upstream() const { return options_.duration < 0.0; }
 
-    /// Curves of the columns of the mesh, for statistics.
+    /// Returns the curves of the columns of the mesh, for statistics.
     std::vector<const SeededCurve*> columns() const;
 
     struct Seconds {

@@ -37,7 +37,7 @@ struct StripFaces {
         return glm::cross(at(c) - at(a), at(d) - at(b));
     }
 
-    /// Square to the columns.
+    /// Returns the width square to the columns.
     double width(const StripCell& cell) const {
         const auto& [a, b, c, d] = cell.corner;
         const double along = glm::length((at(c) - at(b)) + (at(d) - at(a)));
@@ -68,7 +68,7 @@ struct StripFaces {
     }
 };
 
-/// The cells on one side of a column, one after the other from its first vertex on.
+/// Visits the cells on one side of a column, one after the other from its first vertex on.
 class ColumnSide {
   public:
     /// @param node  where they begin; those of its child number `side` follow, and so on
@@ -133,8 +133,8 @@ class Bends {
     }
 
   private:
-    /// A cell much narrower than the other has done its part; that of a sliver, whose sides lie closer than they are curved,
-    /// points anywhere.
+    /// A cell much narrower than the other has done its part; that of a sliver, whose sides lie closer than
+    /// they are curved, points anywhere.
     void mark_wide(ColumnSide& a, ColumnSide& b) const {
         const double a_width = a.width();
         const double b_width = b.width();

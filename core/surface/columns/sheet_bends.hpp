@@ -1,5 +1,5 @@
-// Where a sheet bends across its columns: cells on either side of a column that meet at too large an angle. What the strips
-// then split at, as they do on divergence.
+// Where a sheet bends across its columns: cells on either side of a column that meet at too large an angle.
+// What the strips then split at, as they do on divergence.
 #pragma once
 
 #include "core/surface/columns/strip.hpp"
@@ -10,9 +10,8 @@
 
 namespace wakesurf::core {
 
-/// For every strip and node of its tree: the first of its rows that bends and is wide enough to be split, or
-/// Strip::no_row. Inner vectors of strips that bend nowhere are empty.
-///
+/// Returns for every strip and node of its tree the first of its rows that bends and is wide enough to be
+/// split, or Strip::no_row. Inner vectors of strips that bend nowhere are empty.
 /// @param closed        the last strip's right column is the first one's left
 /// @param least_cosine  of the angle between the normals of cells that may stay
 /// Cost: O(quads), in parallel.

@@ -13,7 +13,7 @@ namespace wakesurf::core {
 
 namespace {
 
-/// One numbering of the vertices of all columns of a sheet, column by column along the rake; neighbouring strips share
+/// Numbers the vertices of all columns of a sheet, column by column along the rake; neighbouring strips share
 /// the numbers of the column between them.
 class ColumnNumbers {
   public:
@@ -107,7 +107,7 @@ void merge(const Sheet& sheet,
     for (const auto& entry : numbers.entries())
         position.insert(position.end(), entry.column.column->position.begin(),
                         entry.column.column->position.end());
-    // Two cells that meet at half the angle: one across both is off either by a quarter of it.
+    // Two cells meet at half the angle: one across both is off either by a quarter of it.
     const double angle = options.angle * std::numbers::pi / 180.0;
     const double joined = 2.0 * options.merge * options.separation;
     merge_columns(cells, columns, position,

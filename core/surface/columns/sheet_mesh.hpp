@@ -14,12 +14,13 @@ namespace wakesurf::core {
 struct SheetMesh {
     QuadComplex complex;
     std::vector<Vec3> stretch; ///< transported tangent dx/ds of every vertex
-    std::map<double, VertexId>
-        on_rake; ///< by seed parameter: sheets of both directions share the rake
+    /// Holds vertices by seed parameter: sheets of both directions share the rake.
+    std::map<double, VertexId> on_rake;
 };
 
-/// Merges what converges (column_merge.hpp), then appends the vertices some cell uses, column by column along the rake, so that neighbours in space are neighbours in
-/// memory, and all cells. Cost: O(vertices + cells). False: it was stopped, and the mesh is of no use.
+/// Merges what converges (column_merge.hpp), then appends the vertices some cell uses, column by column along
+/// the rake, so that neighbours in space are neighbours in memory, and all cells. Cost: O(vertices + cells).
+/// False: it was stopped, and the mesh is of no use.
 bool append_sheet(SheetMesh& mesh, const Sheet& sheet, const std::stop_token& stop = {});
 
 } // namespace wakesurf::core

@@ -1,7 +1,8 @@
-// A strip: what lies between two neighbouring seeds of the rake. Where it grows wider than the separation it splits
-// in two at a column traced from the rake, again and again: a binary tree over the seed parameter. The tree is
-// refined in rounds: zip the strip, see where it fails, ask for columns there, zip again. Every decision is local
-// to the strip, so strips are built in parallel and the result does not depend on the order.
+// A strip: what lies between two neighbouring seeds of the rake. Where it grows wider than the separation it
+// splits in two at a column traced from the rake, again and again: a binary tree over the seed parameter. The
+// tree is refined in rounds: zip the strip, see where it fails, ask for columns there, zip again. Every
+// decision is local to the strip, so strips are built in parallel and the result does not depend on the
+// order.
 #pragma once
 
 #include "core/surface/columns/zip.hpp"
@@ -15,7 +16,7 @@
 
 namespace wakesurf::core {
 
-/// A traced curve and the seed parameter it starts from.
+/// Holds a traced curve and the seed parameter it starts from.
 struct SeededCurve {
     double s = 0.0;
     Curve curve;
@@ -29,7 +30,7 @@ struct StripLimits {
     double least_interval; ///< seed parameter distance below which the surface is discontinuous
 };
 
-/// Vertex of a strip: which of its columns, and which vertex of that column.
+/// Names a vertex of a strip: which of its columns, and which vertex of that column.
 struct StripVertex {
     std::uint32_t column = std::numeric_limits<std::uint32_t>::max();
     std::uint32_t index = 0;
@@ -53,7 +54,8 @@ class Strip {
     static constexpr std::uint32_t left_column = 0, right_column = 1;
 
     /// @param left, right  curves at both ends, owned by the caller and stable
-    /// @param right_s      seed parameter of the right end: 1 where a closed rake's last strip meets its first column
+    /// @param right_s      seed parameter of the right end: 1 where a closed rake's last strip meets its
+    ///                     first column
     Strip(const SeededCurve& left, const SeededCurve& right, double right_s);
     Strip(const Strip&) = delete;
     Strip(Strip&&) = default;
@@ -62,8 +64,8 @@ class Strip {
     /// Zips what the tree's changes since the last call concern. Thread safety: disjoint strips concurrently.
     void zip(const StripLimits& limits);
 
-    /// What the last zip() asks for. `middles`: seed parameters of curves needed; `new_seed`: the strip already
-    /// diverges at the rake and must be cut there into two strips.
+    /// Says what the last zip() asks for. `middles` are seed parameters of curves needed; `new_seed` says
+    /// that the strip already diverges at the rake and must be cut there into two strips.
     struct Demand {
         std::vector<double> middles;
         std::optional<double> new_seed;
@@ -74,7 +76,7 @@ class Strip {
 
     static constexpr std::uint32_t no_row = std::numeric_limits<std::uint32_t>::max();
 
-    /// Of the tree; node 0 is its root. Some may be out of use.
+    /// Returns the number of nodes of the tree; node 0 is its root. Some may be out of use.
     std::size_t nodes() const { return nodes_.size(); }
 
     /// A node's own, younger ones first; older ones are its children's.
@@ -135,7 +137,7 @@ class Strip {
         bool bent = false; ///< split because the sheet bends: not needed
         bool flat = false; ///< is not split for bending, since the middle column cannot begin there
 
-        // What was zipped last, and what it was made from: quads stay while that stays the same.
+        // Name what was zipped last, and what it was made from: quads stay while that stays the same.
         std::uint32_t left = no_column, right = no_column;
         StripFront start;
         bool free = false;

@@ -8,8 +8,8 @@ namespace wakesurf::core {
 
 namespace {
 
-/// A chord between two particles close to a convex wall dips into it by at most half its length; above a quarter
-/// of the separation that is worth refining, below it stays within an eighth.
+/// A chord between two particles close to a convex wall dips into it by at most half its length; above a
+/// quarter of the separation that is worth refining, below it stays within an eighth.
 bool crosses_obstacle(const ZipRules& rules, const Vec3& a, const Vec3& b, double length) {
     return rules.obstacle && length > 0.25 * rules.separation &&
            rules.flow->status(0.5 * (a + b)) == PointStatus::InObstacle;

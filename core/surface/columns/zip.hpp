@@ -1,6 +1,7 @@
-// Joins two neighbouring columns into quads, one at a time: each quad takes one or two segments of either side, so
-// that its front edge stays about square to the flow however the sides shear. A side of two segments gets a mid node.
-// Source: the ribbon advance of Hultquist 1992, on quads as in McLoughlin, Laramee, Zhang, CGI 2009.
+// Joins two neighbouring columns into quads, one at a time: each quad takes one or two segments of either
+// side, so that its front edge stays about square to the flow however the sides shear. A side of two segments
+// gets a mid node. Source: the ribbon advance of Hultquist 1992, on quads as in McLoughlin, Laramee, Zhang,
+// CGI 2009.
 #pragma once
 
 #include "core/field/flow.hpp"
@@ -18,7 +19,7 @@ struct ZipRules {
     bool obstacle = true; ///< false: the flow has none, so no front can cross one
 };
 
-/// Where a strip's front stands: vertex `left` of its left column, `right` of its right one.
+/// Says where a strip's front stands: vertex `left` of its left column, `right` of its right one.
 struct StripFront {
     std::size_t left = 0;
     std::size_t right = 0;
@@ -31,8 +32,8 @@ enum class ZipMode {
     Free        ///< stop where one column ends: for strips that end in a tear
 };
 
-/// How many segments of either column the next quad takes; nothing when every choice would make a front edge
-/// longer than the separation, cross an obstacle, or leave a side that no later quad can use up.
+/// Says how many segments of either column the next quad takes; nothing when every choice would make a front
+/// edge longer than the separation, cross an obstacle, or leave a side that no later quad can use up.
 struct ZipStep {
     std::size_t left = 1;
     std::size_t right = 1;
@@ -50,7 +51,7 @@ constexpr bool joinable(std::size_t a, std::size_t b) {
     return a <= 2 * b && b <= 2 * a;
 }
 
-/// Width of the strip at its front, square to the columns.
+/// Returns the width of the strip at its front, square to the columns.
 double front_width(const Column& left, const Column& right, StripFront front);
 
 } // namespace wakesurf::core

@@ -14,7 +14,7 @@ namespace wakesurf::core {
 
 namespace {
 
-/// Velocities at the places of the fluid among some.
+/// Holds the velocities at the places of the fluid among some.
 class Looked {
   public:
     static Result<Looked>
@@ -43,7 +43,7 @@ class Looked {
         return speed;
     }
 
-    /// Of the velocities' parts along a direction: their sum, and the largest.
+    /// Returns the sum, and the largest, of the velocities' parts along a direction.
     std::array<double, 2> along(const Vec3& direction) const {
         double sum = 0.0;
         double largest = 0.0;
@@ -58,10 +58,10 @@ class Looked {
     std::vector<Vec3> velocity;
 };
 
-constexpr double nothing =
-    1e-9; ///< of the speed: a velocity that small across something is rounding
+/// Is a part of the speed: a velocity that small across something is rounding.
+constexpr double nothing = 1e-9;
 
-/// The normal turned the way that most of the flow passes. Error: no flow passes.
+/// Returns the normal turned the way that most of the flow passes. Error: no flow passes.
 Result<Vec3> passed(const Looked& looked, const Vec3& normal, const std::string& what) {
     const double fastest = looked.fastest();
     const auto [sum, largest] = looked.along(normal);
@@ -132,8 +132,8 @@ resolve(const Flow& flow, const FamilyPlane& asked, double time, const std::stop
     });
 }
 
-/// Of the planes that a straight line lies in, the one that is passed most: across the axis along which the velocities' parts
-/// beside the line are largest.
+/// Returns, of the planes that a straight line lies in, the one that is passed most: across the axis along
+/// which the velocities' parts beside the line are largest.
 Result<Vec3> most_passed(const Looked& looked, const Rake& line) {
     const Vec3 ahead = glm::normalize(line.points.back() - line.points.front());
     const Vec3 axis = std::abs(ahead.x) < 0.6 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);

@@ -1,4 +1,5 @@
-// From what a family is asked to be, a flow and a time to how its nodes are traced: checked, and with the plane that its curve lies in.
+// From what a family is asked to be, a flow and a time to how its nodes are traced: checked, and with the
+// plane that its curve lies in.
 #pragma once
 
 #include "core/field/flow.hpp"
@@ -11,7 +12,7 @@
 
 namespace wakesurf::core {
 
-/// A plane that the flow passes.
+/// Holds a plane that the flow passes.
 struct SourcePlane {
     Vec3 point{0.0};
     Vec3 normal{0.0}; ///< of length 1, the way most of the flow passes
@@ -19,7 +20,7 @@ struct SourcePlane {
     double height(const Vec3& at) const { return glm::dot(at - point, normal); }
 };
 
-/// A value, made by plan_family.
+/// Holds what plan_family has checked and completed; a value.
 struct FamilyPlan {
     FamilyRequest request;
     double time = 0.0;
@@ -30,9 +31,10 @@ struct FamilyPlan {
     std::optional<PlaneCurve> curve;  ///< none: the scalar is `request.scalar`
 };
 
-/// @param some  places of the data's nodes, by which it is told how fast the flow is
-/// Error: InvalidArgument (a curve that is not planar, a normal without length, a flow that does not pass plane or curve, or stands still),
-/// OutOfDomain (plane or curve outside), Cancelled, and what sampling reports.
+/// @param some  places of the data's nodes, by which it is told how fast the flow is Error: InvalidArgument
+///              (a curve that is not planar, a normal without length, a flow that does not pass plane or
+///              curve, or stands still), OutOfDomain (plane or curve outside), Cancelled, and what sampling
+///              reports.
 Result<FamilyPlan> plan_family(const Flow& flow,
                                const FamilyRequest& request,
                                double time,

@@ -1,4 +1,5 @@
-// What is kept of a family beside its values: what it was asked to be, by which version it was made, and what came of it at each time-step.
+// Holds what is kept of a family beside its values: what it was asked to be, by which version it was made,
+// and what came of it at each time-step.
 #pragma once
 
 #include "core/surface/family/family_request.hpp"

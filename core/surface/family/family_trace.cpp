@@ -13,12 +13,12 @@ namespace wakesurf::core {
 
 namespace {
 
-/// Part of the speed: what passes a face more slowly runs along it.
+/// A flow that passes a face more slowly than this part of the speed runs along it.
 constexpr double along_a_face = 1e-6;
 
 constexpr float none = std::numeric_limits<float>::quiet_NaN();
 
-/// What a node without a value counts as.
+/// Says what a node without a value counts as.
 enum class NodeFate : std::uint8_t { Outside, AtRest, Obstacle, Lost };
 
 NodeFate fate_of(const Curve& curve) {
@@ -34,7 +34,7 @@ NodeFate fate_of(const Curve& curve) {
     }
 }
 
-/// Some nodes on their way to the source.
+/// Follows some nodes on their way to the source.
 class NodesOnTheirWay {
   public:
     NodesOnTheirWay(const Flow& flow, const FamilyPlan& plan, std::vector<Vec3> nodes)
@@ -74,7 +74,8 @@ class NodesOnTheirWay {
         return flow_.trace(curves, options, stop).map([](const TraceCost&) {});
     }
 
-    /// Upstream the flow leaves the domain there, not only by rounding where it runs along a face.
+    /// Returns whether the flow leaves the domain upstream there, and not only by rounding where it runs
+    /// along a face.
     bool enters(const Vec3& place, const Vec3& upstream) const {
         const Box box = flow_.domain();
         const Vec3 slack = rounding(box);
@@ -136,7 +137,7 @@ class NodesOnTheirWay {
                 source_[i] = passages[k].main;
                 if (!other_[i])
                     other_[i] = passages[k].other;
-                // Downstream a way usually leaves the domain; what held it up upstream says more.
+                // Downstream a way usually leaves the domain; what stopped it upstream says more.
                 if (sign < 0.0 || fate_[i] == NodeFate::Outside)
                     fate_[i] = fate_of(curves[k]);
             }
@@ -153,7 +154,7 @@ class NodesOnTheirWay {
     std::vector<NodeFate> fate_;
 };
 
-/// The scalar at places of the source.
+/// Returns the scalar at places of the source.
 Result<std::vector<float>> values_at(const std::vector<Vec3>& places,
                                      const Flow& flow,
                                      const FamilyPlan& plan,

@@ -1,4 +1,5 @@
-// The scalar of a family at the nodes of a grid: each node is traced along the flow to where the scalar is given.
+// The scalar of a family at the nodes of a grid: each node is traced along the flow to where the scalar is
+// given.
 #pragma once
 
 #include "core/base/work_done.hpp"
@@ -13,7 +14,7 @@
 
 namespace wakesurf::core {
 
-/// What became of the nodes.
+/// Counts what became of the nodes.
 struct FamilyCounts {
     std::uint64_t nodes = 0;
     std::uint64_t reached = 0;  ///< have a value; no others have
@@ -33,14 +34,15 @@ struct FamilyField {
 
 /// A field whose values a family's source takes: a scalar at one time-step.
 struct SourceScalar {
-    const ScalarSource* source =
-        nullptr; ///< null: the plan's scalar is a coordinate, or a distance
+    /// Is null where the plan's scalar is a coordinate, or a distance.
+    const ScalarSource* source = nullptr;
     std::size_t scalar = 0;
 };
 
-/// Traces every node upstream to the source, and where it is not there, downstream. Runs in parallel in the caller's arena; the values do not depend on the number of threads.
-/// @param grid  that the flow is stored on
-/// Error: InvalidArgument where no node has a value, Cancelled, OverLimit, and what reading reports.
+/// Traces every node upstream to the source, and where it is not there, downstream. Runs in parallel in the
+/// caller's arena; the values do not depend on the number of threads.
+/// @param grid  that the flow is stored on Error: InvalidArgument where no node has a value, Cancelled,
+///              OverLimit, and what reading reports.
 Result<FamilyField> trace_family(const Flow& flow,
                                  const Grid& grid,
                                  const FamilyPlan& plan,

@@ -8,10 +8,11 @@ namespace wakesurf::core {
 
 namespace {
 
-// A step is no longer than a cell, in which the flow hardly turns: a passage there and back within an eighth of it is none.
+// A step is no longer than a cell, in which the flow hardly turns: a passage there and back within an eighth
+// of it is none.
 constexpr int looks = 8;
 
-/// Height over a plane along a step, with the coefficients of its dense output.
+/// Holds the height over a plane along a step, with the coefficients of its dense output.
 struct HeightAlong {
     std::array<double, 5> c;
 

@@ -8,14 +8,15 @@
 
 namespace wakesurf::core {
 
-/// The first passages of one curve, in the order of its steps.
+/// Finds the first passages of one curve, in the order of its steps.
 class PlanePassages {
   public:
     /// Looks at a step. False: the main passage is found.
     /// @param sign  +1 downstream, -1 upstream
     bool look(const SourcePlane& plane, const Curve& curve, const CurveStep& step, double sign);
 
-    /// Of a curve that ends in the plane, as where that is a face of the domain: it passes there. After its last step.
+    /// Ends a curve after its last step. A curve that ends in the plane, as where that is a face of the
+    /// domain, passes there.
     /// @param slack  how far from the plane it still ends in it
     void end(const SourcePlane& plane, const Curve& curve, double sign, double slack);
 

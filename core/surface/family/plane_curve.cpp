@@ -11,7 +11,7 @@ namespace wakesurf::core {
 
 namespace {
 
-/// Any direction across another one.
+/// Returns any direction across another one.
 Vec3 across(const Vec3& direction) {
     const Vec3 size = glm::abs(direction);
     const Vec3 axis = size.x <= size.y && size.x <= size.z ? Vec3(1, 0, 0)

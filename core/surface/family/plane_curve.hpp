@@ -1,4 +1,5 @@
-// A curve in a plane, and how far points of the plane are from it: what the scalar of a family is where it is given by a rake.
+// A curve in a plane, and how far points of the plane are from it: what the scalar of a family is where it is
+// given by a rake.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -11,17 +12,20 @@
 
 namespace wakesurf::core {
 
-/// A line, polyline or circle. A line's and a polyline's ends go on straight, so that the curve parts its plane in two.
+/// Holds a line, polyline or circle. A line's and a polyline's ends go on straight, so that the curve parts
+/// its plane in two.
 class PlaneCurve {
   public:
-    /// The normal of the plane that a rake lies in, of length 1; nothing where it is straight and lies in many.
-    /// Error: InvalidArgument for points that lie in no plane, and for a rake that is no curve. REQUIRES: check_rake(rake).
+    /// The normal of the plane that a rake lies in, of length 1; nothing where it is straight and lies in
+    /// many. Error: InvalidArgument for points that lie in no plane, and for a rake that is no curve.
+    /// REQUIRES: check_rake(rake).
     static Result<std::optional<Vec3>> plane_of(const Rake& rake);
 
-    /// REQUIRES: the rake lies in a plane with this normal, of length 1.
+    /// Makes the curve of a rake. REQUIRES: the rake lies in a plane with this normal, of length 1.
     PlaneCurve(const Rake& rake, const Vec3& normal);
 
-    /// From the point, as seen along the normal; positive outside a circle, and on one side of other curves.
+    /// Returns the distance of the point, as seen along the normal; positive outside a circle, and on one
+    /// side of other curves.
     double distance(const Vec3& point) const;
 
   private:

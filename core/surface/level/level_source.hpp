@@ -1,4 +1,5 @@
-// Where the triangles of a level set come from: whoever extracts them, in a process of its own or a test's closed form.
+// Where the triangles of a level set come from: whoever extracts them, in a process of its own or a test's
+// closed form.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -33,12 +34,13 @@ class LevelSource {
   public:
     virtual ~LevelSource() = default;
 
-    /// Of the flow's grid, without cells of which a node has no value. A level outside the range has no triangles.
-    /// Error: NotFound, naming the fields there are; OverLimit (more triangles, or no memory); Cancelled; Io; what reading reports.
+    /// Extracts a level set from the flow's grid, without cells of which a node has no value. A level outside
+    /// the range has no triangles. Error: NotFound, naming the fields there are; OverLimit (more triangles,
+    /// or no memory); Cancelled; Io; what reading reports.
     virtual Result<LevelTriangles> extract(const LevelWanted& wanted,
                                            const std::stop_token& stop) const = 0;
 
-    /// Error: NotFound, naming the fields there are.
+    /// Checks that the field exists. Error: NotFound, naming the fields there are.
     virtual Result<void> check_field(const std::string& name) const = 0;
 };
 

@@ -1,4 +1,5 @@
-// A level set of a scalar field as a surface like any other: what it is coloured by, exported and sent with comes from the same mesh.
+// A level set of a scalar field as a surface like any other: what it is coloured by, exported and sent with
+// comes from the same mesh.
 #pragma once
 
 #include "core/base/clock.hpp"
@@ -13,13 +14,13 @@
 
 namespace wakesurf::core {
 
-/// What a plan of a level surface still needs, where the data are open; nothing for others.
-/// Error: Unsupported where there is none; NotFound, naming the fields there are.
+/// Gives a plan of a level surface what it still needs once the data are open; does nothing to others. Error:
+/// Unsupported where there is no source; NotFound, naming the fields there are.
 Result<void> take_levels(SurfacePlan& plan, std::shared_ptr<const LevelSource> levels);
 
-/// The level set at a time. Its s and t are 0: nothing is released. Statistics say why it is empty, and what the field ranges over.
-/// REQUIRES: a plan that take_levels() has completed.
-/// Error: OverLimit (quads, or memory), what LevelSource::extract and sampling report.
+/// Builds the level set at a time. Its s and t are 0: nothing is released. Statistics say why it is empty,
+/// and what the field ranges over. REQUIRES: a plan that take_levels() has completed. Error: OverLimit
+/// (quads, or memory), what LevelSource::extract and sampling report.
 Result<Surface> build_level_surface(const SurfacePlan& plan,
                                     double time,
                                     const std::stop_token& stop,

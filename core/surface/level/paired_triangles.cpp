@@ -11,13 +11,15 @@ namespace {
 using LevelCorners = std::array<std::uint32_t, 3>;
 
 constexpr std::uint32_t no_triangle_beyond = 0xffffffffu;
-/// Cosine between the normals of two triangles of a quad: below 18 degrees apart a quad looks like what it is made of.
+/// Bounds the cosine between the normals of two triangles of a quad: below 18 degrees apart a quad looks like
+/// what it is made of.
 constexpr double flat_enough = 0.95;
 /// Sine of the sharpest turn at a quad's corner, so that it is convex whichever diagonal it is drawn with.
 constexpr double least_turn = 0.05;
 constexpr std::size_t grades = 1024; ///< of quads, as good as each other within one
 
-/// Numbers below `size` in the order of their keys, those of one key as they come. @param key  of a number, below `keys`
+/// Numbers below `size` in the order of their keys, those of one key as they come. @param key  of a number,
+/// below `keys`
 template <class Key>
 std::vector<std::uint32_t> in_order(std::size_t size, std::size_t keys, const Key& key) {
     std::vector<std::uint32_t> place(keys + 1, 0);
@@ -31,7 +33,7 @@ std::vector<std::uint32_t> in_order(std::size_t size, std::size_t keys, const Ke
     return order;
 }
 
-/// The triangle beyond each side, from corner i to corner i + 1, as 3 * triangle + side.
+/// Returns the triangle beyond each side, from corner i to corner i + 1, as 3 * triangle + side.
 std::vector<std::uint32_t> sides_beyond(std::span<const LevelCorners> triangles,
                                         std::size_t points) {
     const auto ends = [&](std::uint32_t side) {
@@ -48,7 +50,7 @@ std::vector<std::uint32_t> sides_beyond(std::span<const LevelCorners> triangles,
     for (std::size_t first = 0; first < sides; ++first) {
         if (beyond[order[first]] != no_triangle_beyond)
             continue;
-        // Of one vertex there are few.
+        // A vertex has few of them.
         for (std::size_t i = first + 1; i < sides && lower[order[i]] == lower[order[first]]; ++i)
             if (upper[order[i]] == upper[order[first]] && beyond[order[i]] == no_triangle_beyond) {
                 beyond[order[i]] = order[first];
@@ -80,7 +82,8 @@ class TrianglePairing {
         return glm::cross(points_[b] - points_[a], points_[c] - points_[a]);
     }
 
-    /// The sharpest turn of a quad's outline as seen along its normal, or less than nothing where it is bent or not convex.
+    /// The sharpest turn of a quad's outline as seen along its normal, or less than nothing where it is bent
+    /// or not convex.
     double quality(const std::array<std::uint32_t, 4>& q) const {
         const Vec3 one = twice_area(q[0], q[1], q[2]);
         const Vec3 other = twice_area(q[0], q[2], q[3]);
@@ -111,8 +114,8 @@ class TrianglePairing {
         return {corner(t, k + 2), corner(t, k), corner(other, j + 2), corner(t, k + 1)};
     }
 
-    /// The best quads first, of as good ones that of the lowest number; triangles that have only one partner left would be better, but
-    /// cost more to find.
+    /// The best quads first, of as good ones that of the lowest number; triangles that have only one partner
+    /// left would be better, but cost more to find.
     void pair() {
         std::vector<std::uint32_t> sides;
         std::vector<std::uint16_t> worse;

@@ -10,11 +10,11 @@ namespace wakesurf::core {
 namespace {
 
 constexpr double thin = 0.2; ///< quality
-/// Widths, of the separation.
+/// The limits are in separations.
 constexpr double tear_rim = 0.15;
 constexpr double filament = 0.04;
 
-/// Of the rake: a triangle that spans as much belongs to a sheet that was released as narrow as it is.
+/// A triangle that spans so much of the rake belongs to a sheet that was released as narrow as it is.
 constexpr double whole_sheet = 0.2;
 
 constexpr double sharp = 0.87; ///< cosine: 30 degrees
@@ -22,7 +22,8 @@ constexpr double sharp = 0.87; ///< cosine: 30 degrees
 constexpr std::size_t speck = 24;      ///< triangles
 constexpr std::size_t much_larger = 4; ///< times
 
-/// A triangle with two sides on the boundary that meet at a sharp angle: what tears leave is not to be ragged.
+/// Returns whether a triangle has two sides on the boundary that meet at a sharp angle: what tears leave is
+/// not to be ragged.
 bool is_tooth(const MovingMesh& mesh, TriangleId t) {
     const Triangle& here = mesh.triangles[t];
     for (unsigned k = 0; k < 3; ++k) {

@@ -1,5 +1,5 @@
-// What a moving surface loses at its boundary: it is clipped where particles leave the domain or meet a body,
-// thin rims of tears go, and so do the specks that are left between tears.
+// Removes what a moving surface loses at its boundary: it is clipped where particles leave the domain or meet
+// a body, thin rims of tears go, and so do the specks that are left between tears.
 #pragma once
 
 #include "core/surface/moving/crossing.hpp"
@@ -10,7 +10,7 @@
 
 namespace wakesurf::core {
 
-/// The edges from living to dead vertices of the triangles among `candidates`, in order of ids.
+/// Returns the edges from living to dead vertices of the triangles among `candidates`, in order of ids.
 std::vector<EdgeCrossing> edges_to_the_dead(const RefinementContext& context,
                                             std::span<const TriangleId> candidates);
 

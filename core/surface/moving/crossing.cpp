@@ -57,7 +57,8 @@ struct Search {
         if (lives) {
             alive = tried;
         } else {
-            // By the last two that died. A little beyond, as one that lives tells less; before it at the end.
+            // The secant goes through the last two that died. It is tried a little beyond, as one that lives
+            // tells less; before it at the end.
             const double step = (now - time) * (tried - dead) / (time - died);
             next = tried + step + (std::abs(step) < close_enough ? -1.0 : 0.3) * close_enough;
             dead = tried;
@@ -99,7 +100,7 @@ void search_now(const RefinementContext& context, EdgeCrossing& crossing) {
     crossing.carried = crossing.edge.at(crossing.part);
 }
 
-/// What is just as old as a particle may become, on an edge to an older one.
+/// Finds the point that is just as old as a particle may become, on an edge to an older one.
 void search_age(const RefinementContext& context, EdgeCrossing& crossing) {
     const MaterialVertices& v = context.mesh.vertices;
     const double t = v.t[crossing.living], older = v.t[crossing.dead];
@@ -122,7 +123,7 @@ Result<void> find_crossings(const RefinementContext& context,
     const double now = mesh.time;
     const double sign = now < before ? -1.0 : 1.0;
     const auto moved_all_step = [&](VertexId x) {
-        // What was released in this step, of a streak surface, was not there at its beginning.
+        // A vertex of a streak surface that was released in this step was not there at its beginning.
         return v.role[x] == VertexRole::Free &&
                (mesh.lattice.last_row > 0.0 || sign * (v.t[x] - before) <= 0.0);
     };
@@ -135,7 +136,7 @@ Result<void> find_crossings(const RefinementContext& context,
         }
         if (v.end[each.dead] != CurveEnd::Domain && v.end[each.dead] != CurveEnd::Obstacle)
             continue;
-        // What is traced again may turn out to have ended long ago, somewhere else.
+        // A vertex that is traced again may turn out to have ended long ago, somewhere else.
         if (sign * (v.time[each.dead] - before) < 0.0)
             continue;
         if (!moved_all_step(each.living) || !moved_all_step(each.dead) || now == before) {

@@ -14,8 +14,8 @@ namespace wakesurf::core {
 
 namespace {
 
-constexpr double bend_floor =
-    0.7; ///< of the separation: shorter edges are not cut for what lies beside them
+/// Edges shorter than this part of the separation are not cut for what lies beside them.
+constexpr double bend_floor = 0.7;
 
 /// Likewise, of what is cut across a fold: a sheet that rolls up more narrowly than the separation was cut
 /// from 250 to 1,200 quads in two steps when it was an eighth or a quarter.
@@ -27,8 +27,8 @@ bool bends(const RefinementContext& context, TriangleId t, TriangleId u) {
     return glm::dot(p, q) < context.rules.cosine * std::sqrt(squared(p) * squared(q));
 }
 
-/// What the two triangles at a bend are made finer by: the longest of their other edges, if any is long
-/// enough.
+/// Adds the edge by which the two triangles at a bend are made finer: the longest of their other edges, if
+/// any is long enough.
 void add_bend(const RefinementContext& context,
               TriangleId t,
               TriangleId u,
@@ -52,7 +52,7 @@ void add_bend(const RefinementContext& context,
         wanted.push_back(best);
 }
 
-/// The edge of a web that crosses the fold: in (s, t), where its vertices are nearly on one line, the
+/// Returns the edge of a web that crosses the fold: in (s, t), where its vertices are nearly on one line, the
 /// longest.
 unsigned shortcut_of(const MovingMesh& mesh, TriangleId t) {
     const Triangle& here = mesh.triangles[t];
@@ -144,7 +144,7 @@ wanted_cuts(const RefinementContext& context, std::span<const TriangleId> candid
             std::swap(edge.id_a, edge.id_b);
         }
     }
-    // What must be cut comes before the same edge for the shape of what lies beside it.
+    // An edge that must be cut comes before the same edge for the shape of what lies beside it.
     std::sort(wanted.begin(), wanted.end(), [](const WantedCut& x, const WantedCut& y) {
         return std::tuple(-x.length, x.id_a, x.id_b, !x.must) <
                std::tuple(-y.length, y.id_a, y.id_b, !y.must);

@@ -14,7 +14,7 @@ namespace {
 constexpr double least_flat = 0.766; // 40 degrees
 constexpr double sliver = 0.1;       ///< quality
 
-/// Cotangent of an angle by squared lengths: of the two sides at it, and of the third.
+/// Returns the cotangent of an angle by squared lengths: of the two sides at it, and of the third.
 double cotangent(double p, double q, double across) {
     const double twice_dot = p + q - across;
     return twice_dot /

@@ -14,7 +14,7 @@ namespace {
 /// separations (double gyre, streak surface).
 constexpr double largest_sagitta = 0.25;
 
-/// Of the doubt, which allows for the worst: what decides whether a vertex is traced again.
+/// Takes this part of the doubt, which allows for the worst: it decides whether a vertex is traced again.
 constexpr double of_doubt = 0.5;
 
 Vec3 tangent(const MovingMesh& mesh, VertexId at, const ParameterStep& step) {
@@ -42,8 +42,8 @@ MaterialPoint between(const MovingMesh& mesh, VertexId a, VertexId b, double par
     return mid;
 }
 
-/// A cubic triangle by its values and tangents at three vertices, as Bezier points. Its inner point is that
-/// which a quadratic would have.
+/// Holds a cubic triangle by its values and tangents at three vertices, as Bezier points. Its inner point is
+/// that which a quadratic would have.
 class CubicPatch {
   public:
     CubicPatch(const MovingMesh& mesh, VertexId a, VertexId b, VertexId c)
@@ -84,7 +84,7 @@ class CubicPatch {
             inner_ += move;
     }
 
-    /// Tangents at `part` of the way from a to b.
+    /// Sets the tangents at `part` of the way from a to b.
     void set_tangents(double part, MaterialPoint& point) const {
         const Slopes slopes = slopes_at(1.0 - part, part, 0.0);
         const Vec3 along = slopes.b - slopes.a;
@@ -96,7 +96,7 @@ class CubicPatch {
     }
 
   private:
-    /// Derivatives by the three barycentric coordinates.
+    /// Holds derivatives by the three barycentric coordinates.
     struct Slopes {
         Vec3 a, b, c;
     };
@@ -109,7 +109,7 @@ class CubicPatch {
                 uu * a_[2] + uv * inner_ + uw * c_[1] + vv * b_[2] + vw * c_[2] + ww * c_[0]};
     }
 
-    /// From the point at `part` of the way from a to b towards c.
+    /// Returns the slope from the point at `part` of the way from a to b towards c.
     Vec3 slope_across(double part) const {
         const Slopes slopes = slopes_at(1.0 - part, part, 0.0);
         return slopes.c - (1.0 - part) * slopes.a - part * slopes.b;
@@ -143,8 +143,8 @@ bool differs(const Vec3& tangent, const Vec3& mean) {
     return !(squared(tangent - mean) <= 0.0625 * squared(mean));
 }
 
-/// How far the cubic may be off half-way. Its length is about right, its direction where the surface says it
-/// is.
+/// Returns how far the cubic may be off half-way. Its length is about right, its direction where the surface
+/// says it is.
 Vec3 doubt_of(const EdgeCubic& edge) {
     const Vec3 at_a = edge.slope(edge.a), at_b = edge.slope(edge.b);
     const Vec3 chord = edge.b.position - edge.a.position;

@@ -7,14 +7,14 @@
 
 namespace wakesurf::core {
 
-/// By how much the tangent dx/ds ds + dx/dt dt of the edge from a to b changes along it: that at a less that
-/// at b.
+/// Returns by how much the tangent dx/ds ds + dx/dt dt of the edge from a to b changes along it: that at a
+/// less that at b.
 Vec3 edge_turn(const MovingMesh& mesh, VertexId a, VertexId b);
 
-/// What of the turn points across the chord: what it changes along the chord is no shape.
+/// Returns what of the turn points across the chord: what it changes along the chord is no shape.
 Vec3 edge_bend(const MovingMesh& mesh, VertexId a, VertexId b);
 
-/// The cubic along an edge.
+/// Holds the cubic along an edge.
 struct EdgeCubic {
     Carried a, b; ///< at its ends
     ParameterStep step;
@@ -29,10 +29,10 @@ struct EdgeCubic {
 
 EdgeCubic edge_cubic(const MovingMesh& mesh, VertexId a, VertexId b);
 
-/// The point at `part` of the way along edge k of a triangle, flagged approximated. Its tangents are those of
-/// the cubic patch over that triangle and its neighbours, so that what is inserted later is as accurate as
-/// what is inserted first. Error of the position and, times the edge, of the tangents: fourth order in the
-/// edge. Its error is that of the ends and what interpolation may add.
+/// Returns the point at `part` of the way along edge k of a triangle, flagged approximated. Its tangents are
+/// those of the cubic patch over that triangle and its neighbours, so that what is inserted later is as
+/// accurate as what is inserted first. Error of the position and, times the edge, of the tangents: fourth
+/// order in the edge. Its error is that of the ends and what interpolation may add.
 MaterialPoint point_on_edge(const MovingMesh& mesh, TriangleId t, unsigned k, double part = 0.5);
 
 /// The point at `part` of the way from a to b that is known to be at `carried`, flagged approximated.

@@ -18,21 +18,22 @@ constexpr double bad = 0.25;           ///< quality of what may get worse elsewh
 constexpr double means_nothing = 0.15; ///< quality below which a normal says nothing
 constexpr double least_turn = 0.342;   ///< cosine: normals may turn by 70 degrees
 constexpr double least_fold = 0.5;     ///< cosine: neighbours may meet at 60 degrees
-constexpr double off_border =
-    0.05; ///< of the separation: a vertex of the rectangle's border from its new edge
+/// A vertex of the rectangle's border may be so many separations from its new edge.
+constexpr double off_border = 0.05;
 constexpr double off_tear = 0.2; ///< the same along a tear
 constexpr double of_bulge = 0.5; ///< allowed of what is cut, or it would be cut again soon
 
 constexpr double needle_base = 10.0; ///< of a crumb: what is not higher may lie aslant
 
 struct Short {
-    double
-        length; ///< squared, of the separation's, to a millionth: edges of one length are taken in order of ids
+    /// Is squared, in squares of the separation, to a millionth: edges of one length are taken in order of
+    /// ids.
+    double length;
     VertexId a, b;
     std::uint32_t id_a, id_b; ///< a's is the smaller
 };
 
-/// One vertex taken into another: all that has to be known of it.
+/// Takes one vertex into another, and holds all that has to be known of it.
 class Join {
   public:
     /// @param shape_counts  false: only what lies on the surface, and its border, is looked at
@@ -48,13 +49,13 @@ class Join {
     }
 
   private:
-    /// What is cheap, and refuses most, comes first.
+    /// Returns whether the join is allowed. What is cheap, and refuses most, comes first.
     bool allowed(VertexId gone, VertexId kept) {
         if (mesh_.vertices.role[gone] == VertexRole::Attached ||
             mesh_.vertices.dead(gone) != mesh_.vertices.dead(kept))
             return false;
         mesh_.triangles.fan(gone, ring_);
-        // What lies beside the rake makes the next row: it would be seeded again at once.
+        // A vertex beside the rake makes the next row: it would be seeded again at once.
         for (const TriangleId t : ring_)
             if (has_attached_vertex(mesh_, t))
                 return false;
@@ -114,7 +115,7 @@ class Join {
         const bool is_bad = std::any_of(ring_.begin(), ring_.end(),
                                         [&](TriangleId t) { return quality(mesh_, t) < bad; });
         return all_neighbours(gone, kept, [&](VertexId x) {
-            // What is bad already may bulge as it did.
+            // An edge that is bad already may bulge as it did.
             return !bulges(context_, x, kept, of_bulge) ||
                    (is_bad &&
                     squared(edge_bend(mesh_, x, kept)) <= squared(edge_bend(mesh_, x, gone)));
@@ -177,8 +178,8 @@ bool is_short(const RefinementContext& context, double squared_length) {
     return squared_length < context.squared_separation(context.rules.merge);
 }
 
-/// True where the edges of `gone` would be short enough if they led to `kept`. Of 30,000 joins that were tried
-/// in a step 26,000 failed at that.
+/// True where the edges of `gone` would be short enough if they led to `kept`. Of 30,000 joins that were
+/// tried in a step 26,000 failed at that.
 /// @param t  has both
 bool all_near(const MovingMesh& mesh, TriangleId t, VertexId gone, VertexId kept, double allowed) {
     const MaterialTriangles& triangles = mesh.triangles;

@@ -17,7 +17,7 @@ TriangleId MaterialTriangles::add(VertexId a, VertexId b, VertexId c) {
     TriangleId t;
     if (free_.empty()) {
         t = static_cast<TriangleId>(slots_.size());
-        // An eighth more at a time: doubling would hold twice what the surface needs.
+        // The vector grows by an eighth at a time: doubling would hold twice what the surface needs.
         if (slots_.size() == slots_.capacity())
             slots_.reserve(slots_.size() + slots_.size() / 8 + 512);
         slots_.emplace_back();

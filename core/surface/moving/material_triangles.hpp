@@ -23,14 +23,14 @@ struct Triangle {
     static constexpr std::uint8_t alone = 3;
 
     std::array<VertexId, 3> vertex; ///< slots
-    /// [k]: beyond the edge from vertex[k] to vertex[k + 1].
+    /// Holds at [k] the triangle beyond the edge from vertex[k] to vertex[k + 1].
     std::array<TriangleId, 3> across{no_triangle, no_triangle, no_triangle};
     std::uint32_t quad = 0; ///< what the pair is called; never used again within a surface
-    /// Of an odd triangle, which has no other half: in the middle of its edge `mate`, so that it can be
-    /// handed out as a quad.
+    /// Is, for an odd triangle, which has no other half, a vertex in the middle of its edge `mate`, so that
+    /// it can be handed out as a quad.
     VertexId hanging = no_vertex;
-    std::uint8_t mate =
-        alone; ///< the edge across which the other half of the quad is; `alone` while it has none
+    /// Is the edge across which the other half of the quad is; `alone` while it has none.
+    std::uint8_t mate = alone;
     bool live = false;
 
     bool odd() const { return hanging != no_vertex; }
@@ -52,14 +52,14 @@ struct Triangle {
 
 class MaterialTriangles {
   public:
-    /// Slots, free ones included: `live` tells.
+    /// Returns all slots, free ones included: `live` tells.
     std::span<const Triangle> slots() const { return slots_; }
 
     const Triangle& operator[](TriangleId t) const { return slots_[t]; }
 
     std::size_t live() const { return slots_.size() - free_.size(); }
 
-    /// As many as are handed out.
+    /// Returns how many quads are handed out.
     std::size_t quads() const { return (live() + odd_ + 1) / 2; }
 
     /// No triangle has the vertex.
@@ -75,7 +75,7 @@ class MaterialTriangles {
         return slots_[slots_[t].across[k]].edge_from(slots_[t].end(k));
     }
 
-    /// The vertex opposite to edge k of `t` in the triangle beyond it. REQUIRES: there is one.
+    /// Returns the vertex opposite to edge k of `t` in the triangle beyond it. REQUIRES: there is one.
     VertexId opposite_beyond(TriangleId t, unsigned k) const {
         return slots_[slots_[t].across[k]].opposite(facing(t, k));
     }
@@ -103,8 +103,8 @@ class MaterialTriangles {
     /// Turns an inner edge into the one between the vertices opposite to it. REQUIRES: no such edge.
     void flip(TriangleId t, unsigned k);
 
-    /// True where taking `gone` into `kept`, its neighbour, leaves a surface: their common neighbours are
-    /// those of their edge, and not two boundaries are joined. `ring` becomes the fan of `gone`.
+    /// Returns true where taking `gone` into `kept`, its neighbour, leaves a surface: their common neighbours
+    /// are those of their edge, and not two boundaries are joined. `ring` becomes the fan of `gone`.
     bool collapsible(VertexId gone, VertexId kept, std::vector<TriangleId>& ring) const;
 
     /// A hole of three edges, one of which goes, is closed. REQUIRES: collapsible(gone, kept, ring).
@@ -137,7 +137,7 @@ class MaterialTriangles {
 
     std::uint32_t next_id() const { return next_id_; }
 
-    /// REQUIRES: none has been made.
+    /// Sets the id of the first triangle. REQUIRES: none has been made.
     void number_from(std::uint32_t first) { next_id_ = first; }
 
     /// Moves triangles and vertices to the slots they have in `order` and `vertex_slot`. For keeping memory
@@ -150,8 +150,8 @@ class MaterialTriangles {
                (touched_.capacity() + loose_.capacity()) * sizeof(TriangleId);
     }
 
-    /// What keeps the links sound: those of neighbours answer each other, each vertex has one fan, halves of
-    /// quads know each other. Empty, or the first violation. Cost: O(triangles).
+    /// Returns the first violation of what keeps the links sound, or nothing: those of neighbours answer each
+    /// other, each vertex has one fan, halves of quads know each other. Cost: O(triangles).
     std::string violation() const;
 
   private:

@@ -29,7 +29,7 @@ VertexId MaterialVertices::add(const MaterialPoint& point, VertexRole as, double
     VertexId v;
     if (free_.empty()) {
         v = static_cast<VertexId>(slots());
-        // An eighth more at a time: doubling would hold twice what the surface needs.
+        // The vectors grow by an eighth at a time: doubling would hold twice what the surface needs.
         if (slots() == role.capacity())
             for_each_array(*this, [&](auto& array) { array.reserve(slots() + slots() / 8 + 256); });
         for_each_array(*this, [](auto& array) { array.emplace_back(); });

@@ -14,24 +14,26 @@
 
 namespace wakesurf::core {
 
-/// Free: carried by the flow. Attached: on the rake, to be released. Unused: an empty slot.
+/// Says what a vertex does. Free: carried by the flow. Attached: on the rake, to be released. Unused: an
+/// empty slot.
 enum class VertexRole : std::uint8_t { Free, Attached, Unused };
 
-/// Place among the columns and rows the surface began with: whole numbers there, fractions where something
-/// was inserted.
+/// Holds the place among the columns and rows the surface began with: whole numbers there, fractions where
+/// something was inserted.
 struct LatticePlace {
     double column = 0.0;
     double row = 0.0;
 };
 
-/// How far a vertex may be from the true surface.
+/// Says how far a vertex may be from the true surface.
 struct VertexError {
     CarriedError traced; ///< by the integrator's steps, as if it had been traced from the rake
-    CarriedError
-        placed; ///< by interpolation, of it or of what it was interpolated from; none where it is traced again
+    /// Is the error by interpolation, of it or of what it was interpolated from; none where it is traced
+    /// again.
+    CarriedError placed;
     CarriedDistance apart; ///< by both, in any direction, from the particle it stands for
 
-    /// Half-way between two vertices.
+    /// Returns the error half-way between two vertices.
     static VertexError between(const VertexError& a, const VertexError& b) {
         return {CarriedError::between(a.traced, b.traced),
                 CarriedError::between(a.placed, b.placed),
@@ -44,7 +46,7 @@ struct VertexError {
     }
 };
 
-/// What a vertex is made from.
+/// Holds what a vertex is made from.
 struct MaterialPoint {
     Carried carried;
     double s = 0.0;
@@ -55,7 +57,7 @@ struct MaterialPoint {
     VertexError error;
 };
 
-/// Of one vertex in all arrays.
+/// A vertex takes so many bytes in all arrays.
 inline constexpr std::size_t vertex_bytes =
     3 * sizeof(Vec3) + 3 * sizeof(double) + sizeof(CurveEnd) + sizeof(LatticePlace) +
     sizeof(Vec3f) + sizeof(float) + 2 * sizeof(std::uint32_t) + sizeof(VertexRole) +
@@ -79,7 +81,7 @@ class MaterialVertices {
 
     SurfaceTangents tangents(VertexId v) const { return {along_s[v], along_t[v]}; }
 
-    /// For Flow::advance: only free, living vertices are Running.
+    /// Returns the particles for Flow::advance: only free, living vertices are Running.
     Particles particles();
 
     bool dead(VertexId v) const {
@@ -90,10 +92,10 @@ class MaterialVertices {
     /// Moves each vertex to the slot it has in `order`, which names every used one once.
     void renumber(std::span<const VertexId> order);
 
-    /// What the next one made is called.
+    /// Returns the id of the vertex that is made next.
     std::uint32_t next_id() const { return next_id_; }
 
-    /// REQUIRES: none has been made.
+    /// Sets the id of the first vertex. REQUIRES: none has been made.
     void number_from(std::uint32_t first) { next_id_ = first; }
 
     std::size_t bytes() const;

@@ -11,7 +11,7 @@
 
 namespace wakesurf::core {
 
-/// See build_surface.
+/// Builds a streak or time surface for build_surface.
 Result<Surface> build_moving_surface(const SurfacePlan& plan,
                                      std::stop_token stop,
                                      const Clock& clock,

@@ -14,10 +14,10 @@ struct RakeLattice {
     double columns = 1.0;
     bool closed = false;
     double last_row = 0.0; ///< of a patch; rows of a streak surface have no last one
-    double facing =
-        1.0; ///< 1 or -1: the sign of the area in (s, t) of the triangles as they are run round
+    /// Is the sign of the area in (s, t) of the triangles as they are run round: 1 or -1.
+    double facing = 1.0;
 
-    /// From one seed parameter to another the short way round.
+    /// Returns the difference from one seed parameter to another the short way round.
     double s_between(double from, double to) const {
         return closed ? to - from - std::round(to - from) : to - from;
     }
@@ -33,7 +33,7 @@ struct RakeLattice {
     }
 };
 
-/// A difference of two places in the parameter rectangle.
+/// Holds a difference of two places in the parameter rectangle.
 struct ParameterStep {
     double s, t;
 };
@@ -59,7 +59,7 @@ inline std::size_t memory_of(const MovingMesh& mesh) {
     return mesh.vertices.bytes() + mesh.triangles.bytes();
 }
 
-/// Of a vertex, while the mesh to show is made.
+/// A vertex takes so many bytes more while the mesh to show is made.
 inline constexpr std::size_t shown_bytes = 250;
 
 /// With what a step takes besides: the looks at triangles, samples, an array that grows.

@@ -42,7 +42,7 @@ MovingPlan make_plan(const MovingRequest& request, double separation) {
     rules.coarsest = std::max(separation, coarsest_separation(flow.domain()));
     rules.merge = joined_at_most * p.merge;
     rules.cosine = p.angle >= 180.0 ? -1.0 : std::cos(p.angle * std::numbers::pi / 180.0);
-    // What neighbours are apart by mistake is cut as if the flow had parted them: with ten times the
+    // Neighbours that are apart by mistake are cut as if the flow had parted them: with ten times the
     // tolerance a fast surface of sqcyl-foam had 54,506 quads for 39,029, and took longer.
     const double tolerance =
         trace_tolerance(p.accuracy == Accuracy::Fast ? Accuracy::Balanced : p.accuracy);

@@ -1,4 +1,5 @@
-// What does not change while a surface moves: where its points come from, and the rules at one separation.
+// Holds what does not change while a surface moves: where its points come from, and the rules at one
+// separation.
 #pragma once
 
 #include "core/surface/budget_search.hpp"
@@ -19,7 +20,7 @@ struct MovingRequest {
     double largest_speed; ///< in the domain, at the start
     Origin origin;
 
-    /// How far the fastest particle goes.
+    /// Returns how far the fastest particle goes, in units of length.
     double travel() const;
 };
 
@@ -45,10 +46,10 @@ MovingPlan make_plan(const MovingRequest& request, double separation);
 /// The request's own separation, or a larger one where the surface would take too many steps.
 double least_separation(const MovingRequest& request);
 
-/// Intervals between the seeds of a row at `separation`.
+/// Returns the intervals between the seeds of a row at `separation`.
 double seeds_at(const MovingRequest& request, double separation);
 
-/// Which separations to try for the request.
+/// Returns the search that says which separations to try for the request.
 BudgetSearch budget_search(const MovingRequest& request);
 
 } // namespace wakesurf::core

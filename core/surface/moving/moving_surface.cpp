@@ -17,8 +17,8 @@ namespace wakesurf::core {
 
 namespace {
 
-/// Between the rows of a patch, of the separation. With all of it an edge between rows that lean by anything
-/// at all would be too long, and columns that come together could not be joined.
+/// The rows of a patch are so far apart, in separations. With 1 an edge between rows that lean by anything at
+/// all would be too long, and columns that come together could not be joined.
 constexpr double patch_spacing = 0.9;
 
 constexpr double patch_bytes = 350.0; ///< a quad, while it is laid
@@ -26,13 +26,13 @@ constexpr double patch_bytes = 350.0; ///< a quad, while it is laid
 /// Surfaces that were begun and exceeded their budget, after which the next one is made coarser as it moves.
 constexpr int most_given_up = 3;
 
-constexpr std::uint64_t check_every =
-    4;                              ///< steps, from one look at the integrator's errors to the next
-constexpr double carry_share = 0.4; // of a step, in what is told of how far it is
+/// The integrator's errors are measured every so many steps.
+constexpr std::uint64_t check_every = 4;
+constexpr double carry_share = 0.4;     // of a step, in what is told of how far it is
 constexpr double sorting_share = 0.125; // of vertices inserted since memory was last in mesh order
 
-/// Ends the particles that are older than they may become, at the time at which they did. They have been carried on to the mesh's time, so
-/// that the surface can be cut where it is just that old (crossing.cpp).
+/// Ends the particles that are older than they may become, at the time at which they did. They have been
+/// carried on to the mesh's time, so that the surface can be cut where it is just that old (crossing.cpp).
 void end_the_old(MovingMesh& mesh, const SurfaceParameters& p) {
     if (!p.life)
         return;
@@ -142,7 +142,7 @@ Result<MovingPlan> MovingSurface::plan_within_budget(const MovingRequest& reques
     return cannot_be_coarser(request.plan.parameters.max_quads, search.coarsest());
 }
 
-/// The surface at its start. False: it has more quads than its rules allow.
+/// Makes the surface at its start. Returns false if it has more quads than its rules allow.
 Result<bool> MovingSurface::begin(const std::stop_token& stop, const WorkPart& work) {
     const MovingPlan& plan = *state_.plan;
     MovingMesh& mesh = state_.mesh;
@@ -210,7 +210,7 @@ MovingSurface::start_coarser(double until, const std::stop_token& stop, const Wo
     return advance_to(until, stop, work);
 }
 
-/// False: the mesh has more quads than its rules allow.
+/// Refines the mesh. Returns false if it has more quads than its rules allow.
 Result<bool> MovingSurface::refine(double before,
                                    const AdvanceOptions& carry,
                                    const std::stop_token& stop,
@@ -237,7 +237,7 @@ bool MovingSurface::refines() const {
     return state_.plan->request.plan.parameters.refine == Refine::On;
 }
 
-/// Velocity at every vertex now; the rake's particles leave along it.
+/// Samples the velocity at every vertex now; the rake's particles leave along it.
 Result<void> MovingSurface::sample_velocity(const std::stop_token& stop) {
     MaterialVertices& v = state_.mesh.vertices;
     const bool smooth = state_.plan->carry.smooth;
@@ -295,7 +295,8 @@ Result<void> MovingSurface::step(double to,
     return {};
 }
 
-/// One step, to next_time(). False: the mesh then has more quads than its rules allow, and is of no use.
+/// Takes one step, to next_time(). Returns false if the mesh then has more quads than its rules allow, and is
+/// of no use.
 Result<bool> MovingSurface::move(double now, const std::stop_token& stop, const WorkPart& work) {
     MovingMesh& mesh = state_.mesh;
     const auto began = clock_->now();
@@ -402,8 +403,8 @@ Result<void> MovingSurface::trace_doubtful(const AdvanceOptions& options,
         return {};
     std::vector<VertexId> doubtful =
         vertices_beyond(state_.mesh, rules.trusted_error * state_.separation);
-    // What was traced with these very steps would come to the same place. Fast surfaces of cells traced
-    // 352,840 vertices again to mend the 6,843 that were interpolated.
+    // A vertex that was traced with these very steps would come to the same place. Fast surfaces of cells
+    // traced 352,840 vertices again to mend the 6,843 that were interpolated.
     if (options.method == AdvanceOptions::Method::Dopri5)
         std::erase_if(doubtful,
                       [&](VertexId v) { return state_.mesh.vertices.approximated[v] == 0; });

@@ -21,8 +21,8 @@ namespace wakesurf::core {
 
 /// All that a surface is at one time.
 struct MovingState {
-    std::shared_ptr<const MovingPlan>
-        plan; ///< another one where the quad budget had the surface begun again
+    /// Is replaced where the quad budget had the surface begun again.
+    std::shared_ptr<const MovingPlan> plan;
     MovingMesh mesh;
     double separation = 0.0; ///< raised by the quad budget
     double row = 0.0;        ///< rows released so far
@@ -31,8 +31,8 @@ struct MovingState {
     std::uint64_t steps = 0;
     std::uint64_t vertex_steps = 0; ///< integrator steps of all vertices
     SurfaceStatistics::Terminated terminated;
-    std::uint32_t fresh =
-        0xffffffffu;        ///< ids from here on were given by the last step's refinement
+    /// Ids from here on were given by the last step's refinement.
+    std::uint32_t fresh = 0xffffffffu;
     std::uint64_t torn = 0; ///< cells, see SurfaceStatistics
     StepErrors step_errors;
     double errors_until = 0.0; ///< the steps before are in the errors of the vertices
@@ -40,12 +40,14 @@ struct MovingState {
     std::size_t bytes() const { return memory_of(mesh) + step_errors.bytes(); }
 };
 
-/// Thread safety: one thread at a time. Runs in the calling thread's oneTBB arena.
+/// Steps a streak or time surface forward in the calling thread's oneTBB arena. Thread safety: one thread at
+/// a time.
 class MovingSurface {
   public:
-    /// The surface at `parameters.from`: nothing of a streak surface yet, the whole patch of a time surface.
-    /// Where coarse trials show that it would exceed the quad budget, its separation is larger from the start.
-    /// Error: OverLimit where not even a tenth of the domain would do, Cancelled, what sampling reports.
+    /// Returns the surface at `parameters.from`: nothing of a streak surface yet, the whole patch of a time
+    /// surface. Where coarse trials show that it would exceed the quad budget, its separation is larger from
+    /// the start. Error: OverLimit where not even a tenth of the domain would do, Cancelled, what sampling
+    /// reports.
     static Result<MovingSurface> start(const SurfacePlan& plan,
                                        std::stop_token stop,
                                        const Clock& clock,

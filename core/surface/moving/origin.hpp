@@ -16,12 +16,11 @@ namespace wakesurf::core {
 
 class Origin {
   public:
-    /// Streak: t is the release time. @param smooth  the field that velocity on the rake is sampled in, as
-    /// for Flow::sample
+    /// Makes the origin of a streak surface, whose t is the release time.
     explicit Origin(SeedingCurve rake, bool smooth = false);
 
-    /// Time: t in 0..1 runs from the rake to `opposite`, a second rake or the rake moved by a vector; all is
-    /// released at `release`.
+    /// Makes the origin of a time surface: t in 0..1 runs from the rake to `opposite`, a second rake or the
+    /// rake moved by a vector; all is released at `release`.
     Origin(SeedingCurve rake, SeedingCurve opposite, double release);
     Origin(SeedingCurve rake, const Vec3& sweep, double release);
 
@@ -33,18 +32,17 @@ class Origin {
 
     double release(double t) const { return patch() ? release_ : t; }
 
-    /// Longest way across a patch at constant s, of 17.
+    /// Returns the longest of 17 ways across a patch at constant s.
     double longest_across() const;
 
-    /// Length of the seeding curve; of a patch the longer of its two.
+    /// Returns the length of the seeding curve; of a patch the longer of its two.
     double length() const;
 
     /// Seed parameters that must be vertices: where the curve has corners.
     std::vector<double> corners() const;
 
-    /// Position, tangents and area at release of every (s, t). `along_t` of a streak is minus the velocity
-    /// there then.
-    /// Error: what sampling reports.
+    /// Returns position, tangents and area at release of every (s, t). `along_t` of a streak is minus the
+    /// velocity there then. Error: what sampling reports.
     Result<std::vector<MaterialPoint>> points(const Flow& flow,
                                               std::span<const double> s,
                                               std::span<const double> t,

@@ -29,7 +29,7 @@ class Pairing {
     /// Nothing moves while pairs are looked for: most quads are asked for several times.
     void remember_scores() { known_.assign(scores_kept, {}); }
 
-    /// As score(). REQUIRES: remember_scores().
+    /// Returns the remembered score(). REQUIRES: remember_scores().
     float known_score(TriangleId t, unsigned k) {
         const TriangleId u = triangles_[t].across[k];
         const std::uint64_t name = std::uint64_t{std::min(t, u)} << 32 | std::max(t, u);
@@ -39,7 +39,7 @@ class Pairing {
         return known.score;
     }
 
-    /// REQUIRED for paths.
+    /// Prepares the search for paths, which needs it.
     void remember_searches() {
         searched_.assign(triangles_.slots().size(), 0);
         from_.resize(triangles_.slots().size());
@@ -80,7 +80,7 @@ class Pairing {
             sine[i] = scale > 0.0f ? along * std::abs(along) / scale : -1.0f; // squared
         }
         const float least = *std::min_element(sine.begin(), sine.end());
-        // Of the triangles' normals: a quad is not to be bent over a ridge of the sheet.
+        // The normals of the triangles count: a quad is not to be bent over a ridge of the sheet.
         const float here_size =
             normal_x[0] * normal_x[0] + normal_y[0] * normal_y[0] + normal_z[0] * normal_z[0];
         const float there_size =
@@ -315,7 +315,7 @@ void pair_all(const RefinementContext& context,
     triangles.loose().clear();
     pairing.remember_scores();
     pairing.pair_forced(all);
-    // What a forced pair has taken apart looks for another half as well.
+    // A triangle that a forced pair has taken apart looks for another half as well.
     std::vector<TriangleId> rest = all;
     rest.insert(rest.end(), triangles.loose().begin(), triangles.loose().end());
     rest = still_free(rest);

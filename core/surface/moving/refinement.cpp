@@ -39,7 +39,7 @@ std::vector<TriangleId> take(std::vector<TriangleId>& list) {
 
 } // namespace
 
-/// Whether an interpolated vertex may be too far off to stay where it is.
+/// Returns whether an interpolated vertex may be too far off to stay where it is.
 bool Refinement::wants_trace(const MovingMesh& mesh, VertexId made) const {
     if (mesh.vertices.role[made] != VertexRole::Free)
         return false;
@@ -138,8 +138,7 @@ void Refinement::cut(MovingMesh& mesh, TriangleId t, unsigned k, bool must) {
         return;
     }
     const VertexId a = mesh.triangles[t].begin(k), b = mesh.triangles[t].end(k);
-    // What has been torn beyond a boundary edge may have been cut in its middle: two vertices at one place
-    // would be a crack.
+    // An edge that has been torn may have been cut in its middle: two vertices at one place would be a crack.
     const bool tear = u == no_triangle && !on_rectangle_border(mesh, a, b);
     const VertexId made = insert(mesh, t, k, tear ? beside_middle : 0.5);
     mesh.triangles.split(t, k, made);
@@ -191,7 +190,7 @@ void Refinement::cut_pass(MovingMesh& mesh, std::span<const TriangleId> candidat
     for (const WantedCut& edge : wanted_cuts(here, candidates, shape)) {
         if (stop_.stop_requested())
             return;
-        // Cut, or turned away, meanwhile: the next pass sees to it.
+        // An edge that was cut, or turned away, meanwhile is left to the next pass.
         auto there = mesh.triangles.find(edge.a, edge.b);
         if (there.triangle == no_triangle)
             there = mesh.triangles.find(edge.b, edge.a);

@@ -48,12 +48,13 @@ class Refinement {
         : flow_(flow), origin_(origin), rules_(rules), before_(before), turn_(turn), trace_(trace),
           scan_(memory.scan), to_retrace_(memory.to_retrace) {}
 
-    /// False: the mesh has more quads than the rules allow, and no separation that they allow changes that.
-    /// Error: Cancelled, OverLimit where there is no memory, and what tracing a vertex again reports.
+    /// Refines the mesh. Returns false if it has more quads than the rules allow, and no separation that they
+    /// allow changes that. Error: Cancelled, OverLimit where there is no memory, and what tracing a vertex
+    /// again reports.
     /// @param work  told what memory the mesh takes
     Result<bool> run(MovingMesh& mesh, std::stop_token stop, const WorkPart& work = {});
 
-    /// As now in force: the quad budget raises the separation.
+    /// Returns the rules now in force: the quad budget raises the separation.
     const RefinementRules& rules() const { return rules_; }
 
     /// Cells that were deleted although all their particles live: the surface could not be followed there.

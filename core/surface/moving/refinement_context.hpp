@@ -1,4 +1,4 @@
-// What the phases of a moving surface's refinement work on.
+// Holds what the phases of a moving surface's refinement work on.
 #pragma once
 
 #include "core/field/flow.hpp"
@@ -13,10 +13,10 @@ struct RefinementContext {
     MovingMesh& mesh;
     const Flow& flow;
     const RefinementRules& rules; ///< as now in force
-    const std::stop_token
-        stop{}; ///< when it is requested every phase ends where it is: the mesh is of no use then
+    /// Ends every phase where it is when it is requested: the mesh is of no use then.
+    const std::stop_token stop{};
 
-    /// Squared length, from a part of the separation.
+    /// Returns the squared length of a part of the separation.
     double squared_separation(double part = 1.0) const {
         return part * part * rules.separation * rules.separation;
     }

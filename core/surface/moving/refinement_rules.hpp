@@ -5,8 +5,8 @@
 
 namespace wakesurf::core {
 
-/// Hermite: new vertices are interpolated, and traced again where that may be too far off. Exact: all are
-/// traced again.
+/// Says how new vertices are placed. Hermite: they are interpolated, and traced again where that may be too
+/// far off. Exact: all are traced again.
 enum class InsertionPolicy { Hermite, Exact };
 
 /// Sizes are parts of the separation.
@@ -21,17 +21,17 @@ struct RefinementRules {
     double crumb = 1e-3;
     double merge = 0.55; ///< edges shorter than this are joined; 0: none
 
-    double least_s =
-        1e-6; ///< parameter distances below which the surface is taken to be discontinuous
+    /// The surface is taken to be discontinuous below this distance in the parameter.
+    double least_s = 1e-6;
     double least_t = 1e-6; ///< in the unit of t
-    /// The same beside an obstacle, where a surface that still diverges is taken to split.
+    /// Are the least distances beside an obstacle, where a surface that still diverges is taken to split.
     double least_s_at_wall = 0.0;
     double least_t_at_wall = 0.0;
 
     InsertionPolicy policy = InsertionPolicy::Hermite;
-    /// Hermite: a vertex that may be further off is traced again. Where interpolated vertices stood beside
-    /// traced ones with larger errors, the differences were folds that were cut, and so on: core/README.md,
-    /// How a streak or time surface moves.
+    /// Limits, with Hermite, how far off a vertex may be before it is traced again. Where interpolated
+    /// vertices stood beside traced ones with larger errors, the differences were folds that were cut, and so
+    /// on: core/README.md, How a streak or time surface moves.
     double trusted_error = 0.02;
     bool retrace = true;   ///< tracing again is possible
     bool obstacle = false; ///< edges may cross solid parts

@@ -1,5 +1,5 @@
-// What happens to the vertices of a moving surface between steps: rows leave the rake, the dead are kept
-// track of, memory is put back into mesh order.
+// Handles the vertices of a moving surface between steps: rows leave the rake, the dead are kept track of,
+// memory is put back into mesh order.
 #pragma once
 
 #include "core/surface/moving/origin.hpp"
@@ -22,7 +22,7 @@ std::vector<double> places_behind(const MovingMesh& mesh,
 /// Attached vertices stay on the rake: theirs is the mesh's time.
 void move_attached(MovingMesh& mesh);
 
-/// How many are under way.
+/// Returns how many vertices are under way.
 std::uint64_t running(const MovingMesh& mesh);
 
 /// Counts those that died in this step. Vertices whose id is at least `fresh` do not count: those on the

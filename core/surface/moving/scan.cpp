@@ -20,7 +20,7 @@ namespace {
 /// One of so many steps looks at what has not changed for joining and a better other half.
 constexpr std::uint64_t turns = 12;
 
-/// Normals that differ by more: the corners of the quad are not the sums of its triangles' angles.
+/// Where normals differ by more, the corners of the quad are not the sums of its triangles' angles.
 constexpr float flat = 0.9f;
 constexpr float poor_corner = 0.31f; ///< sine; with room above that of pairs that are poor
 constexpr float open_corner = 0.6f;  ///< cotangent: 59 degrees, with room above is_diagonal()'s
@@ -28,10 +28,10 @@ constexpr float nearly_flat = 0.99f;
 
 enum Need : std::uint8_t { flipping = 1, cutting = 2, joining = 4, pairing = 8 };
 
-/// So many triangles, and their edges, go through the same arithmetic side by side.
+/// The loops take so many triangles, and their edges, through the same arithmetic side by side.
 constexpr std::size_t at_once = 16;
 
-/// What the exact rules have to be asked about some triangles, and the answers.
+/// Says what the exact rules have to be asked about some triangles, and the answers.
 class Scan {
   public:
     Scan(const RefinementContext& context, std::uint64_t turn, ScanMemory& memory)
@@ -60,13 +60,14 @@ class Scan {
     }
 
   private:
-    /// What may be of an edge.
+    /// Says what may become of an edge.
     enum May : std::uint32_t { cut = 1, flip = 2, part = 4 };
 
     static constexpr std::uint32_t edge_bits = 3;
     static constexpr std::uint32_t every_edge = 1 | 1 << edge_bits | 1 << 2 * edge_bits;
 
-    /// Each between two triangles, of which the one with the smaller number, or the only one, owns it.
+    /// Holds edges, each between two triangles, of which the one with the smaller number, or the only one,
+    /// owns it.
     struct Edges {
         enum Is : std::uint32_t { bent = 1, lengthy = 2, plain = 4, webbed = 8, halved = 16 };
 
@@ -77,7 +78,7 @@ class Scan {
         std::size_t count = 0;
         Column<std::uint32_t> owner, k;
         Column<float> bend; ///< cosine
-        /// Of the angles opposite to the edge, at its beginning and at its end.
+        /// Hold the cotangents of the angles opposite to the edge, at its beginning and at its end.
         std::array<Column<float>, 3> cotangent, cotangent_beyond;
         Column<std::uint32_t> is; ///< bits of Is
         Column<std::uint32_t> may;
@@ -112,7 +113,7 @@ class Scan {
         }
     };
 
-    /// The edges that some triangles own.
+    /// Returns the edges that some triangles own.
     Edges edges_of(std::span<const TriangleId> some) const {
         Edges edges;
         for (std::size_t owner = 0; owner < some.size(); ++owner)
@@ -154,7 +155,7 @@ class Scan {
 
     bool is_turn(TriangleId t) const { return (t + turn_) % turns == 0; }
 
-    /// Holes close there: they do not wait for their turn.
+    /// Returns whether a side is on the border. Holes close there: they are not put off.
     static bool is_on_border(const Triangle& t) {
         return std::find(t.across.begin(), t.across.end(), no_triangle) != t.across.end();
     }

@@ -1,5 +1,5 @@
-// What a step may have brought out of its limits: one look at every triangle of a moving surface in single
-// precision, with some room, then the exact rules for the few of which it says so.
+// Finds what a step may have brought out of its limits: one look at every triangle of a moving surface in
+// single precision, with some room, then the exact rules for the few of which it says so.
 #pragma once
 
 #include "core/surface/moving/refinement_context.hpp"
@@ -10,13 +10,13 @@
 
 namespace wakesurf::core {
 
-/// Memory kept from step to step; nothing in it outlives one.
+/// Keeps memory from step to step; nothing in it outlives one.
 struct ScanMemory {
     TriangleLooks looks;
     std::vector<std::uint8_t> needs; ///< of triangle slots
 };
 
-/// Triangles in order of their slots.
+/// Holds triangles in order of their slots.
 struct Needs {
     std::vector<TriangleId> flipping, cutting, joining, pairing; ///< cutting: or clipping
 };

@@ -11,7 +11,7 @@ namespace wakesurf::core {
 
 namespace {
 
-/// log2 of the area now over the area at release.
+/// Returns log2 of the area now over the area at release.
 float deformation_of(const MaterialVertices& v, VertexId i) {
     const double now = glm::length(glm::cross(v.along_s[i], v.along_t[i]));
     return now > 0.0 && v.birth_area[i] > 0.0f
@@ -21,7 +21,7 @@ float deformation_of(const MaterialVertices& v, VertexId i) {
 
 using Corners = std::array<VertexId, 4>;
 
-/// What is called so is in that place.
+/// Says in which place the thing of that id is.
 struct Named {
     std::uint32_t name, place;
 };
@@ -30,7 +30,7 @@ void sort_by_name(std::vector<Named>& things) {
     radix_sort(things, [](const Named& thing) { return thing.name; });
 }
 
-/// What the triangles are handed out as, in the order of their slots.
+/// Says what the triangles are handed out as, in the order of their slots.
 struct Quads {
     std::vector<Corners> corners; ///< slots
     std::vector<Named> names;
@@ -88,7 +88,7 @@ std::size_t youngest(const MovingMesh& mesh, const Corners& corner) {
         const VertexId a = corner[i], b = corner[k];
         const double t = (v.t[b] - v.t[a]) * -mesh.lattice.facing;
         const double s = mesh.lattice.s_between(v.s[b], v.s[a]);
-        // Without branches: no one can tell beforehand which it will be.
+        // This has no branches: no one can tell beforehand which it will be.
         return i + (k - i) * static_cast<std::size_t>((t > 0.0) | (!(t < 0.0) & (s > 0.0)));
     };
     return younger(younger(0, 1), younger(2, 3));

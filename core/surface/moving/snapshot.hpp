@@ -10,7 +10,7 @@
 
 namespace wakesurf::core {
 
-/// What the mesh is to have besides.
+/// Says what the mesh is to have besides.
 struct ShownArrays {
     bool deformation = false;
     bool tangents = false;
@@ -23,9 +23,9 @@ KeyedMesh snapshot(const MovingMesh& mesh,
                    const StepErrors* errors = nullptr,
                    double errors_until = 0.0);
 
-/// What keeps a moving mesh sound: links that answer each other, no dead vertex, no edge without length,
-/// nothing turned over in (s, t), each triangle handed out, and all that QuadComplex::validate demands.
-/// Empty, or the first violation. Cost: O(cells log cells).
+/// Returns the first violation of what keeps a moving mesh sound, or nothing: links that answer each other,
+/// no dead vertex, no edge without length, nothing turned over in (s, t), each triangle handed out, and all
+/// that QuadComplex::validate demands. Cost: O(cells log cells).
 std::string violation(const MovingMesh& mesh);
 
 } // namespace wakesurf::core

@@ -10,19 +10,19 @@ namespace wakesurf::core {
 
 namespace {
 
-/// Of the separation.
+/// An edge may bulge by so many separations.
 constexpr double largest_bulge = 0.1;
 constexpr double shallow = 0.15; ///< depth of a chord in a convex wall
 constexpr double at_wall = 0.25; ///< reach within which something is beside an obstacle
 
-/// Of the seed distance at which a tear at an obstacle goes on: where a new one may begin, away from the
-/// boundary of the surface.
+/// A new tear may begin, away from the boundary of the surface, at this part of the seed distance at which
+/// a tear at an obstacle goes on.
 constexpr double fresh_tear = 0.125;
 
 /// Relative area in (s, t) below which a web is not cut any more.
 constexpr double thin_web = 1e-5;
 
-/// Seven opposite pairs: the axes and the diagonals of a cube.
+/// The directions are seven opposite pairs: the axes and the diagonals of a cube.
 constexpr double third = 0.57735026918962576;
 constexpr Vec3 directions[] = {{1, 0, 0},
                                {0, 1, 0},
@@ -36,7 +36,7 @@ bool in_obstacle(const Flow& flow, const Vec3& point) {
     return flow.status(point) == PointStatus::InObstacle;
 }
 
-/// Of a place that can be seen from a point inside an obstacle.
+/// Returns whether a place can be seen from a point inside an obstacle.
 bool in_same_obstacle(const Flow& flow, const Vec3& inside, const Vec3& point) {
     return !flow.may_cross_wall(inside, point) || in_obstacle(flow, point);
 }
@@ -66,7 +66,7 @@ bool beside_obstacle(const RefinementContext& context, const Vec3& point) {
     return false;
 }
 
-/// What a triangle, or the two beside an edge, have of the surface's boundary.
+/// Says what a triangle, or the two beside an edge, have of the surface's boundary.
 struct Boundary {
     bool any = false;
     bool tear = false; ///< not that of the parameter rectangle
@@ -147,7 +147,7 @@ bool is_diagonal(const RefinementContext& context, TriangleId t, unsigned k, boo
     bool long_side = false;
     for (const auto& [x, y] : {std::pair{c, a}, {c, b}, {d, a}, {d, b}})
         long_side = long_side || !(squared_length(mesh, x, y) <= context.longest_allowed());
-    // Of a square at most, with some more for what is not one.
+    // The limit is that of a square at most, with some more for what is not one.
     const bool too_long = !(squared_length(mesh, a, b) <= 2.1 * context.longest_allowed());
     if (waits ? !long_side && too_long : long_side || too_long)
         return false;

@@ -12,15 +12,15 @@ enum class Fault : std::uint8_t { None, Long, Wall, Bulge };
 
 Fault fault_of(const RefinementContext& context, VertexId a, VertexId b);
 
-/// Length of edge_bend() beyond which an edge bulges.
+/// Returns the length of edge_bend() beyond which an edge bulges.
 double least_bend(const RefinementContext& context);
 
 /// True where the cubic along an edge leaves its chord by more than is drawn straight. @param share  of that
 /// which counts
 bool bulges(const RefinementContext& context, VertexId a, VertexId b, double share = 1.0);
 
-/// True where the edge from a to b passes through an obstacle: its chord does, deeper than a convex wall
-/// makes it dip, and the surface's own middle of the edge is not in the fluid near by.
+/// Returns true where the edge from a to b passes through an obstacle: its chord does, deeper than a convex
+/// wall makes it dip, and the surface's own middle of the edge is not in the fluid near by.
 bool crosses_obstacle(const RefinementContext& context,
                       VertexId a,
                       VertexId b,
@@ -37,8 +37,8 @@ bool is_diagonal(const RefinementContext& context, TriangleId t, unsigned k, boo
 /// surface or where seeds are closer still.
 bool is_torn(const RefinementContext& context, TriangleId t, unsigned k);
 
-/// True for a triangle with next to no material, a web with little, or one of next to no height: cutting it
-/// would have no end.
+/// Returns true for a triangle with next to no material, a web with little, or one of next to no height:
+/// cutting it would have no end.
 bool is_crumb(const RefinementContext& context, TriangleId t);
 
 } // namespace wakesurf::core

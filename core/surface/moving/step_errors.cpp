@@ -20,10 +20,10 @@ constexpr double fewest = 16.0;
 /// a kink. And between the vertices of the sample others have larger errors.
 constexpr double of_the_difference = 2.0;
 
-/// Of an error across the surface: the error in any direction, of which that is one of three.
+/// The error in any direction is so many times the error across the surface, which is one of three.
 constexpr double of_across = 2.0;
 
-/// A number that looks random, the same for the same vertex and turn.
+/// Returns a number that looks random, the same for the same vertex and turn.
 std::uint32_t mixed(std::uint32_t id, std::uint64_t turn) {
     std::uint64_t x = (std::uint64_t(id) + 1) * 0x9e3779b97f4a7c15u + turn * 0xbf58476d1ce4e5b9u;
     x = (x ^ (x >> 31)) * 0x94d049bb133111ebu;
@@ -68,7 +68,7 @@ void StepErrors::learn(const Vec3& position, double rate) {
     const auto learnt = static_cast<float>(rate);
     if (!std::isfinite(learnt))
         return;
-    // In all boxes within half a box.
+    // The error counts in all boxes within half a box.
     const Vec3 half = 0.5 / scale_;
     for (const double x : {-1.0, 1.0})
         for (const double y : {-1.0, 1.0})

@@ -11,14 +11,15 @@
 
 namespace wakesurf::core {
 
-/// Error across the surface per unit of time, by place in the domain. A value: part of a surface's state.
+/// Holds the error across the surface per unit of time, by place in the domain. It is a value: part of a
+/// surface's state.
 class StepErrors {
   public:
     StepErrors() = default;
     explicit StepErrors(const Box& domain);
 
-    /// What is learnt from now on is learnt of steps as long as `h`. What was learnt before counts for less,
-    /// and as much as it would be with such steps.
+    /// Begins with steps as long as `h`: what was learnt before counts for less, and as much as it would be
+    /// with such steps.
     void begin(double h);
 
     /// Nothing is known of steps as long as `h`.
@@ -26,7 +27,7 @@ class StepErrors {
 
     void learn(const Vec3& position, double rate);
 
-    /// As learnt near by; elsewhere the largest that is known.
+    /// Returns the error learnt near by; elsewhere the largest that is known.
     double at(const Vec3& position) const;
 
     /// From one end of the domain to the other.
@@ -45,7 +46,7 @@ class StepErrors {
     double step_ = 0.0; ///< length of the integrator's
 };
 
-/// Some of a mesh's vertices, before a step.
+/// Holds some of a mesh's vertices, before a step.
 class StepSample {
   public:
     /// @param turn  another sample each
@@ -76,7 +77,7 @@ void add_step_errors(MovingMesh& mesh, const StepErrors& errors, double since);
 /// again.
 std::vector<VertexId> vertices_beyond(const MovingMesh& mesh, double trusted);
 
-/// Length across the surface: what the error of a vertex has come to, with that of the steps since `since`.
+/// Returns the error of a vertex, a length across the surface, with that of the steps since `since`.
 float stated_error(const MovingMesh& mesh, VertexId v, const StepErrors& errors, double since);
 
 } // namespace wakesurf::core

@@ -17,7 +17,7 @@ constexpr double growth_a_step =
 constexpr double least_of_row =
     1.0 / 16.0; // of the time between rows: one violent cell must not stop the rest
 
-/// The larger of `most` and the fastest relative growth of a triangle's edges, of those longer than
+/// Returns the larger of `most` and the fastest relative growth of a triangle's edges, of those longer than
 /// `shortest`. Roots are taken only of what may exceed `most`.
 double fastest_growth(const MovingMesh& mesh, const Triangle& t, double shortest, double most) {
     for (unsigned k = 0; k < 3; ++k) {

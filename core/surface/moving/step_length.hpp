@@ -1,12 +1,12 @@
-// How far in time a moving surface may be carried at once.
+// Says how far in time a moving surface may be carried at once.
 #pragma once
 
 #include "core/surface/moving/moving_mesh.hpp"
 
 namespace wakesurf::core {
 
-/// Towards `to`. A row released at the rake falls no further behind than rows are apart, and no edge grows by more than half, unless
-/// nothing is inserted between vertices.
+/// Returns the length of the next step towards `to`. A row released at the rake falls no further behind than
+/// rows are apart, and no edge grows by more than half, unless nothing is inserted between vertices.
 /// @param separation  longest edge allowed
 /// @param releasing   the rake's particles, rather than the fastest, say what a row is
 double

@@ -1,5 +1,5 @@
-// A moving surface that can be looked at at any time, again and again: plays on, pauses, steps back to stored checkpoints.
-// What it shows at a time does not depend on what was looked at before.
+// A moving surface that can be looked at at any time, again and again: plays on, pauses, steps back to stored
+// checkpoints. What it shows at a time does not depend on what was looked at before.
 #pragma once
 
 #include "core/surface/moving/moving_surface.hpp"
@@ -14,20 +14,23 @@ namespace wakesurf::core {
 class SurfaceHistory {
   public:
     /// @param surface       as MovingSurface::start returns it
-    /// @param budget_bytes  for checkpoints; when it is full, every other one is given up. The first always stays.
+    /// @param budget_bytes  for checkpoints; when it is full, every other one is given up. The first always
+    ///                      stays.
     SurfaceHistory(MovingSurface surface, std::size_t budget_bytes);
 
-    /// The mesh at a time between the surface's first and its end. Steps from the newest checkpoint before it, or from where
-    /// it stands, telling `work` how far of the way it is and what memory it takes, checkpoints apart. Error: OutOfTime; Cancelled, and OverLimit where there is no memory, after which the next call goes on from a checkpoint; what stepping reports.
+    /// The mesh at a time between the surface's first and its end. Steps from the newest checkpoint before
+    /// it, or from where it stands, telling `work` how far of the way it is and what memory it takes,
+    /// checkpoints apart. Error: OutOfTime; Cancelled, and OverLimit where there is no memory, after which
+    /// the next call goes on from a checkpoint; what stepping reports.
     Result<KeyedMesh> at(double time, std::stop_token stop, const WorkPart& work = {});
 
-    /// Of the checkpoints.
+    /// Returns the bytes of the checkpoints.
     std::size_t bytes() const { return bytes_; }
 
     /// Another budget for checkpoints; gives up at once what is over it.
     void limit(std::size_t budget_bytes);
 
-    /// Of what at() gave last; seconds are of the steps that are kept.
+    /// Returns the statistics of what at() gave last; seconds are of the steps that are kept.
     const SurfaceStatistics& statistics() const { return statistics_; }
 
     /// Where the steps have led, at or before what at() gave last.

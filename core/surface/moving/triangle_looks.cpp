@@ -13,7 +13,8 @@ namespace wakesurf::core {
 
 namespace {
 
-/// So many triangles go through the same arithmetic side by side: the compiler makes vectors of the loops.
+/// The loops take so many triangles through the same arithmetic side by side: the compiler makes vectors of
+/// the loops.
 constexpr std::size_t lanes = 16;
 using Floats = std::array<float, lanes>;
 
@@ -66,7 +67,7 @@ class Onlooker {
     }
 
   private:
-    /// [k]: of the edge from corner k, or at it.
+    /// Holds at [k] the value of the edge from corner k, or at the corner.
     struct Corners {
         std::array<Floats, 3> x, y, z, ds, dt;
         std::array<std::array<Floats, 3>, 6> tangent; ///< along_s, along_t
@@ -103,7 +104,8 @@ class Onlooker {
         std::array<std::uint32_t, lanes> flags{};
     };
 
-    /// What is no number is looked at exactly: comparisons are written so that it does not pass.
+    /// Finds what the shape needs. A triangle whose numbers are not finite is looked at exactly: comparisons
+    /// are written so that it does not pass.
     void find_shape(const Corners& at, Shape& shape) const {
         constexpr float room = look_room;
         constexpr float widest = 2.1f - room;

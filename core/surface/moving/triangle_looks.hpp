@@ -11,10 +11,10 @@
 
 namespace wakesurf::core {
 
-/// What single precision may be off by, and some more.
+/// Single precision may be off by this, and some more.
 inline constexpr float look_room = 1e-4f;
 
-/// Of edges there are three each: the first << k.
+/// Says what to look at. Edges have three bits each: the first << k.
 enum Look : std::uint32_t {
     look_dead = 1,      ///< a vertex is; nothing else is said then
     look_small = 2,     ///< an edge is short, or the triangle thin
@@ -35,14 +35,14 @@ struct TriangleLook {
     std::uint32_t flags = 0;
 };
 
-/// What the look at a triangle needs of a vertex, in one line of the cache.
+/// Holds what the check of a triangle needs of a vertex, in one line of the cache.
 struct alignas(64) VertexLook {
     Vec3 position;
     double s, t;
     Vec3f along_s, along_t;
 };
 
-/// Memory kept from step to step; nothing in it outlives one.
+/// Keeps memory from step to step; nothing in it outlives one.
 struct TriangleLooks {
     std::vector<VertexLook> vertices; ///< of vertex slots
     std::vector<float> density;       ///< likewise: area in space of a unit of material
@@ -50,7 +50,7 @@ struct TriangleLooks {
     std::vector<TriangleLook> of;     ///< of triangle slots
 };
 
-/// Cost: O(triangles), in parallel.
+/// Checks every triangle in parallel. Cost: O(triangles).
 void look_at_all(const RefinementContext& context, TriangleLooks& looks);
 
 /// True where an edge from the vertex may meet a wall. REQUIRES: look_at_all().

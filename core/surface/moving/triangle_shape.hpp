@@ -17,7 +17,7 @@ inline double squared_length(const MovingMesh& mesh, VertexId a, VertexId b) {
     return squared(mesh.edge(a, b));
 }
 
-/// Twice the area, along the normal.
+/// Returns a vector along the normal, of twice the area.
 inline Vec3 area_vector(const MovingMesh& mesh, VertexId a, VertexId b, VertexId c) {
     return glm::cross(mesh.edge(a, b), mesh.edge(a, c));
 }
@@ -27,8 +27,7 @@ inline Vec3 area_vector(const MovingMesh& mesh, TriangleId t) {
     return area_vector(mesh, v[0], v[1], v[2]);
 }
 
-/// 1: equilateral, 0: without area. @param area_squared  of the area vector; @param edges  sum of the squared
-/// lengths
+/// Returns 1 for an equilateral triangle, 0 for one without area.
 inline double quality_of(double area_squared, double edges) {
     return edges > 0.0 ? 2.0 * std::sqrt(3.0 * area_squared) / edges : 0.0;
 }
@@ -64,7 +63,7 @@ inline double material_area(const MovingMesh& mesh, VertexId a, VertexId b, Vert
     const ParameterStep q = mesh.parameter_step(a, c);
     const double size = std::abs(p.s * q.t) + std::abs(q.s * p.t);
     const double area = p.s * q.t - q.s * p.t;
-    // What rounding of the parameters may have made of three places on one line.
+    // Rounding of the parameters may have made this of three places on one line.
     const double noise = 2e-15 * (std::abs(p.t) + std::abs(q.t) +
                                   std::abs(mesh.vertices.t[a]) * (std::abs(p.s) + std::abs(q.s)));
     return std::abs(area) > noise ? mesh.lattice.facing * area / size : 0.0;
@@ -73,7 +72,7 @@ inline double material_area(const MovingMesh& mesh, VertexId a, VertexId b, Vert
 /// Below it a triangle has next to no material.
 constexpr double least_material = 1e-9;
 
-/// How much more area than its material has, by the tangents, a triangle may cover.
+/// A triangle may cover so many times the area that its material has by the tangents.
 constexpr double web_density = 4.0;
 
 /// True for a triangle that covers much more area than its material has, by the tangents at its vertices: a

@@ -7,13 +7,13 @@ namespace wakesurf::core {
 
 namespace {
 
-/// Values and slopes of the four sides where u and v meet them: sides 0 and 2 by u, 1 and 3 by v.
+/// Holds values and slopes of the four sides where u and v meet them: sides 0 and 2 by u, 1 and 3 by v.
 template <class Value>
 struct SidesMet {
     std::array<Value, 4> value, slope;
 };
 
-/// `value(k, part)` and `slope(k, part)` of side k in the direction of the outline.
+/// Reads `value(k, part)` and `slope(k, part)` of side k in the direction of the outline.
 template <class Value, class At, class Slope>
 SidesMet<Value> sides_met(double u, double v, const At& value, const Slope& slope) {
     SidesMet<Value> met;
@@ -69,7 +69,7 @@ CellPatch::CellPatch(const SideCurves& curves,
         if (side.mid)
             side.second = curve(mid, b, outline[k]);
     }
-    // One s for each vertex, near that of the first corner: it may go round.
+    // Each vertex has one s, near that of the first corner: it may go round.
     if (curves.closed()) {
         const double near = curves.mesh().s[cell.corner[0]];
         for (PatchSide& side : side_)
@@ -174,7 +174,7 @@ void CellPatch::fit(const SideCurves& curves, const Cell& cell) {
               std::abs(up.z) <= spread(&PatchPoint::t);
 }
 
-/// What the cubics have that blending their values on the sides has not.
+/// Returns what the cubics have that blending their values on the sides has not.
 PatchJet<PlaneValues> CellPatch::lift(const PatchJet<PatchPoint>& base,
                                       const std::array<PatchPoint, 4>& corner,
                                       double u,

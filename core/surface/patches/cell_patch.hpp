@@ -1,6 +1,7 @@
-// A cell as a curved piece of the surface between four curves: the bilinearly blended patch of Coons, Surfaces for Computer-Aided Design of
-// Space Forms, 1967. Where a cell is no parallelogram, or a mid node bends one of its sides, what blending leaves out is of second and third
-// order. So what is blended is only how far the sides are from cubic functions over a plane through the cell, which is of fourth.
+// A cell as a curved piece of the surface between four curves: the bilinearly blended patch of Coons,
+// Surfaces for Computer-Aided Design of Space Forms, 1967. Where a cell is no parallelogram, or a mid node
+// bends one of its sides, what blending leaves out is of second and third order. So what is blended is only
+// how far the sides are from cubic functions over a plane through the cell, which is of fourth.
 #pragma once
 
 #include "core/surface/patches/plane_cubics.hpp"
@@ -21,7 +22,7 @@ struct PatchSide {
     PatchPoint slope(double part) const;
 };
 
-/// A point of a patch and how it changes with u and v.
+/// Holds a point of a patch and how it changes with u and v.
 template <class Value>
 struct PatchJet {
     Value value, u, v;
@@ -29,19 +30,21 @@ struct PatchJet {
 
 class CellPatch {
   public:
-    /// @param outline  of the cell's sides: no other cell has them. The curves are those of the cells beside it, whichever is asked
+    /// @param outline  of the cell's sides: no other cell has them. The curves are those of the cells beside
+    ///                 it, whichever is asked
     CellPatch(const SideCurves& curves, const Cell& cell, const std::array<bool, 4>& outline);
 
-    /// u runs from corner 0 to corner 1, v from corner 0 to corner 3, both from 0 to 1.
+    /// Returns the point at (u, v): u runs from corner 0 to corner 1, v from corner 0 to corner 3, both from
+    /// 0 to 1.
     PatchJet<PatchPoint> at(double u, double v) const;
 
     const PatchSide& side(std::size_t k) const { return side_[k]; }
 
-    /// How many of its curves are flat for want of tangents.
+    /// Returns how many of its curves are flat for want of tangents.
     std::uint32_t flat_curves() const;
 
   private:
-    /// A plane through the cell, with units of its own in x and y.
+    /// Holds a plane through the cell, with units of its own in x and y.
     struct Plane {
         Vec3 centre{0.0}, x{0.0}, y{0.0}, up{0.0};
         double per_x = 0.0, per_y = 0.0;

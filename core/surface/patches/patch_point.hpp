@@ -1,5 +1,5 @@
-// A point of a surface between its vertices: its place, and the surface's two coordinates there. Points add and scale, so that one
-// formula interpolates all of it.
+// A point of a surface between its vertices: its place, and the surface's two coordinates there. Points add
+// and scale, so that one formula interpolates all of it.
 #pragma once
 
 #include "core/base/vec3.hpp"

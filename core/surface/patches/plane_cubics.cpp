@@ -58,7 +58,7 @@ void PlaneCubicFit::add(const PlaneCubics::Terms& row, const PlaneValues& value)
     }
 }
 
-/// Cholesky's decomposition.
+/// Solves by Cholesky's decomposition.
 PlaneCubics PlaneCubicFit::solve() const {
     auto lower = matrix_;
     double largest = 0.0;

@@ -1,4 +1,5 @@
-// Cubic functions over a plane through a cell, fitted to what its vertices and sides say: its height, and both coordinates of the surface.
+// Cubic functions over a plane through a cell, fitted to what its vertices and sides say: its height, and
+// both coordinates of the surface.
 #pragma once
 
 #include "core/base/vec3.hpp"
@@ -8,10 +9,10 @@
 
 namespace wakesurf::core {
 
-/// Three functions of a place in the plane at once: height, s, t.
+/// Holds three functions of a place in the plane at once: height, s, t.
 using PlaneValues = Vec3;
 
-/// The polynomials of third degree.
+/// Holds polynomials of third degree.
 class PlaneCubics {
   public:
     static constexpr std::size_t terms = 10;
@@ -19,13 +20,13 @@ class PlaneCubics {
 
     PlaneValues value(double x, double y) const;
 
-    /// Derivatives by x and by y.
+    /// Returns the derivatives by x and by y.
     std::array<PlaneValues, 2> slope(double x, double y) const;
 
     std::array<PlaneValues, terms> factor{};
 };
 
-/// Least squares, with as little as needed where the conditions leave something open.
+/// Fits by least squares, with as little as needed where the conditions leave something open.
 class PlaneCubicFit {
   public:
     void add_value(double x, double y, const PlaneValues& value);

@@ -1,4 +1,5 @@
-// The pieces of the sides of a mesh's cells, between one vertex and the next, each once: numbers for what both cells beside one share.
+// The pieces of the sides of a mesh's cells, between one vertex and the next, each once: numbers for what
+// both cells beside one share.
 #pragma once
 
 #include "core/surface/quad_complex.hpp"
@@ -10,12 +11,12 @@ namespace wakesurf::core {
 
 class SideTable {
   public:
-    /// Cost: O(cells), 28 bytes a cell.
+    /// Builds the table. Cost: O(cells), 28 bytes a cell.
     explicit SideTable(const QuadComplex& mesh);
 
     std::size_t count() const { return to_.size(); }
 
-    /// Of the piece between two vertices that are beside each other, in either order.
+    /// Returns the number of the piece between two vertices that are beside each other, in either order.
     std::size_t number(VertexId a, VertexId b) const;
 
     /// Only one cell has it.

@@ -14,7 +14,8 @@ namespace wakesurf::core {
 
 namespace {
 
-/// How far a curve may be off half-way, by what its slopes and its chord say of the cubic that it leaves out.
+/// Returns how far a curve may be off half-way, by what its slopes and its chord say of the cubic that it
+/// leaves out.
 double doubt_of(const SideCurve& curve) {
     const Vec3 chord = curve.b.position - curve.a.position;
     return curve.flat
@@ -88,7 +89,7 @@ class Cutter {
         out.cells.resize(mesh_.cells.size() * n_ * n_);
     }
 
-    /// Values between vertices, the sum of the shares being 1.
+    /// Sets values between vertices, the sum of the shares being 1.
     template <std::size_t Count>
     void set(std::size_t at,
              const PatchPoint& point,
@@ -131,7 +132,7 @@ class Cutter {
         return on_sides_ + number * (n_ - 1) + (k - 1);
     }
 
-    /// A side of a cell in the direction of its outline, in `n` or, with a mid node, 2 `n` pieces.
+    /// Holds a side of a cell in the direction of its outline, in `n` or, with a mid node, 2 `n` pieces.
     struct Run {
         VertexId from, mid, to;
         std::size_t first = 0, second = 0; ///< numbers of its pieces
@@ -154,7 +155,7 @@ class Cutter {
                          : static_cast<VertexId>(on_side(number, a < b ? k : n_ - k));
     }
 
-    /// The vertex `k` pieces on.
+    /// Returns the vertex `k` pieces on.
     VertexId on_run(const Run& run, std::uint32_t k) const {
         if (run.mid == no_vertex)
             return between(run.from, run.to, run.first, k);
@@ -261,7 +262,7 @@ class Cutter {
     std::vector<std::uint8_t> flat_;
 };
 
-/// Of one vertex of the result with what is needed to make it, and of a quad.
+/// A vertex of the result takes so many bytes with what is needed to make it; a quad, those below.
 constexpr std::size_t vertex_bytes_made = 180;
 constexpr std::size_t cell_bytes_made = 32;
 

@@ -28,7 +28,7 @@ void take(const std::vector<T>& from, const Order& order, std::vector<T>& to) {
         to.push_back(from[v]);
 }
 
-/// The vertices `order` of `mesh`, without cells.
+/// Returns the vertices `order` of `mesh`, without cells.
 template <class Order>
 QuadComplex vertices(const QuadComplex& mesh, const Order& order) {
     QuadComplex out;

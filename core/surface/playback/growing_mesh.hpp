@@ -1,5 +1,5 @@
-// A path surface as it grows from its rake: built once, shown up to an age. Cells and vertices are put in order of age, so
-// that growing is appending at the end and stepping back is removing there.
+// A path surface as it grows from its rake: built once, shown up to an age. Cells and vertices are put in
+// order of age, so that growing is appending at the end and stepping back is removing there.
 #pragma once
 
 #include "core/surface/keyed_mesh.hpp"
@@ -9,24 +9,24 @@
 
 namespace wakesurf::core {
 
-/// Values of each of some fields at each vertex.
+/// Holds values of each of some fields at each vertex.
 using VertexFields = std::vector<std::vector<float>>;
 
-/// Immutable.
+/// Holds a path surface that grows with time; immutable.
 class GrowingMesh {
   public:
     /// @param span    integration time: the age of the oldest. Cost: O(cells log cells).
     /// @param fields  of the vertices
     GrowingMesh(const QuadComplex& whole, double span, const VertexFields& fields = {});
 
-    /// The cells that have been swept until `age`; ids are indices. Ages are rounded down to 1/1024 of the span, so that rows stay
-    /// together. Cost: O(what is shown).
+    /// The cells that have been swept until `age`; ids are indices. Ages are rounded down to 1/1024 of the
+    /// span, so that rows stay together. Cost: O(what is shown).
     KeyedMesh at(double age) const;
 
-    /// Of the vertices that at() returns.
+    /// Returns the fields at the vertices that at() returns.
     VertexFields fields_at(double age) const;
 
-    /// What it takes.
+    /// Returns the bytes that it takes.
     std::size_t bytes() const;
 
   private:

@@ -14,12 +14,12 @@
 
 namespace wakesurf::core {
 
-/// Thread safety: one thread at a time.
+/// Shows a surface at any time of a clock. Thread safety: one thread at a time.
 class PlayedSurface {
   public:
     /// @param clock         outlives it
-    /// @param budget_bytes  of what is kept to step back to
-    /// Error: OverLimit, Cancelled, and what loading a time-step reports. REQUIRES: a streak or a time surface.
+    /// @param budget_bytes  of what is kept to step back to Error: OverLimit, Cancelled, and what loading a
+    ///                      time-step reports. REQUIRES: a streak or a time surface.
     static Result<PlayedSurface> start(const SurfacePlan& plan,
                                        std::size_t budget_bytes,
                                        const Clock& clock,
@@ -30,7 +30,7 @@ class PlayedSurface {
     PlayedSurface(PlayedSurface&&) noexcept;
     PlayedSurface& operator=(PlayedSurface&&) noexcept;
 
-    /// The surface at one time.
+    /// Holds the surface at one time.
     struct Shown {
         KeyedMesh mesh;               ///< ids last as long as this surface
         SurfaceStatistics statistics; ///< up to that time
@@ -38,15 +38,14 @@ class PlayedSurface {
     };
 
     /// @param age  since the (first) release, up to the integration time
-    /// @return     where a time-step in its way cannot be read it is shown at the last one before that can, and its statistics
-    ///             say why
-    /// Error: Cancelled, what stepping reports.
+    /// @return     where a time-step in its way cannot be read it is shown at the last one before that can,
+    /// and its statistics say why Error: Cancelled, what stepping reports.
     Result<Shown> at(double age, const std::stop_token& stop, const WorkPart& work = {});
 
     /// Another budget for what is kept to step back to.
     void limit(std::size_t budget_bytes);
 
-    /// What it takes.
+    /// Returns the bytes that it takes.
     std::size_t bytes() const;
 
   private:

@@ -1,5 +1,5 @@
-// A surface computed once and whole, as it is at a time of a clock: what is downloaded and printed. By the same code as what is
-// shown then, without what live surfaces keep between two times.
+// A surface computed once and whole, as it is at a time of a clock: what is downloaded and printed. By the
+// same code as what is shown then, without what live surfaces keep between two times.
 #pragma once
 
 #include "core/base/clock.hpp"
@@ -14,7 +14,7 @@
 
 namespace wakesurf::core {
 
-/// The surface at one time.
+/// Holds the surface at one time.
 struct SurfaceAt {
     QuadComplex mesh;             ///< as it is then
     SurfaceStatistics statistics; ///< up to that time

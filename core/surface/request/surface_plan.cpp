@@ -14,7 +14,8 @@ namespace wakesurf::core {
 
 namespace {
 
-/// Keeps the curves from the rake within four steps a quad allowed, about 800 bytes: a particle that circles for ever ends.
+/// Keeps the curves from the rake within four steps a quad allowed, about 800 bytes: a particle that circles
+/// for ever ends.
 std::size_t
 steps_per_curve(const Rake& rake, double length, double separation, std::uint64_t max_quads) {
     const double columns = std::max<double>(rake.seeds, length / separation);
@@ -96,7 +97,8 @@ Result<void> clip_rakes(SurfacePlan& plan) {
 
 } // namespace
 
-/// Error allowed per unit length: 1e-5 keeps a column of 16 lengths within 1e-3 of a default separation.
+/// Returns the error allowed per unit length: 1e-5 keeps a column of 16 lengths within 1e-3 of a default
+/// separation.
 double trace_tolerance(Accuracy accuracy) {
     switch (accuracy) {
     case Accuracy::Fast:
@@ -141,8 +143,9 @@ plan_surface(const Flow& flow, const Rake& rake, const SurfaceParameters& parame
 Result<double> SurfacePlan::largest_speed(std::stop_token stop) const {
     std::vector<Vec3> points;
     const Box box = flow->domain();
-    // Few places, none on the domain's faces: of a time-step that is read by brick each is a brick of its own. With 7^3 they
-    // were 355 bricks, 155 MB, and most of the time to a first surface over HTTP.
+    // It looks at few places, none on the domain's faces: in a time-step that is read by brick each is a
+    // brick of its own. With 7^3 they were 355 bricks, 155 MB, and most of the time to a first surface over
+    // HTTP.
     for (int i = 0; i < 27; ++i)
         points.push_back(box.lo +
                          box.extent() *

@@ -1,5 +1,6 @@
-// From what was asked to what is built: a request and a flow become one plan, which is checked and complete. A session and the command line
-// make it once, and everything that builds, plays or writes the surface works from it.
+// From what was asked to what is built: a request and a flow become one plan, which is checked and complete.
+// A session and the command line make it once, and everything that builds, plays or writes the surface works
+// from it.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -16,36 +17,37 @@ namespace wakesurf::core {
 class LevelSource;
 struct SheetOptions;
 
-/// A value, made by plan_surface.
+/// Holds what plan_surface has checked and completed; a value.
 struct SurfacePlan {
     std::shared_ptr<const Flow> flow; ///< what carries the particles
-    /// The part of it inside the domain.
+    /// Holds the part of the rake inside the domain.
     Rake rake;
     /// With a separation and a direction; `rake2` is inside the domain too.
     SurfaceParameters parameters;
-    /// Of `rake`.
+    /// Holds the seeding curve of `rake`.
     SeedingCurve seeding;
-    /// Of the flow's data, for a level surface: whoever opens the data sets it.
+    /// Holds the source of a level surface over the flow's data: whoever opens the data sets it.
     std::shared_ptr<const LevelSource> levels{};
     /// Part of a rake was outside the domain and is left out.
     bool clipped = false;
 
-    /// Returns the largest speed on 3^3 points of the domain and 17 of the rake, at `from`: what "at rest" is measured by. It is no
-    /// member, since it needs data to be loaded.
+    /// Returns the largest speed on 3^3 points of the domain and 17 of the rake, at `from`: what "at rest" is
+    /// measured by. It is no member, since it needs data to be loaded.
     Result<double> largest_speed(std::stop_token stop) const;
 
-    /// Returns the sheets of a stream or path surface, one a direction, at `separation`, which may be larger than the one asked for.
+    /// Returns the sheets of a stream or path surface, one a direction, at `separation`, which may be larger
+    /// than the one asked for.
     std::vector<SheetOptions> sheets(double separation, double largest_speed) const;
 };
 
-/// Checks a request, completes it and cuts its rakes to the domain. Loads no data.
-/// Error: InvalidArgument (a value or a kind that the description of surface.set does not allow; times and a direction that contradict each
-/// other; a separation that shows nothing of this flow; an interpolation that the flow does not have; a rake that is none), OutOfDomain, OutOfTime.
-/// Each names the parameter as the API does.
+/// Checks a request, completes it and cuts its rakes to the domain. Loads no data. Error: InvalidArgument (a
+/// value or a kind that the description of surface.set does not allow; times and a direction that contradict
+/// each other; a separation that shows nothing of this flow; an interpolation that the flow does not have; a
+/// rake that is none), OutOfDomain, OutOfTime. Each names the parameter as the API does.
 Result<SurfacePlan>
 plan_surface(std::shared_ptr<const Flow> flow, const Rake& rake, SurfaceParameters parameters);
 
-/// The same of a flow that outlives the plan.
+/// Plans for a flow that outlives the plan.
 Result<SurfacePlan>
 plan_surface(const Flow& flow, const Rake& rake, const SurfaceParameters& parameters);
 

@@ -1,5 +1,5 @@
 // Made by protocol/api/generate from surface.schema.json: do not edit.
-// What the description of surface.set says about values, for the engine: callers from C++ come past its readers.
+// Checks what the description of surface.set says about values, for C++ callers, who come past its readers.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -10,7 +10,7 @@ namespace wakesurf::core {
 /// Checks what only some kinds take, and what they must have. Error: InvalidArgument, naming the parameter.
 Result<void> check_kind(const SurfaceParameters& parameters);
 
-/// The same, and ranges of numbers, and times beside each other. Error: as check_kind.
+/// Checks the kind, ranges of numbers, and times beside each other. Error: that of check_kind.
 Result<void> check_values(const SurfaceParameters& parameters);
 
 } // namespace wakesurf::core

@@ -73,7 +73,7 @@ void mark_walls(Marks& marks, const SurveyLattice& lattice, const WallGeometry& 
     }
 }
 
-/// Boxes that touch, even at a corner alone. Empties `marked`.
+/// Returns groups of boxes that touch, even at a corner alone. It empties `marked`.
 std::vector<std::vector<std::size_t>> groups(const SurveyLattice& lattice,
                                              std::vector<std::uint8_t>& marked) {
     std::vector<std::vector<std::size_t>> out;
@@ -162,7 +162,7 @@ double across(const Box& body, int axis) {
     return extent[(axis + 1) % 3] * extent[(axis + 2) % 3];
 }
 
-/// Of the largest across the flow, the one that the flow meets first. REQUIRES: there is one.
+/// Returns, of the largest across the flow, the one that the flow meets first. REQUIRES: there is one.
 const Body& first_of(const std::vector<Body>& bodies, const FlowSurvey& survey) {
     const int axis = survey.axis();
     double largest = 0.0;
@@ -194,7 +194,7 @@ find_body(const Flow& flow, const FlowSurvey& survey, const WallGeometry& walls)
     if (bodies.empty())
         return std::nullopt;
     const Body& first = first_of(bodies, survey);
-    // Only of this one: a mesh with holes everywhere has hundreds.
+    // Only this body is looked at closer: a mesh with holes everywhere has hundreds.
     return first.at_wall ? first.box : closer(flow, first.box, lattice.step());
 }
 

@@ -1,4 +1,5 @@
-// What stands in the flow: parts of the domain without fluid, and walls, that the flow goes round rather than along.
+// Finds what stands in the flow: parts of the domain without fluid, and walls, that the flow goes round
+// rather than along.
 #pragma once
 
 #include "core/dataset/wall_geometry.hpp"
@@ -8,10 +9,11 @@
 
 namespace wakesurf::core {
 
-/// The box round the body to look at first: of the largest across the flow, the one that the flow meets first. What reaches the side where the
-/// flow enters or leaves is no body but the edge of the domain, as the wall of a channel. A body thinner than some hundredth of the
-/// domain is found where `walls` have it, or where the flow knows that there is an obstacle.
-/// REQUIRES: survey.through(). Cost: at most some 2 million lookups, and a pass over the walls' triangles.
+/// Returns the box round the body to look at first: of the largest across the flow, the one that the flow
+/// meets first. What reaches the side where the flow enters or leaves is no body but the edge of the domain,
+/// as the wall of a channel. A body thinner than some hundredth of the domain is found where `walls` have it,
+/// or where the flow knows that there is an obstacle. REQUIRES: survey.through(). Cost: at most some 2
+/// million lookups, and a pass over the walls' triangles.
 std::optional<Box> find_body(const Flow& flow, const FlowSurvey& survey, const WallGeometry& walls);
 
 } // namespace wakesurf::core

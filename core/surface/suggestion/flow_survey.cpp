@@ -12,16 +12,18 @@ namespace {
 
 constexpr int survey_points = 32'768;
 constexpr int least_along = 3, most_along = 256;
-/// Of the mean speed: where the mean velocity is less, what enters on one side does not leave on the other.
+/// Where the mean velocity is less than this part of the mean speed, what enters on one side does not leave
+/// on the other.
 constexpr double going_through = 0.4;
-/// How much less a turning flow counts at a corner of the domain than in the middle.
+/// A turning flow counts so much less at a corner of the domain than in the middle.
 constexpr double corner_loss = 0.4;
 
 bool usable(const Vec3& v) {
     return finite(v);
 }
 
-/// The difference of velocity along an axis over two boxes, or one at the border and beside what is not fluid.
+/// The difference of velocity along an axis over two boxes, or one at the border and beside what is not
+/// fluid.
 Vec3 slope(const FlowSurvey& survey, const std::array<int, 3>& at, std::size_t axis) {
     const SurveyLattice& lattice = survey.lattice;
     std::array<int, 3> low = at;

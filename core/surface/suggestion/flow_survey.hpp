@@ -1,4 +1,5 @@
-// A coarse look at a whole flow at one time: where there is fluid, where the flow goes, and where it turns. What a suggestion is made from.
+// A coarse look at a whole flow at one time: where there is fluid, where the flow goes, and where it turns.
+// What a suggestion is made from.
 #pragma once
 
 #include "core/field/flow.hpp"
@@ -10,7 +11,7 @@
 
 namespace wakesurf::core {
 
-/// Boxes of equal size that fill a domain, x fastest.
+/// Holds boxes of equal size that fill a domain, x fastest.
 struct SurveyLattice {
     Box domain;
     std::array<int, 3> count{1, 1, 1};
@@ -29,11 +30,12 @@ struct SurveyLattice {
     std::array<int, 3> place(std::size_t index) const;
     Vec3 centre(const std::array<int, 3>& at) const;
 
-    /// Of the box that a point lies in; the nearest one for points outside.
+    /// Returns the box that a point lies in; the nearest one for points outside.
     std::array<int, 3> box_of(const Vec3& point) const;
 };
 
-/// About `points` boxes, as near to cubes as that allows, and at least 3 along each axis: a domain may be thin.
+/// Returns about `points` boxes, as near to cubes as that allows, and at least 3 along each axis: a domain
+/// may be thin.
 SurveyLattice survey_lattice(const Box& domain, int points);
 
 /// Which boxes have no fluid in their middle. Cost: a lookup a box, in parallel.
@@ -55,19 +57,19 @@ struct FlowSurvey {
     double sign() const { return mean[axis()] < 0.0 ? -1.0 : 1.0; }
 };
 
-/// Some 30,000 lookups and samples at one time. Error: as Flow::sample.
+/// Takes some 30,000 lookups and samples at one time. Error: that of Flow::sample.
 Result<FlowSurvey> survey_flow(const Flow& flow, double time, std::stop_token stop);
 
-/// By differences between the middles of boxes.
+/// Computes by differences between the middles of boxes.
 Vec3 vorticity_in(const FlowSurvey& survey, const std::array<int, 3>& box);
 
-/// Where the flow turns most, seen in the middle of the domain rather than at its sides.
+/// Says where the flow turns most, seen in the middle of the domain rather than at its sides.
 struct Rotation {
     Vec3 place{0.0};
     Vec3 vorticity{0.0};
     Vec3 velocity{0.0};
-    double strength =
-        0.0; ///< vorticity there x half of the longest side / mean speed: how much it matters
+    /// Is vorticity there x half of the longest side / mean speed: how much it matters.
+    double strength = 0.0;
 };
 
 Rotation strongest_rotation(const FlowSurvey& survey);

@@ -12,29 +12,33 @@ namespace wakesurf::core {
 
 namespace {
 
-// Of the body's size: how far ahead of it, and how far off its middle (exactly there all would end where the flow parts).
-// Of a slender body the flow parts along a line, not at a point: further off.
+// Are parts of the body's size: how far ahead of it a rake stands, and how far off its middle (exactly there
+// all would end where the flow parts). At a slender body the flow parts along a line, not at a point: further
+// off.
 constexpr double ahead = 1.0, off_middle = 0.05, off_middle_of_slender = 0.25, slender = 2.0;
-/// Of the way that particles go: the rest of it is for what happens at the body and behind.
+/// Is a part of the way that particles go: the rest of it is for what happens at the body and behind.
 constexpr double ahead_of_way = 0.15;
-/// On each side, of a body's width.
+/// A rake reaches beyond a body by so much of its width on each side.
 constexpr double beyond = 0.25;
-// Of the domain's side: a rake's place where the flow enters, its length where no body says it, its distance from the sides.
+// Are parts of the domain's side: a rake's place where the flow enters, its length where no body says it, its
+// distance from the sides.
 constexpr double entering = 0.1, usual_length = 0.6, margin = 0.03;
 /// A body this wide is as wide as the domain.
 constexpr double whole = 0.9;
-/// Of the domain's other side: along a thinner one a surface is a ribbon that nobody sees.
+/// Is a part of the domain's other side: along a thinner one a surface is a ribbon that is hardly visible.
 constexpr double too_thin = 0.01;
 /// A flow whose vorticity changes its velocity by less across the domain does not turn.
 constexpr double turning = 0.3;
-/// Of the fluid where it turns most, while a surface grows; fewer where it moves on at the same time, so that one sees the turns beside each
-/// other.
+/// Limits the turns of the fluid where it turns most, while a surface grows; fewer where it moves on at the
+/// same time, so that one sees the turns beside each other.
 constexpr double most_turns = 4.0, most_turns_through = 2.5;
-/// How much the fluid has to turn beside a vortex, of what it turns there, for the rake to reach as far.
+/// The rake reaches as far beside a vortex as the fluid turns by this part of what it turns there.
 constexpr double turns_too = 0.3;
-/// Of the domain's height: where fluid rises less along a vortex within so many turns, a rake across it makes a disc.
+/// Is a part of the domain's height: where fluid rises less along a vortex within so many turns, a rake
+/// across it makes a disc.
 constexpr double rises = 0.2;
-// Of the narrower side across a vortex: how far off its core a rake along it stands, and how far a sheet is rolled up round it.
+// Are parts of the narrower side across a vortex: how far off its core a rake along it stands, and how far a
+// sheet is rolled up round it.
 constexpr double off_core = 0.08, rolled = 0.4;
 constexpr int looks = 64; ///< along a line, for where it is in fluid
 constexpr double sweep_of_body = 1.0, sweep_of_domain = 0.25;
@@ -76,7 +80,8 @@ line_in_fluid(const Flow& flow, const Vec3& at, int axis, double low, double hig
     return std::array{place(longest.first), place(longest.second)};
 }
 
-/// The axis out of two along which more of something is; where both have about as much, or the domain is thin, its longer side.
+/// The axis out of two along which more of something is; where both have about as much, or the domain is
+/// thin, its longer side.
 int more_of(const std::array<int, 2>& axes, const Vec3& amount, const Vec3& extent) {
     const auto [a, b] = axes;
     if (std::min(extent[a], extent[b]) < too_thin * std::max(extent[a], extent[b]))
@@ -97,7 +102,7 @@ Vec3 sweep_along(const Box& domain, const Vec3& from, int axis, double length) {
     return sweep;
 }
 
-/// What of the flow goes along its axis ahead of a body, where that would meet it.
+/// Returns what of the flow goes along its axis ahead of a body, where that would meet it.
 double speed_ahead(const FlowSurvey& survey, const Box& body) {
     const int axis = survey.axis();
     double sum = 0.0;
@@ -144,7 +149,7 @@ double speed_across(const FlowSurvey& survey, const Vec3& at, int axis, double h
     return sum / (looks + 1);
 }
 
-/// A stretch of a line along an axis, widened to where the flow turns too.
+/// Returns a stretch of a line along an axis, widened to where the flow turns too.
 std::array<double, 2> where_it_turns(const FlowSurvey& survey,
                                      const Rotation& rotation,
                                      const Vec3& at,
@@ -165,7 +170,8 @@ std::array<double, 2> where_it_turns(const FlowSurvey& survey,
     return stretch;
 }
 
-/// Along a vortex in which the fluid hardly moves on: a sheet from there is rolled up round all of it. Nothing: the fluid rises.
+/// Returns a rake along a vortex in which the fluid hardly moves on: a sheet from there is rolled up round
+/// all of it. Returns nothing where the fluid rises.
 std::optional<RakeChoice>
 along_vortex(const Flow& flow, const FlowSurvey& survey, const Rotation& rotation, double turn) {
     const Box domain = flow.domain();
@@ -202,7 +208,7 @@ along_vortex(const Flow& flow, const FlowSurvey& survey, const Rotation& rotatio
     return std::nullopt;
 }
 
-/// How far it is along the flow's axis until the domain ends.
+/// Returns how far it is along the flow's axis until the domain ends.
 double way_out(const FlowSurvey& survey, const Vec3& from) {
     const int axis = survey.axis();
     const Box& domain = survey.lattice.domain;
@@ -211,7 +217,7 @@ double way_out(const FlowSurvey& survey, const Vec3& from) {
     return along * glm::length(survey.mean) / std::abs(survey.mean[axis]);
 }
 
-/// Size: of what makes a wake, whatever the body's span.
+/// Returns the size of what makes a wake, whatever the body's span.
 double size_of(const Box& body, int axis, int span, int offset) {
     const Vec3 extent = body.extent();
     return std::min(extent[span], std::max(extent[offset], extent[axis]));
@@ -230,7 +236,7 @@ std::optional<RakeChoice> ahead_of_body(const Flow& flow,
     RakeChoice choice;
     choice.body = body;
     choice.speed = speed_ahead(survey, body);
-    // No flow meets a body that fills the whole inlet.
+    // A body that fills the whole inlet is one that no flow meets.
     if (!(choice.speed > 0.01 * survey.speed))
         return std::nullopt;
     const double front = survey.sign() > 0.0 ? body.lo[axis] : body.hi[axis];
@@ -265,7 +271,7 @@ std::optional<RakeChoice> ahead_of_body(const Flow& flow,
     return std::nullopt;
 }
 
-/// Through where the flow turns, or a little ahead of it.
+/// Returns a rake through where the flow turns, or a little ahead of it.
 std::optional<RakeChoice> at_rotation(const Flow& flow,
                                       const FlowSurvey& survey,
                                       const Rotation& rotation,
@@ -333,7 +339,8 @@ std::optional<RakeChoice> at_rotation(const Flow& flow,
     return choice;
 }
 
-/// Where more enters than anywhere else: the side of the domain with the fastest flow inward, over its boxes.
+/// Returns a rake where more enters than anywhere else: the side of the domain with the fastest flow inward,
+/// over its boxes.
 RakeChoice at_entry(const Flow& flow, const FlowSurvey& survey) {
     const SurveyLattice& lattice = survey.lattice;
     const Box& domain = lattice.domain;
@@ -373,7 +380,7 @@ RakeChoice at_entry(const Flow& flow, const FlowSurvey& survey) {
     side[span] = half;
     choice.line = line.value_or(std::array{at - side, at + side});
     choice.sweep = sweep_along(domain, at, offset, sweep_of_domain * extent[offset]);
-    // What enters and does not go through turns aside half-way.
+    // Fluid that enters and does not go through turns aside half-way.
     choice.way = (survey.through() ? 1.0 : 0.5) * extent[axis];
     choice.why = survey.speed > 0.0 ? "where the flow enters"
                                     : "near a side of the domain, because the flow is at rest";

@@ -1,4 +1,5 @@
-// Where to put a first rake: ahead of the body that the flow meets, else where the flow turns, else where it enters.
+// Where to put a first rake: ahead of the body that the flow meets, else where the flow turns, else where it
+// enters.
 #pragma once
 
 #include "core/dataset/wall_geometry.hpp"

@@ -10,22 +10,24 @@ namespace wakesurf::core {
 namespace {
 
 constexpr std::uint32_t usual_seeds = 32;
-/// The flow is slower in a wake than ahead of it: the time for a way is this much longer than the fastest needs.
+/// The flow is slower in a wake than ahead of it: the time for a way is this much longer than the fastest
+/// needs.
 constexpr double slower = 1.25;
-/// Of that time, for a time surface.
+/// Is a part of that time, for a time surface.
 constexpr double patch_part = 0.35;
-/// Of time-steps that a first surface reads, at most, unless those are fewer than `least_steps`.
+/// Limits the bytes of time-steps that a first surface reads, unless those are fewer than `least_steps`.
 constexpr double most_bytes = 4.0 * (1ULL << 30U);
 constexpr std::size_t least_steps = 8;
-// What a surface costs: how often a vertex is moved, in all, and how many quads are enough to see, and too few.
+// Limit what a surface costs: how often a vertex is moved, in all, and how many quads are enough to see, and
+// too few.
 constexpr double most_moves = 4e6, most_quads = 20'000.0, least_quads = 2'000.0;
-// Cells across the body, at least, and along the rake, at most.
+// Are the cells across the body, at least, and along the rake, at most.
 constexpr double across_body = 6.0, along_rake = 40.0, along_rake_in_vortex = 24.0;
 
 /// Behind a body in steady flow nothing new comes after so many of its sizes.
 constexpr double steady_wake = 5.0;
 
-/// How far to follow the particles.
+/// Returns how far to follow the particles.
 double way_of(const RakeChoice& choice, const FlowSurvey& survey, bool steady) {
     if (!steady || !choice.body || !survey.through())
         return choice.way;
@@ -37,7 +39,7 @@ double way_of(const RakeChoice& choice, const FlowSurvey& survey, bool steady) {
                                     steady_wake * std::max({extent.x, extent.y, extent.z}));
 }
 
-/// To so many digits.
+/// Rounds to so many digits.
 double rounded(double value, int digits) {
     if (!(value > 0.0) || !std::isfinite(value))
         return value;
@@ -53,7 +55,8 @@ Vec3 rounded(const Vec3& place, const Box& domain) {
             continue;
         const double digits = 3.0 - std::floor(std::log10(extent[k]));
         const double unit = std::pow(10.0, std::abs(digits));
-        // Divided by a power of ten, not multiplied by its inverse: what is printed in few digits reads the same.
+        // The value is divided by a power of ten, not multiplied by its inverse: what is printed in few
+        // digits reads the same.
         const double near =
             digits > 0.0 ? std::round(place[k] * unit) / unit : std::round(place[k] / unit) * unit;
         out[k] = std::clamp(near, domain.lo[k], domain.hi[k]);
@@ -61,7 +64,7 @@ Vec3 rounded(const Vec3& place, const Box& domain) {
     return out;
 }
 
-/// How long it takes to see all of it; a time of its own where nothing moves.
+/// Returns how long it takes to see all of it; a time of its own where nothing moves.
 double usual_time(const RakeChoice& choice) {
     return choice.speed > 0.0 ? rounded(slower * choice.way / choice.speed, 2) : 1.0;
 }

@@ -71,12 +71,12 @@ class Engine(Cpp):
                                "leave it out, or choose a time between them")
         body += ["    return {};", "}", ""]
         made = MADE.format(f"{method.noun}.schema.json")
-        header = [made, f"// What the description of {method.name} says about values, for the engine: callers from C++ come past its readers.",
+        header = [made, f"// Checks what the description of {method.name} says about values, for C++ callers, who come past its readers.",
                   "#pragma once", "", '#include "core/base/result.hpp"', '#include "core/surface/surface_parameters.hpp"', "",
                   "namespace wakesurf::core {", "",
                   "/// Checks what only some kinds take, and what they must have. Error: InvalidArgument, naming the parameter.",
                   "Result<void> check_kind(const SurfaceParameters& parameters);", "",
-                  "/// The same, and ranges of numbers, and times beside each other. Error: as check_kind.",
+                  "/// Checks the kind, ranges of numbers, and times beside each other. Error: that of check_kind.",
                   "Result<void> check_values(const SurfaceParameters& parameters);", "", "} // namespace wakesurf::core", ""]
         source = [made, '#include "core/surface/request/surface_values.hpp"', "", '#include "core/surface/time_direction.hpp"', "",
                   "#include <string>", "", "namespace wakesurf::core {", "", "namespace {", "",

@@ -1,7 +1,7 @@
 #include "server/service/compute/compute_pool.hpp"
 
-#include "core/base/doorbell.hpp"
-#include "core/base/mailbox.hpp"
+#include "core/base/event_count.hpp"
+#include "core/base/mpsc_queue.hpp"
 #include "server/service/compute/long_threads.hpp"
 #include "server/service/compute/quick_threads.hpp"
 
@@ -26,28 +26,28 @@ class Freeing {
   public:
     ~Freeing() {
         ending_ = true;
-        bell_.ring_all();
+        event_.notify_all();
     }
 
     void push(std::shared_ptr<const void> thing) {
         things_.push(std::move(thing));
-        bell_.ring_all();
+        event_.notify_all();
     }
 
   private:
     void free_all() {
         for (;;) {
-            const auto seen = bell_.rings();
+            const auto seen = event_.notifications();
             const bool last = ending_;
             things_.take();
             if (last)
                 return;
-            bell_.wait(seen);
+            event_.wait(seen);
         }
     }
 
-    core::Mailbox<std::shared_ptr<const void>> things_;
-    core::Doorbell bell_;
+    core::MpscQueue<std::shared_ptr<const void>> things_;
+    core::EventCount event_;
     std::atomic<bool> ending_{false};
     std::jthread thread_{[this] { free_all(); }};
 };

@@ -51,8 +51,8 @@ LongThreads::~LongThreads() {
         sort(); // before the threads may end
         ending_ = true;
     }
-    for (core::Doorbell& each : bells_)
-        each.ring_all();
+    for (core::EventCount& each : events_)
+        each.notify_all();
     threads_.clear();
 }
 
@@ -75,8 +75,8 @@ void LongThreads::goes_on() {
 }
 
 void LongThreads::ring() {
-    for (core::Doorbell& each : bells_)
-        each.ring_one();
+    for (core::EventCount& each : events_)
+        each.notify_one();
 }
 
 /// With the lock: the first thread that looks for work does it for all.
@@ -97,7 +97,7 @@ void LongThreads::serve(LongLanes::Lane lane) {
     step_back(long_niceness);
     core::BlockingWait::listen(this);
     for (;;) {
-        const auto seen = bell(lane).rings();
+        const auto seen = event(lane).notifications();
         std::unique_lock lock(mutex_);
         sort();
         auto turn = lanes_.pop(lane, Clock::now());
@@ -106,9 +106,9 @@ void LongThreads::serve(LongLanes::Lane lane) {
         if (!turn && ending_ && !others)
             return;
         if (!turn && others && lane == LongLanes::Lane::Light)
-            bell(lane).wait(seen, settling_look); // time makes it ready
+            event(lane).wait(seen, settling_look); // time makes it ready
         else if (!turn)
-            bell(lane).wait(seen);
+            event(lane).wait(seen);
         if (!turn)
             continue;
         const auto start = Clock::now();
@@ -120,8 +120,8 @@ void LongThreads::serve(LongLanes::Lane lane) {
         const bool more = lanes_.waiting() > 0;
         lock.unlock();
         if (ending_)
-            for (core::Doorbell& each : bells_)
-                each.ring_all();
+            for (core::EventCount& each : events_)
+                each.notify_all();
         else if (more)
             ring();
     }

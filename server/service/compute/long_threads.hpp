@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/base/blocking_wait.hpp"
-#include "core/base/doorbell.hpp"
-#include "core/base/mailbox.hpp"
+#include "core/base/event_count.hpp"
+#include "core/base/mpsc_queue.hpp"
 #include "server/service/compute/long_lanes.hpp"
 
 #include <oneapi/tbb/global_control.h>
@@ -41,7 +41,9 @@ class LongThreads final : private core::BlockingWait::Listener {
         FairQueue::Job job;
     };
 
-    core::Doorbell& bell(LongLanes::Lane lane) { return bells_[static_cast<std::size_t>(lane)]; }
+    core::EventCount& event(LongLanes::Lane lane) {
+        return events_[static_cast<std::size_t>(lane)];
+    }
 
     void blocks() override;
     void goes_on() override;
@@ -51,8 +53,8 @@ class LongThreads final : private core::BlockingWait::Listener {
 
     unsigned cores_;
     oneapi::tbb::global_control allowed_;
-    core::Mailbox<Arrived> arrived_;
-    std::array<core::Doorbell, 2> bells_; ///< by lane
+    core::MpscQueue<Arrived> arrived_;
+    std::array<core::EventCount, 2> events_; ///< by lane
     std::atomic<bool> ending_{false};
     std::mutex mutex_; ///< guards what follows, until `ending_`
     LongLanes lanes_;

@@ -31,18 +31,18 @@ QuickThreads::~QuickThreads() {
         sort(); // before the threads may end: each lane's run what is sorted now
         ending_ = true;
     }
-    keepers_bell_.ring_all();
+    keepers_event_.notify_all();
     keeper_.join();
-    for (core::Doorbell& each : bells_)
-        each.ring_all();
+    for (core::EventCount& each : events_)
+        each.notify_all();
     workers_.clear();
 }
 
 void QuickThreads::run(const std::string& session, FairQueue::Job job) {
     arrived_.push({session, std::move(job)});
-    bell(QuickLanes::Lane::Upper).ring_all(); // not each of them takes every job
+    event(QuickLanes::Lane::Upper).notify_all(); // not each of them takes every job
     if (upper_asleep_ == 0)
-        bell(QuickLanes::Lane::Lower).ring_one(); // to sort it, and perhaps to run it
+        event(QuickLanes::Lane::Lower).notify_one(); // to sort it, and perhaps to run it
 }
 
 void QuickThreads::start(QuickLanes::Lane lane, Takes takes) {
@@ -54,7 +54,7 @@ void QuickThreads::start(QuickLanes::Lane lane, Takes takes) {
 void QuickThreads::sort() {
     for (Arrived& each : arrived_.take())
         if (lanes_.push(each.session, std::move(each.job), Clock::now()) == QuickLanes::Lane::Lower)
-            bell(QuickLanes::Lane::Lower).ring_one();
+            event(QuickLanes::Lane::Lower).notify_one();
 }
 
 void QuickThreads::serve(Worker& self) {
@@ -66,7 +66,7 @@ void QuickThreads::serve(Worker& self) {
         step_back(crowd_niceness);
     oneapi::tbb::task_arena alone(1, 1);
     while (!self.replaced) {
-        const auto seen = bell(self.lane).rings();
+        const auto seen = event(self.lane).notifications();
         std::unique_lock lock(mutex_);
         sort();
         auto turn = self.takes == Takes::LightOnly ? lanes_.pop_light(Clock::now())
@@ -76,14 +76,14 @@ void QuickThreads::serve(Worker& self) {
             break;
         if (!turn) {
             upper_asleep_ += upper ? 1 : 0;
-            bell(self.lane).wait(seen);
+            event(self.lane).wait(seen);
             upper_asleep_ -= upper ? 1 : 0;
             continue;
         }
         const double before = self.seconds_before = processor_seconds();
         self.since = Clock::now().time_since_epoch().count();
         if (keeper_sleeps_)
-            keepers_bell_.ring_one();
+            keepers_event_.notify_one();
         alone.execute(turn->job);
         turn->job = nullptr; // what the job holds goes before the threads may
         self.since = 0;
@@ -91,7 +91,7 @@ void QuickThreads::serve(Worker& self) {
         lanes_.done(self.lane, turn->session, processor_seconds() - before, Clock::now());
     }
     // It may have been woken for a job after another took its place.
-    bell(self.lane).ring_all();
+    event(self.lane).notify_all();
     self.ended = true;
 }
 
@@ -108,14 +108,14 @@ void QuickThreads::keep() {
         return busy;
     };
     while (!ending_) {
-        const auto seen = keepers_bell_.rings();
+        const auto seen = keepers_event_.notifications();
         if (any_busy()) {
-            keepers_bell_.wait(seen, look);
+            keepers_event_.wait(seen, look);
             continue;
         }
         keeper_sleeps_ = true;
         if (!any_busy() && !ending_) // a job may have begun before it was said
-            keepers_bell_.wait(seen);
+            keepers_event_.wait(seen);
         keeper_sleeps_ = false;
     }
 }

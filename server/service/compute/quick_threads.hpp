@@ -2,8 +2,8 @@
 // waiting: another thread takes the place of its own, which steps back and ends with it.
 #pragma once
 
-#include "core/base/doorbell.hpp"
-#include "core/base/mailbox.hpp"
+#include "core/base/event_count.hpp"
+#include "core/base/mpsc_queue.hpp"
 #include "server/service/compute/quick_lanes.hpp"
 
 #include <array>
@@ -57,7 +57,9 @@ class QuickThreads {
         std::jthread thread;
     };
 
-    core::Doorbell& bell(QuickLanes::Lane lane) { return bells_[static_cast<std::size_t>(lane)]; }
+    core::EventCount& event(QuickLanes::Lane lane) {
+        return events_[static_cast<std::size_t>(lane)];
+    }
 
     void start(QuickLanes::Lane lane, Takes takes);
     void serve(Worker& self);
@@ -65,9 +67,9 @@ class QuickThreads {
     void keep();
     bool look_after(Worker& worker);
 
-    core::Mailbox<Arrived> arrived_;
-    std::array<core::Doorbell, 2> bells_; ///< by lane
-    core::Doorbell keepers_bell_;
+    core::MpscQueue<Arrived> arrived_;
+    std::array<core::EventCount, 2> events_; ///< by lane
+    core::EventCount keepers_event_;
     std::atomic<bool> ending_{false}, keeper_sleeps_{false};
     std::atomic<int> upper_asleep_{0};
     std::mutex mutex_; ///< guards lanes_

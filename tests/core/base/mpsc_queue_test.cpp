@@ -1,4 +1,4 @@
-#include "core/base/mailbox.hpp"
+#include "core/base/mpsc_queue.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-namespace wakesurf::core::mailbox_test {
+namespace wakesurf::core::mpsc_queue_test {
 
-TEST(Mailbox, ReturnsWhatWasLeftInTheOrderItWasLeft) {
-    Mailbox<int> box;
+TEST(MpscQueue, ReturnsWhatWasLeftInTheOrderItWasLeft) {
+    MpscQueue<int> box;
     EXPECT_TRUE(box.empty());
     for (int i = 0; i < 5; ++i)
         box.push(i);
@@ -20,10 +20,10 @@ TEST(Mailbox, ReturnsWhatWasLeftInTheOrderItWasLeft) {
     EXPECT_TRUE(box.take().empty());
 }
 
-TEST(Mailbox, FreesWhatNoOneTook) {
+TEST(MpscQueue, FreesWhatNoOneTook) {
     const auto thing = std::make_shared<int>(1);
     {
-        Mailbox<std::shared_ptr<int>> box;
+        MpscQueue<std::shared_ptr<int>> box;
         box.push(thing);
         box.push(thing);
         EXPECT_EQ(thing.use_count(), 3);
@@ -31,9 +31,9 @@ TEST(Mailbox, FreesWhatNoOneTook) {
     EXPECT_EQ(thing.use_count(), 1);
 }
 
-TEST(Mailbox, LosesNothingThatManyThreadsLeaveWhileOthersTake) {
+TEST(MpscQueue, LosesNothingThatManyThreadsLeaveWhileOthersTake) {
     constexpr int threads = 4, each = 5'000;
-    Mailbox<std::pair<int, int>> box;
+    MpscQueue<std::pair<int, int>> box;
     std::vector<std::vector<std::pair<int, int>>> taken(2);
     {
         std::vector<std::jthread> takers, leavers;
@@ -66,4 +66,4 @@ TEST(Mailbox, LosesNothingThatManyThreadsLeaveWhileOthersTake) {
         EXPECT_EQ(std::count(of_thread.begin(), of_thread.end(), false), 0);
 }
 
-} // namespace wakesurf::core::mailbox_test
+} // namespace wakesurf::core::mpsc_queue_test

@@ -1,4 +1,4 @@
-#include "core/base/doorbell.hpp"
+#include "core/base/event_count.hpp"
 #include "tests/support/asleep.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-namespace wakesurf::core::doorbell_test {
+namespace wakesurf::core::event_count_test {
 
 namespace {
 
@@ -18,21 +18,21 @@ using namespace std::chrono_literals;
 
 std::atomic<bool> set_aside{false}, go_on{false};
 
-/// In a signal's handler: the thread it came to stands still, as one that the kernel has set aside.
+/// In a signal's handler: the thread it came to stands still, as one that the kernel has preempted.
 void stand_still(int) {
     set_aside = true;
     while (!go_on)
         std::this_thread::yield();
 }
 
-/// Sleeps at a bell, and can be set aside there.
+/// Sleeps at an event count, and can be set aside there.
 class Sleeper {
   public:
-    explicit Sleeper(Doorbell& bell)
-        : thread_([this, &bell] {
-              const auto seen = bell.rings();
+    explicit Sleeper(EventCount& event)
+        : thread_([this, &event] {
+              const auto seen = event.notifications();
               id_ = tests::this_thread_id();
-              bell.wait(seen);
+              event.wait(seen);
           }) {
         while (id_ == 0 || !tests::asleep(id_))
             std::this_thread::yield();
@@ -47,67 +47,67 @@ class Sleeper {
 
 } // namespace
 
-TEST(Doorbell, AWaitEndsAtOnceWhereItHasRungSince) {
-    Doorbell bell;
-    const auto seen = bell.rings();
-    bell.ring_one();
-    bell.wait(seen);
-    bell.wait(seen, 1h);
-    EXPECT_NE(bell.rings(), seen);
+TEST(EventCount, AWaitEndsAtOnceAfterANotificationSince) {
+    EventCount event;
+    const auto seen = event.notifications();
+    event.notify_one();
+    event.wait(seen);
+    event.wait(seen, 1h);
+    EXPECT_NE(event.notifications(), seen);
 }
 
-TEST(Doorbell, AWaitEndsAfterItsLongestTimeWhereNothingRings) {
-    Doorbell bell;
+TEST(EventCount, AWaitEndsAfterItsLongestTimeWithoutANotification) {
+    EventCount event;
     const auto start = std::chrono::steady_clock::now();
-    bell.wait(bell.rings(), 20ms);
+    event.wait(event.notifications(), 20ms);
     EXPECT_GE(std::chrono::steady_clock::now() - start, 20ms);
-    bell.wait(bell.rings(), -1ms);
+    event.wait(event.notifications(), -1ms);
 }
 
-TEST(Doorbell, EachThingThatIsLeftBeforeARingIsFoundByAThreadThatSleeps) {
+TEST(EventCount, EachThingThatIsLeftBeforeANotificationIsFoundByAThreadThatSleeps) {
     constexpr int things = 20'000, sleepers = 3;
-    Doorbell bell;
+    EventCount event;
     std::atomic<int> left{0}, found{0};
     {
         std::vector<std::jthread> threads;
         for (int i = 0; i < sleepers; ++i)
             threads.emplace_back([&] {
                 for (;;) {
-                    const auto seen = bell.rings();
+                    const auto seen = event.notifications();
                     if (found == things)
                         return;
                     int here = left;
                     while (here > 0 && !left.compare_exchange_weak(here, here - 1)) {
                     }
                     if (here == 0)
-                        bell.wait(seen);
+                        event.wait(seen);
                     else if (++found == things)
-                        bell.ring_all();
+                        event.notify_all();
                 }
             });
         for (int i = 0; i < things; ++i) {
             ++left;
-            bell.ring_one();
+            event.notify_one();
         }
     }
     EXPECT_EQ(found, things);
 }
 
-TEST(Doorbell, WhoRingsDoesNotWaitForASleeperThatWasWokenAndIsSetAside) {
+TEST(EventCount, ANotifierDoesNotWaitForASleeperThatWasWokenAndIsSetAside) {
     const auto before = std::signal(SIGUSR1, stand_still);
-    Doorbell bell;
+    EventCount event;
     {
-        Sleeper first(bell);
+        Sleeper first(event);
         first.set_aside_now();
         while (!set_aside)
             std::this_thread::yield();
-        bell.ring_all();
-        Sleeper second(bell);
-        auto rings = std::async(std::launch::async, [&] { bell.ring_all(); });
-        EXPECT_EQ(rings.wait_for(60s), std::future_status::ready);
+        event.notify_all();
+        Sleeper second(event);
+        auto notified = std::async(std::launch::async, [&] { event.notify_all(); });
+        EXPECT_EQ(notified.wait_for(60s), std::future_status::ready);
         go_on = true;
     }
     std::signal(SIGUSR1, before);
 }
 
-} // namespace wakesurf::core::doorbell_test
+} // namespace wakesurf::core::event_count_test

@@ -1,5 +1,6 @@
-// Where many threads leave things for others to fetch, without a lock: no thread that leaves something waits for another. With a lock it
-// would wait for one of lower priority that the kernel has set aside while it held it, tens of milliseconds on a busy machine.
+// A queue without a lock that many threads push to and one empties: no producer waits for another. With a
+// lock it would wait for one of lower priority that the kernel has preempted while it held the lock, tens of
+// milliseconds on a busy machine.
 #pragma once
 
 #include <algorithm>
@@ -10,18 +11,19 @@
 
 namespace wakesurf::core {
 
-/// Thread safety: everything may be called from any thread, but for the destructor.
+/// Keeps items in the order in which they were pushed. Thread safety: everything may be called from any
+/// thread, but for the destructor.
 template <class T>
-class Mailbox {
+class MpscQueue {
   public:
-    Mailbox() = default;
+    MpscQueue() = default;
 
-    ~Mailbox() { take(); }
+    ~MpscQueue() { take(); }
 
-    Mailbox(const Mailbox&) = delete;
-    Mailbox& operator=(const Mailbox&) = delete;
+    MpscQueue(const MpscQueue&) = delete;
+    MpscQueue& operator=(const MpscQueue&) = delete;
 
-    /// What a thread did before it left something is seen by the thread that takes it.
+    /// Adds an item. What a thread wrote before push() is visible to the thread that takes the item.
     void push(T item) {
         auto node = std::make_unique<Node>(Node{std::move(item), newest_.load(relaxed)});
         while (!newest_.compare_exchange_weak(node->before, node.get(), std::memory_order_release,
@@ -30,7 +32,7 @@ class Mailbox {
         node.release(); // the list's, until take()
     }
 
-    /// All there is, what was left first goes first.
+    /// Takes all items, the oldest first.
     std::vector<T> take() {
         std::vector<T> items;
         std::unique_ptr<Node> node(newest_.exchange(nullptr, std::memory_order_acquire));
@@ -42,7 +44,7 @@ class Mailbox {
         return items;
     }
 
-    /// As it was a moment ago.
+    /// Returns whether it was empty a moment ago.
     bool empty() const { return newest_.load(relaxed) == nullptr; }
 
   private:
