@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""What keeps documents readable and true: paragraphs of at most 80 words, and no citation of a document that is not here.
+"""What keeps documents readable and true: paragraphs of at most 80 words, READMEs of rooms of at most 120 lines, and no citation of
+a document that is not here.
 
 Standard library only. Run it alone with: python3 tests/lint/documents_test.py
 """
@@ -11,6 +12,7 @@ import unittest
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 MOST_WORDS = 80
+MOST_LINES = 120
 SOURCE = (".cpp", ".hpp", ".ts", ".py", ".sh", ".md", ".css", ".txt", ".cff")
 
 LINK = re.compile(r"\[[^\]]*\]\((?!https?:)([^)#\s]+)(?:#[^)]*)?\)")
@@ -55,6 +57,13 @@ def long_paragraphs(path, text):
                 yield f"{path}:{line}: a paragraph of {count} words, at most {MOST_WORDS}: split it, or make a list of it"
 
 
+def long_readme(path, text):
+    """A README of a room says what it holds, what it may touch and who waits for whom; docs/ has longer things."""
+    lines = len(text.splitlines())
+    if os.path.basename(path) == "README.md" and not path.startswith("docs/") and lines > MOST_LINES:
+        yield f"{path}: {lines} lines, at most {MOST_LINES}: give a folder of the room a README of its own, or docs/ a page"
+
+
 def missing_documents(path, text, there=None):
     """Links of documents, and names of documents in comments, must lead to files of this repository."""
     there = there or (lambda target: os.path.exists(os.path.join(ROOT, target)))
@@ -79,6 +88,9 @@ class Documents(unittest.TestCase):
     def test_have_no_paragraph_of_more_than_80_words(self):
         self.assertEqual(found(long_paragraphs), [])
 
+    def test_of_a_room_have_at_most_120_lines(self):
+        self.assertEqual(found(long_readme), [])
+
     def test_that_are_cited_are_in_the_repository(self):
         self.assertEqual(found(missing_documents), [])
 
@@ -95,6 +107,15 @@ class TheLinter(unittest.TestCase):
             with self.subTest(text=text[:20]):
                 self.assertEqual(list(long_paragraphs("a.md", text)), [])
         self.assertEqual(list(long_paragraphs("a.cpp", long)), [])
+
+    def test_counts_the_lines_of_a_readme_of_a_room(self):
+        for path, lines in [("server/net/README.md", MOST_LINES + 1), ("README.md", MOST_LINES + 1)]:
+            with self.subTest(path=path, lines=lines):
+                self.assertEqual(len(list(long_readme(path, "a\n" * lines))), 1)
+        for path, lines in [("server/net/README.md", MOST_LINES), ("docs/notebooks/README.md", MOST_LINES + 1),
+                            ("protocol/wire/FORMAT.md", MOST_LINES + 1)]:
+            with self.subTest(path=path, lines=lines):
+                self.assertEqual(list(long_readme(path, "a\n" * lines)), [])
 
     def test_finds_documents_that_are_not_there(self):
         there = {"docs/a.md", "core/README.md"}.__contains__

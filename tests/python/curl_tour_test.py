@@ -1,4 +1,4 @@
-"""The tour of protocol/api/README.md: its blocks run as one script against the real server, and print what they say."""
+"""The tour of docs/how-to/curl.md: its blocks run as one script against the real server, and print what they say."""
 import os
 import re
 import subprocess
@@ -9,10 +9,9 @@ from real_server import ROOT, RealServer
 
 
 def tour():
-    with open(os.path.join(ROOT, "protocol/api/README.md"), encoding="utf-8") as file:
+    with open(os.path.join(ROOT, "docs/how-to/curl.md"), encoding="utf-8") as file:
         text = file.read()
-    section = re.search(r"^## A tour with curl\n(.*?)(?=^## |\Z)", text, re.S | re.M).group(1)
-    return "\n".join(re.findall(r"^```bash\n(.*?)^```", section, re.S | re.M))
+    return "\n".join(re.findall(r"^```bash tour\n(.*?)^```", text, re.S | re.M))
 
 
 class CurlTourTest(unittest.TestCase):

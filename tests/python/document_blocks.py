@@ -5,6 +5,7 @@ A block of commands says behind its language what is done with it:
     sh run          runs with bash in a folder of its page, which has data/ and build/ as a clone has them
     sh run serve    one `wakesurf serve`; the page's later blocks reach it by the address in the documents, and by $WAKESURF_URL
     python run      runs with the client beside it
+    bash tour       runs as one script with the page's others of that mark, and prints what its comments say (curl_tour_test.py)
     sh elsewhere    cannot run here (ssh, a batch system, a container): its syntax and its options are checked
 """
 import os
@@ -16,7 +17,7 @@ from real_server import ROOT
 
 FENCE = re.compile(r"^```([^\n`]*)\n(.*?)^```$", re.S | re.M)
 ADDRESS = "http://127.0.0.1:8080"
-MARKS = ("sh run", "sh run serve", "sh elsewhere", "python run")
+MARKS = ("sh run", "sh run serve", "bash tour", "sh elsewhere", "python run")
 ENDS = ("|", "||", "&&", ";", "&", ">", ">>", "<", "2>&1")
 
 

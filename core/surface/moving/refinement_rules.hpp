@@ -31,7 +31,7 @@ struct RefinementRules {
     InsertionPolicy policy = InsertionPolicy::Hermite;
     /// Limits, with Hermite, how far off a vertex may be before it is traced again. Where interpolated
     /// vertices stood beside traced ones with larger errors, the differences were folds that were cut, and so
-    /// on: core/README.md, How a streak or time surface moves.
+    /// on: README.md here, New vertices and accuracy.
     double trusted_error = 0.02;
     bool retrace = true;   ///< tracing again is possible
     bool obstacle = false; ///< edges may cross solid parts

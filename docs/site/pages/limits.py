@@ -4,7 +4,8 @@ from .base import MADE, UP, api, number, table
 INTRO = f"""# Limits
 
 What one server allows. A request beyond a limit is refused with a sentence that names it, and never served in part. Limits of people, links and
-addresses, and what happens to slow clients, are in [the server's document]({UP}server/README.md#the-gate).
+addresses, and what happens to slow clients, are in the server's documents: [budgets]({UP}server/service/compute/README.md#what-each-person-may-ask-for),
+[connections]({UP}server/net/README.md#connections).
 
 """
 
