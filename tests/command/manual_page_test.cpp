@@ -68,7 +68,7 @@ TEST(ManualPage, NamesArgumentsValuesDefaultsAndCommandsWithinCommands) {
     inner->add_option("FILE", file, "What to read")->required();
     inner->add_option("-n,--number", number, "How many")->capture_default_str();
     inner->add_option("--secret", text, "Not shown")->group("");
-    const std::string page = server::manual_page(app, {"1.2.3", ".SH FILES\nnone\n"});
+    const std::string page = command::manual_page(app, {"1.2.3", ".SH FILES\nnone\n"});
     EXPECT_TRUE(page.starts_with(".TH IT 1 \"\" \"wakesurf 1.2.3\"")) << page;
     EXPECT_NE(page.find(".SH NAME\nit \\- Does it\n"), std::string::npos) << page;
     EXPECT_NE(

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wakesurf::server::memory_size_test {
+namespace wakesurf::command::memory_size_test {
 namespace {
 
 TEST(MemorySize, IsReadTheWayPeopleWriteIt) {
@@ -24,4 +24,4 @@ TEST(MemorySize, IsRefusedWhenItIsNone) {
 }
 
 } // namespace
-} // namespace wakesurf::server::memory_size_test
+} // namespace wakesurf::command::memory_size_test
