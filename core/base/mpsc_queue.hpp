@@ -1,6 +1,6 @@
-// A queue without a lock that many threads push to and one empties: no producer waits for another. With a
-// lock it would wait for one of lower priority that the kernel has preempted while it held the lock, tens of
-// milliseconds on a busy machine.
+// A queue without a lock that many threads push to, and one, or any, empties at once: no producer waits for
+// another. With a lock it would wait for one of lower priority that the kernel has preempted while it held
+// the lock, tens of milliseconds on a busy machine.
 #pragma once
 
 #include <algorithm>

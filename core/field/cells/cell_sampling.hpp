@@ -13,8 +13,8 @@
 
 namespace wakesurf::core {
 
-/// Fulfils the concept Sampling. `smooth` changes nothing: the field of a mesh of cells is what its shape
-/// functions give. Thread safety: concurrent calls are fine. It keeps a reference to the mesh.
+/// Offers IntervalFlow what UniformSampling does. `smooth` changes nothing: the field of a mesh of cells is
+/// what its shape functions give. Thread safety: concurrent calls are fine. It keeps a reference to the mesh.
 class CellSampling {
   public:
     static constexpr bool has_smooth = false;
