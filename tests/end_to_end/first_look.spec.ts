@@ -1,9 +1,7 @@
-// The first picture of a dataset is of its surface, not of an empty box, and first and last times can be typed.
+// The first picture of a dataset is of its surface, not of an empty box.
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
-import type { SurfaceRecord } from '../../web-client/src/protocol/messages.ts';
 import { ask, finalSurface, screenshot } from './support/browser_page.ts';
-import { expectServersMesh } from './support/server_mesh.ts';
 import { useStand } from './support/stand.ts';
 
 const stand = useStand(['flow:tornado', 'flow:double-gyre']);
@@ -49,37 +47,5 @@ describe('the first picture', () => {
         await page.waitForFunction(() => window.wakesurf?.phase !== 'final');
         await finalSurface(page);
         expect(await ask(page, (hook) => hook.camera)).toEqual(camera);
-    });
-});
-
-describe('first and last times', () => {
-    it('are typed where the length is chosen, and stop at the ends of the data in words', async () => {
-        const page = await stand.visit(size);
-        const session = await ask(page, (hook) => hook.session);
-        const record = async (): Promise<Pick<SurfaceRecord, 'from' | 'to' | 'kind'>> => {
-            const { surfaces } = await stand.server.call('surface.list', { session });
-            const [{ from, to, kind }] = surfaces as [SurfaceRecord];
-            return { from, to, kind };
-        };
-        await page.getByRole('radio', { name: 'Streak' }).click();
-        await expect.poll(async () => (await record()).kind).toBe('streak');
-        const { to } = await record();
-        await page.getByLabel('From', { exact: true }).fill('11.5');
-        await page.keyboard.press('Tab');
-        await expect.poll(record).toMatchObject({ from: 11.5, to });
-        await page.getByLabel('To', { exact: true }).fill('12.5');
-        await page.keyboard.press('Enter');
-        await expect.poll(record).toMatchObject({ from: 11.5, to: 12.5 });
-        await expectServersMesh(stand.server, page);
-
-        const last = (await stand.server.call('dataset.describe', { dataset: 'sqcyl' }))['times'] as number[];
-        await page.getByLabel('To', { exact: true }).fill('1000');
-        await page.keyboard.press('Enter');
-        await expect.poll(async () => (await record()).to).toBe(last.at(-1));
-        await page.getByText('t = 1000 is outside the data').waitFor();
-        await page.getByLabel('To', { exact: true }).fill('11.5');
-        await page.keyboard.press('Enter');
-        await page.getByText('It ends at another time than it begins.').waitFor();
-        expect(await record()).toMatchObject({ from: 11.5, to: last.at(-1) });
     });
 });

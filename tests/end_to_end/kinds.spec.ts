@@ -1,4 +1,5 @@
-// Every kind of surface from the panel: what a person chooses is what the server builds and the page shows.
+// Every kind of surface from the panel: what a person chooses is what the server builds and the page shows. What the panel asks for
+// is tested beside it.
 import type { BrowserContext, Page } from 'playwright-core';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import type { SurfaceRecord } from '../../web-client/src/protocol/messages.ts';
@@ -44,51 +45,6 @@ describe('the kinds of surface', () => {
         }
     });
 
-    it('releases a streak surface until the slider says', async () => {
-        const streak = await edited(() => page.getByRole('radio', { name: 'Streak' }).check());
-        expect(streak).toMatchObject({ kind: 'streak', from: 8.5, to: 16 });
-        expect(streak.releaseUntil).toBeUndefined();
-        const slider = page.getByRole('slider', { name: 'Release until' });
-        const sheet = await edited(async () => {
-            await slider.focus();
-            for (let i = 0; i < 25; ++i) await slider.press('ArrowLeft');
-        });
-        expect(sheet.releaseUntil).toBeCloseTo(12.25);
-        const keep = page.getByRole('checkbox', { name: /Keep releasing/ });
-        expect((await edited(() => keep.check())).releaseUntil).toBeUndefined();
-        expect((await edited(() => keep.uncheck())).releaseUntil).toBeCloseTo(12.25);
-        // Of what was released until then, half of the time is as old as a particle gets.
-        await edited(() => keep.check());
-        const young = await edited(() => page.getByRole('checkbox', { name: 'Particles live on' }).uncheck());
-        expect(young.life).toBeCloseTo(3.75);
-        const ages = (await ask(page, (hook) => hook.vertices(1))).map(({ t }) => 16 - t);
-        expect(Math.max(...ages)).toBeGreaterThan(3.7);
-        expect(Math.max(...ages)).toBeLessThan(3.751);
-    });
-
-    it('sweeps a time surface across the flow until told otherwise', async () => {
-        const patch = await edited(() => page.getByRole('radio', { name: 'Time' }).check());
-        // Released late enough that it has not left the domain.
-        expect(patch).toMatchObject({ kind: 'time', to: 16 });
-        expect(patch.from).toBeGreaterThan(8.5);
-        expect(patch.sweep?.map((each) => each !== 0)).toEqual([false, true, false]);
-        const z = page.getByRole('spinbutton', { name: 'Sweep along z' });
-        const slanted = await edited(async () => {
-            await z.fill('0.5');
-            await z.press('Enter');
-        });
-        expect(slanted.sweep).toEqual([0, patch.sweep![1], 0.5]);
-        const path = await edited(() => page.getByRole('radio', { name: 'Path' }).check());
-        expect(path.sweep).toBeUndefined();
-        await page.getByText('To the end of the data.').waitFor();
-        const slider = page.getByRole('slider', { name: 'Integration time' });
-        await slider.focus();
-        await page.keyboard.press('End');
-        expect(await slider.inputValue()).toBe(String(path.to - path.from));
-        const shorter = await edited(() => page.keyboard.press('Home'), 0);
-        expect(shorter.to).toBeCloseTo(path.from + (path.to - path.from) / 100);
-    });
-
     it('goes back in time as the direction says, released where the data have time for it, and stays so after a reload', async () => {
         const direction = page.getByRole('combobox', { name: 'Direction' });
         const stream = await edited(() => direction.selectOption('backward'));
@@ -103,25 +59,5 @@ describe('the kinds of surface', () => {
         await finalSurface(page);
         expect(await page.getByRole('radio', { name: 'Streak' }).isChecked()).toBe(true);
         expect(await direction.inputValue()).toBe('backward');
-    });
-
-    it('offers both directions only where a surface need not be there at one time, and says what becomes of them', async () => {
-        const direction = page.getByRole('combobox', { name: 'Direction' });
-        expect(await direction.locator('option').count()).toBe(3);
-        await edited(() => direction.selectOption('both'));
-        const path = await edited(() => page.getByRole('radio', { name: 'Path' }).check());
-        expect(path).toMatchObject({ kind: 'path', direction: 'both', from: 8.5, to: 16 });
-        await page.getByText(/Forward only: the data begin at its release/).waitFor();
-        await page.getByRole('slider', { name: 'Release' }).focus();
-        const uneven = await edited(() => page.keyboard.press('PageUp'));
-        expect(uneven).toMatchObject({ direction: 'both', to: 16 });
-        expect(uneven.from).toBeGreaterThan(8.5);
-        await page.getByText(/Back to .* only, where the data begin/).waitFor();
-        const streak = await edited(() => page.getByRole('radio', { name: 'Streak' }).check());
-        expect(streak).toMatchObject({ kind: 'streak', direction: 'forward', from: uneven.from, to: 16 });
-        await page.getByText('A streak surface goes one way in time: this one goes forward.').waitFor();
-        expect(await direction.inputValue()).toBe('forward');
-        expect(await direction.locator('option').count()).toBe(2);
-        await screenshot(page, 'streak-after-both');
     });
 });

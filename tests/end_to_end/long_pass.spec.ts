@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs';
 import type { Page } from 'playwright-core';
 import { beforeEach, describe, expect, it } from 'vitest';
 import type { SurfaceRecord, SurfaceStats } from '../../web-client/src/protocol/messages.ts';
-import { ask, screenshot } from './support/browser_page.ts';
+import { ask } from './support/browser_page.ts';
 import { chooseFigure, pixelsOf, savedFigure } from './support/figure_download.ts';
 import { useStand } from './support/stand.ts';
 
@@ -64,30 +64,6 @@ describe('a long pass', () => {
         }
     });
 
-    it('can be had faster, or until where it has come', async () => {
-        await page.clock.fastForward(10_000);
-        await offers().waitFor();
-        await screenshot(page, 'long_pass');
-        const until = offers().getByRole('button', { name: /^Until t = / });
-        await until.waitFor();
-        const end = Number(/[\d.]+/.exec((await until.textContent())!)![0]);
-        await until.click();
-        await expect.poll(async () => (await record()).to).toBeLessThan(16);
-        const { from, to } = await record();
-        expect(from).toBe(8.5);
-        // The work went on between reading and pressing.
-        expect(to).toBeGreaterThanOrEqual(0.99 * end);
-
-        await page.clock.fastForward(10_000);
-        await offers().getByRole('button', { name: 'Fast accuracy' }).click();
-        await expect.poll(async () => (await record()).accuracy).toBe('fast');
-        await page.clock.fastForward(10_000);
-        await offers()
-            .getByRole('button', { name: /^Separation / })
-            .click();
-        await expect.poll(async () => (await record()).separation).toBeCloseTo(0.04, 6);
-    });
-
     it('can be had as it is now: the file says that it is coarse', async () => {
         await page.clock.fastForward(10_000);
         const session = await ask(page, (hook) => hook.session);
@@ -125,18 +101,5 @@ describe('a long pass', () => {
         }
         expect(inCorner).toBeGreaterThan(100);
         expect(elsewhere).toBe(0);
-    });
-});
-
-describe('play after stop', () => {
-    it('computes the surface again', async () => {
-        await page.getByRole('button', { name: 'Stop', exact: true }).click();
-        await page.getByText('Stopped before it was final').waitFor();
-        const { rev } = await record();
-        await page.getByRole('button', { name: 'Play' }).click();
-        await expect.poll(async () => (await record()).rev).toBeGreaterThan(rev);
-        // It moves: its start is there at once, and more follows.
-        await page.waitForFunction(() => window.wakesurf?.phase === 'live' && window.wakesurf.displayed!.cells > 0);
-        await page.getByRole('button', { name: 'Pause' }).click();
     });
 });

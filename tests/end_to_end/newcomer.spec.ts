@@ -1,15 +1,10 @@
-// What a first visitor meets beside the tour: several datasets and their bodies, numbers that cannot be taken, a phone.
-import type { Page } from 'playwright-core';
+// What a first visitor meets beside the tour: several datasets and their bodies, a phone.
 import { describe, expect, it } from 'vitest';
 import { ask, finalSurface, screenshot } from './support/browser_page.ts';
 import { useStand } from './support/stand.ts';
 
 const stand = useStand(['flow:sphere']);
 const size = { width: 800, height: 500 };
-
-function banner(page: Page, about: string): ReturnType<Page['locator']> {
-    return page.locator(`[data-about="${about}"]`);
-}
 
 describe('a server with several datasets', () => {
     it('offers them, and shows the body of a flow by formula where it is', async () => {
@@ -85,28 +80,6 @@ describe('a server with several datasets', () => {
         await page.getByRole('button', { name: 'Open', exact: true }).click();
         await finalSurface(page);
         await context.close();
-    });
-});
-
-describe('a number that a rake cannot have', () => {
-    it('is answered with those that it can, each in words of its own, until the next edit', async () => {
-        const page = await stand.visit(size);
-        const seeds = page.getByLabel('Seeds');
-        await seeds.fill('100000');
-        await seeds.press('Enter');
-        await banner(page, 'seeds').getByText('2 to 4096 seeds').waitFor();
-        expect(await seeds.inputValue()).toBe('32');
-        const end = page.getByLabel('End x');
-        await end.fill('99');
-        await end.press('Enter');
-        await banner(page, 'rake outside').getByText('x = −3 to 12.92').waitFor();
-        await expect.poll(() => ask(page, (hook) => Math.round(100 * hook.rakePoints[1]![0]))).toBe(1292);
-        await banner(page, 'seeds').waitFor({ state: 'detached' });
-        expect(await banner(page, 'rake outside').count()).toBe(1);
-        await seeds.fill('20');
-        await seeds.press('Enter');
-        await banner(page, 'rake outside').waitFor({ state: 'detached' });
-        await page.context().close();
     });
 });
 

@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { promisify } from 'node:util';
 import type { BrowserContext, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeEach, describe, expect, it } from 'vitest';
-import type { ClockRecord, RakeRecord, SurfaceRecord, Vec3 } from '../../web-client/src/protocol/messages.ts';
+import type { ClockRecord, RakeRecord, SurfaceRecord } from '../../web-client/src/protocol/messages.ts';
 import { ask, finalSurface, newContext, openPage, screenshot } from './support/browser_page.ts';
 import { pixelsOfPng } from './support/png_pixels.ts';
 import { temporaryFolder } from './support/server_process.ts';
@@ -352,25 +352,5 @@ describe('a script', () => {
             await runs(await copied('wakesurf-mesh-export', language));
             expect(readFileSync(join(work.path, 'surface.ply')).equals(bytes)).toBe(true);
         }
-    });
-
-    it('is shown to be copied by hand where there is no clipboard', async () => {
-        // As in pages that come over plain http from another machine.
-        await page.evaluate(() => Object.defineProperty(navigator, 'clipboard', { value: undefined }));
-        const button = page
-            .locator('section[aria-labelledby="rake-head"] wakesurf-copy-as')
-            .getByRole('button', { name: 'curl' });
-        await button.scrollIntoViewIfNeeded();
-        await button.click();
-        const text = page.getByRole('textbox', { name: 'Script' });
-        await text.waitFor();
-        await screenshot(page, 'copy-by-hand');
-        await runShell(await text.inputValue());
-        const { rakes } = await records();
-        expect(rakes).toHaveLength(2);
-        const points = (rake: RakeRecord | undefined): Vec3[] => rake?.points ?? [];
-        expect(points(rakes[1])).toEqual(points(rakes[0]));
-        await page.keyboard.press('Escape');
-        await text.waitFor({ state: 'hidden' });
     });
 });

@@ -308,42 +308,6 @@ describe('several rakes', () => {
         );
         await screenshot(page, 'two-rakes');
     });
-
-    it('have several surfaces or none; what others have changed is not taken back', async () => {
-        await page.getByRole('button', { name: 'Add surface' }).click();
-        await eventually(surfaces, (each) => each.length === 2);
-        const which = page.getByRole('combobox', { name: 'Surface', exact: true });
-        await which.waitFor();
-        await page.getByRole('radio', { name: 'Path' }).check();
-        await eventually(surfaces, (each) => each[1]!.kind === 'path');
-        await which.selectOption({ index: 0 });
-        expect(await page.getByRole('radio', { name: 'Stream' }).isChecked()).toBe(true);
-        for (let left = 1; left >= 0; --left) {
-            await page.getByRole('button', { name: 'Delete surface' }).click();
-            await eventually(surfaces, (each) => each.length === left);
-        }
-        await page.getByText('This rake has no surface.').waitFor();
-        expect(await rakes()).toHaveLength(1);
-        await page.getByRole('button', { name: 'Undo' }).click();
-        await page.getByRole('radio', { name: 'Path' }).waitFor();
-        // With the surface the time bar comes back, and the picture has another height then.
-        await finalSurface(page);
-
-        await dragHandle(page, 1, 15, 10, 4);
-        const { rake, kind, points, seeds } = await recorded();
-        await stand.server.call('rake.set', { session, rake, kind, points, seeds: seeds + 1, name: 'Theirs' });
-        await page.waitForFunction(() => window.wakesurf!.rakes[0]!.shape !== undefined);
-        await eventually(
-            () => page.getByRole('list', { name: 'Rakes' }).textContent(),
-            (text) => text!.includes('Theirs'),
-        );
-        await page.keyboard.press('Control+Z');
-        await page
-            .getByText(/Not undone: Theirs has been changed by someone else/)
-            .first()
-            .waitFor();
-        expect((await rakes())[0]).toMatchObject({ name: 'Theirs', points });
-    });
 });
 
 describe('a polyline and a circle', () => {

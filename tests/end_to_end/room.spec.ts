@@ -159,37 +159,6 @@ describe('the camera', () => {
     });
 });
 
-describe('a note', () => {
-    it('is saved by Ctrl+Enter, and Escape keeps what was typed', async () => {
-        // On the rake, which is there whatever the surface looks like; again, where the dialog before has only just gone.
-        const field = page.locator('wakesurf-note-dialog textarea');
-        const write = async (): Promise<void> => {
-            const at = await page.evaluate(() => window.wakesurf!.handleOnScreen('middle'));
-            await expect
-                .poll(
-                    async () => {
-                        if (!(await field.isVisible())) await page.mouse.click(at!.x, at!.y);
-                        return field.isVisible();
-                    },
-                    { interval: 500 },
-                )
-                .toBe(true);
-        };
-        await page.getByRole('button', { name: 'Note' }).click();
-        await write();
-        await page.keyboard.type('Vortices pair');
-        await page.keyboard.press('Escape');
-        await page.locator('wakesurf-note-dialog textarea').waitFor({ state: 'hidden' });
-        expect(await page.getByRole('button', { name: 'Note' }).getAttribute('aria-pressed')).toBe('true');
-        await write();
-        expect(await page.locator('wakesurf-note-dialog textarea').inputValue()).toBe('Vortices pair');
-        await page.keyboard.press('End');
-        await page.keyboard.type(' here');
-        await page.keyboard.press('Control+Enter');
-        await page.locator('.labels').getByText('Vortices pair here').waitFor();
-    });
-});
-
 describe('the status', () => {
     it('is as high while a surface is computed as when it is there', async () => {
         const height = (): Promise<number> => page.locator('wakesurf-status').evaluate((each) => each.clientHeight);

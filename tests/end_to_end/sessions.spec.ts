@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs';
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import type { SessionEntry } from '../../web-client/src/protocol/messages.ts';
-import { ask, finalSurface, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { ask, finalSurface, screenshot } from './support/browser_page.ts';
 import { expectComplaint } from './support/complaints.ts';
 import { dragHandle } from './support/rake_drag.ts';
 import { useStand } from './support/stand.ts';
@@ -127,24 +127,6 @@ describe('the list of sessions', () => {
         await page.context().close();
     });
 
-    it('renames by keyboard, for everyone who is in it', async () => {
-        const page = await stand.visit({ ...size, link: await stand.server.newSession('Draft') });
-        const other = await stand.visit({ ...size, link: `${stand.server.link}&session=${(await sessionOf(page))!}` });
-        await openList(page);
-        const rename = card(page, 'Draft').getByRole('button', { name: 'Rename' });
-        await rename.focus();
-        await page.keyboard.press('Enter');
-        await page.getByLabel('New name of Draft').waitFor();
-        await page.getByLabel('New name of Draft').focus();
-        await page.keyboard.press('Control+A');
-        await page.keyboard.type('Figure 7');
-        await page.keyboard.press('Enter');
-        await card(page, 'Figure 7').waitFor();
-        await other.locator('#session-name', { hasText: 'Figure 7' }).waitFor();
-        await page.context().close();
-        await other.context().close();
-    });
-
     it('copies a session with its rakes, and leads to the copy', async () => {
         const page = await stand.visit({ ...size, link: await stand.server.newSession('Original') });
         await dragHandle(page, 0, 10, -6, 3);
@@ -184,40 +166,6 @@ describe('a session that is deleted', () => {
         await page.context().close();
         await other.context().close();
     });
-
-    it('is taken back by Undo, restored from the trash, or removed for good', async () => {
-        const page = await stand.visit({ ...size, link: stand.server.link });
-        await stand.server.call('session.create', { name: 'Old' });
-        await openList(page);
-        await card(page, 'Old').getByRole('button', { name: 'Delete' }).click();
-        await page.getByRole('dialog').getByRole('button', { name: 'Undo' }).click();
-        await page.getByText('“Old” was restored.').waitFor();
-        expect((await named('Old')) !== undefined).toBe(true);
-
-        await card(page, 'Old').getByRole('button', { name: 'Delete' }).click();
-        await card(page, 'Old').waitFor({ state: 'detached' });
-        await page.getByRole('button', { name: /^Trash/ }).click();
-        await card(page, 'Old')
-            .getByText(/Deleted just now, kept until/)
-            .waitFor();
-        await screenshot(page, 'trash');
-        await card(page, 'Old').getByRole('button', { name: 'Restore', exact: true }).click();
-        await card(page, 'Old').waitFor({ state: 'detached' });
-        expect((await named('Old')) !== undefined).toBe(true);
-
-        await page.getByRole('button', { name: /^On this server/ }).click();
-        await card(page, 'Old').getByRole('button', { name: 'Delete' }).click();
-        await page.getByRole('button', { name: /^Trash/ }).click();
-        await card(page, 'Old').getByRole('button', { name: 'Delete permanently …' }).click();
-        await card(page, 'Old').getByText('This cannot be undone.').waitFor();
-        await card(page, 'Old').getByRole('button', { name: 'Delete permanently', exact: true }).click();
-        await page.getByText('“Old” was deleted permanently.').waitFor();
-        expect([await named('Old'), (await listed(true)).filter(({ name }) => name === 'Old')]).toEqual([undefined, []]);
-        // Where everyone meets cannot be deleted.
-        await page.getByRole('button', { name: /^On this server/ }).click();
-        expect(await page.locator('[data-session=main]').getByRole('button', { name: 'Delete' }).count()).toBe(0);
-        await page.context().close();
-    });
 });
 
 describe('a session as a file', () => {
@@ -250,53 +198,3 @@ describe('a session as a file', () => {
         await page.context().close();
     });
 });
-
-describe('how many sessions there can be', () => {
-    it('is said before it is met, and a refusal says what to do', async () => {
-        const context = await newContext(stand.browser, size);
-        await context.addInitScript(keepFewSessions, (await listed()).length + 2);
-        const page = await openPage(context, stand.server.link);
-        await finalSurface(page);
-        await openList(page);
-        await page.getByText('there is room for only 2 more. Delete sessions that are no longer needed').waitFor();
-        await page.getByLabel('Name of the new session').fill('One too many');
-        await page.getByRole('button', { name: 'New session' }).click();
-        await page
-            .getByText(
-                'The server keeps at most 3 sessions, and that many are there. Export the sessions that are no longer needed',
-            )
-            .waitFor();
-        await screenshot(page, 'sessions-limit');
-        expect(await sessionOf(page)).toBe('main');
-        await context.close();
-    });
-});
-
-/** What the worker hears of a server that keeps few sessions and has as many. */
-function keepFewSessions(limit: number): void {
-    type Told = { type: string; id: number; result?: { limit?: number }; failure?: object };
-    const RealWorker = window.Worker;
-    window.Worker = class extends RealWorker {
-        private readonly creations = new Set<number>();
-
-        constructor(url: string | URL, options?: WorkerOptions) {
-            super(url, options);
-            this.addEventListener('message', ({ data }: MessageEvent<Told>) => {
-                if (data.result?.limit !== undefined) data.result.limit = limit;
-                if (data.type !== 'reply' || !this.creations.has(data.id)) return;
-                data.type = 'failure';
-                data.failure = {
-                    kind: 'rpc',
-                    code: -32014,
-                    message: 'the server keeps at most 3 sessions, and that many are there',
-                    hint: 'session.delete',
-                };
-            });
-        }
-
-        override postMessage(message: { type: string; method?: string; id?: number }): void {
-            if (message.method === 'session.create') this.creations.add(message.id!);
-            super.postMessage(message);
-        }
-    };
-}

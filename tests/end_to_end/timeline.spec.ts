@@ -1,5 +1,5 @@
 // The timeline: what of the data is in memory, and one time that mouse, keys and other people move. What the page says is
-// compared with the server's records, and where it stops with the server's mesh.
+// compared with the server's records, and where it stops with the server's mesh. Its controls are tested beside the time bar.
 import type { BrowserContext, Locator, Page } from 'playwright-core';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import type { ClockRecord, SurfaceRecord } from '../../web-client/src/protocol/messages.ts';
@@ -101,52 +101,6 @@ describe('the timeline', () => {
         expect(await page.locator('#resident').textContent()).toBe('16 of 16 time-steps in memory');
     });
 
-    it('plays, stops, steps and goes where it is told, on the clock of the session', async () => {
-        await streak();
-        await page.getByRole('button', { name: 'Play' }).click();
-        const played = { playing: true, loop: true, from: 8.5, to: 16, speed: 0.75 };
-        await becomes(records, ({ clock }) => expect(clock).toMatchObject(played));
-        await page.locator('#speed').selectOption('2');
-        await becomes(records, ({ clock }) => expect(clock).toMatchObject({ ...played, speed: 1.5 }));
-        await page.getByRole('button', { name: 'Loop' }).click();
-        await becomes(records, ({ clock }) => expect(clock).toMatchObject({ ...played, speed: 1.5, loop: false }));
-        await page
-            .locator('canvas')
-            .first()
-            .focus()
-            .catch(() => undefined);
-        await page.locator('main').click({ position: { x: 5, y: 200 } });
-        await page.keyboard.press('Space');
-        await becomes(records, ({ clock }) => expect(clock.playing).toBe(false));
-        await page.locator('#go-to').fill('12.25');
-        await page.keyboard.press('Enter');
-        await shownAt(12.25);
-        // Typed, these are characters, not commands.
-        await page.locator('#go-to').press('.');
-        expect((await records()).clock.time).toBe(12.25);
-        await page.locator('main').click({ position: { x: 5, y: 200 } });
-        for (const [key, time] of [
-            ['.', 12.5],
-            ['.', 13],
-            [',', 12.5],
-            [',', 12],
-        ] as const) {
-            await page.keyboard.press(key);
-            await shownAt(time);
-            expect((await records()).clock.time).toBe(time);
-        }
-        await page.getByRole('button', { name: 'To the end' }).click();
-        await shownAt(16);
-        // From the end, play begins at the start: so slowly that the end is 40 s away. Without loop it stops there by itself.
-        await page.locator('#speed').selectOption('0.25');
-        await page.getByRole('button', { name: 'Play' }).click();
-        const begun = await becomes(records, ({ clock }) => expect(clock).toMatchObject({ playing: true, speed: 0.1875 }));
-        expect(begun.clock.time).toBeLessThan(15);
-        await page.locator('#speed').selectOption('4');
-        await becomes(records, ({ clock }) => expect(clock).toMatchObject({ playing: false, time: 16 }));
-        await page.getByRole('button', { name: 'Play' }).waitFor();
-    });
-
     it('is scrubbed by mouse and keys, back to the mesh that the server computes for that time from the start', async () => {
         await streak();
         const handle = page.locator('#clock');
@@ -241,67 +195,5 @@ describe('the timeline', () => {
         await finalSurface(viewer);
         expect(await ask(viewer, (hook) => hook.session)).toBe(session);
         await other.close();
-    });
-
-    it('plays a stream surface by freezing the field at one time-step after the other', async () => {
-        await page.locator('#speed').selectOption('2');
-        await page.getByRole('button', { name: 'Play' }).click();
-        const seen = new Set<number>();
-        await becomes(records, ({ surface }) => {
-            seen.add(surface.from);
-            expect(seen.size).toBeGreaterThanOrEqual(3);
-            expect(surface.from).toBeGreaterThanOrEqual(10.5);
-            expect(surface.from, 'it began at the last time-step, and plays from the first').toBeLessThan(13);
-        });
-        await page.getByRole('button', { name: 'Pause' }).click();
-        await expectServersMesh(stand.server, page);
-        const { from } = (await records()).surface;
-        expect(from).toBeLessThan(16);
-        await page.getByRole('button', { name: 'Next time-step' }).click();
-        await becomes(records, ({ surface }) => expect(surface.from).toBe(from + 0.5));
-        await expectServersMesh(stand.server, page);
-    });
-
-    it('shows both sides of a path surface that goes both ways', async () => {
-        await page.getByRole('radio', { name: 'Path' }).check();
-        await page.waitForFunction(() => (window.wakesurf?.displayed?.epoch ?? 0) > 1);
-        await finalSurface(page);
-        const session = await ask(page, (hook) => hook.session);
-        const { surface } = await records();
-        const { rake, kind, dataset, separation } = surface;
-        const both = { rake, kind, dataset, separation, from: 11, to: 13, direction: 'both' };
-        await stand.server.call('surface.set', { session, surface: surface.surface, ...both });
-        const line = await lineOf(page.getByRole('slider', { name: 'Release', exact: true }));
-        await expect
-            .poll(async () => {
-                const band = (await page.locator('wakesurf-timeline .shown').boundingBox())!;
-                return [Math.abs(band.x - line.x(9)) < 1, Math.abs(band.x + band.width - line.x(13)) < 1];
-            })
-            .toEqual([true, true]);
-        await stand.server.call('time.set', { session, time: 12 });
-        await expect
-            .poll(async () => {
-                const other = (await page.locator('wakesurf-timeline .other').boundingBox())!;
-                return Math.abs(other.x + other.width / 2 - line.x(10));
-            })
-            .toBeLessThan(1.5);
-        await screenshot(page, 'both-sides');
-    });
-
-    it('has a handle for the release, which goes from time-step to time-step', async () => {
-        await streak();
-        const handle = page.getByRole('slider', { name: 'Release', exact: true });
-        await handle.focus();
-        await page.keyboard.press('ArrowRight');
-        await becomes(records, ({ surface }) => expect(surface.from).toBe(9));
-        const line = await lineOf(handle);
-        await page.mouse.move(line.x(9), line.y);
-        await page.mouse.down();
-        await page.mouse.move(line.x(10.6), line.y, { steps: 4 });
-        await page.mouse.up();
-        await becomes(records, ({ surface }) => expect([surface.from, surface.to]).toEqual([10.5, 16]));
-        const band = (await page.locator('wakesurf-timeline .shown').boundingBox())!;
-        expect(Math.abs(band.x - line.x(10.5))).toBeLessThan(1);
-        expect(Math.abs(band.x + band.width - line.x(16))).toBeLessThan(1);
     });
 });
