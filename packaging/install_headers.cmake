@@ -21,7 +21,7 @@ set(waiting
     core/surface/patches/tessellation.hpp
     core/surface/playback/played_surface.hpp
     core/surface/playback/surface_at.hpp
-    core/surface/rake_check.hpp
+    core/surface/rake.hpp
     core/surface/suggestion/scene_suggestion.hpp
     core/surface/surface_builder.hpp
     core/surface/vertex_times.hpp

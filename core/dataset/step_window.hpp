@@ -4,7 +4,7 @@
 
 #include "core/base/event_count.hpp"
 #include "core/base/memory_account.hpp"
-#include "core/dataset/time_step_cache.hpp"
+#include "core/dataset/time_step_source.hpp"
 
 #include <atomic>
 #include <cstdint>

@@ -32,4 +32,23 @@ struct TimeStep {
     }
 };
 
+/// Says where a time-step is: on the disk, on its way, in memory.
+enum class StepState { Cold, Loading, Resident };
+
+/// Says how many bytes of a time-step's velocity are in memory, and how many are being read: all or none, or,
+/// brick by brick, a part.
+struct StepHeld {
+    std::size_t resident = 0; ///< in memory
+    std::size_t loading = 0;  ///< on their way
+
+    /// Resident where anything is.
+    StepState state() const {
+        return resident > 0  ? StepState::Resident
+               : loading > 0 ? StepState::Loading
+                             : StepState::Cold;
+    }
+
+    bool operator==(const StepHeld&) const = default;
+};
+
 } // namespace wakesurf::core

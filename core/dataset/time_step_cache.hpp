@@ -19,24 +19,6 @@ namespace wakesurf::core {
 
 class BrickCache;
 
-enum class StepState { Cold, Loading, Resident };
-
-/// Says how many bytes of a time-step's velocity are in memory, and how many are being read: all or none, or,
-/// brick by brick, a part.
-struct StepHeld {
-    std::size_t resident = 0; ///< in memory
-    std::size_t loading = 0;  ///< on their way
-
-    /// Resident where anything is.
-    StepState state() const {
-        return resident > 0  ? StepState::Resident
-               : loading > 0 ? StepState::Loading
-                             : StepState::Cold;
-    }
-
-    bool operator==(const StepHeld&) const = default;
-};
-
 /// Keeps time-steps in memory within a budget. Thread safety: every call may come from any thread. A
 /// time-step handed out stays valid as long as its holder keeps it; it counts against the budget until then.
 class TimeStepCache {

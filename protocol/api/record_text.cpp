@@ -1,6 +1,6 @@
 #include "protocol/api/record_text.hpp"
 
-#include "core/surface/rake_check.hpp"
+#include "core/surface/rake.hpp"
 #include "protocol/api/json_text.hpp"
 
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
 #include "server/cli/rake_text.hpp"
 
-#include "core/surface/rake_check.hpp"
+#include "core/surface/rake.hpp"
 #include "protocol/api/generated/names.hpp"
 
 #include <algorithm>

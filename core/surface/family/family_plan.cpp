@@ -1,7 +1,7 @@
 #include "core/surface/family/family_plan.hpp"
 
 #include "core/base/rounding.hpp"
-#include "core/surface/rake_check.hpp"
+#include "core/surface/rake.hpp"
 #include "core/surface/request/surface_plan.hpp"
 
 #include <algorithm>

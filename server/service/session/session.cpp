@@ -1,7 +1,7 @@
 #include "server/service/session/session.hpp"
 
 #include "core/base/plain_text.hpp"
-#include "core/surface/rake_check.hpp"
+#include "core/surface/rake.hpp"
 #include "server/service/limits.hpp"
 #include "server/service/session/records/record_room.hpp"
 
