@@ -25,10 +25,12 @@ struct CurveStep;
 /// False: that was far enough.
 using StepWatch = std::function<bool(const Curve& curve, const CurveStep& step)>;
 
+/// Takes steps of controlled error (Dopri5), or steps that are all as long (Rk4).
+enum class IntegrationMethod { Dopri5, Rk4 };
+
 /// Says how curves are integrated.
 struct TraceOptions {
-    /// Steps of controlled error, or steps that are all as long.
-    enum class Method { Dopri5, Rk4 };
+    using Method = IntegrationMethod;
     Method method = Method::Dopri5; ///< of the steps
     /// Takes the field as it is at `Curve::release` (stream); false: it moves on (path).
     bool frozen = false;

@@ -40,10 +40,10 @@ struct Particles {
 
 /// Says how particles are carried.
 struct AdvanceOptions {
-    /// Dopri5 controls its error; through stored data that are linear it takes one Taylor series a cell of
+    using Method = IntegrationMethod;
+    /// Is the method of the steps. Through stored data that are linear, Dopri5 takes one Taylor series a cell of
     /// the same tolerance, as in TraceOptions.
-    enum class Method { Rk4, Dopri5 };
-    Method method = Method::Rk4;     ///< of the steps
+    Method method = Method::Rk4;
     double step = 0.0;               ///< Rk4: longest time step; > 0
     double tolerance = 1e-6;         ///< Dopri5: error allowed per unit length
     double longest_step = 0.0;       ///< Dopri5: arc length a step may cover; > 0
