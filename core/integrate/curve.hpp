@@ -30,6 +30,7 @@ enum class IntegrationMethod { Dopri5, Rk4 };
 
 /// Says how curves are integrated.
 struct TraceOptions {
+    /// Is how the steps are taken.
     using Method = IntegrationMethod;
     Method method = Method::Dopri5; ///< of the steps
     /// Takes the field as it is at `Curve::release` (stream); false: it moves on (path).

@@ -40,6 +40,7 @@ struct Particles {
 
 /// Says how particles are carried.
 struct AdvanceOptions {
+    /// Is how the steps are taken.
     using Method = IntegrationMethod;
     /// Is the method of the steps. Through stored data that are linear, Dopri5 takes one Taylor series a cell of
     /// the same tolerance, as in TraceOptions.
