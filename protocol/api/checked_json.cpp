@@ -89,6 +89,10 @@ std::string CheckedJson::text(std::string_view name, std::size_t longest) {
     return need(name) == nullptr ? std::string{} : text_or(name, {}, longest);
 }
 
+std::optional<std::string> CheckedJson::text_if(std::string_view name, std::size_t longest) {
+    return find(name) == nullptr ? std::nullopt : std::optional(text_or(name, {}, longest));
+}
+
 std::string CheckedJson::text_or(std::string_view name, std::string fallback, std::size_t longest) {
     const json* value = find(name);
     if (value == nullptr)

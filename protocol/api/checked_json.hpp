@@ -36,6 +36,7 @@ class CheckedJson {
 
     std::string text(std::string_view name, std::size_t longest = 256);
     std::string text_or(std::string_view name, std::string fallback, std::size_t longest = 256);
+    std::optional<std::string> text_if(std::string_view name, std::size_t longest = 256);
     /// Text of several lines: line breaks and tabs are no fault.
     std::string lines(std::string_view name, std::size_t longest);
     /// An object, as compact JSON text of at most `longest` bytes.

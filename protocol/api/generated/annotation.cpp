@@ -16,8 +16,7 @@ void read(CheckedJson& in, AnnotationRecord& out) {
     out.text = in.lines("text", limits::annotation_bytes);
     out.position = in.point("position");
     out.author = in.text_or("author", "", limits::name_bytes);
-    if (in.has("surface"))
-        out.surface = in.text("surface", 256);
+    out.surface = in.text_if("surface", 256);
 }
 
 nlohmann::json annotation_json(const AnnotationRecord& record) {
@@ -37,14 +36,11 @@ nlohmann::json kept_json(const AnnotationRecord& record) {
 }
 
 void read(CheckedJson& in, AnnotationSetting& out) {
-    if (in.has("session"))
-        out.session = in.text("session", 256);
-    if (in.has("annotation"))
-        out.annotation = in.text("annotation", 256);
+    out.session = in.text_if("session", 256);
+    out.annotation = in.text_if("annotation", 256);
     out.text = in.lines("text", limits::annotation_bytes);
     out.position = in.point("position");
-    if (in.has("surface"))
-        out.surface = in.text("surface", 256);
+    out.surface = in.text_if("surface", 256);
     if (in.has("gesture")) {
         out.gesture = in.text("gesture", limits::gesture_bytes);
         if (out.gesture->empty())
@@ -54,8 +50,7 @@ void read(CheckedJson& in, AnnotationSetting& out) {
 }
 
 void read(CheckedJson& in, AnnotationDelete& out) {
-    if (in.has("session"))
-        out.session = in.text("session", 256);
+    out.session = in.text_if("session", 256);
     out.annotation = in.text("annotation", 256);
     if (in.has("gesture")) {
         out.gesture = in.text("gesture", limits::gesture_bytes);
@@ -66,8 +61,7 @@ void read(CheckedJson& in, AnnotationDelete& out) {
 }
 
 void read(CheckedJson& in, AnnotationList& out) {
-    if (in.has("session"))
-        out.session = in.text("session", 256);
+    out.session = in.text_if("session", 256);
 }
 
 } // namespace wakesurf::protocol

@@ -4,6 +4,7 @@
 
 #include "core/base/vec3.hpp"
 #include "protocol/api/checked_json.hpp"
+#include "protocol/api/generated/shared.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -39,14 +40,10 @@ nlohmann::json annotation_json(const AnnotationRecord& record);
 /// As it is kept: what read() reads.
 nlohmann::json kept_json(const AnnotationRecord& record);
 
-/// Parameters of annotation.set: Creates an annotation, or replaces one as a whole. It keeps the
-/// name of the one who made it.
-struct AnnotationSetting {
+/// Holds the parameters of annotation.set.
+struct AnnotationSetting : InSession {
     static constexpr std::string_view method = "annotation.set";
 
-    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
-    /// with a share link
-    std::optional<std::string> session;
     /// id of the annotation to replace; if left out, a new one is created
     std::optional<std::string> annotation;
     /// text of one or more lines
@@ -63,15 +60,10 @@ struct AnnotationSetting {
     bool operator==(const AnnotationSetting&) const = default;
 };
 
-void read(CheckedJson& in, AnnotationSetting& out);
-
-/// Parameters of annotation.delete: Deletes an annotation.
-struct AnnotationDelete {
+/// Holds the parameters of annotation.delete.
+struct AnnotationDelete : InSession {
     static constexpr std::string_view method = "annotation.delete";
 
-    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
-    /// with a share link
-    std::optional<std::string> session;
     /// an id from annotation.list
     std::string annotation;
     /// a name for what the user is doing; consecutive edits with the same name are one step of undo
@@ -82,19 +74,13 @@ struct AnnotationDelete {
     bool operator==(const AnnotationDelete&) const = default;
 };
 
-void read(CheckedJson& in, AnnotationDelete& out);
-
-/// Parameters of annotation.list: Lists the annotations of a session.
-struct AnnotationList {
+/// Holds the parameters of annotation.list.
+struct AnnotationList : InSession {
     static constexpr std::string_view method = "annotation.list";
-
-    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
-    /// with a share link
-    std::optional<std::string> session;
-
-    bool operator==(const AnnotationList&) const = default;
 };
 
+void read(CheckedJson& in, AnnotationSetting& out);
+void read(CheckedJson& in, AnnotationDelete& out);
 void read(CheckedJson& in, AnnotationList& out);
 
 } // namespace wakesurf::protocol

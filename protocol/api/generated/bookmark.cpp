@@ -33,10 +33,8 @@ nlohmann::json kept_json(const BookmarkRecord& record) {
 }
 
 void read(CheckedJson& in, BookmarkSetting& out) {
-    if (in.has("session"))
-        out.session = in.text("session", 256);
-    if (in.has("bookmark"))
-        out.bookmark = in.text("bookmark", 256);
+    out.session = in.text_if("session", 256);
+    out.bookmark = in.text_if("bookmark", 256);
     out.name = in.text_or("name", "", limits::name_bytes);
     out.view = in.object_text("view", limits::view_bytes);
     out.time = in.number_if("time", -3.4028234663852886e+38, 3.4028234663852886e+38);
@@ -49,8 +47,7 @@ void read(CheckedJson& in, BookmarkSetting& out) {
 }
 
 void read(CheckedJson& in, BookmarkDelete& out) {
-    if (in.has("session"))
-        out.session = in.text("session", 256);
+    out.session = in.text_if("session", 256);
     out.bookmark = in.text("bookmark", 256);
     if (in.has("gesture")) {
         out.gesture = in.text("gesture", limits::gesture_bytes);
@@ -61,8 +58,7 @@ void read(CheckedJson& in, BookmarkDelete& out) {
 }
 
 void read(CheckedJson& in, BookmarkList& out) {
-    if (in.has("session"))
-        out.session = in.text("session", 256);
+    out.session = in.text_if("session", 256);
 }
 
 } // namespace wakesurf::protocol

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "protocol/api/checked_json.hpp"
+#include "protocol/api/generated/shared.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -36,13 +37,10 @@ nlohmann::json bookmark_json(const BookmarkRecord& record);
 /// As it is kept: what read() reads.
 nlohmann::json kept_json(const BookmarkRecord& record);
 
-/// Parameters of bookmark.set: Creates a bookmark, or replaces one as a whole.
-struct BookmarkSetting {
+/// Holds the parameters of bookmark.set.
+struct BookmarkSetting : InSession {
     static constexpr std::string_view method = "bookmark.set";
 
-    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
-    /// with a share link
-    std::optional<std::string> session;
     /// id of the bookmark to replace; if left out, a new one is created
     std::optional<std::string> bookmark;
     /// display name
@@ -59,15 +57,10 @@ struct BookmarkSetting {
     bool operator==(const BookmarkSetting&) const = default;
 };
 
-void read(CheckedJson& in, BookmarkSetting& out);
-
-/// Parameters of bookmark.delete: Deletes a bookmark.
-struct BookmarkDelete {
+/// Holds the parameters of bookmark.delete.
+struct BookmarkDelete : InSession {
     static constexpr std::string_view method = "bookmark.delete";
 
-    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
-    /// with a share link
-    std::optional<std::string> session;
     /// an id from bookmark.list
     std::string bookmark;
     /// a name for what the user is doing; consecutive edits with the same name are one step of undo
@@ -78,19 +71,13 @@ struct BookmarkDelete {
     bool operator==(const BookmarkDelete&) const = default;
 };
 
-void read(CheckedJson& in, BookmarkDelete& out);
-
-/// Parameters of bookmark.list: Lists the bookmarks of a session.
-struct BookmarkList {
+/// Holds the parameters of bookmark.list.
+struct BookmarkList : InSession {
     static constexpr std::string_view method = "bookmark.list";
-
-    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
-    /// with a share link
-    std::optional<std::string> session;
-
-    bool operator==(const BookmarkList&) const = default;
 };
 
+void read(CheckedJson& in, BookmarkSetting& out);
+void read(CheckedJson& in, BookmarkDelete& out);
 void read(CheckedJson& in, BookmarkList& out);
 
 } // namespace wakesurf::protocol

@@ -13,15 +13,12 @@
 
 namespace wakesurf::protocol {
 
-/// Parameters of dataset.list: Lists the datasets that this server serves.
+/// Holds the parameters of dataset.list.
 struct DatasetList {
     static constexpr std::string_view method = "dataset.list";
 };
 
-void read(CheckedJson& in, DatasetList& out);
-
-/// Parameters of dataset.describe: Returns the grid, times, fields and lattice of one dataset, in
-/// the shape of `wakesurf info --json`, and the names that `fields` of surface.set accepts.
+/// Holds the parameters of dataset.describe.
 struct DatasetDescribe {
     static constexpr std::string_view method = "dataset.describe";
 
@@ -31,12 +28,7 @@ struct DatasetDescribe {
     bool operator==(const DatasetDescribe&) const = default;
 };
 
-void read(CheckedJson& in, DatasetDescribe& out);
-
-/// Parameters of dataset.open: Returns once a dataset is imported. An import that was stopped goes
-/// on where it ended. $/cancelRequest ends the waiting, and the import with it if no one else waits
-/// for it. A lost connection does not end an import. The state is `importing` if `timeoutMs` ran
-/// out, and `incomplete` if the import ended before the last time-step.
+/// Holds the parameters of dataset.open.
 struct DatasetOpen {
     static constexpr std::string_view method = "dataset.open";
 
@@ -54,12 +46,7 @@ struct DatasetOpen {
     bool operator==(const DatasetOpen&) const = default;
 };
 
-void read(CheckedJson& in, DatasetOpen& out);
-
-/// Parameters of dataset.suggest: Returns a rake and the parameters of a surface of each kind to
-/// begin with, found in the data: the rake stands ahead of a body that the flow meets, else where
-/// the flow turns, else where it enters. All surfaces are shown at the same time. Reads one or two
-/// time-steps.
+/// Holds the parameters of dataset.suggest.
 struct DatasetSuggest {
     static constexpr std::string_view method = "dataset.suggest";
 
@@ -69,9 +56,7 @@ struct DatasetSuggest {
     bool operator==(const DatasetSuggest&) const = default;
 };
 
-void read(CheckedJson& in, DatasetSuggest& out);
-
-/// Parameters of cache.status: Reports which time-steps of a dataset are in memory.
+/// Holds the parameters of cache.status.
 struct CacheStatus {
     static constexpr std::string_view method = "cache.status";
 
@@ -81,10 +66,7 @@ struct CacheStatus {
     bool operator==(const CacheStatus&) const = default;
 };
 
-void read(CheckedJson& in, CacheStatus& out);
-
-/// Parameters of probe.sample: Returns the values of fields at points and one time, interpolated as
-/// at the vertices of surfaces.
+/// Holds the parameters of probe.sample.
 struct ProbeSample {
     static constexpr std::string_view method = "probe.sample";
 
@@ -100,6 +82,11 @@ struct ProbeSample {
     bool operator==(const ProbeSample&) const = default;
 };
 
+void read(CheckedJson& in, DatasetList& out);
+void read(CheckedJson& in, DatasetDescribe& out);
+void read(CheckedJson& in, DatasetOpen& out);
+void read(CheckedJson& in, DatasetSuggest& out);
+void read(CheckedJson& in, CacheStatus& out);
 void read(CheckedJson& in, ProbeSample& out);
 
 } // namespace wakesurf::protocol

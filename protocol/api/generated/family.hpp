@@ -12,10 +12,7 @@
 
 namespace wakesurf::protocol {
 
-/// Parameters of family.make: Carries a scalar along the streamlines of one time-step to all nodes
-/// of a dataset, and keeps it there as a scalar field: surfaces are coloured by it, files and
-/// probes have it. Answers once it is kept. $/cancelRequest, or a lost connection, ends the work,
-/// and nothing is kept.
+/// Holds the parameters of family.make.
 struct FamilyMake {
     static constexpr std::string_view method = "family.make";
 
@@ -51,10 +48,7 @@ struct FamilyMake {
     bool operator==(const FamilyMake&) const = default;
 };
 
-void read(CheckedJson& in, FamilyMake& out);
-
-/// Parameters of family.remove: Removes a family, and its files. Surfaces that show it are shown
-/// without it.
+/// Holds the parameters of family.remove.
 struct FamilyRemove {
     static constexpr std::string_view method = "family.remove";
 
@@ -66,6 +60,7 @@ struct FamilyRemove {
     bool operator==(const FamilyRemove&) const = default;
 };
 
+void read(CheckedJson& in, FamilyMake& out);
 void read(CheckedJson& in, FamilyRemove& out);
 
 } // namespace wakesurf::protocol

@@ -4,13 +4,11 @@
 namespace wakesurf::protocol {
 
 void read(CheckedJson& in, HistoryUndo& out) {
-    if (in.has("session"))
-        out.session = in.text("session", 256);
+    out.session = in.text_if("session", 256);
 }
 
 void read(CheckedJson& in, HistoryRedo& out) {
-    if (in.has("session"))
-        out.session = in.text("session", 256);
+    out.session = in.text_if("session", 256);
 }
 
 } // namespace wakesurf::protocol

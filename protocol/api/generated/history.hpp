@@ -3,39 +3,23 @@
 #pragma once
 
 #include "protocol/api/checked_json.hpp"
+#include "protocol/api/generated/shared.hpp"
 
-#include <optional>
-#include <string>
 #include <string_view>
 
 namespace wakesurf::protocol {
 
-/// Parameters of history.undo: Takes back the caller's newest edit, or a whole gesture (or drag) at
-/// once. It never undoes the work of others: an edit is skipped if someone else has changed its
-/// records since.
-struct HistoryUndo {
+/// Holds the parameters of history.undo.
+struct HistoryUndo : InSession {
     static constexpr std::string_view method = "history.undo";
+};
 
-    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
-    /// with a share link
-    std::optional<std::string> session;
-
-    bool operator==(const HistoryUndo&) const = default;
+/// Holds the parameters of history.redo.
+struct HistoryRedo : InSession {
+    static constexpr std::string_view method = "history.redo";
 };
 
 void read(CheckedJson& in, HistoryUndo& out);
-
-/// Parameters of history.redo: Repeats the caller's newest edit that was taken back.
-struct HistoryRedo {
-    static constexpr std::string_view method = "history.redo";
-
-    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
-    /// with a share link
-    std::optional<std::string> session;
-
-    bool operator==(const HistoryRedo&) const = default;
-};
-
 void read(CheckedJson& in, HistoryRedo& out);
 
 } // namespace wakesurf::protocol

@@ -3,190 +3,117 @@
 
 namespace wakesurf::protocol {
 
-std::string_view name(core::Rake::Kind value) {
-    switch (value) {
-    case core::Rake::Kind::Line:
-        return "line";
-    case core::Rake::Kind::Polyline:
-        return "polyline";
-    case core::Rake::Kind::Circle:
-        return "circle";
-    case core::Rake::Kind::Points:
-        return "points";
-    }
+namespace {
+
+template <class Value>
+struct Word {
+    Value value;
+    std::string_view text;
+};
+
+template <class Value, std::size_t count>
+std::string_view text_of(Value value, const Word<Value> (&words)[count]) {
+    for (const Word<Value>& each : words)
+        if (each.value == value)
+            return each.text;
     return {};
+}
+
+template <class Value, std::size_t count>
+std::optional<Value> value_of(std::string_view text, const Word<Value> (&words)[count]) {
+    for (const Word<Value>& each : words)
+        if (each.text == text)
+            return each.value;
+    return std::nullopt;
+}
+
+constexpr Word<core::Rake::Kind> words_of_rake_kind[]{{core::Rake::Kind::Line, "line"},
+                                                      {core::Rake::Kind::Polyline, "polyline"},
+                                                      {core::Rake::Kind::Circle, "circle"},
+                                                      {core::Rake::Kind::Points, "points"}};
+constexpr Word<core::SurfaceKind> words_of_surface_kind[]{{core::SurfaceKind::Stream, "stream"},
+                                                          {core::SurfaceKind::Path, "path"},
+                                                          {core::SurfaceKind::Streak, "streak"},
+                                                          {core::SurfaceKind::Time, "time"},
+                                                          {core::SurfaceKind::Level, "level"}};
+constexpr Word<core::Direction> words_of_direction[]{{core::Direction::Forward, "forward"},
+                                                     {core::Direction::Backward, "backward"},
+                                                     {core::Direction::Both, "both"}};
+constexpr Word<core::Accuracy> words_of_accuracy[]{{core::Accuracy::Fast, "fast"},
+                                                   {core::Accuracy::Balanced, "balanced"},
+                                                   {core::Accuracy::Exact, "exact"}};
+constexpr Word<core::Interpolation> words_of_interpolation[]{
+    {core::Interpolation::Linear, "linear"}, {core::Interpolation::Smooth, "smooth"}};
+constexpr Word<core::Refine> words_of_refine[]{{core::Refine::On, "on"},
+                                               {core::Refine::Off, "off"}};
+constexpr Word<core::Emptiness::Reason> words_of_empty_reason[]{
+    {core::Emptiness::Reason::InBody, "inBody"},
+    {core::Emptiness::Reason::OutsideCells, "outsideCells"},
+    {core::Emptiness::Reason::AtRest, "atRest"},
+    {core::Emptiness::Reason::NotFinite, "notFinite"},
+    {core::Emptiness::Reason::SameRakes, "sameRakes"},
+    {core::Emptiness::Reason::NoArea, "noArea"},
+    {core::Emptiness::Reason::NothingYet, "nothingYet"},
+    {core::Emptiness::Reason::AllLeft, "allLeft"},
+    {core::Emptiness::Reason::TooCoarse, "tooCoarse"},
+    {core::Emptiness::Reason::OutsideRange, "outsideRange"}};
+
+} // namespace
+
+std::string_view name(core::Rake::Kind value) {
+    return text_of(value, words_of_rake_kind);
 }
 
 std::optional<core::Rake::Kind> rake_kind(std::string_view word) {
-    if (word == "line")
-        return core::Rake::Kind::Line;
-    if (word == "polyline")
-        return core::Rake::Kind::Polyline;
-    if (word == "circle")
-        return core::Rake::Kind::Circle;
-    if (word == "points")
-        return core::Rake::Kind::Points;
-    return std::nullopt;
+    return value_of(word, words_of_rake_kind);
 }
 
 std::string_view name(core::SurfaceKind value) {
-    switch (value) {
-    case core::SurfaceKind::Stream:
-        return "stream";
-    case core::SurfaceKind::Path:
-        return "path";
-    case core::SurfaceKind::Streak:
-        return "streak";
-    case core::SurfaceKind::Time:
-        return "time";
-    case core::SurfaceKind::Level:
-        return "level";
-    }
-    return {};
+    return text_of(value, words_of_surface_kind);
 }
 
 std::optional<core::SurfaceKind> surface_kind(std::string_view word) {
-    if (word == "stream")
-        return core::SurfaceKind::Stream;
-    if (word == "path")
-        return core::SurfaceKind::Path;
-    if (word == "streak")
-        return core::SurfaceKind::Streak;
-    if (word == "time")
-        return core::SurfaceKind::Time;
-    if (word == "level")
-        return core::SurfaceKind::Level;
-    return std::nullopt;
+    return value_of(word, words_of_surface_kind);
 }
 
 std::string_view name(core::Direction value) {
-    switch (value) {
-    case core::Direction::Forward:
-        return "forward";
-    case core::Direction::Backward:
-        return "backward";
-    case core::Direction::Both:
-        return "both";
-    }
-    return {};
+    return text_of(value, words_of_direction);
 }
 
 std::optional<core::Direction> direction(std::string_view word) {
-    if (word == "forward")
-        return core::Direction::Forward;
-    if (word == "backward")
-        return core::Direction::Backward;
-    if (word == "both")
-        return core::Direction::Both;
-    return std::nullopt;
+    return value_of(word, words_of_direction);
 }
 
 std::string_view name(core::Accuracy value) {
-    switch (value) {
-    case core::Accuracy::Fast:
-        return "fast";
-    case core::Accuracy::Balanced:
-        return "balanced";
-    case core::Accuracy::Exact:
-        return "exact";
-    }
-    return {};
+    return text_of(value, words_of_accuracy);
 }
 
 std::optional<core::Accuracy> accuracy(std::string_view word) {
-    if (word == "fast")
-        return core::Accuracy::Fast;
-    if (word == "balanced")
-        return core::Accuracy::Balanced;
-    if (word == "exact")
-        return core::Accuracy::Exact;
-    return std::nullopt;
+    return value_of(word, words_of_accuracy);
 }
 
 std::string_view name(core::Interpolation value) {
-    switch (value) {
-    case core::Interpolation::Linear:
-        return "linear";
-    case core::Interpolation::Smooth:
-        return "smooth";
-    }
-    return {};
+    return text_of(value, words_of_interpolation);
 }
 
 std::optional<core::Interpolation> interpolation(std::string_view word) {
-    if (word == "linear")
-        return core::Interpolation::Linear;
-    if (word == "smooth")
-        return core::Interpolation::Smooth;
-    return std::nullopt;
+    return value_of(word, words_of_interpolation);
 }
 
 std::string_view name(core::Refine value) {
-    switch (value) {
-    case core::Refine::On:
-        return "on";
-    case core::Refine::Off:
-        return "off";
-    }
-    return {};
+    return text_of(value, words_of_refine);
 }
 
 std::optional<core::Refine> refine(std::string_view word) {
-    if (word == "on")
-        return core::Refine::On;
-    if (word == "off")
-        return core::Refine::Off;
-    return std::nullopt;
+    return value_of(word, words_of_refine);
 }
 
 std::string_view name(core::Emptiness::Reason value) {
-    switch (value) {
-    case core::Emptiness::Reason::InBody:
-        return "inBody";
-    case core::Emptiness::Reason::OutsideCells:
-        return "outsideCells";
-    case core::Emptiness::Reason::AtRest:
-        return "atRest";
-    case core::Emptiness::Reason::NotFinite:
-        return "notFinite";
-    case core::Emptiness::Reason::SameRakes:
-        return "sameRakes";
-    case core::Emptiness::Reason::NoArea:
-        return "noArea";
-    case core::Emptiness::Reason::NothingYet:
-        return "nothingYet";
-    case core::Emptiness::Reason::AllLeft:
-        return "allLeft";
-    case core::Emptiness::Reason::TooCoarse:
-        return "tooCoarse";
-    case core::Emptiness::Reason::OutsideRange:
-        return "outsideRange";
-    }
-    return {};
+    return text_of(value, words_of_empty_reason);
 }
 
 std::optional<core::Emptiness::Reason> empty_reason(std::string_view word) {
-    if (word == "inBody")
-        return core::Emptiness::Reason::InBody;
-    if (word == "outsideCells")
-        return core::Emptiness::Reason::OutsideCells;
-    if (word == "atRest")
-        return core::Emptiness::Reason::AtRest;
-    if (word == "notFinite")
-        return core::Emptiness::Reason::NotFinite;
-    if (word == "sameRakes")
-        return core::Emptiness::Reason::SameRakes;
-    if (word == "noArea")
-        return core::Emptiness::Reason::NoArea;
-    if (word == "nothingYet")
-        return core::Emptiness::Reason::NothingYet;
-    if (word == "allLeft")
-        return core::Emptiness::Reason::AllLeft;
-    if (word == "tooCoarse")
-        return core::Emptiness::Reason::TooCoarse;
-    if (word == "outsideRange")
-        return core::Emptiness::Reason::OutsideRange;
-    return std::nullopt;
+    return value_of(word, words_of_empty_reason);
 }
 
 } // namespace wakesurf::protocol

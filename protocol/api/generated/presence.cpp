@@ -19,8 +19,7 @@ void read(CheckedJson& in, DraggedRake& out) {
 }
 
 void read(CheckedJson& in, PresenceUpdate& out) {
-    if (in.has("session"))
-        out.session = in.text("session", 256);
+    out.session = in.text_if("session", 256);
     out.pointer.given = in.given("pointer");
     out.pointer.value = in.point_if("pointer");
     out.camera.given = in.given("camera");
@@ -34,8 +33,7 @@ void read(CheckedJson& in, PresenceUpdate& out) {
         in.inside("dragging", [&](CheckedJson& inner) { read(inner, *out.dragging.value); });
     }
     out.selected.given = in.given("selected");
-    if (in.has("selected"))
-        out.selected.value = in.text("selected", 64);
+    out.selected.value = in.text_if("selected", 64);
 }
 
 } // namespace wakesurf::protocol

@@ -4,6 +4,7 @@
 
 #include "core/base/vec3.hpp"
 #include "protocol/api/checked_json.hpp"
+#include "protocol/api/generated/shared.hpp"
 #include "protocol/api/nullable.hpp"
 
 #include <optional>
@@ -27,8 +28,6 @@ struct CameraPose {
     bool operator==(const CameraPose&) const = default;
 };
 
-void read(CheckedJson& in, CameraPose& out);
-
 /// A rake while it is dragged.
 struct DraggedRake {
     /// id of the rake
@@ -39,16 +38,10 @@ struct DraggedRake {
     bool operator==(const DraggedRake&) const = default;
 };
 
-void read(CheckedJson& in, DraggedRake& out);
-
-/// Parameters of presence.update: Shows the others what the caller points at, looks at, drags and
-/// has selected. What is left out stays as it is; null removes it. Best sent as a notification.
-struct PresenceUpdate {
+/// Holds the parameters of presence.update.
+struct PresenceUpdate : InSession {
     static constexpr std::string_view method = "presence.update";
 
-    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
-    /// with a share link
-    std::optional<std::string> session;
     /// the point they point at (the dataset's unit of length)
     Nullable<core::Vec3> pointer;
     /// where they look from
@@ -61,6 +54,8 @@ struct PresenceUpdate {
     bool operator==(const PresenceUpdate&) const = default;
 };
 
+void read(CheckedJson& in, CameraPose& out);
+void read(CheckedJson& in, DraggedRake& out);
 void read(CheckedJson& in, PresenceUpdate& out);
 
 } // namespace wakesurf::protocol

@@ -53,10 +53,8 @@ nlohmann::json kept_json(const RakeRecord& record) {
 }
 
 void read(CheckedJson& in, RakeSetting& out) {
-    if (in.has("session"))
-        out.session = in.text("session", 256);
-    if (in.has("rake"))
-        out.rake = in.text("rake", 256);
+    out.session = in.text_if("session", 256);
+    out.rake = in.text_if("rake", 256);
     if (const auto found = rake_kind(in.text("kind")))
         out.shape.kind = *found;
     else
@@ -83,8 +81,7 @@ void read(CheckedJson& in, RakeSetting& out) {
 }
 
 void read(CheckedJson& in, RakeDelete& out) {
-    if (in.has("session"))
-        out.session = in.text("session", 256);
+    out.session = in.text_if("session", 256);
     out.rake = in.text("rake", 256);
     out.force = in.flag_or("force", false);
     if (in.has("gesture")) {
@@ -96,8 +93,7 @@ void read(CheckedJson& in, RakeDelete& out) {
 }
 
 void read(CheckedJson& in, RakeList& out) {
-    if (in.has("session"))
-        out.session = in.text("session", 256);
+    out.session = in.text_if("session", 256);
 }
 
 } // namespace wakesurf::protocol

@@ -4,6 +4,7 @@
 
 #include "core/surface/rake.hpp"
 #include "protocol/api/checked_json.hpp"
+#include "protocol/api/generated/shared.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -45,14 +46,10 @@ nlohmann::json rake_json(const RakeRecord& record);
 /// As it is kept: what read() reads.
 nlohmann::json kept_json(const RakeRecord& record);
 
-/// Parameters of rake.set: Creates a rake, or replaces one as a whole. The surfaces of the rake are
-/// rebuilt at once, unless only its name or colour changes.
-struct RakeSetting {
+/// Holds the parameters of rake.set.
+struct RakeSetting : InSession {
     static constexpr std::string_view method = "rake.set";
 
-    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
-    /// with a share link
-    std::optional<std::string> session;
     /// id of the rake to replace; if left out, a new one is created
     std::optional<std::string> rake;
     /// kind, points, seeds
@@ -77,15 +74,10 @@ struct RakeSetting {
     bool operator==(const RakeSetting&) const = default;
 };
 
-void read(CheckedJson& in, RakeSetting& out);
-
-/// Parameters of rake.delete: Deletes a rake and its surfaces.
-struct RakeDelete {
+/// Holds the parameters of rake.delete.
+struct RakeDelete : InSession {
     static constexpr std::string_view method = "rake.delete";
 
-    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
-    /// with a share link
-    std::optional<std::string> session;
     /// an id from rake.list
     std::string rake;
     /// true: lets a host delete the rake although someone else holds the lease
@@ -98,19 +90,13 @@ struct RakeDelete {
     bool operator==(const RakeDelete&) const = default;
 };
 
-void read(CheckedJson& in, RakeDelete& out);
-
-/// Parameters of rake.list: Lists the rakes of a session.
-struct RakeList {
+/// Holds the parameters of rake.list.
+struct RakeList : InSession {
     static constexpr std::string_view method = "rake.list";
-
-    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
-    /// with a share link
-    std::optional<std::string> session;
-
-    bool operator==(const RakeList&) const = default;
 };
 
+void read(CheckedJson& in, RakeSetting& out);
+void read(CheckedJson& in, RakeDelete& out);
 void read(CheckedJson& in, RakeList& out);
 
 } // namespace wakesurf::protocol

@@ -11,8 +11,7 @@ void read(CheckedJson& in, SessionCreate& out) {
 }
 
 void read(CheckedJson& in, SessionFork& out) {
-    if (in.has("session"))
-        out.session = in.text("session", 256);
+    out.session = in.text_if("session", 256);
     out.name = in.text_or("name", "", limits::name_bytes);
 }
 
@@ -21,8 +20,7 @@ void read(CheckedJson& in, SessionList& out) {
 }
 
 void read(CheckedJson& in, SessionJoin& out) {
-    if (in.has("session"))
-        out.session = in.text("session", 256);
+    out.session = in.text_if("session", 256);
     out.name = in.text_or("name", "", limits::name_bytes);
     if (in.has("colour")) {
         out.colour = in.text("colour", 256);
@@ -31,27 +29,23 @@ void read(CheckedJson& in, SessionJoin& out) {
         if (out.colour && !is_colour(*out.colour))
             in.fault("colour", "must be written #rrggbb");
     }
-    if (in.has("resumeToken"))
-        out.resume_token = in.text("resumeToken", 256);
+    out.resume_token = in.text_if("resumeToken", 256);
     out.last_seq = in.count_if("lastSeq", 0, 9007199254740992);
 }
 
 void read(CheckedJson&, SessionLeave&) {}
 
 void read(CheckedJson& in, SessionState& out) {
-    if (in.has("session"))
-        out.session = in.text("session", 256);
+    out.session = in.text_if("session", 256);
 }
 
 void read(CheckedJson& in, SessionRename& out) {
-    if (in.has("session"))
-        out.session = in.text("session", 256);
+    out.session = in.text_if("session", 256);
     out.name = in.text("name", limits::name_bytes);
 }
 
 void read(CheckedJson& in, SessionSetUnits& out) {
-    if (in.has("session"))
-        out.session = in.text("session", 256);
+    out.session = in.text_if("session", 256);
     out.length = in.text("length", limits::unit_bytes);
     out.time = in.text("time", limits::unit_bytes);
 }
@@ -66,8 +60,7 @@ void read(CheckedJson& in, SessionRestore& out) {
 }
 
 void read(CheckedJson& in, SessionExport& out) {
-    if (in.has("session"))
-        out.session = in.text("session", 256);
+    out.session = in.text_if("session", 256);
 }
 
 void read(CheckedJson& in, SessionImport& out) {
@@ -76,8 +69,7 @@ void read(CheckedJson& in, SessionImport& out) {
 }
 
 void read(CheckedJson& in, SessionThumbnail& out) {
-    if (in.has("session"))
-        out.session = in.text("session", 256);
+    out.session = in.text_if("session", 256);
     out.image = in.text("image", limits::message_bytes);
 }
 

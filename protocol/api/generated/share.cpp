@@ -6,8 +6,7 @@
 namespace wakesurf::protocol {
 
 void read(CheckedJson& in, SessionShare& out) {
-    if (in.has("session"))
-        out.session = in.text("session", 256);
+    out.session = in.text_if("session", 256);
     out.role = in.text("role");
     if (out.role != "viewer" && out.role != "editor" && out.role != "host")
         in.fault("role", "must be viewer, editor or host");
@@ -16,20 +15,17 @@ void read(CheckedJson& in, SessionShare& out) {
 }
 
 void read(CheckedJson& in, SessionShares& out) {
-    if (in.has("session"))
-        out.session = in.text("session", 256);
+    out.session = in.text_if("session", 256);
 }
 
 void read(CheckedJson& in, SessionUnshare& out) {
-    if (in.has("session"))
-        out.session = in.text("session", 256);
+    out.session = in.text_if("session", 256);
     out.grant = in.text("grant", 256);
     out.children = in.flag_or("children", false);
 }
 
 void read(CheckedJson& in, SessionSetRole& out) {
-    if (in.has("session"))
-        out.session = in.text("session", 256);
+    out.session = in.text_if("session", 256);
     out.participant = in.text("participant", 256);
     out.role = in.text("role");
     if (out.role != "viewer" && out.role != "editor" && out.role != "host")
@@ -37,8 +33,7 @@ void read(CheckedJson& in, SessionSetRole& out) {
 }
 
 void read(CheckedJson& in, SessionKick& out) {
-    if (in.has("session"))
-        out.session = in.text("session", 256);
+    out.session = in.text_if("session", 256);
     out.participant = in.text("participant", 256);
 }
 

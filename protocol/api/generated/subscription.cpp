@@ -11,14 +11,12 @@ void read(CheckedJson& in, UpdatePlace& out) {
 }
 
 void read(CheckedJson& in, SurfaceStats& out) {
-    if (in.has("session"))
-        out.session = in.text("session", 256);
+    out.session = in.text_if("session", 256);
     out.surface = in.text("surface", 256);
 }
 
 void read(CheckedJson& in, SurfaceWait& out) {
-    if (in.has("session"))
-        out.session = in.text("session", 256);
+    out.session = in.text_if("session", 256);
     out.surface = in.text("surface", 256);
     if (const auto number = in.count_if("epoch", 0, 4294967295))
         out.epoch = static_cast<std::uint32_t>(*number);
@@ -27,8 +25,7 @@ void read(CheckedJson& in, SurfaceWait& out) {
 }
 
 void read(CheckedJson& in, SurfaceSubscribe& out) {
-    if (in.has("session"))
-        out.session = in.text("session", 256);
+    out.session = in.text_if("session", 256);
     out.surface = in.text("surface", 256);
     if (in.has("from")) {
         out.from.emplace();
@@ -37,12 +34,10 @@ void read(CheckedJson& in, SurfaceSubscribe& out) {
 }
 
 void read(CheckedJson& in, SurfaceUnsubscribe& out) {
-    if (in.has("session"))
-        out.session = in.text("session", 256);
+    out.session = in.text_if("session", 256);
     if (const auto number = in.count_if("subscription", 0, 4294967295))
         out.subscription = static_cast<std::uint32_t>(*number);
-    if (in.has("surface"))
-        out.surface = in.text("surface", 256);
+    out.surface = in.text_if("surface", 256);
 }
 
 void read(CheckedJson& in, FrameAck& out) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "protocol/api/checked_json.hpp"
+#include "protocol/api/generated/shared.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -22,31 +23,20 @@ struct UpdatePlace {
     bool operator==(const UpdatePlace&) const = default;
 };
 
-void read(CheckedJson& in, UpdatePlace& out);
-
-/// Parameters of surface.stats: Returns statistics of the newest state of a surface.
-struct SurfaceStats {
+/// Holds the parameters of surface.stats.
+struct SurfaceStats : InSession {
     static constexpr std::string_view method = "surface.stats";
 
-    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
-    /// with a share link
-    std::optional<std::string> session;
     /// an id from surface.list
     std::string surface;
 
     bool operator==(const SurfaceStats&) const = default;
 };
 
-void read(CheckedJson& in, SurfaceStats& out);
-
-/// Parameters of surface.wait: Returns once the surface is complete; `complete` is false if the
-/// time ran out.
-struct SurfaceWait {
+/// Holds the parameters of surface.wait.
+struct SurfaceWait : InSession {
     static constexpr std::string_view method = "surface.wait";
 
-    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
-    /// with a share link
-    std::optional<std::string> session;
     /// an id from surface.list
     std::string surface;
     /// epoch to wait for: this one or a later one; if left out, the current one
@@ -59,16 +49,10 @@ struct SurfaceWait {
     bool operator==(const SurfaceWait&) const = default;
 };
 
-void read(CheckedJson& in, SurfaceWait& out);
-
-/// Parameters of surface.subscribe: Sends the mesh of a surface as binary frames, now and after
-/// every change. It cannot be part of a batch.
-struct SurfaceSubscribe {
+/// Holds the parameters of surface.subscribe.
+struct SurfaceSubscribe : InSession {
     static constexpr std::string_view method = "surface.subscribe";
 
-    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
-    /// with a share link
-    std::optional<std::string> session;
     /// an id from surface.list
     std::string surface;
     /// the last update that was applied before a connection was lost; the server goes on after it
@@ -78,17 +62,10 @@ struct SurfaceSubscribe {
     bool operator==(const SurfaceSubscribe&) const = default;
 };
 
-void read(CheckedJson& in, SurfaceSubscribe& out);
-
-/// Parameters of surface.unsubscribe: Ends a subscription. A surface that someone had subscribed
-/// to, and that no one shows or waits for two seconds later, is not computed any further: until
-/// someone subscribes to it or waits for it.
-struct SurfaceUnsubscribe {
+/// Holds the parameters of surface.unsubscribe.
+struct SurfaceUnsubscribe : InSession {
     static constexpr std::string_view method = "surface.unsubscribe";
 
-    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
-    /// with a share link
-    std::optional<std::string> session;
     /// number of the subscription; or give `surface` instead
     std::optional<std::uint32_t> subscription;
     /// id of the surface, instead of the number
@@ -97,11 +74,7 @@ struct SurfaceUnsubscribe {
     bool operator==(const SurfaceUnsubscribe&) const = default;
 };
 
-void read(CheckedJson& in, SurfaceUnsubscribe& out);
-
-/// Parameters of frame.ack: Reports the last update of a subscription that the client has applied.
-/// The server then sends at most eight updates beyond the reported one. Best sent as a
-/// notification.
+/// Holds the parameters of frame.ack.
 struct FrameAck {
     static constexpr std::string_view method = "frame.ack";
 
@@ -115,6 +88,11 @@ struct FrameAck {
     bool operator==(const FrameAck&) const = default;
 };
 
+void read(CheckedJson& in, UpdatePlace& out);
+void read(CheckedJson& in, SurfaceStats& out);
+void read(CheckedJson& in, SurfaceWait& out);
+void read(CheckedJson& in, SurfaceSubscribe& out);
+void read(CheckedJson& in, SurfaceUnsubscribe& out);
 void read(CheckedJson& in, FrameAck& out);
 
 } // namespace wakesurf::protocol

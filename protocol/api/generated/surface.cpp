@@ -17,8 +17,7 @@ void read(CheckedJson& in, SurfaceRecord& out) {
     out.rev = in.count("rev", 0, 9007199254740992);
     out.epoch = static_cast<std::uint32_t>(in.count("epoch", 0, 4294967295));
     out.rake = in.text("rake", 256);
-    if (in.has("rake2"))
-        out.rake2 = in.text("rake2", 256);
+    out.rake2 = in.text_if("rake2", 256);
     out.dataset = in.text("dataset", 256);
     if (const auto found = surface_kind(in.text("kind")))
         out.parameters.kind = *found;
@@ -43,8 +42,7 @@ void read(CheckedJson& in, SurfaceRecord& out) {
     if (out.parameters.life && !(*out.parameters.life > 0.0))
         in.fault("life", "must be a number greater than 0");
     out.parameters.sweep = in.point_if("sweep");
-    if (in.has("field"))
-        out.parameters.field = in.text("field", 256);
+    out.parameters.field = in.text_if("field", 256);
     out.parameters.level = in.number_if("level", -any_number, any_number);
     out.parameters.merge = in.number_or("merge", 0.0, 0.5, 0.35);
     out.parameters.angle = in.number_or("angle", 0.0, 180.0, 20.0);
@@ -105,13 +103,10 @@ nlohmann::json kept_json(const SurfaceRecord& record) {
 }
 
 void read(CheckedJson& in, SurfaceSetting& out) {
-    if (in.has("session"))
-        out.session = in.text("session", 256);
-    if (in.has("surface"))
-        out.surface = in.text("surface", 256);
+    out.session = in.text_if("session", 256);
+    out.surface = in.text_if("surface", 256);
     out.rake = in.text("rake", 256);
-    if (in.has("rake2"))
-        out.rake2 = in.text("rake2", 256);
+    out.rake2 = in.text_if("rake2", 256);
     out.dataset = in.text("dataset", 256);
     if (const auto found = surface_kind(in.text("kind")))
         out.parameters.kind = *found;
@@ -143,8 +138,7 @@ void read(CheckedJson& in, SurfaceSetting& out) {
     if (out.parameters.life && !(*out.parameters.life > 0.0))
         in.fault("life", "must be a number greater than 0");
     out.parameters.sweep = in.point_if("sweep");
-    if (in.has("field"))
-        out.parameters.field = in.text("field", 256);
+    out.parameters.field = in.text_if("field", 256);
     out.parameters.level = in.number_if("level", -any_number, any_number);
     out.parameters.merge = in.number_or("merge", 0.0, 0.5, 0.35);
     out.parameters.angle = in.number_or("angle", 0.0, 180.0, 20.0);
@@ -204,8 +198,7 @@ std::vector<std::pair<std::string_view, double>> given_numbers(const core::Surfa
 }
 
 void read(CheckedJson& in, SurfaceDelete& out) {
-    if (in.has("session"))
-        out.session = in.text("session", 256);
+    out.session = in.text_if("session", 256);
     out.surface = in.text("surface", 256);
     if (in.has("gesture")) {
         out.gesture = in.text("gesture", limits::gesture_bytes);
@@ -216,14 +209,12 @@ void read(CheckedJson& in, SurfaceDelete& out) {
 }
 
 void read(CheckedJson& in, SurfaceStop& out) {
-    if (in.has("session"))
-        out.session = in.text("session", 256);
+    out.session = in.text_if("session", 256);
     out.surface = in.text("surface", 256);
 }
 
 void read(CheckedJson& in, SurfaceList& out) {
-    if (in.has("session"))
-        out.session = in.text("session", 256);
+    out.session = in.text_if("session", 256);
 }
 
 } // namespace wakesurf::protocol

@@ -4,6 +4,7 @@
 
 #include "core/surface/surface_parameters.hpp"
 #include "protocol/api/checked_json.hpp"
+#include "protocol/api/generated/shared.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -50,14 +51,10 @@ nlohmann::json surface_json(const SurfaceRecord& record);
 /// As it is kept: what read() reads.
 nlohmann::json kept_json(const SurfaceRecord& record);
 
-/// Parameters of surface.set: Creates a surface, or replaces its record as a whole, and starts to
-/// build it.
-struct SurfaceSetting {
+/// Holds the parameters of surface.set.
+struct SurfaceSetting : InSession {
     static constexpr std::string_view method = "surface.set";
 
-    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
-    /// with a share link
-    std::optional<std::string> session;
     /// id of the surface to replace; if left out, a new one is created
     std::optional<std::string> surface;
     /// an id from rake.list; the particles start from this rake. A level surface takes no more of
@@ -90,8 +87,6 @@ struct SurfaceSetting {
     bool operator==(const SurfaceSetting&) const = default;
 };
 
-void read(CheckedJson& in, SurfaceSetting& out);
-
 /// What only some kinds take, and what they must have. Error: InvalidArgument, naming the parameter.
 core::Result<void> check_kind(const SurfaceSetting& setting);
 
@@ -102,13 +97,10 @@ core::Result<void> check_rules(const SurfaceSetting& setting);
 std::vector<std::pair<std::string_view, double>>
 given_numbers(const core::SurfaceParameters& parameters);
 
-/// Parameters of surface.delete: Deletes a surface.
-struct SurfaceDelete {
+/// Holds the parameters of surface.delete.
+struct SurfaceDelete : InSession {
     static constexpr std::string_view method = "surface.delete";
 
-    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
-    /// with a share link
-    std::optional<std::string> session;
     /// an id from surface.list
     std::string surface;
     /// a name for what the user is doing; consecutive edits with the same name are one step of undo
@@ -119,36 +111,24 @@ struct SurfaceDelete {
     bool operator==(const SurfaceDelete&) const = default;
 };
 
-void read(CheckedJson& in, SurfaceDelete& out);
-
-/// Parameters of surface.stop: Stops the computation of a surface, for everyone, within 50 ms. What
-/// has been computed stays; the surface's statistics and surface.done say who stopped it. The next
-/// edit of the surface or of its rake computes it again.
-struct SurfaceStop {
+/// Holds the parameters of surface.stop.
+struct SurfaceStop : InSession {
     static constexpr std::string_view method = "surface.stop";
 
-    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
-    /// with a share link
-    std::optional<std::string> session;
     /// an id from surface.list
     std::string surface;
 
     bool operator==(const SurfaceStop&) const = default;
 };
 
-void read(CheckedJson& in, SurfaceStop& out);
-
-/// Parameters of surface.list: Lists the surfaces of a session.
-struct SurfaceList {
+/// Holds the parameters of surface.list.
+struct SurfaceList : InSession {
     static constexpr std::string_view method = "surface.list";
-
-    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
-    /// with a share link
-    std::optional<std::string> session;
-
-    bool operator==(const SurfaceList&) const = default;
 };
 
+void read(CheckedJson& in, SurfaceSetting& out);
+void read(CheckedJson& in, SurfaceDelete& out);
+void read(CheckedJson& in, SurfaceStop& out);
 void read(CheckedJson& in, SurfaceList& out);
 
 } // namespace wakesurf::protocol

@@ -38,8 +38,7 @@ nlohmann::json kept_json(const ClockRecord& record) {
 }
 
 void read(CheckedJson& in, TimeSet& out) {
-    if (in.has("session"))
-        out.session = in.text("session", 256);
+    out.session = in.text_if("session", 256);
     out.time.given = in.given("time");
     if (!out.time.given)
         in.fault("time", "is missing; null stops the clock");
@@ -47,8 +46,7 @@ void read(CheckedJson& in, TimeSet& out) {
 }
 
 void read(CheckedJson& in, PlaySetting& out) {
-    if (in.has("session"))
-        out.session = in.text("session", 256);
+    out.session = in.text_if("session", 256);
     out.speed = in.number_if("speed", 1e-09, limits::clock_speed);
     if (in.has("loop"))
         out.loop = in.flag_or("loop", false);
@@ -59,8 +57,7 @@ void read(CheckedJson& in, PlaySetting& out) {
 }
 
 void read(CheckedJson& in, TimePause& out) {
-    if (in.has("session"))
-        out.session = in.text("session", 256);
+    out.session = in.text_if("session", 256);
 }
 
 } // namespace wakesurf::protocol

@@ -3,12 +3,12 @@
 #pragma once
 
 #include "protocol/api/checked_json.hpp"
+#include "protocol/api/generated/shared.hpp"
 #include "protocol/api/nullable.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
 #include <optional>
-#include <string>
 #include <string_view>
 
 namespace wakesurf::protocol {
@@ -42,16 +42,10 @@ nlohmann::json clock_json(const ClockRecord& record);
 /// As it is kept: what read() reads.
 nlohmann::json kept_json(const ClockRecord& record);
 
-/// Parameters of time.set: Jumps to a time of the data. Path, streak and time surfaces are shown as
-/// they are at this time, within their own `from` and `to`. A time that neither the data of the
-/// session's surfaces nor a surface has is refused; any will do where a surface is of a flow that
-/// is steady or a formula.
-struct TimeSet {
+/// Holds the parameters of time.set.
+struct TimeSet : InSession {
     static constexpr std::string_view method = "time.set";
 
-    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
-    /// with a share link
-    std::optional<std::string> session;
     /// simulation time; null: no time, and surfaces are shown at their end (the dataset's unit of
     /// time)
     Nullable<double> time;
@@ -59,16 +53,10 @@ struct TimeSet {
     bool operator==(const TimeSet&) const = default;
 };
 
-void read(CheckedJson& in, TimeSet& out);
-
-/// Parameters of time.play: Starts the clock, from where it stands or from the beginning. `from`
-/// and `to` are times of the data, as in `time.set`.
-struct PlaySetting {
+/// Holds the parameters of time.play.
+struct PlaySetting : InSession {
     static constexpr std::string_view method = "time.play";
 
-    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
-    /// with a share link
-    std::optional<std::string> session;
     /// how fast the clock runs; if left out, as before, at first 1 (simulation time a second)
     std::optional<double> speed;
     /// true: go on at `from` when the clock reaches `to`; if left out, as before, at first false
@@ -83,19 +71,13 @@ struct PlaySetting {
     bool operator==(const PlaySetting&) const = default;
 };
 
-void read(CheckedJson& in, PlaySetting& out);
-
-/// Parameters of time.pause: Stops the clock where it is.
-struct TimePause {
+/// Holds the parameters of time.pause.
+struct TimePause : InSession {
     static constexpr std::string_view method = "time.pause";
-
-    /// an id from session.list; it may be left out on a WebSocket that has joined a session, and
-    /// with a share link
-    std::optional<std::string> session;
-
-    bool operator==(const TimePause&) const = default;
 };
 
+void read(CheckedJson& in, TimeSet& out);
+void read(CheckedJson& in, PlaySetting& out);
 void read(CheckedJson& in, TimePause& out);
 
 } // namespace wakesurf::protocol

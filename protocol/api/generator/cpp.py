@@ -92,11 +92,12 @@ class Cpp:
 
     def struct(self, shape, name, words, method=""):
         record = bool(shape.get("x-record")) or not method
-        lines = [*comment(words), f"struct {name} {{"]
+        in_session = bool(method) and self.in_session(shape)
+        lines = [*comment(words), f"struct {name}{' : InSession' if in_session else ''} {{"]
         if method:
             lines += [f"    static constexpr std::string_view method = {quoted(method)};", ""]
         seen = set()
-        for each in shape.fields:
+        for each in shape.fields[1 if in_session else 0:]:
             member = self.member(each)
             if "." in member:
                 outer = member.split(".")[0]
@@ -108,10 +109,14 @@ class Cpp:
                 continue
             lines += comment(self.words(each), 4)
             lines.append(f"    {self.full_type(each, record)} {member}{self.initial(each, record)};")
-        if shape.fields:
+        if shape.fields[1 if in_session else 0:]:
             lines.append("")
             lines.append(f"    bool operator==(const {name}&) const = default;")
         return lines + ["};"]
+
+    def in_session(self, shape):
+        """The parameters begin with that of every method on a session."""
+        return bool(shape.fields) and shape.fields[0].node.words == self.api.shape("InSession").fields[0].node.words
 
     def words(self, each):
         unit = each.node.get("x-unit")
@@ -189,6 +194,8 @@ class Cpp:
             return [f"if (in.has({name})) {{", f"    {to}.emplace();",
                     f"    in.inside({name}, [&](CheckedJson& inner) {{ read(inner, *{to}); }});", "}"]
         lines = [line.replace(f"*{to}.", f"{to}->") for line in self.read_plain(each, to, False, f"*{to}")]
+        if len(lines) == 1 and kind == "text":
+            return [f"{to} = in.text_if({name}, {self.longest(node)});"]
         if node.get("x-emptyIsMissing"):
             lines = (lines[:1] + [f"if ({to}->empty())", f"    {to}.reset();"]
                      + [line.replace("if (!", f"if ({to} && !") for line in lines[1:]])
@@ -367,7 +374,7 @@ class Cpp:
         found += [(shape, self.struct_name(shape), shape.words, "") for shape in self.api.shapes_of(noun) if self.is_struct(shape)]
         for method in self.api.of_noun(noun):
             name = method.params.get("x-cpp") or camel(method.name)
-            found.append((method.params, name, f"Parameters of {method.name}: {method.words}", method.name))
+            found.append((method.params, name, f"Holds the parameters of {method.name}.", method.name))
         return found
 
     def header(self, noun):
@@ -380,7 +387,7 @@ class Cpp:
                 '#include "protocol/api/checked_json.hpp"', '#include "protocol/api/nullable.hpp"', "",
                 "#include <nlohmann/json_fwd.hpp>", "", "#include <cstdint>", "#include <optional>", "#include <string>",
                 "#include <string_view>", "#include <utility>", "#include <vector>", "", "namespace wakesurf::protocol {", ""]
-        body = []
+        body, readers = [], []
         for shape, name, words, method in structs:
             body += self.struct(shape, name, words, method) + [""]
             if shape.get("x-record"):
@@ -388,7 +395,7 @@ class Cpp:
                          f"nlohmann::json {snake(shape.name)}_json(const {name}& record);", "",
                          "/// As it is kept: what read() reads.", f"nlohmann::json kept_json(const {name}& record);", ""]
             else:
-                body += [f"void read(CheckedJson& in, {name}& out);", ""]
+                readers.append(f"void read(CheckedJson& in, {name}& out);")
             if method and self.rules_of(noun) and method == self.rules_of(noun).name:
                 body += ["/// What only some kinds take, and what they must have. Error: InvalidArgument, naming the parameter.",
                          f"core::Result<void> check_kind(const {name}& setting);", "",
@@ -396,7 +403,10 @@ class Cpp:
                          f"core::Result<void> check_rules(const {name}& setting);", "",
                          "/// The optional numbers that were given, by their names.",
                          "std::vector<std::pair<std::string_view, double>> given_numbers(const core::SurfaceParameters& parameters);", ""]
+        body += [*readers, ""]
         used = "\n".join(body)
+        if " : InSession" in used:
+            text.insert(text.index('#include "protocol/api/nullable.hpp"'), '#include "protocol/api/generated/shared.hpp"')
         text = [line for line in text if not (
             ("rake.hpp" in line and "core::Rake" not in used) or ("surface_parameters" in line and "SurfaceParameters" not in used)
             or ("nullable" in line and "Nullable<" not in used) or ("<vector>" in line and "std::vector" not in used) or ("<utility>" in line and "std::pair" not in used)
@@ -406,6 +416,12 @@ class Cpp:
         if "core::Vec3" in used and "core::Rake" not in used:
             text.insert(text.index('#include "protocol/api/checked_json.hpp"'), '#include "core/base/vec3.hpp"')
         return "\n".join(text + body + ["} // namespace wakesurf::protocol", ""])
+
+    def shared(self):
+        shape = self.api.shape("InSession")
+        return "\n".join([MADE.format("shared.schema.json"), "// What the parameters of many methods share.", "#pragma once", "",
+                          "#include <optional>", "#include <string>", "", "namespace wakesurf::protocol {", "",
+                          *self.struct(shape, shape.name, shape.words), "", "} // namespace wakesurf::protocol", ""])
 
     def source(self, noun):
         structs = self.structs_of(noun)

@@ -31,12 +31,12 @@ def errors_header(api):
 
 
 def errors_source(api):
-    lines = [MADE.format("errors.schema.json"), '#include "protocol/api/generated/errors.hpp"', "", *NAMESPACE,
-             "std::string_view kind_of(RpcCode code) {", "    switch (code) {"]
-    for kind in api.errors:
-        if kind != "internal":
-            lines += [f"    case RpcCode::{camel(kind)}:", f"        return {quoted(kind)};"]
-    return "\n".join(lines + ["    case RpcCode::Internal:", "        break;", "    }", '    return "internal";', "}", "", *END])
+    words = ", ".join(f"{{RpcCode::{camel(kind)}, {quoted(kind)}}}" for kind in api.errors)
+    lines = [MADE.format("errors.schema.json"), '#include "protocol/api/generated/errors.hpp"', "", "#include <utility>", "", *NAMESPACE,
+             "std::string_view kind_of(RpcCode code) {",
+             f"    static constexpr std::pair<RpcCode, std::string_view> kinds[]{{{words}}};",
+             "    for (const auto& [each, kind] : kinds)", "        if (each == code)", "            return kind;", '    return "internal";', "}", ""]
+    return "\n".join(lines + END)
 
 
 def enums(api):
@@ -57,16 +57,23 @@ def names_header(api):
 
 
 def names_source(api):
-    lines = [MADE.format("*.schema.json"), '#include "protocol/api/generated/names.hpp"', "", *NAMESPACE]
+    lines = [MADE.format("*.schema.json"), '#include "protocol/api/generated/names.hpp"', "", *NAMESPACE, "namespace {", "",
+             "template <class Value>", "struct Word {", "    Value value;", "    std::string_view text;", "};", "",
+             "template <class Value, std::size_t count>", "std::string_view text_of(Value value, const Word<Value> (&words)[count]) {",
+             "    for (const Word<Value>& each : words)", "        if (each.value == value)", "            return each.text;", "    return {};", "}", "",
+             "template <class Value, std::size_t count>",
+             "std::optional<Value> value_of(std::string_view text, const Word<Value> (&words)[count]) {",
+             "    for (const Word<Value>& each : words)", "        if (each.text == text)", "            return each.value;",
+             "    return std::nullopt;", "}", ""]
     for shape in enums(api):
-        kind, words = shape["x-cpp-type"], shape["enum"]
-        lines += [f"std::string_view name({kind} value) {{", "    switch (value) {"]
-        for word in words:
-            lines += [f"    case {kind}::{camel(word)}:", f"        return {quoted(word)};"]
-        lines += ["    }", "    return {};", "}", "", f"std::optional<{kind}> {snake(shape.name)}(std::string_view word) {{"]
-        for word in words:
-            lines += [f"    if (word == {quoted(word)})", f"        return {kind}::{camel(word)};"]
-        lines += ["    return std::nullopt;", "}", ""]
+        kind = shape["x-cpp-type"]
+        words = ", ".join(f"{{{kind}::{camel(word)}, {quoted(word)}}}" for word in shape["enum"])
+        lines.append(f"constexpr Word<{kind}> words_of_{snake(shape.name)}[]{{{words}}};")
+    lines += ["", "} // namespace", ""]
+    for shape in enums(api):
+        kind, table = shape["x-cpp-type"], "words_of_" + snake(shape.name)
+        lines += [f"std::string_view name({kind} value) {{", f"    return text_of(value, {table});", "}", "",
+                  f"std::optional<{kind}> {snake(shape.name)}(std::string_view word) {{", f"    return value_of(word, {table});", "}", ""]
     return "\n".join(lines + END)
 
 
@@ -129,7 +136,7 @@ def files(api, cpp):
     """path below generated/ -> text."""
     out = {"limits.hpp": limits_header(api), "errors.hpp": errors_header(api), "errors.cpp": errors_source(api),
            "names.hpp": names_header(api), "names.cpp": names_source(api), "methods.cpp": methods_source(api),
-           "surface_options.hpp": options_header(api)}
+           "surface_options.hpp": options_header(api), "shared.hpp": cpp.shared()}
     for noun in NOUNS:
         out[f"{noun}.hpp"], out[f"{noun}.cpp"] = cpp.header(noun), cpp.source(noun)
     return out

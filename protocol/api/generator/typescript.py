@@ -1,7 +1,7 @@
 """TypeScript: types and checks of shapes, and what methods take and answer, a file a noun."""
 import textwrap
 
-from .schema import SchemaError, camel
+from .schema import NOUNS, SchemaError, camel
 
 MADE = "// Made by protocol/api/generate from {}: do not edit."
 
@@ -37,6 +37,8 @@ class TypeScript:
 
     def __init__(self, api):
         self.api = api
+        self.by_noun = False  # the file being written says `session.Snapshot`, for it needs something of every noun
+        self.nouns = {*NOUNS, "shared"}
         self.used = {}  # what the file being written needs of others: module -> names
         self.partial = set()  # shapes of which only what has changed is told
         told = [method.result for method in api.methods] + [params for *_, params in api.notifications]
@@ -61,7 +63,8 @@ class TypeScript:
     def use(self, module, name):
         """Notes that the file being written needs a name of a module; returns the name."""
         self.used.setdefault(module, set()).add(name)
-        return name
+        noun = module.removeprefix("./").removesuffix(".ts")
+        return f"{noun}.{name}" if self.by_noun and noun in self.nouns else name
 
     def use_shape(self, node, name):
         return self.use(f"./{self.api.home[node.name]}.ts", name)
@@ -122,8 +125,8 @@ class TypeScript:
             return f"Record<string, {self.type(node.values) if node.values else 'unknown'}>"
         return "Record<string, never>"
 
-    def interface(self, name, words, fields):
-        lines = [*comment(words, 0), f"export interface {name} {{"]
+    def interface(self, name, words, fields, base=""):
+        lines = [*comment(words, 0), f"export interface {name}{base} {{"]
         for each in fields:
             unit = each.node.get("x-unit")
             lines += comment(each.node.words + (f" ({unit})" if unit else ""), 4)
@@ -203,16 +206,32 @@ class TypeScript:
     def noun(self, noun):
         """Shapes of a file, and what its methods take and answer."""
         body, self.used = [], {}
+        if noun == "shared":
+            shape = self.api.shape("InSession")
+            body += self.interface(shape.name, shape.words, shape.fields)
         for node in self.api.shapes_of(noun):
             if node.name in self.named:
                 body += self.shape(node)
         for method in self.api.of_noun(noun):
-            if method.params.fields:
-                body += self.interface(camel(method.name) + "Params", f"Parameters of {method.name}.", method.params.fields)
+            body += self.parameters(method)
             if not self.is_named(method.result) and method.result.fields:
                 body += self.interface(camel(method.name) + "Result", f"What {method.name} answers.", method.result.fields)
             body += self.kinds_of(method)
         return self.with_imports(noun, f"{noun}.schema.json", body)
+
+    def parameters(self, method):
+        """An interface, which shares what all methods on a session take."""
+        name, words, fields = camel(method.name) + "Params", f"Parameters of {method.name}.", method.params.fields
+        own = [each for each in fields if each.name != "session" or each.node.words != self.session_field().node.words]
+        if len(own) == len(fields):
+            return self.interface(name, words, fields) if fields else []
+        base = self.use("./shared.ts", "InSession")
+        if not own:
+            return [*comment(words, 0), f"export type {name} = {base};", ""]
+        return self.interface(name, words, own, f" extends {base}")
+
+    def session_field(self):
+        return self.api.shape("InSession").fields[0]
 
     def kinds_of(self, method):
         """Of a setter that does not take the same of all kinds of a record: from what one makes a setting of a record."""
@@ -244,6 +263,9 @@ class TypeScript:
         lines = [MADE.format(source)]
         for module in sorted(set(self.used) - {f"./{name}.ts"}):
             names, types = sorted(self.used[module]), [each[0].isupper() for each in sorted(self.used[module])]
+            if self.by_noun and module[2:-3] in self.nouns:
+                lines.append(f"import {'type ' if all(types) else ''}* as {module[2:-3]} from '{module}';")
+                continue
             if not all(types):
                 names = [f"type {name}" if is_type else name for name, is_type in zip(names, types)]
             lines.append(f"import {'type ' if all(types) else ''}{{ {', '.join(names)} }} from '{module}';")

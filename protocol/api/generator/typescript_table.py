@@ -57,11 +57,15 @@ class Tables(TypeScript):
 
     def limits(self):
         self.used = {}
-        lines = ["/** What one server of this version grants. */", "export const limits = {"]
-        for name, data in self.api.limits:
-            unit = f" ({data['x-unit']})" if "x-unit" in data else ""
-            lines += comment(data["description"] + unit, 4) + [f"    {name}: {data['const']:_},"]
-        return self.with_imports("limits", "limits.schema.json", [*lines, "} as const;", "", *self.shape(self.api.shape("Limits"))])
+        told, others = [[line for name, data in self.api.limits if (name in self.api.told) == wanted for line in
+                         [*comment(data["description"] + (f" ({data['x-unit']})" if "x-unit" in data else ""), 4),
+                          f"    {name}: {data['const']:_},"]] for wanted in (True, False)]
+        lines = ["/** What one server of this version grants, as far as server.info returns it. */", "export const toldLimits = {",
+                 *told, "} as const;", "",
+                 "/** What one server of this version grants. */", "export const limits = {", "    ...toldLimits,", *others, "} as const;", "",
+                 *comment(self.api.shape("Limits").words, 0), "export type Limits = { -readonly [Name in keyof typeof toldLimits]: number };", "",
+                 f"export const limitsCheck = {self.primitive('wholeMembers')}(toldLimits);", ""]
+        return self.with_imports("limits", "limits.schema.json", lines)
 
     def error_codes(self):
         codes = ", ".join(f"{kind}: {data['code']}" for kind, data in self.api.errors.items())
@@ -69,5 +73,6 @@ class Tables(TypeScript):
                           f"export const errorCodes = {{ {codes} }} as const;", ""])
 
     def files(self):
-        return {**{f"{noun}.ts": self.noun(noun) for noun in (*NOUNS, "shared")}, "methods.ts": self.methods(), "results.ts": self.results(),
-                "notifications.ts": self.notifications(), "limits.ts": self.limits(), "errors.ts": self.error_codes()}
+        out = {**{f"{noun}.ts": self.noun(noun) for noun in (*NOUNS, "shared")}, "limits.ts": self.limits(), "errors.ts": self.error_codes()}
+        self.by_noun = True
+        return {**out, "methods.ts": self.methods(), "results.ts": self.results(), "notifications.ts": self.notifications()}

@@ -55,6 +55,13 @@ export function mapOf<T>(inner: Check<T>): Check<Record<string, T>> {
     return (value) => (isObject(value) ? memberFault(value, Object.keys(value), () => inner) : ' is not an object');
 }
 
+/** An object that has a whole number for every member of `example`. */
+// @__NO_SIDE_EFFECTS__
+export function wholeMembers<T extends object>(example: T): Check<{ -readonly [Name in keyof T]: number }> {
+    const names = Object.keys(example);
+    return (value) => (isObject(value) ? memberFault(value, names, () => whole) : ' is not an object');
+}
+
 // @__NO_SIDE_EFFECTS__
 export function members<T>(checks: { [Name in keyof T]-?: Check<T[Name]> }): Check<T> {
     const [names, inner] = [Object.keys(checks), Object.values<Check<unknown>>(checks)];

@@ -1,6 +1,7 @@
 // Made by protocol/api/generate from annotation.schema.json: do not edit.
 import { members, optional, point, text, whole } from '../checks.ts';
 import type { Vec3 } from '../vec3.ts';
+import type { InSession } from './shared.ts';
 
 /** An annotation as the session keeps it. */
 export interface AnnotationRecord {
@@ -28,9 +29,7 @@ export const annotationRecordCheck = members<AnnotationRecord>({
 });
 
 /** Parameters of annotation.set. */
-export interface AnnotationSetParams {
-    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
-    session?: string;
+export interface AnnotationSetParams extends InSession {
     /** id of the annotation to replace; if left out, a new one is created */
     annotation?: string;
     /** text of one or more lines */
@@ -56,9 +55,7 @@ export interface AnnotationSetResult {
 }
 
 /** Parameters of annotation.delete. */
-export interface AnnotationDeleteParams {
-    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
-    session?: string;
+export interface AnnotationDeleteParams extends InSession {
     /** an id from annotation.list */
     annotation: string;
     /** a name for what the user is doing; consecutive edits with the same name are one step of undo */
@@ -68,10 +65,7 @@ export interface AnnotationDeleteParams {
 }
 
 /** Parameters of annotation.list. */
-export interface AnnotationListParams {
-    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
-    session?: string;
-}
+export type AnnotationListParams = InSession;
 
 /** What annotation.list answers. */
 export interface AnnotationListResult {

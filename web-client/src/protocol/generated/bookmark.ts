@@ -1,5 +1,6 @@
 // Made by protocol/api/generate from bookmark.schema.json: do not edit.
 import { anyObject, members, number, optional, text, whole } from '../checks.ts';
+import type { InSession } from './shared.ts';
 
 /** A bookmark as the session keeps it. */
 export interface BookmarkRecord {
@@ -24,9 +25,7 @@ export const bookmarkRecordCheck = members<BookmarkRecord>({
 });
 
 /** Parameters of bookmark.set. */
-export interface BookmarkSetParams {
-    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
-    session?: string;
+export interface BookmarkSetParams extends InSession {
     /** id of the bookmark to replace; if left out, a new one is created */
     bookmark?: string;
     /** display name */
@@ -52,9 +51,7 @@ export interface BookmarkSetResult {
 }
 
 /** Parameters of bookmark.delete. */
-export interface BookmarkDeleteParams {
-    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
-    session?: string;
+export interface BookmarkDeleteParams extends InSession {
     /** an id from bookmark.list */
     bookmark: string;
     /** a name for what the user is doing; consecutive edits with the same name are one step of undo */
@@ -64,10 +61,7 @@ export interface BookmarkDeleteParams {
 }
 
 /** Parameters of bookmark.list. */
-export interface BookmarkListParams {
-    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
-    session?: string;
-}
+export type BookmarkListParams = InSession;
 
 /** What bookmark.list answers. */
 export interface BookmarkListResult {

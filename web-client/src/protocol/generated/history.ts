@@ -1,5 +1,6 @@
 // Made by protocol/api/generate from history.schema.json: do not edit.
 import { members, oneOf, optional, text, whole } from '../checks.ts';
+import type { InSession } from './shared.ts';
 
 /** A record that was changed. */
 export interface Change {
@@ -28,10 +29,7 @@ export interface Skip {
 export const skipCheck = members<Skip>({ type: text, id: text, why: text });
 
 /** Parameters of history.undo. */
-export interface HistoryUndoParams {
-    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
-    session?: string;
-}
+export type HistoryUndoParams = InSession;
 
 /** What history.undo answers. */
 export interface HistoryUndoResult {
@@ -48,10 +46,7 @@ export interface HistoryUndoResult {
 }
 
 /** Parameters of history.redo. */
-export interface HistoryRedoParams {
-    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
-    session?: string;
-}
+export type HistoryRedoParams = InSession;
 
 /** What history.redo answers. */
 export interface HistoryRedoResult {

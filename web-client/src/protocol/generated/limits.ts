@@ -1,8 +1,8 @@
 // Made by protocol/api/generate from limits.schema.json: do not edit.
-import { members, whole } from '../checks.ts';
+import { wholeMembers } from '../checks.ts';
 
-/** What one server of this version grants. */
-export const limits = {
+/** What one server of this version grants, as far as server.info returns it. */
+export const toldLimits = {
     /** size of one message (bytes) */
     messageBytes: 65_536,
     /** calls in one message */
@@ -59,6 +59,11 @@ export const limits = {
     fields: 5,
     /** time that a call may wait (ms) */
     waitMs: 600_000,
+} as const;
+
+/** What one server of this version grants. */
+export const limits = {
+    ...toldLimits,
     /** length of a name (bytes) */
     nameBytes: 120,
     /** length of the name of a unit (bytes) */
@@ -92,92 +97,6 @@ export const limits = {
 } as const;
 
 /** The limits that server.info returns. */
-export interface Limits {
-    /** size of one message (bytes) */
-    messageBytes: number;
-    /** calls in one message */
-    batch: number;
-    /** levels of nesting in a message */
-    depth: number;
-    /** WebSockets of all people together */
-    clients: number;
-    /** calls of one person in a second; bursts may have twice as many */
-    callsPerSecond: number;
-    /** edits of one person in a second; bursts may have twice as many */
-    editsPerSecond: number;
-    /** sessions that the server keeps */
-    sessions: number;
-    /** deleted sessions that can be restored */
-    trash: number;
-    /** size of a session's picture (bytes) */
-    thumbnailBytes: number;
-    /** participants in a session at a time */
-    participants: number;
-    /** rakes in a session */
-    rakes: number;
-    /** points of a rake */
-    rakePoints: number;
-    /** seeds of a rake */
-    seeds: number;
-    /** surfaces in a session */
-    surfaces: number;
-    /** bookmarks in a session */
-    bookmarks: number;
-    /** annotations in a session */
-    annotations: number;
-    /** size of all records of a session; as text, when someone joins, they take three times as much (bytes) */
-    sessionBytes: number;
-    /** edits of one participant that can be taken back */
-    undo: number;
-    /** valid share links of a session */
-    shareLinks: number;
-    /** subscriptions of one WebSocket */
-    subscriptions: number;
-    /** unanswered surface.wait calls of one surface */
-    waiters: number;
-    /** unanswered calls of one WebSocket */
-    pendingCalls: number;
-    /** unanswered probe.sample calls of one person */
-    probes: number;
-    /** WebSockets of one person */
-    sockets: number;
-    /** unfinished downloads of one person */
-    downloads: number;
-    /** quads of a surface */
-    quads: number;
-    /** additional attributes of a surface's vertices */
-    fields: number;
-    /** time that a call may wait (ms) */
-    waitMs: number;
-}
+export type Limits = { -readonly [Name in keyof typeof toldLimits]: number };
 
-export const limitsCheck = members<Limits>({
-    messageBytes: whole,
-    batch: whole,
-    depth: whole,
-    clients: whole,
-    callsPerSecond: whole,
-    editsPerSecond: whole,
-    sessions: whole,
-    trash: whole,
-    thumbnailBytes: whole,
-    participants: whole,
-    rakes: whole,
-    rakePoints: whole,
-    seeds: whole,
-    surfaces: whole,
-    bookmarks: whole,
-    annotations: whole,
-    sessionBytes: whole,
-    undo: whole,
-    shareLinks: whole,
-    subscriptions: whole,
-    waiters: whole,
-    pendingCalls: whole,
-    probes: whole,
-    sockets: whole,
-    downloads: whole,
-    quads: whole,
-    fields: whole,
-    waitMs: whole,
-});
+export const limitsCheck = wholeMembers(toldLimits);

@@ -1,26 +1,10 @@
 // Made by protocol/api/generate from *.schema.json: do not edit.
 import { type Check, list, members, number, oneOf, optional, text, token, whole } from '../checks.ts';
-import {
-    type DatasetEntry,
-    type HeldChange,
-    type StepChange,
-    datasetEntryCheck,
-    heldChangeCheck,
-    stepChangeCheck,
-} from './dataset.ts';
-import { type ParticipantChange, participantChangeCheck } from './presence.ts';
-import { type Patch, patchCheck } from './session.ts';
-import { type Problem, problemCheck } from './shared.ts';
-import {
-    type PassSeconds,
-    type Statistics,
-    type SurfacePhase,
-    type ValueRange,
-    passSecondsCheck,
-    statisticsCheck,
-    surfacePhaseCheck,
-    valueRangeCheck,
-} from './subscription.ts';
+import * as dataset from './dataset.ts';
+import * as presence from './presence.ts';
+import * as session from './session.ts';
+import * as shared from './shared.ts';
+import * as subscription from './subscription.ts';
 
 /**
  * Something has happened to this connection, its session or the server. Kinds: catchingUp, caughtUp (stale updates of
@@ -66,9 +50,9 @@ export interface CachePatched {
     /** id of the dataset */
     dataset: string;
     /** the time-steps that changed, each as [index, state] */
-    changes: StepChange[];
+    changes: dataset.StepChange[];
     /** the time-steps of which another part is in memory or being read, each as [index, resident, loading] */
-    held: HeldChange[];
+    held: dataset.HeldChange[];
     /** memory that the time-steps take (bytes) */
     bytes: number;
     /** memory that the time-steps may take (bytes) */
@@ -82,7 +66,7 @@ export interface SessionPatched {
     /** `seq` of the session after the change */
     seq: number;
     /** the changes, in the order in which they can be applied */
-    patches: Patch[];
+    patches: session.Patch[];
 }
 
 /**
@@ -93,7 +77,7 @@ export interface PresencePatched {
     /** id of the session */
     session: string;
     /** the id of each participant and what has changed */
-    participants: ParticipantChange[];
+    participants: presence.ParticipantChange[];
     /** ids of participants who have left */
     left: string[];
 }
@@ -105,9 +89,9 @@ export interface SurfaceProgress {
     /** counts the surfaces that have been built for the record; it never decreases */
     epoch: number;
     /** coarse, refined, final: the quality of the pass; live: a moving surface that plays */
-    phase: SurfacePhase;
+    phase: subscription.SurfacePhase;
     /** how long it took to make the state */
-    seconds?: PassSeconds;
+    seconds?: subscription.PassSeconds;
 }
 
 /**
@@ -124,7 +108,7 @@ export interface SurfaceRanges {
      * which the field of a stream surface is frozen, only widens them; another edit of the surface or its rake begins
      * them anew
      */
-    ranges: ValueRange[];
+    ranges: subscription.ValueRange[];
 }
 
 /** A surface is complete, or cannot be completed. */
@@ -134,9 +118,9 @@ export interface SurfaceDone {
     /** counts the surfaces that have been built for the record; it never decreases */
     epoch: number;
     /** its statistics; present if there is no error */
-    stats?: Statistics;
+    stats?: subscription.Statistics;
     /** why the surface is not complete */
-    error?: Problem;
+    error?: shared.Problem;
 }
 
 /** Every notification of the server, by its method. */
@@ -155,7 +139,7 @@ export interface Notifications {
      */
     '$/progress': Progress;
     /** A dataset is being imported, or its import has ended. Sent to all clients. */
-    'dataset.patched': DatasetEntry;
+    'dataset.patched': dataset.DatasetEntry;
     /** Time-steps, or parts of them, have been read into memory or removed from it. */
     'cache.patched': CachePatched;
     /** Records have changed. Sent to the author of the change as well. */
@@ -197,27 +181,31 @@ export const notificationChecks: { [Name in keyof Notifications]: Check<Notifica
             quadsSoFar: optional(whole),
         }),
     }),
-    'dataset.patched': datasetEntryCheck,
+    'dataset.patched': dataset.datasetEntryCheck,
     'cache.patched': members<CachePatched>({
         dataset: text,
-        changes: list(stepChangeCheck),
-        held: list(heldChangeCheck),
+        changes: list(dataset.stepChangeCheck),
+        held: list(dataset.heldChangeCheck),
         bytes: whole,
         budget: whole,
     }),
-    'session.patched': members<SessionPatched>({ session: text, seq: whole, patches: list(patchCheck) }),
-    'presence.patched': members<PresencePatched>({ session: text, participants: list(participantChangeCheck), left: list(text) }),
+    'session.patched': members<SessionPatched>({ session: text, seq: whole, patches: list(session.patchCheck) }),
+    'presence.patched': members<PresencePatched>({
+        session: text,
+        participants: list(presence.participantChangeCheck),
+        left: list(text),
+    }),
     'surface.progress': members<SurfaceProgress>({
         surface: text,
         epoch: whole,
-        phase: surfacePhaseCheck,
-        seconds: optional(passSecondsCheck),
+        phase: subscription.surfacePhaseCheck,
+        seconds: optional(subscription.passSecondsCheck),
     }),
-    'surface.ranges': members<SurfaceRanges>({ surface: text, epoch: whole, ranges: list(valueRangeCheck) }),
+    'surface.ranges': members<SurfaceRanges>({ surface: text, epoch: whole, ranges: list(subscription.valueRangeCheck) }),
     'surface.done': members<SurfaceDone>({
         surface: text,
         epoch: whole,
-        stats: optional(statisticsCheck),
-        error: optional(problemCheck),
+        stats: optional(subscription.statisticsCheck),
+        error: optional(shared.problemCheck),
     }),
 };

@@ -1,7 +1,7 @@
 // Made by protocol/api/generate from presence.schema.json: do not edit.
 import { flag, list, matching, members, number, optional, orNull, point, text } from '../checks.ts';
 import type { Vec3 } from '../vec3.ts';
-import { type Role, roleCheck } from './shared.ts';
+import { type InSession, type Role, roleCheck } from './shared.ts';
 
 /** Where someone looks from. */
 export interface Camera {
@@ -76,9 +76,7 @@ export const participantChangeCheck = members<ParticipantChange>({
 });
 
 /** Parameters of presence.update. */
-export interface PresenceUpdateParams {
-    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
-    session?: string;
+export interface PresenceUpdateParams extends InSession {
     /** the point they point at (the dataset's unit of length) */
     pointer?: Vec3 | null;
     /** where they look from */

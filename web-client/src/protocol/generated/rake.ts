@@ -1,6 +1,7 @@
 // Made by protocol/api/generate from rake.schema.json: do not edit.
 import { flag, list, matching, members, oneOf, optional, point, text, whole } from '../checks.ts';
 import type { Vec3 } from '../vec3.ts';
+import type { InSession } from './shared.ts';
 
 /** what the points are; line: 2 points; polyline and points: 2 or more; circle: the centre and two points on the rim */
 export const rakeKinds = ['line', 'polyline', 'circle', 'points'] as const;
@@ -64,9 +65,7 @@ export interface SurfaceEpoch {
 export const surfaceEpochCheck = members<SurfaceEpoch>({ surface: text, epoch: whole });
 
 /** Parameters of rake.set. */
-export interface RakeSetParams {
-    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
-    session?: string;
+export interface RakeSetParams extends InSession {
     /** id of the rake to replace; if left out, a new one is created */
     rake?: string;
     /**
@@ -120,9 +119,7 @@ export interface RakeSetResult {
 }
 
 /** Parameters of rake.delete. */
-export interface RakeDeleteParams {
-    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
-    session?: string;
+export interface RakeDeleteParams extends InSession {
     /** an id from rake.list */
     rake: string;
     /** true: lets a host delete the rake although someone else holds the lease */
@@ -134,10 +131,7 @@ export interface RakeDeleteParams {
 }
 
 /** Parameters of rake.list. */
-export interface RakeListParams {
-    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
-    session?: string;
-}
+export type RakeListParams = InSession;
 
 /** What rake.list answers. */
 export interface RakeListResult {

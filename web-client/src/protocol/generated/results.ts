@@ -14,66 +14,27 @@ import {
     text,
     whole,
 } from '../checks.ts';
-import { type AnnotationListResult, type AnnotationSetResult, annotationRecordCheck } from './annotation.ts';
-import { type BookmarkListResult, type BookmarkSetResult, bookmarkRecordCheck } from './bookmark.ts';
-import {
-    type DatasetListResult,
-    type DatasetSuggestResult,
-    type ProbeSampleResult,
-    cacheStatusCheck,
-    datasetCheck,
-    datasetEntryCheck,
-    suggestedRakeCheck,
-    suggestedSurfaceCheck,
-} from './dataset.ts';
-import { familyCheck } from './family.ts';
-import { type HistoryRedoResult, type HistoryUndoResult, changeCheck, skipCheck } from './history.ts';
+import * as annotation from './annotation.ts';
+import * as bookmark from './bookmark.ts';
+import * as dataset from './dataset.ts';
+import * as family from './family.ts';
+import * as history from './history.ts';
 import { limitsCheck } from './limits.ts';
 import type { Methods } from './methods.ts';
-import { participantCheck } from './presence.ts';
-import { type RakeListResult, type RakeSetResult, rakeRecordCheck, surfaceEpochCheck } from './rake.ts';
-import {
-    type RpcDiscoverResult,
-    type ServerInfoResult,
-    type ServerStatsResult,
-    cacheStandingCheck,
-    memoryStandingCheck,
-    quantilesCheck,
-    stagesCheck,
-} from './server.ts';
-import {
-    type SessionDeleteResult,
-    type SessionExportResult,
-    type SessionForkResult,
-    type SessionImportResult,
-    type SessionListResult,
-    type SessionStateResult,
-    joinedCheck,
-    keptAsideCheck,
-    sessionEntryCheck,
-    sessionFileCheck,
-    sessionMadeCheck,
-    sessionNameCheck,
-    unitsCheck,
-} from './session.ts';
-import {
-    type SessionSetRoleResult,
-    type SessionShareResult,
-    type SessionSharesResult,
-    type SessionUnshareResult,
-    newcomerRoleCheck,
-    shareCheck,
-    shareMakerCheck,
-} from './share.ts';
-import { afterEditCheck, latticeCheck, roleCheck } from './shared.ts';
-import { type SurfaceSubscribeResult, statisticsCheck, valueRangeCheck } from './subscription.ts';
-import { type SurfaceListResult, type SurfaceStopResult, surfaceRecordCheck, surfaceSetResultCheck } from './surface.ts';
-import { clockAnswerCheck, clockRecordCheck } from './time.ts';
+import * as presence from './presence.ts';
+import * as rake from './rake.ts';
+import * as server from './server.ts';
+import * as session from './session.ts';
+import * as share from './share.ts';
+import * as shared from './shared.ts';
+import * as subscription from './subscription.ts';
+import * as surface from './surface.ts';
+import * as time from './time.ts';
 
 /** What a method must answer. */
 export const resultChecks: { [Name in keyof Methods]: Check<Methods[Name]['result']> } = {
-    'rpc.discover': members<RpcDiscoverResult>({ openrpc: text }),
-    'server.info': members<ServerInfoResult>({
+    'rpc.discover': members<server.RpcDiscoverResult>({ openrpc: text }),
+    'server.info': members<server.ServerInfoResult>({
         name: text,
         version: text,
         apiLevel: whole,
@@ -81,17 +42,17 @@ export const resultChecks: { [Name in keyof Methods]: Check<Methods[Name]['resul
         limits: limitsCheck,
     }),
     'server.ping': anyObject,
-    'server.stats': members<ServerStatsResult>({
+    'server.stats': members<server.ServerStatsResult>({
         uptime: optional(number),
         connections: optional(whole),
         clients: optional(whole),
         sessions: optional(whole),
         participants: whole,
         surfaces: whole,
-        stages: stagesCheck,
-        firstFrame: quantilesCheck,
-        cache: optional(list(cacheStandingCheck)),
-        memory: optional(memoryStandingCheck),
+        stages: server.stagesCheck,
+        firstFrame: server.quantilesCheck,
+        cache: optional(list(server.cacheStandingCheck)),
+        memory: optional(server.memoryStandingCheck),
         messages: optional(whole),
         frames: optional(whole),
         bytes: optional(whole),
@@ -99,117 +60,124 @@ export const resultChecks: { [Name in keyof Methods]: Check<Methods[Name]['resul
         dropped: optional(whole),
     }),
     '$/cancelRequest': anyObject,
-    'dataset.list': members<DatasetListResult>({ datasets: list(datasetEntryCheck) }),
-    'dataset.describe': datasetCheck,
-    'dataset.open': datasetEntryCheck,
-    'dataset.suggest': members<DatasetSuggestResult>({
-        rake: suggestedRakeCheck,
-        surfaces: list(suggestedSurfaceCheck),
+    'dataset.list': members<dataset.DatasetListResult>({ datasets: list(dataset.datasetEntryCheck) }),
+    'dataset.describe': dataset.datasetCheck,
+    'dataset.open': dataset.datasetEntryCheck,
+    'dataset.suggest': members<dataset.DatasetSuggestResult>({
+        rake: dataset.suggestedRakeCheck,
+        surfaces: list(dataset.suggestedSurfaceCheck),
         why: text,
     }),
-    'cache.status': cacheStatusCheck,
-    'probe.sample': members<ProbeSampleResult>({ values: mapOf(list(either([orNull(number), point]))), inside: list(flag) }),
-    'family.make': familyCheck,
+    'cache.status': dataset.cacheStatusCheck,
+    'probe.sample': members<dataset.ProbeSampleResult>({
+        values: mapOf(list(either([orNull(number), point]))),
+        inside: list(flag),
+    }),
+    'family.make': family.familyCheck,
     'family.remove': anyObject,
-    'session.create': sessionMadeCheck,
-    'session.fork': members<SessionForkResult>({
+    'session.create': session.sessionMadeCheck,
+    'session.fork': members<session.SessionForkResult>({
         session: text,
         name: text,
         remaining: whole,
         key: optional(text),
         link: optional(text),
     }),
-    'session.list': members<SessionListResult>({ sessions: list(sessionEntryCheck), limit: whole, trashLimit: whole }),
-    'session.join': joinedCheck,
+    'session.list': members<session.SessionListResult>({
+        sessions: list(session.sessionEntryCheck),
+        limit: whole,
+        trashLimit: whole,
+    }),
+    'session.join': session.joinedCheck,
     'session.leave': anyObject,
-    'session.state': members<SessionStateResult>({
+    'session.state': members<session.SessionStateResult>({
         session: text,
         name: text,
-        units: optional(unitsCheck),
-        rakes: list(rakeRecordCheck),
-        surfaces: list(surfaceRecordCheck),
-        bookmarks: list(bookmarkRecordCheck),
-        annotations: list(annotationRecordCheck),
-        clock: clockRecordCheck,
-        keptAside: optional(keptAsideCheck),
+        units: optional(session.unitsCheck),
+        rakes: list(rake.rakeRecordCheck),
+        surfaces: list(surface.surfaceRecordCheck),
+        bookmarks: list(bookmark.bookmarkRecordCheck),
+        annotations: list(annotation.annotationRecordCheck),
+        clock: time.clockRecordCheck,
+        keptAside: optional(session.keptAsideCheck),
         seq: whole,
-        participants: list(participantCheck),
+        participants: list(presence.participantCheck),
     }),
-    'session.rename': sessionNameCheck,
-    'session.setUnits': sessionNameCheck,
-    'session.delete': members<SessionDeleteResult>({ session: text, deletedUntil: optional(text) }),
-    'session.restore': sessionNameCheck,
-    'session.export': members<SessionExportResult>({ file: sessionFileCheck }),
-    'session.import': members<SessionImportResult>({ session: text, name: text, remaining: whole, notes: list(text) }),
+    'session.rename': session.sessionNameCheck,
+    'session.setUnits': session.sessionNameCheck,
+    'session.delete': members<session.SessionDeleteResult>({ session: text, deletedUntil: optional(text) }),
+    'session.restore': session.sessionNameCheck,
+    'session.export': members<session.SessionExportResult>({ file: session.sessionFileCheck }),
+    'session.import': members<session.SessionImportResult>({ session: text, name: text, remaining: whole, notes: list(text) }),
     'session.thumbnail': anyObject,
-    'session.share': members<SessionShareResult>({
+    'session.share': members<share.SessionShareResult>({
         grant: text,
-        role: roleCheck,
+        role: shared.roleCheck,
         expires: optional(number),
-        newcomers: optional(newcomerRoleCheck),
-        madeBy: shareMakerCheck,
+        newcomers: optional(share.newcomerRoleCheck),
+        madeBy: share.shareMakerCheck,
         copy: optional(text),
         children: whole,
         key: text,
         link: text,
     }),
-    'session.shares': members<SessionSharesResult>({ shares: list(shareCheck) }),
-    'session.unshare': members<SessionUnshareResult>({ children: list(shareCheck) }),
-    'session.setRole': members<SessionSetRoleResult>({
+    'session.shares': members<share.SessionSharesResult>({ shares: list(share.shareCheck) }),
+    'session.unshare': members<share.SessionUnshareResult>({ children: list(share.shareCheck) }),
+    'session.setRole': members<share.SessionSetRoleResult>({
         participant: text,
-        role: roleCheck,
+        role: shared.roleCheck,
         also: list(text),
-        newcomers: optional(newcomerRoleCheck),
+        newcomers: optional(share.newcomerRoleCheck),
     }),
     'session.kick': anyObject,
     'presence.update': anyObject,
-    'rake.set': members<RakeSetResult>({
+    'rake.set': members<rake.RakeSetResult>({
         rake: text,
         rev: whole,
         seq: whole,
         clipped: flag,
         points: list(point),
-        surfaces: list(surfaceEpochCheck),
+        surfaces: list(rake.surfaceEpochCheck),
     }),
-    'rake.delete': afterEditCheck,
-    'rake.list': members<RakeListResult>({ rakes: list(rakeRecordCheck) }),
-    'surface.set': surfaceSetResultCheck,
-    'surface.delete': afterEditCheck,
-    'surface.stop': members<SurfaceStopResult>({ epoch: whole, stopped: flag }),
-    'surface.list': members<SurfaceListResult>({ surfaces: list(surfaceRecordCheck) }),
-    'surface.stats': statisticsCheck,
-    'surface.wait': statisticsCheck,
-    'surface.subscribe': members<SurfaceSubscribeResult>({
+    'rake.delete': shared.afterEditCheck,
+    'rake.list': members<rake.RakeListResult>({ rakes: list(rake.rakeRecordCheck) }),
+    'surface.set': surface.surfaceSetResultCheck,
+    'surface.delete': shared.afterEditCheck,
+    'surface.stop': members<surface.SurfaceStopResult>({ epoch: whole, stopped: flag }),
+    'surface.list': members<surface.SurfaceListResult>({ surfaces: list(surface.surfaceRecordCheck) }),
+    'surface.stats': subscription.statisticsCheck,
+    'surface.wait': subscription.statisticsCheck,
+    'surface.subscribe': members<subscription.SurfaceSubscribeResult>({
         subscription: whole,
-        lattice: latticeCheck,
+        lattice: shared.latticeCheck,
         attributes: list(text),
         epoch: whole,
         resumed: flag,
-        ranges: optional(list(valueRangeCheck)),
+        ranges: optional(list(subscription.valueRangeCheck)),
     }),
     'surface.unsubscribe': anyObject,
     'frame.ack': anyObject,
-    'bookmark.set': members<BookmarkSetResult>({ bookmark: text, rev: whole, seq: whole }),
-    'bookmark.delete': afterEditCheck,
-    'bookmark.list': members<BookmarkListResult>({ bookmarks: list(bookmarkRecordCheck) }),
-    'annotation.set': members<AnnotationSetResult>({ annotation: text, rev: whole, seq: whole }),
-    'annotation.delete': afterEditCheck,
-    'annotation.list': members<AnnotationListResult>({ annotations: list(annotationRecordCheck) }),
-    'history.undo': members<HistoryUndoResult>({
-        undone: orNull(list(changeCheck)),
+    'bookmark.set': members<bookmark.BookmarkSetResult>({ bookmark: text, rev: whole, seq: whole }),
+    'bookmark.delete': shared.afterEditCheck,
+    'bookmark.list': members<bookmark.BookmarkListResult>({ bookmarks: list(bookmark.bookmarkRecordCheck) }),
+    'annotation.set': members<annotation.AnnotationSetResult>({ annotation: text, rev: whole, seq: whole }),
+    'annotation.delete': shared.afterEditCheck,
+    'annotation.list': members<annotation.AnnotationListResult>({ annotations: list(annotation.annotationRecordCheck) }),
+    'history.undo': members<history.HistoryUndoResult>({
+        undone: orNull(list(history.changeCheck)),
         seq: whole,
-        skipped: list(skipCheck),
+        skipped: list(history.skipCheck),
         undo: whole,
         redo: whole,
     }),
-    'history.redo': members<HistoryRedoResult>({
-        redone: orNull(list(changeCheck)),
+    'history.redo': members<history.HistoryRedoResult>({
+        redone: orNull(list(history.changeCheck)),
         seq: whole,
-        skipped: list(skipCheck),
+        skipped: list(history.skipCheck),
         undo: whole,
         redo: whole,
     }),
-    'time.set': clockAnswerCheck,
-    'time.play': clockAnswerCheck,
-    'time.pause': clockAnswerCheck,
+    'time.set': time.clockAnswerCheck,
+    'time.play': time.clockAnswerCheck,
+    'time.pause': time.clockAnswerCheck,
 };

@@ -4,7 +4,7 @@ import { type AnnotationRecord, annotationRecordCheck } from './annotation.ts';
 import { type BookmarkRecord, bookmarkRecordCheck } from './bookmark.ts';
 import { type Participant, participantCheck } from './presence.ts';
 import { type RakeRecord, rakeRecordCheck } from './rake.ts';
-import { type Role, roleCheck } from './shared.ts';
+import { type InSession, type Role, roleCheck } from './shared.ts';
 import { type SurfaceRecord, surfaceRecordCheck } from './surface.ts';
 import { type ClockRecord, clockRecordCheck } from './time.ts';
 
@@ -327,9 +327,7 @@ export interface SessionCreateParams {
 }
 
 /** Parameters of session.fork. */
-export interface SessionForkParams {
-    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
-    session?: string;
+export interface SessionForkParams extends InSession {
     /** display name */
     name?: string;
 }
@@ -379,10 +377,7 @@ export interface SessionJoinParams {
 }
 
 /** Parameters of session.state. */
-export interface SessionStateParams {
-    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
-    session?: string;
-}
+export type SessionStateParams = InSession;
 
 /** What session.state answers. */
 export interface SessionStateResult {
@@ -411,17 +406,13 @@ export interface SessionStateResult {
 }
 
 /** Parameters of session.rename. */
-export interface SessionRenameParams {
-    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
-    session?: string;
+export interface SessionRenameParams extends InSession {
     /** display name */
     name: string;
 }
 
 /** Parameters of session.setUnits. */
-export interface SessionSetUnitsParams {
-    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
-    session?: string;
+export interface SessionSetUnitsParams extends InSession {
     /** unit of lengths; empty: as in dataset.describe */
     length: string;
     /** unit of times; empty: as in dataset.describe */
@@ -451,10 +442,7 @@ export interface SessionRestoreParams {
 }
 
 /** Parameters of session.export. */
-export interface SessionExportParams {
-    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
-    session?: string;
-}
+export type SessionExportParams = InSession;
 
 /** What session.export answers. */
 export interface SessionExportResult {
@@ -483,9 +471,7 @@ export interface SessionImportResult {
 }
 
 /** Parameters of session.thumbnail. */
-export interface SessionThumbnailParams {
-    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
-    session?: string;
+export interface SessionThumbnailParams extends InSession {
     /** a PNG, JPEG or WebP picture of at most 24 KiB, in base64 */
     image: string;
 }

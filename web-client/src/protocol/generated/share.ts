@@ -1,6 +1,6 @@
 // Made by protocol/api/generate from share.schema.json: do not edit.
 import { members, number, oneOf, optional, text, whole } from '../checks.ts';
-import { type Role, roleCheck } from './shared.ts';
+import { type InSession, type Role, roleCheck } from './shared.ts';
 
 /** a role below host */
 export const newcomerRoles = ['viewer', 'editor'] as const;
@@ -46,9 +46,7 @@ export const shareCheck = members<Share>({
 });
 
 /** Parameters of session.share. */
-export interface SessionShareParams {
-    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
-    session?: string;
+export interface SessionShareParams extends InSession {
     /** viewers look, editors edit, hosts also decide who may be here */
     role: Role;
     /**
@@ -81,10 +79,7 @@ export interface SessionShareResult {
 }
 
 /** Parameters of session.shares. */
-export interface SessionSharesParams {
-    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
-    session?: string;
-}
+export type SessionSharesParams = InSession;
 
 /** What session.shares answers. */
 export interface SessionSharesResult {
@@ -93,9 +88,7 @@ export interface SessionSharesResult {
 }
 
 /** Parameters of session.unshare. */
-export interface SessionUnshareParams {
-    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
-    session?: string;
+export interface SessionUnshareParams extends InSession {
     /** an id from session.shares */
     grant: string;
     /** true: also revoke the links that were made through it, directly or indirectly */
@@ -109,9 +102,7 @@ export interface SessionUnshareResult {
 }
 
 /** Parameters of session.setRole. */
-export interface SessionSetRoleParams {
-    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
-    session?: string;
+export interface SessionSetRoleParams extends InSession {
     /** an id from session.state */
     participant: string;
     /** viewers look, editors edit, hosts also decide who may be here */
@@ -131,9 +122,7 @@ export interface SessionSetRoleResult {
 }
 
 /** Parameters of session.kick. */
-export interface SessionKickParams {
-    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
-    session?: string;
+export interface SessionKickParams extends InSession {
     /** an id from session.state */
     participant: string;
 }

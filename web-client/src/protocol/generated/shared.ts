@@ -2,6 +2,12 @@
 import { members, number, oneOf, optional, point, text, whole } from '../checks.ts';
 import type { Vec3 } from '../vec3.ts';
 
+/** The parameter of every method on the records of a session. */
+export interface InSession {
+    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
+    session?: string;
+}
+
 /** what someone may do; each role includes the ones before it */
 export const roles = ['viewer', 'editor', 'host'] as const;
 export type Role = (typeof roles)[number];

@@ -1,6 +1,6 @@
 // Made by protocol/api/generate from subscription.schema.json: do not edit.
 import { flag, list, members, number, oneOf, optional, text, whole } from '../checks.ts';
-import { type Lattice, type Problem, problemCheck } from './shared.ts';
+import { type InSession, type Lattice, type Problem, problemCheck } from './shared.ts';
 import { type SurfaceKind, surfaceKindCheck } from './surface.ts';
 
 /** How long the pass that made the newest state took. */
@@ -243,17 +243,13 @@ export type SurfacePhase = (typeof surfacePhases)[number];
 export const surfacePhaseCheck = oneOf(surfacePhases);
 
 /** Parameters of surface.stats. */
-export interface SurfaceStatsParams {
-    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
-    session?: string;
+export interface SurfaceStatsParams extends InSession {
     /** an id from surface.list */
     surface: string;
 }
 
 /** Parameters of surface.wait. */
-export interface SurfaceWaitParams {
-    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
-    session?: string;
+export interface SurfaceWaitParams extends InSession {
     /** an id from surface.list */
     surface: string;
     /** epoch to wait for: this one or a later one; if left out, the current one */
@@ -265,9 +261,7 @@ export interface SurfaceWaitParams {
 }
 
 /** Parameters of surface.subscribe. */
-export interface SurfaceSubscribeParams {
-    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
-    session?: string;
+export interface SurfaceSubscribeParams extends InSession {
     /** an id from surface.list */
     surface: string;
     /** the last update that was applied before a connection was lost; the server goes on after it if possible */
@@ -295,9 +289,7 @@ export interface SurfaceSubscribeResult {
 }
 
 /** Parameters of surface.unsubscribe. */
-export interface SurfaceUnsubscribeParams {
-    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
-    session?: string;
+export interface SurfaceUnsubscribeParams extends InSession {
     /** number of the subscription; or give `surface` instead */
     subscription?: number;
     /** id of the surface, instead of the number */

@@ -1,6 +1,7 @@
 // Made by protocol/api/generate from surface.schema.json: do not edit.
 import { list, members, number, oneOf, optional, point, text, whole } from '../checks.ts';
 import type { Vec3 } from '../vec3.ts';
+import type { InSession } from './shared.ts';
 
 /**
  * stream: streamlines of the field frozen at `from`; path: particles released together at `from`; streak: particles
@@ -169,9 +170,7 @@ export interface SurfaceSetResult {
 export const surfaceSetResultCheck = members<SurfaceSetResult>({ surface: text, rev: whole, epoch: whole, seq: whole });
 
 /** Parameters of surface.set. */
-export interface SurfaceSetParams {
-    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
-    session?: string;
+export interface SurfaceSetParams extends InSession {
     /** id of the surface to replace; if left out, a new one is created */
     surface?: string;
     /**
@@ -326,9 +325,7 @@ export const surfaceSetOnlyFor = {
 } as const;
 
 /** Parameters of surface.delete. */
-export interface SurfaceDeleteParams {
-    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
-    session?: string;
+export interface SurfaceDeleteParams extends InSession {
     /** an id from surface.list */
     surface: string;
     /** a name for what the user is doing; consecutive edits with the same name are one step of undo */
@@ -338,9 +335,7 @@ export interface SurfaceDeleteParams {
 }
 
 /** Parameters of surface.stop. */
-export interface SurfaceStopParams {
-    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
-    session?: string;
+export interface SurfaceStopParams extends InSession {
     /** an id from surface.list */
     surface: string;
 }
@@ -354,10 +349,7 @@ export interface SurfaceStopResult {
 }
 
 /** Parameters of surface.list. */
-export interface SurfaceListParams {
-    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
-    session?: string;
-}
+export type SurfaceListParams = InSession;
 
 /** What surface.list answers. */
 export interface SurfaceListResult {

@@ -1,5 +1,6 @@
 // Made by protocol/api/generate from time.schema.json: do not edit.
 import { flag, members, number, orNull } from '../checks.ts';
+import type { InSession } from './shared.ts';
 
 /**
  * The clock of a session. `time` is its time when the message was written. While it is `playing`, it advances by
@@ -38,17 +39,13 @@ export interface ClockAnswer {
 export const clockAnswerCheck = members<ClockAnswer>({ clock: clockRecordCheck });
 
 /** Parameters of time.set. */
-export interface TimeSetParams {
-    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
-    session?: string;
+export interface TimeSetParams extends InSession {
     /** simulation time; null: no time, and surfaces are shown at their end (the dataset's unit of time) */
     time: number | null;
 }
 
 /** Parameters of time.play. */
-export interface TimePlayParams {
-    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
-    session?: string;
+export interface TimePlayParams extends InSession {
     /** how fast the clock runs; if left out, as before, at first 1 (simulation time a second) */
     speed?: number;
     /** true: go on at `from` when the clock reaches `to`; if left out, as before, at first false */
@@ -66,7 +63,4 @@ export interface TimePlayParams {
 }
 
 /** Parameters of time.pause. */
-export interface TimePauseParams {
-    /** an id from session.list; it may be left out on a WebSocket that has joined a session, and with a share link */
-    session?: string;
-}
+export type TimePauseParams = InSession;
