@@ -9,7 +9,6 @@ import './panel.ts';
 import type { PanelModel } from './panel.ts';
 import './look/scalarBar.ts';
 import type { ScalarBarModel } from './look/scalarBar.ts';
-import { sharedStyles } from './base/sharedStyles.ts';
 import { SignalElement } from './base/signalElement.ts';
 import './share/noteDialog.ts';
 import type { NoteModel } from './share/noteDialog.ts';
@@ -41,208 +40,205 @@ export class App extends SignalElement {
     private readonly model = signal<PageModel | null>(null);
     private readonly failure = signal<string | null>(null);
 
-    static override styles = [
-        sharedStyles,
-        css`
-            :host {
-                display: block;
-                height: 100%;
-            }
-            .layout {
-                display: grid;
-                grid-template: minmax(0, 1fr) auto / minmax(0, 1fr) 304px;
-                height: 100%;
+    static override styles = css`
+        :host {
+            display: block;
+            height: 100%;
+        }
+        .layout {
+            display: grid;
+            grid-template: minmax(0, 1fr) auto / minmax(0, 1fr) 304px;
+            height: 100%;
+        }
+        main {
+            position: relative;
+            overflow: hidden;
+            background: light-dark(#f2f5f9, #0b1018);
+        }
+        canvas {
+            display: block;
+            width: 100%;
+            height: 100%;
+            touch-action: none;
+            outline-offset: -2px;
+        }
+        .labels {
+            position: absolute;
+            inset: 0;
+            overflow: hidden;
+            pointer-events: none;
+            color: light-dark(#3b485c, #c3cede);
+            font-size: 12px;
+            font-variant-numeric: tabular-nums;
+        }
+        .labels span {
+            position: absolute;
+            left: 0;
+            top: 0;
+            white-space: nowrap;
+        }
+        .labels .rake-label {
+            padding: 1px 7px;
+            border-left: 3px solid;
+            border-radius: 4px;
+            background: rgb(8 12 20 / 0.82);
+            color: #ffffff;
+        }
+        .labels .beside-pointer {
+            position: absolute;
+            left: 0;
+            top: 0;
+            max-width: 240px;
+            padding: 2px 8px;
+            border-radius: 6px;
+            background: rgb(8 12 20 / 0.86);
+            color: #ffffff;
+        }
+        .labels .beside-pointer:empty {
+            display: none;
+        }
+        .labels .brush {
+            position: absolute;
+            left: 0;
+            top: 0;
+            border: 1.5px solid light-dark(#17202d, #e8edf5);
+            border-radius: 50%;
+        }
+        .labels .axis-name {
+            font-size: 15px;
+            font-weight: 600;
+        }
+        .labels .person,
+        .labels .marker {
+            padding: 0 6px;
+            border: 2px solid;
+            border-radius: 9px;
+            background: rgb(11 16 24 / 0.8);
+            color: #e8edf5;
+        }
+        .axis-x {
+            color: light-dark(#b3261e, #ff8a80);
+        }
+        .axis-y {
+            color: light-dark(#17713f, #7ee2a8);
+        }
+        .axis-z {
+            color: light-dark(#1d4fa8, #8ab8ff);
+        }
+        wakesurf-scalar-bar {
+            position: absolute;
+            right: 12px;
+            bottom: 12px;
+        }
+        wakesurf-view-buttons {
+            position: absolute;
+            right: 12px;
+            top: 12px;
+        }
+        wakesurf-note-dialog {
+            position: absolute;
+        }
+        wakesurf-tool-buttons {
+            position: absolute;
+            right: 12px;
+            top: 150px;
+        }
+        wakesurf-tour {
+            position: absolute;
+            left: 12px;
+            top: 12px;
+        }
+        wakesurf-banner {
+            position: absolute;
+            left: 12px;
+            right: 150px;
+            top: 12px;
+        }
+        wakesurf-panel {
+            grid-row: 1 / 3;
+            grid-column: 2;
+        }
+        wakesurf-time-bar {
+            grid-row: 2;
+            grid-column: 1;
+        }
+        .folded {
+            grid-template: minmax(0, 1fr) auto / minmax(0, 1fr) 0;
+        }
+        .folded wakesurf-panel {
+            display: none;
+        }
+        .failure {
+            display: grid;
+            place-content: center;
+            gap: 8px;
+            height: 100%;
+            padding: 24px;
+            background: light-dark(#f2f5f9, #0b1018);
+            color: var(--text);
+            font-size: 16px;
+        }
+        .failure h1 {
+            margin: 0;
+            font-size: 22px;
+        }
+        .failure p {
+            max-width: 60ch;
+            margin: 0;
+        }
+        /* In one row with the buttons of the view: the domain has no room to spare beside it. Colours below the picture,
+           not on it, because the axes need its width; the tour over the settings, because the first handle is where it would be. */
+        @media (max-width: 760px), (max-height: 500px) {
+            wakesurf-tool-buttons {
+                right: auto;
+                left: 12px;
+                top: 12px;
             }
             main {
-                position: relative;
-                overflow: hidden;
-                background: light-dark(#f2f5f9, #0b1018);
+                display: grid;
+                grid-template-rows: minmax(0, 1fr) auto;
             }
-            canvas {
-                display: block;
-                width: 100%;
-                height: 100%;
-                touch-action: none;
-                outline-offset: -2px;
-            }
+            canvas,
             .labels {
-                position: absolute;
-                inset: 0;
-                overflow: hidden;
-                pointer-events: none;
-                color: light-dark(#3b485c, #c3cede);
-                font-size: 12px;
-                font-variant-numeric: tabular-nums;
-            }
-            .labels span {
-                position: absolute;
-                left: 0;
-                top: 0;
-                white-space: nowrap;
-            }
-            .labels .rake-label {
-                padding: 1px 7px;
-                border-left: 3px solid;
-                border-radius: 4px;
-                background: rgb(8 12 20 / 0.82);
-                color: #ffffff;
-            }
-            .labels .beside-pointer {
-                position: absolute;
-                left: 0;
-                top: 0;
-                max-width: 240px;
-                padding: 2px 8px;
-                border-radius: 6px;
-                background: rgb(8 12 20 / 0.86);
-                color: #ffffff;
-            }
-            .labels .beside-pointer:empty {
-                display: none;
-            }
-            .labels .brush {
-                position: absolute;
-                left: 0;
-                top: 0;
-                border: 1.5px solid light-dark(#17202d, #e8edf5);
-                border-radius: 50%;
-            }
-            .labels .axis-name {
-                font-size: 15px;
-                font-weight: 600;
-            }
-            .labels .person,
-            .labels .marker {
-                padding: 0 6px;
-                border: 2px solid;
-                border-radius: 9px;
-                background: rgb(11 16 24 / 0.8);
-                color: #e8edf5;
-            }
-            .axis-x {
-                color: light-dark(#b3261e, #ff8a80);
-            }
-            .axis-y {
-                color: light-dark(#17713f, #7ee2a8);
-            }
-            .axis-z {
-                color: light-dark(#1d4fa8, #8ab8ff);
+                grid-row: 1 / 2;
             }
             wakesurf-scalar-bar {
-                position: absolute;
-                right: 12px;
-                bottom: 12px;
-            }
-            wakesurf-view-buttons {
-                position: absolute;
-                right: 12px;
-                top: 12px;
-            }
-            wakesurf-note-dialog {
-                position: absolute;
-            }
-            wakesurf-tool-buttons {
-                position: absolute;
-                right: 12px;
-                top: 150px;
+                grid-row: 2;
+                position: static;
+                justify-self: center;
+                pointer-events: auto;
+                touch-action: none;
             }
             wakesurf-tour {
-                position: absolute;
-                left: 12px;
-                top: 12px;
+                position: fixed;
+                z-index: 1;
+                left: auto;
+                right: 8px;
+                top: auto;
+                bottom: 8px;
+                width: min(288px, 100vw - 16px);
             }
-            wakesurf-banner {
-                position: absolute;
-                left: 12px;
-                right: 150px;
-                top: 12px;
-            }
-            wakesurf-panel {
-                grid-row: 1 / 3;
-                grid-column: 2;
-            }
-            wakesurf-time-bar {
-                grid-row: 2;
-                grid-column: 1;
+        }
+        @media (max-width: 760px) {
+            .layout {
+                grid-template: minmax(42vh, 1fr) auto minmax(0, 42vh) / minmax(0, 1fr);
             }
             .folded {
-                grid-template: minmax(0, 1fr) auto / minmax(0, 1fr) 0;
+                grid-template: minmax(0, 1fr) auto 0 / minmax(0, 1fr);
             }
-            .folded wakesurf-panel {
-                display: none;
+            wakesurf-tour {
+                width: calc(100vw - 16px);
             }
-            .failure {
-                display: grid;
-                place-content: center;
-                gap: 8px;
-                height: 100%;
-                padding: 24px;
-                background: light-dark(#f2f5f9, #0b1018);
-                color: var(--text);
-                font-size: 16px;
+            wakesurf-panel {
+                grid-row: 3;
+                grid-column: 1;
             }
-            .failure h1 {
-                margin: 0;
-                font-size: 22px;
+            wakesurf-banner {
+                right: 12px;
+                top: 48px;
             }
-            .failure p {
-                max-width: 60ch;
-                margin: 0;
-            }
-            /* In one row with the buttons of the view: the domain has no room to spare beside it. Colours below the picture,
-               not on it, because the axes need its width; the tour over the settings, because the first handle is where it would be. */
-            @media (max-width: 760px), (max-height: 500px) {
-                wakesurf-tool-buttons {
-                    right: auto;
-                    left: 12px;
-                    top: 12px;
-                }
-                main {
-                    display: grid;
-                    grid-template-rows: minmax(0, 1fr) auto;
-                }
-                canvas,
-                .labels {
-                    grid-row: 1 / 2;
-                }
-                wakesurf-scalar-bar {
-                    grid-row: 2;
-                    position: static;
-                    justify-self: center;
-                    pointer-events: auto;
-                    touch-action: none;
-                }
-                wakesurf-tour {
-                    position: fixed;
-                    z-index: 1;
-                    left: auto;
-                    right: 8px;
-                    top: auto;
-                    bottom: 8px;
-                    width: min(288px, 100vw - 16px);
-                }
-            }
-            @media (max-width: 760px) {
-                .layout {
-                    grid-template: minmax(42vh, 1fr) auto minmax(0, 42vh) / minmax(0, 1fr);
-                }
-                .folded {
-                    grid-template: minmax(0, 1fr) auto 0 / minmax(0, 1fr);
-                }
-                wakesurf-tour {
-                    width: calc(100vw - 16px);
-                }
-                wakesurf-panel {
-                    grid-row: 3;
-                    grid-column: 1;
-                }
-                wakesurf-banner {
-                    right: 12px;
-                    top: 48px;
-                }
-            }
-        `,
-    ];
+        }
+    `;
 
     constructor() {
         super();

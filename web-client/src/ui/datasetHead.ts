@@ -5,8 +5,7 @@ import { css, html, nothing, type TemplateResult } from 'lit';
 import type { DatasetEntry } from '../protocol/messages.ts';
 import type { SessionShelf } from '../session/sessions/sessionShelf.ts';
 import type { AppState } from '../state/appState.ts';
-import { sharedStyles } from './base/sharedStyles.ts';
-import { SignalElement } from './base/signalElement.ts';
+import { ModelElement } from './base/signalElement.ts';
 import { countWords } from './base/statusWords.ts';
 
 export interface DatasetHeadModel {
@@ -14,32 +13,27 @@ export interface DatasetHeadModel {
     shelf: Pick<SessionShelf, 'enterDataset' | 'problems'>;
 }
 
-export class DatasetHead extends SignalElement {
-    static override properties = { model: { attribute: false } };
-    declare model: DatasetHeadModel;
+export class DatasetHead extends ModelElement<DatasetHeadModel> {
     /** Not opened yet: the arrow keys go through all of them. */
     private readonly chosen = signal<string | null>(null);
 
-    static override styles = [
-        sharedStyles,
-        css`
-            div {
-                display: flex;
-                gap: 6px;
-                margin: 4px 0 2px;
-            }
-            select {
-                flex: 1;
-                min-width: 0;
-            }
-            p {
-                margin: 2px 0 0;
-            }
-            .quiet {
-                color: var(--quiet);
-            }
-        `,
-    ];
+    static override styles = css`
+        div {
+            display: flex;
+            gap: 6px;
+            margin: 4px 0 2px;
+        }
+        select {
+            flex: 1;
+            min-width: 0;
+        }
+        p {
+            margin: 2px 0 0;
+        }
+        .quiet {
+            color: var(--quiet);
+        }
+    `;
 
     override render(): TemplateResult {
         const dataset = this.model.state.dataset.value;

@@ -29,8 +29,7 @@ import './rake/rakeList.ts';
 import type { RakeListModel } from './rake/rakeList.ts';
 import './rake/rakePanel.ts';
 import type { RakeModel } from './rake/rakePanel.ts';
-import { sharedStyles } from './base/sharedStyles.ts';
-import { SignalElement } from './base/signalElement.ts';
+import { ModelElement } from './base/signalElement.ts';
 import './status/statusPanel.ts';
 import type { StatusModel } from './status/statusPanel.ts';
 import './sessions/sessionHead.ts';
@@ -147,109 +146,104 @@ const tabs: readonly Tab[] = [
     { id: 'export', label: 'Export', body: (model) => exportBody(model.export) },
 ];
 
-export class Panel extends SignalElement {
-    static override properties = { model: { attribute: false } };
-    declare model: PanelModel;
+export class Panel extends ModelElement<PanelModel> {
     private readonly chosen = signal(tabs[0]!.id);
 
-    static override styles = [
-        sharedStyles,
-        css`
+    static override styles = css`
+        :host {
+            display: grid;
+            grid-template-rows: auto auto minmax(0, 1fr) auto;
+            min-height: 0;
+            background: var(--ground);
+            border-left: 1px solid var(--line);
+        }
+        .head {
+            padding: 14px 16px 8px;
+        }
+        .title {
+            display: flex;
+            justify-content: space-between;
+        }
+        h1 {
+            margin: 0;
+            font-size: 17px;
+            letter-spacing: 0.01em;
+        }
+        h2 {
+            margin: 14px 0 8px;
+            font-size: 13px;
+            font-weight: 600;
+        }
+        section + section {
+            margin-top: 12px;
+            border-top: 1px solid var(--line);
+        }
+        summary {
+            cursor: pointer;
+        }
+        summary h2 {
+            display: inline-block;
+        }
+        p {
+            margin: 2px 0 0;
+        }
+        .quiet {
+            color: var(--quiet);
+        }
+        [role='tablist'] {
+            display: flex;
+            padding: 0 8px;
+            border-bottom: 1px solid var(--line);
+        }
+        [role='tab'] {
+            flex: 1;
+            padding: 5px 2px;
+            border: 0;
+            border-bottom: 2px solid transparent;
+            border-radius: 0;
+            background: none;
+            color: var(--quiet);
+        }
+        [role='tab'][aria-selected='true'] {
+            border-bottom-color: var(--accent);
+            color: var(--text);
+            font-weight: 600;
+        }
+        [role='tabpanel'] {
+            overflow-y: auto;
+            padding: 0 16px 14px;
+        }
+        wakesurf-status {
+            max-height: 40vh;
+            overflow-y: auto;
+            padding: 8px 16px 12px;
+            border-top: 1px solid var(--line);
+        }
+        /* Below the picture there is little height: everything scrolls, under the tabs. */
+        @media (max-width: 760px) {
             :host {
-                display: grid;
-                grid-template-rows: auto auto minmax(0, 1fr) auto;
-                min-height: 0;
-                background: var(--ground);
-                border-left: 1px solid var(--line);
+                display: block;
+                overflow-y: auto;
+                border-left: 0;
+                border-top: 1px solid var(--line);
             }
             .head {
-                padding: 14px 16px 8px;
-            }
-            .title {
-                display: flex;
-                justify-content: space-between;
-            }
-            h1 {
-                margin: 0;
-                font-size: 17px;
-                letter-spacing: 0.01em;
-            }
-            h2 {
-                margin: 14px 0 8px;
-                font-size: 13px;
-                font-weight: 600;
-            }
-            section + section {
-                margin-top: 12px;
-                border-top: 1px solid var(--line);
-            }
-            summary {
-                cursor: pointer;
-            }
-            summary h2 {
-                display: inline-block;
-            }
-            p {
-                margin: 2px 0 0;
-            }
-            .quiet {
-                color: var(--quiet);
+                padding: 8px 16px 2px;
             }
             [role='tablist'] {
-                display: flex;
-                padding: 0 8px;
-                border-bottom: 1px solid var(--line);
-            }
-            [role='tab'] {
-                flex: 1;
-                padding: 5px 2px;
-                border: 0;
-                border-bottom: 2px solid transparent;
-                border-radius: 0;
-                background: none;
-                color: var(--quiet);
-            }
-            [role='tab'][aria-selected='true'] {
-                border-bottom-color: var(--accent);
-                color: var(--text);
-                font-weight: 600;
+                position: sticky;
+                top: 0;
+                z-index: 1;
+                background: var(--ground);
             }
             [role='tabpanel'] {
-                overflow-y: auto;
-                padding: 0 16px 14px;
+                overflow: visible;
             }
             wakesurf-status {
-                max-height: 40vh;
-                overflow-y: auto;
-                padding: 8px 16px 12px;
-                border-top: 1px solid var(--line);
+                display: contents;
             }
-            /* Below the picture there is little height: everything scrolls, under the tabs. */
-            @media (max-width: 760px) {
-                :host {
-                    display: block;
-                    overflow-y: auto;
-                    border-left: 0;
-                    border-top: 1px solid var(--line);
-                }
-                .head {
-                    padding: 8px 16px 2px;
-                }
-                [role='tablist'] {
-                    position: sticky;
-                    top: 0;
-                    z-index: 1;
-                    background: var(--ground);
-                }
-                [role='tabpanel'] {
-                    overflow: visible;
-                }
-                wakesurf-status {
-                    display: contents;
-                }
-            }
-        `,
-    ];
+        }
+    `;
 
     override render(): TemplateResult {
         const { state } = this.model;

@@ -2,8 +2,7 @@
 import { css, html, type TemplateResult } from 'lit';
 import type { ViewState } from '../../state/viewState.ts';
 import { dialogStyles } from '../base/dialogStyles.ts';
-import { sharedStyles } from '../base/sharedStyles.ts';
-import { SignalElement } from '../base/signalElement.ts';
+import { ModelElement } from '../base/signalElement.ts';
 import { isTyping } from '../base/typing.ts';
 
 const hints: readonly [keys: string, words: string][] = [
@@ -28,12 +27,8 @@ export interface HelpModel {
     view: Pick<ViewState, 'tourStep'>;
 }
 
-export class HelpDialog extends SignalElement {
-    static override properties = { model: { attribute: false } };
-    declare model: HelpModel;
-
+export class HelpDialog extends ModelElement<HelpModel> {
     static override styles = [
-        sharedStyles,
         dialogStyles,
         css`
             dialog {

@@ -5,8 +5,7 @@ import type { FlowScene } from '../../scene/scene.ts';
 import type { AppState } from '../../state/appState.ts';
 import { keep, recall } from '../../state/browserMemory.ts';
 import type { ViewState } from '../../state/viewState.ts';
-import { sharedStyles } from '../base/sharedStyles.ts';
-import { SignalElement } from '../base/signalElement.ts';
+import { ModelElement } from '../base/signalElement.ts';
 import { isInFrame } from '../view/room.ts';
 import { type TourFacts, type TourStart, tourStart, tourSteps } from './tourSteps.ts';
 
@@ -18,50 +17,45 @@ export interface TourModel extends Omit<TourFacts, 'touch' | 'narrow'> {
     scene: Pick<FlowScene, 'controls' | 'onDraw'>;
 }
 
-export class Tour extends SignalElement {
-    static override properties = { model: { attribute: false } };
-    declare model: TourModel;
+export class Tour extends ModelElement<TourModel> {
     private start: { step: number; before: TourStart } | null = null;
 
-    static override styles = [
-        sharedStyles,
-        css`
+    static override styles = css`
+        section {
+            width: 300px;
+            padding: 12px 14px;
+            border: 1px solid var(--line);
+            border-left: 4px solid var(--accent);
+            border-radius: 8px;
+            background: var(--ground);
+            box-shadow: 0 6px 24px rgb(0 0 0 / 0.35);
+        }
+        h2 {
+            margin: 0 0 4px;
+            font-size: 14px;
+        }
+        p {
+            margin: 0 0 10px;
+        }
+        .row {
+            display: flex;
+            align-items: center;
+            gap: 8px;
+        }
+        .quiet {
+            flex: 1;
+            color: var(--quiet);
+        }
+        @media (max-width: 760px), (max-height: 500px) {
             section {
-                width: 300px;
-                padding: 12px 14px;
-                border: 1px solid var(--line);
-                border-left: 4px solid var(--accent);
-                border-radius: 8px;
-                background: var(--ground);
-                box-shadow: 0 6px 24px rgb(0 0 0 / 0.35);
-            }
-            h2 {
-                margin: 0 0 4px;
-                font-size: 14px;
+                width: auto;
+                padding: 8px 12px;
             }
             p {
-                margin: 0 0 10px;
+                margin-bottom: 6px;
             }
-            .row {
-                display: flex;
-                align-items: center;
-                gap: 8px;
-            }
-            .quiet {
-                flex: 1;
-                color: var(--quiet);
-            }
-            @media (max-width: 760px), (max-height: 500px) {
-                section {
-                    width: auto;
-                    padding: 8px 12px;
-                }
-                p {
-                    margin-bottom: 6px;
-                }
-            }
-        `,
-    ];
+        }
+    `;
 
     override connectedCallback(): void {
         super.connectedCallback();

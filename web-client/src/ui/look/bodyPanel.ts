@@ -4,8 +4,7 @@ import type { BodyFlow } from '../../session/picture/bodyFlow.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { checkRow, lookStyles } from './lookStyles.ts';
-import { sharedStyles } from '../base/sharedStyles.ts';
-import { SignalElement } from '../base/signalElement.ts';
+import { ModelElement } from '../base/signalElement.ts';
 
 export interface BodyModel {
     state: Pick<AppState, 'dataset'>;
@@ -20,10 +19,8 @@ const words = {
     failed: 'The server did not send the flow along the body at this time.',
 };
 
-export class BodyPanel extends SignalElement {
-    static override properties = { model: { attribute: false } };
-    declare model: BodyModel;
-    static override styles = [sharedStyles, lookStyles];
+export class BodyPanel extends ModelElement<BodyModel> {
+    static override styles = lookStyles;
 
     override render(): TemplateResult {
         const { state, view, bodyFlow } = this.model;

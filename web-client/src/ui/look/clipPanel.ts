@@ -5,8 +5,7 @@ import type { ClipPlane, ClipPlanes } from '../../state/clipPlanes.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { checkRow, lookStyles } from './lookStyles.ts';
-import { sharedStyles } from '../base/sharedStyles.ts';
-import { SignalElement } from '../base/signalElement.ts';
+import { ModelElement } from '../base/signalElement.ts';
 
 const axes = ['x', 'y', 'z'] as const;
 
@@ -15,12 +14,8 @@ export interface ClipModel {
     view: Pick<ViewState, 'clip'>;
 }
 
-export class ClipPanel extends SignalElement {
-    static override properties = { model: { attribute: false } };
-    declare model: ClipModel;
-
+export class ClipPanel extends ModelElement<ClipModel> {
     static override styles = [
-        sharedStyles,
         lookStyles,
         css`
             .plane {

@@ -12,8 +12,7 @@ import { colourChoices, mapNames } from './colourNames.ts';
 import '../share/ownCopy.ts';
 import type { OwnCopyButton } from '../share/ownCopy.ts';
 import { checkRow, lookStyles, pairRow, selectRow } from './lookStyles.ts';
-import { sharedStyles } from '../base/sharedStyles.ts';
-import { SignalElement } from '../base/signalElement.ts';
+import { ModelElement } from '../base/signalElement.ts';
 
 export interface ColourModel {
     state: AppState;
@@ -23,12 +22,8 @@ export interface ColourModel {
     ownCopy: OwnCopyButton['model'];
 }
 
-export class ColourPanel extends SignalElement {
-    static override properties = { model: { attribute: false } };
-    declare model: ColourModel;
-
+export class ColourPanel extends ModelElement<ColourModel> {
     static override styles = [
-        sharedStyles,
         lookStyles,
         css`
             fieldset {

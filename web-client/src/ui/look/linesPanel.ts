@@ -9,8 +9,7 @@ import type { ViewState } from '../../state/viewState.ts';
 import '../share/ownCopy.ts';
 import type { OwnCopyButton } from '../share/ownCopy.ts';
 import { checkRow, type Choice, lookStyles, selectRow, sliderRow } from './lookStyles.ts';
-import { sharedStyles } from '../base/sharedStyles.ts';
-import { SignalElement } from '../base/signalElement.ts';
+import { ModelElement } from '../base/signalElement.ts';
 
 const kinds: readonly Choice<LineKind>[] = [
     { value: 'none', words: 'None' },
@@ -27,10 +26,8 @@ export interface LinesModel {
     ownCopy: OwnCopyButton['model'];
 }
 
-export class LinesPanel extends SignalElement {
-    static override properties = { model: { attribute: false } };
-    declare model: LinesModel;
-    static override styles = [sharedStyles, lookStyles];
+export class LinesPanel extends ModelElement<LinesModel> {
+    static override styles = lookStyles;
 
     override render(): TemplateResult {
         const { state, view } = this.model;

@@ -13,43 +13,36 @@ import './opacityPanel.ts';
 import type { OpacityModel } from './opacityPanel.ts';
 import './paintPanel.ts';
 import type { PaintModel } from './paintPanel.ts';
-import { sharedStyles } from '../base/sharedStyles.ts';
-import { SignalElement } from '../base/signalElement.ts';
+import { ModelElement } from '../base/signalElement.ts';
 import './windowsPanel.ts';
 import type { WindowsModel } from './windowsPanel.ts';
 
 /** What its groups take: all of them are about the same surface. */
 export type LookModel = ColourModel & OpacityModel & LinesModel & WindowsModel & ClipModel & BodyModel & PaintModel;
 
-export class LookPanel extends SignalElement {
-    static override properties = { model: { attribute: false } };
-    declare model: LookModel;
-
-    static override styles = [
-        sharedStyles,
-        css`
-            :host {
-                display: block;
-                padding-top: 10px;
-            }
-            details {
-                border-top: 1px solid var(--line);
-            }
-            wakesurf-colour {
-                display: block;
-                margin-bottom: 10px;
-            }
-            summary {
-                padding: 7px 0;
-                font-weight: 600;
-                cursor: pointer;
-            }
-            details[open] > :last-child {
-                display: block;
-                padding-bottom: 10px;
-            }
-        `,
-    ];
+export class LookPanel extends ModelElement<LookModel> {
+    static override styles = css`
+        :host {
+            display: block;
+            padding-top: 10px;
+        }
+        details {
+            border-top: 1px solid var(--line);
+        }
+        wakesurf-colour {
+            display: block;
+            margin-bottom: 10px;
+        }
+        summary {
+            padding: 7px 0;
+            font-weight: 600;
+            cursor: pointer;
+        }
+        details[open] > :last-child {
+            display: block;
+            padding-bottom: 10px;
+        }
+    `;
 
     override render(): TemplateResult {
         const { model } = this;

@@ -4,8 +4,7 @@ import type { BackSide, SurfaceLook } from '../../state/surfaceLook.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { checkRow, type Choice, lookStyles, selectRow, sliderRow } from './lookStyles.ts';
-import { sharedStyles } from '../base/sharedStyles.ts';
-import { SignalElement } from '../base/signalElement.ts';
+import { ModelElement } from '../base/signalElement.ts';
 
 const sides: readonly Choice<BackSide>[] = [
     { value: 'shaded', words: 'A little darker' },
@@ -18,10 +17,8 @@ export interface OpacityModel {
     view: Pick<ViewState, 'changeLook' | 'exactWhenStill' | 'lookOf'>;
 }
 
-export class OpacityPanel extends SignalElement {
-    static override properties = { model: { attribute: false } };
-    declare model: OpacityModel;
-    static override styles = [sharedStyles, lookStyles];
+export class OpacityPanel extends ModelElement<OpacityModel> {
+    static override styles = lookStyles;
 
     override render(): TemplateResult {
         const { state, view } = this.model;

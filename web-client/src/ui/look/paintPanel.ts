@@ -6,8 +6,7 @@ import type { Brush, ViewState } from '../../state/viewState.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { AppState } from '../../state/appState.ts';
 import { checkRow, lookStyles, sliderRow } from './lookStyles.ts';
-import { sharedStyles } from '../base/sharedStyles.ts';
-import { SignalElement } from '../base/signalElement.ts';
+import { ModelElement } from '../base/signalElement.ts';
 import { countWords } from '../base/statusWords.ts';
 
 const listedAtMost = 12;
@@ -18,12 +17,8 @@ export interface PaintModel {
     scene: Pick<FlowScene, 'surfaces' | 'loop'>;
 }
 
-export class PaintPanel extends SignalElement {
-    static override properties = { model: { attribute: false } };
-    declare model: PaintModel;
-
+export class PaintPanel extends ModelElement<PaintModel> {
     static override styles = [
-        sharedStyles,
         lookStyles,
         css`
             h2 {

@@ -7,8 +7,7 @@ import { hasFlow, pieceLengths } from '../../session/picture/surfaceStyleOf.ts';
 import type { SurfaceRecord } from '../../protocol/messages.ts';
 import type { LinesModel } from './linesPanel.ts';
 import { type Choice, lookStyles, selectRow } from './lookStyles.ts';
-import { sharedStyles } from '../base/sharedStyles.ts';
-import { SignalElement } from '../base/signalElement.ts';
+import { ModelElement } from '../base/signalElement.ts';
 
 function choicesFor({ kind }: Pick<SurfaceRecord, 'kind'>): Choice<PieceKind>[] {
     const along = seedLinesOf(kind);
@@ -25,10 +24,8 @@ function choicesFor({ kind }: Pick<SurfaceRecord, 'kind'>): Choice<PieceKind>[] 
     ];
 }
 
-export class PiecesPanel extends SignalElement {
-    static override properties = { model: { attribute: false } };
-    declare model: LinesModel;
-    static override styles = [sharedStyles, lookStyles];
+export class PiecesPanel extends ModelElement<LinesModel> {
+    static override styles = lookStyles;
 
     override render(): TemplateResult | typeof nothing {
         const { state, view } = this.model;

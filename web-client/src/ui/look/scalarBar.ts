@@ -8,8 +8,7 @@ import type { FlowScene } from '../../scene/scene.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { colourTitle } from './colourNames.ts';
-import { sharedStyles } from '../base/sharedStyles.ts';
-import { SignalElement } from '../base/signalElement.ts';
+import { ModelElement } from '../base/signalElement.ts';
 
 export interface ScalarBarModel {
     state: AppState;
@@ -34,65 +33,60 @@ interface Bar {
     of: string[];
 }
 
-export class ScalarBar extends SignalElement {
-    static override properties = { model: { attribute: false } };
-    declare model: ScalarBarModel;
+export class ScalarBar extends ModelElement<ScalarBarModel> {
     private bars: Bar[] = [];
 
-    static override styles = [
-        sharedStyles,
-        css`
-            :host([hidden]) {
-                display: none;
-            }
-            :host {
-                display: block;
-                width: 260px;
-                padding: 8px 14px 6px;
-                border-radius: 8px;
-                background: light-dark(#f6f8fb, #0d131d);
-                font-size: 12px;
-                pointer-events: none;
-            }
-            figure {
-                margin: 0;
-            }
-            figure + figure {
-                margin-top: 8px;
-            }
-            canvas {
-                display: block;
-                width: 100%;
-                height: 12px;
-                border-radius: 3px;
-            }
-            figcaption {
-                display: flex;
-                flex-wrap: wrap;
-                justify-content: space-between;
-                gap: 0 8px;
-                margin-bottom: 4px;
-            }
-            /* A line of its own where both do not fit: a figure repeats what stands here span by span, each in one line. */
-            figcaption span {
-                white-space: nowrap;
-            }
-            .range {
-                color: var(--quiet);
-                font-variant-numeric: tabular-nums;
-            }
-            .ticks {
-                position: relative;
-                height: 18px;
-                margin-top: 3px;
-                font-variant-numeric: tabular-nums;
-            }
-            .ticks span {
-                position: absolute;
-                transform: translateX(-50%);
-            }
-        `,
-    ];
+    static override styles = css`
+        :host([hidden]) {
+            display: none;
+        }
+        :host {
+            display: block;
+            width: 260px;
+            padding: 8px 14px 6px;
+            border-radius: 8px;
+            background: light-dark(#f6f8fb, #0d131d);
+            font-size: 12px;
+            pointer-events: none;
+        }
+        figure {
+            margin: 0;
+        }
+        figure + figure {
+            margin-top: 8px;
+        }
+        canvas {
+            display: block;
+            width: 100%;
+            height: 12px;
+            border-radius: 3px;
+        }
+        figcaption {
+            display: flex;
+            flex-wrap: wrap;
+            justify-content: space-between;
+            gap: 0 8px;
+            margin-bottom: 4px;
+        }
+        /* A line of its own where both do not fit: a figure repeats what stands here span by span, each in one line. */
+        figcaption span {
+            white-space: nowrap;
+        }
+        .range {
+            color: var(--quiet);
+            font-variant-numeric: tabular-nums;
+        }
+        .ticks {
+            position: relative;
+            height: 18px;
+            margin-top: 3px;
+            font-variant-numeric: tabular-nums;
+        }
+        .ticks span {
+            position: absolute;
+            transform: translateX(-50%);
+        }
+    `;
 
     override render(): TemplateResult {
         const { state, view } = this.model;

@@ -9,8 +9,7 @@ import type { ViewState } from '../../state/viewState.ts';
 import { ageName } from './colourNames.ts';
 import { checkRow, lookStyles, sliderRow } from './lookStyles.ts';
 import { countWords } from '../base/statusWords.ts';
-import { sharedStyles } from '../base/sharedStyles.ts';
-import { SignalElement } from '../base/signalElement.ts';
+import { ModelElement } from '../base/signalElement.ts';
 
 type Window = 'sWindow' | 'ageWindow';
 type Span = readonly [number, number];
@@ -22,10 +21,8 @@ export interface WindowsModel {
     edits: Pick<Edits, 'changeSurface'>;
 }
 
-export class WindowsPanel extends SignalElement {
-    static override properties = { model: { attribute: false } };
-    declare model: WindowsModel;
-    static override styles = [sharedStyles, lookStyles];
+export class WindowsPanel extends ModelElement<WindowsModel> {
+    static override styles = lookStyles;
 
     override render(): TemplateResult {
         const { state, view, scene } = this.model;

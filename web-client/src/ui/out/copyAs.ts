@@ -10,8 +10,7 @@ import { baseUrl, readFragment } from '../../session/view/urlState.ts';
 import type { AppState } from '../../state/appState.ts';
 import { copyText } from '../base/copyText.ts';
 import { dialogStyles } from '../base/dialogStyles.ts';
-import { sharedStyles } from '../base/sharedStyles.ts';
-import { SignalElement } from '../base/signalElement.ts';
+import { ModelElement } from '../base/signalElement.ts';
 
 const languages = { Python: pythonScript, curl: curlScript };
 type Language = keyof typeof languages;
@@ -21,16 +20,14 @@ export interface CopyAsModel {
     state: Pick<AppState, 'session'>;
 }
 
-export class CopyAs extends SignalElement {
-    static override properties = { model: { attribute: false }, calls: { attribute: false } };
-    declare model: CopyAsModel;
+export class CopyAs extends ModelElement<CopyAsModel> {
+    static override properties = { calls: { attribute: false } };
     /** Asked when a button is pressed; an empty answer: there is nothing to do yet. */
     declare calls: () => ScriptStep[];
     private readonly said = signal('');
     private readonly shown = signal('');
 
     static override styles = [
-        sharedStyles,
         dialogStyles,
         css`
             :host {

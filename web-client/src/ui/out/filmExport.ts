@@ -11,8 +11,7 @@ import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { exportStyles } from './exportStyles.ts';
 import { fileName, saveFile } from '../base/saveFile.ts';
-import { sharedStyles } from '../base/sharedStyles.ts';
-import { SignalElement } from '../base/signalElement.ts';
+import { ModelElement } from '../base/signalElement.ts';
 import '../share/ownCopy.ts';
 import type { OwnCopyButton } from '../share/ownCopy.ts';
 import { SizeChoice } from './sizeChoice.ts';
@@ -37,12 +36,10 @@ export interface FilmExportModel {
     ownCopy: OwnCopyButton['model'];
 }
 
-export class FilmExport extends SignalElement {
-    static override properties = { model: { attribute: false } };
-    declare model: FilmExportModel;
+export class FilmExport extends ModelElement<FilmExportModel> {
     private readonly fault = signal('');
 
-    static override styles = [sharedStyles, exportStyles];
+    static override styles = exportStyles;
 
     override render(): TemplateResult {
         const { film, figure, playback, state } = this.model;

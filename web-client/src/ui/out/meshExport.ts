@@ -12,8 +12,7 @@ import type { ViewState } from '../../state/viewState.ts';
 import './copyAs.ts';
 import { exportStyles } from './exportStyles.ts';
 import { fileName, saveFile } from '../base/saveFile.ts';
-import { sharedStyles } from '../base/sharedStyles.ts';
-import { SignalElement } from '../base/signalElement.ts';
+import { ModelElement } from '../base/signalElement.ts';
 
 interface Choice extends MeshFile {
     value: string;
@@ -39,11 +38,8 @@ export interface MeshExportModel {
     mesh: MeshDownload;
 }
 
-export class MeshExport extends SignalElement {
-    static override properties = { model: { attribute: false } };
-    declare model: MeshExportModel;
-
-    static override styles = [sharedStyles, exportStyles];
+export class MeshExport extends ModelElement<MeshExportModel> {
+    static override styles = exportStyles;
 
     override render(): TemplateResult {
         const { mesh, state, view } = this.model;

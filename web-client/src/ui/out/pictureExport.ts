@@ -11,8 +11,7 @@ import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { exportStyles } from './exportStyles.ts';
 import { fileName, saveFile } from '../base/saveFile.ts';
-import { sharedStyles } from '../base/sharedStyles.ts';
-import { SignalElement } from '../base/signalElement.ts';
+import { ModelElement } from '../base/signalElement.ts';
 import { SizeChoice } from './sizeChoice.ts';
 
 const backgrounds: readonly { value: FigureBackground; words: string }[] = [
@@ -33,12 +32,10 @@ export interface PictureExportModel {
     figure: Figure;
 }
 
-export class PictureExport extends SignalElement {
-    static override properties = { model: { attribute: false } };
-    declare model: PictureExportModel;
+export class PictureExport extends ModelElement<PictureExportModel> {
     private readonly fault = signal('');
 
-    static override styles = [sharedStyles, exportStyles];
+    static override styles = exportStyles;
 
     override render(): TemplateResult {
         const { figure, state, view } = this.model;

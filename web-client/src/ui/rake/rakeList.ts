@@ -9,8 +9,7 @@ import type { ViewState } from '../../state/viewState.ts';
 import { showsRake, toggled } from '../../state/visibility.ts';
 import { titleOf } from '../base/lockedWords.ts';
 import { icon, type IconName } from '../base/icons.ts';
-import { sharedStyles } from '../base/sharedStyles.ts';
-import { SignalElement } from '../base/signalElement.ts';
+import { ModelElement } from '../base/signalElement.ts';
 
 const kindWords = { line: 'line', polyline: 'polyline', circle: 'circle', points: 'points' } as const;
 
@@ -20,122 +19,116 @@ export interface RakeListModel {
     edits: Edits;
 }
 
-export class RakeList extends SignalElement {
-    static override properties = { model: { attribute: false } };
-    declare model: RakeListModel;
-
-    static override styles = [
-        sharedStyles,
-        css`
-            ul {
-                display: grid;
-                gap: 2px;
-                max-height: 168px;
-                margin: 0 -6px;
-                padding: 0;
-                overflow-y: auto;
-                list-style: none;
-            }
-            li {
-                display: grid;
-                grid-template-columns: minmax(0, 1fr) auto auto;
-            }
-            .switch {
-                min-width: 28px;
-                padding: 3px 5px;
-                border-color: transparent;
-                background: none;
-                color: var(--quiet);
-            }
-            .switch svg {
-                margin: auto;
-            }
-            .switch[aria-pressed='true'] {
-                color: var(--warm);
-            }
-            .unseen {
-                opacity: 0.55;
-            }
-            .alone {
-                display: flex;
-                gap: 8px;
-                align-items: center;
-                margin-top: 6px;
-                cursor: pointer;
-            }
-            .alone input {
-                margin: 0;
-                accent-color: var(--accent);
-            }
-            .rake {
-                display: grid;
-                grid-template-columns: 16px minmax(0, 1fr) auto;
-                gap: 8px;
-                align-items: center;
-                width: 100%;
-                border-color: transparent;
-                background: none;
-                text-align: left;
-            }
-            .rake[aria-pressed='true'] {
-                border-color: var(--line);
-                background: var(--raised);
-                font-weight: 600;
-            }
-            svg {
-                display: block;
-            }
-            .name,
-            .about {
-                overflow: hidden;
-                text-overflow: ellipsis;
-                white-space: nowrap;
-            }
-            .about {
-                max-width: 84px;
-                color: var(--quiet);
-                font-size: 12px;
-                font-weight: 400;
-            }
-            .row {
-                display: grid;
-                gap: 6px;
-                margin-top: 8px;
-            }
-            .actions {
-                grid-template-columns: auto auto auto 1fr auto auto;
-            }
-            .actions button {
-                padding-inline: 7px;
-            }
-            .own {
-                grid-template-columns: 34px 1fr;
-            }
-            input[type='color'] {
-                width: 34px;
-                height: 28px;
-                padding: 2px;
-                border: 1px solid var(--line);
-                border-radius: 6px;
-                background: var(--raised);
-                cursor: pointer;
-            }
-            input[type='text'] {
-                width: 100%;
-                min-width: 0;
-                min-height: 28px;
-                padding: 3px 8px;
-                border: 1px solid var(--line);
-                border-radius: 6px;
-                background: var(--raised);
-            }
-            p {
-                margin: 6px 0 0;
-                color: var(--quiet);
-                font-size: 12px;
-            }
-        `,
-    ];
+export class RakeList extends ModelElement<RakeListModel> {
+    static override styles = css`
+        ul {
+            display: grid;
+            gap: 2px;
+            max-height: 168px;
+            margin: 0 -6px;
+            padding: 0;
+            overflow-y: auto;
+            list-style: none;
+        }
+        li {
+            display: grid;
+            grid-template-columns: minmax(0, 1fr) auto auto;
+        }
+        .switch {
+            min-width: 28px;
+            padding: 3px 5px;
+            border-color: transparent;
+            background: none;
+            color: var(--quiet);
+        }
+        .switch svg {
+            margin: auto;
+        }
+        .switch[aria-pressed='true'] {
+            color: var(--warm);
+        }
+        .unseen {
+            opacity: 0.55;
+        }
+        .alone {
+            display: flex;
+            gap: 8px;
+            align-items: center;
+            margin-top: 6px;
+            cursor: pointer;
+        }
+        .alone input {
+            margin: 0;
+            accent-color: var(--accent);
+        }
+        .rake {
+            display: grid;
+            grid-template-columns: 16px minmax(0, 1fr) auto;
+            gap: 8px;
+            align-items: center;
+            width: 100%;
+            border-color: transparent;
+            background: none;
+            text-align: left;
+        }
+        .rake[aria-pressed='true'] {
+            border-color: var(--line);
+            background: var(--raised);
+            font-weight: 600;
+        }
+        svg {
+            display: block;
+        }
+        .name,
+        .about {
+            overflow: hidden;
+            text-overflow: ellipsis;
+            white-space: nowrap;
+        }
+        .about {
+            max-width: 84px;
+            color: var(--quiet);
+            font-size: 12px;
+            font-weight: 400;
+        }
+        .row {
+            display: grid;
+            gap: 6px;
+            margin-top: 8px;
+        }
+        .actions {
+            grid-template-columns: auto auto auto 1fr auto auto;
+        }
+        .actions button {
+            padding-inline: 7px;
+        }
+        .own {
+            grid-template-columns: 34px 1fr;
+        }
+        input[type='color'] {
+            width: 34px;
+            height: 28px;
+            padding: 2px;
+            border: 1px solid var(--line);
+            border-radius: 6px;
+            background: var(--raised);
+            cursor: pointer;
+        }
+        input[type='text'] {
+            width: 100%;
+            min-width: 0;
+            min-height: 28px;
+            padding: 3px 8px;
+            border: 1px solid var(--line);
+            border-radius: 6px;
+            background: var(--raised);
+        }
+        p {
+            margin: 6px 0 0;
+            color: var(--quiet);
+            font-size: 12px;
+        }
+    `;
 
     override render(): TemplateResult {
         const { state, view, edits } = this.model;

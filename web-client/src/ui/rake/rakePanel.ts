@@ -19,8 +19,7 @@ import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { handleNameOf, handleRows } from './rakeRows.ts';
 import { rakePanelStyles } from './rakePanelStyles.ts';
-import { sharedStyles } from '../base/sharedStyles.ts';
-import { SignalElement } from '../base/signalElement.ts';
+import { ModelElement } from '../base/signalElement.ts';
 
 type Axis = 0 | 1 | 2;
 
@@ -53,9 +52,7 @@ export interface RakeModel {
     scene: Pick<FlowScene, 'interaction' | 'rakes'>;
 }
 
-export class RakePanel extends SignalElement {
-    static override properties = { model: { attribute: false } };
-    declare model: RakeModel;
+export class RakePanel extends ModelElement<RakeModel> {
     /** What the buttons act on. */
     private readonly chosen = signal<Handle>(0);
     /** Of a rake with many points, the one whose numbers are shown. */
@@ -63,7 +60,7 @@ export class RakePanel extends SignalElement {
     private readonly stepIndex = signal(0);
     private readonly snapping = signal(false);
 
-    static override styles = [sharedStyles, rakePanelStyles];
+    static override styles = rakePanelStyles;
 
     override connectedCallback(): void {
         super.connectedCallback();

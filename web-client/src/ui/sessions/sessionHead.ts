@@ -1,8 +1,7 @@
 // Which session this is, and the way to the others.
 import { css, html, type TemplateResult } from 'lit';
 import type { AppState } from '../../state/appState.ts';
-import { sharedStyles } from '../base/sharedStyles.ts';
-import { SignalElement } from '../base/signalElement.ts';
+import { ModelElement } from '../base/signalElement.ts';
 import './sessionsDialog.ts';
 import type { SessionsModel } from './sessionsDialog.ts';
 
@@ -10,31 +9,25 @@ export interface SessionHeadModel extends SessionsModel {
     state: SessionsModel['state'] & Pick<AppState, 'sessionName'>;
 }
 
-export class SessionHead extends SignalElement {
-    static override properties = { model: { attribute: false } };
-    declare model: SessionHeadModel;
-
-    static override styles = [
-        sharedStyles,
-        css`
-            div {
-                display: flex;
-                gap: 8px;
-                align-items: center;
-                margin: 4px 0 2px;
-            }
-            .quiet {
-                color: var(--quiet);
-            }
-            .name {
-                flex: 1;
-                min-width: 0;
-                overflow: hidden;
-                text-overflow: ellipsis;
-                white-space: nowrap;
-            }
-        `,
-    ];
+export class SessionHead extends ModelElement<SessionHeadModel> {
+    static override styles = css`
+        div {
+            display: flex;
+            gap: 8px;
+            align-items: center;
+            margin: 4px 0 2px;
+        }
+        .quiet {
+            color: var(--quiet);
+        }
+        .name {
+            flex: 1;
+            min-width: 0;
+            overflow: hidden;
+            text-overflow: ellipsis;
+            white-space: nowrap;
+        }
+    `;
 
     override render(): TemplateResult {
         const { state, view } = this.model;

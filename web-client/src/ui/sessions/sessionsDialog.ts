@@ -9,8 +9,7 @@ import type { ViewState } from '../../state/viewState.ts';
 import { dialogStyles } from '../base/dialogStyles.ts';
 import { listStyles } from '../base/listStyles.ts';
 import { fileName, saveFile } from '../base/saveFile.ts';
-import { sharedStyles } from '../base/sharedStyles.ts';
-import { SignalElement } from '../base/signalElement.ts';
+import { ModelElement } from '../base/signalElement.ts';
 import { type CardActs, type Question, sessionCard, trashCard } from './sessionCard.ts';
 import { sessionsStyles } from './sessionsStyles.ts';
 
@@ -25,16 +24,14 @@ export interface SessionsModel {
     shelf: SessionShelf;
 }
 
-export class SessionsDialog extends SignalElement {
-    static override properties = { model: { attribute: false } };
-    declare model: SessionsModel;
+export class SessionsDialog extends ModelElement<SessionsModel> {
     private readonly inTrash = signal(false);
     private readonly sought = signal('');
     private readonly asked = signal<{ session: string; question: Question } | null>(null);
     private look = 0;
     private watching = false;
 
-    static override styles = [sharedStyles, dialogStyles, listStyles, sessionsStyles];
+    static override styles = [dialogStyles, listStyles, sessionsStyles];
 
     private readonly acts: CardActs = {
         open: (entry) => (this.isHere(entry) ? this.close() : this.model.shelf.enter(entry.session)),

@@ -12,8 +12,7 @@ import './ownCopy.ts';
 import type { OwnCopyButton } from './ownCopy.ts';
 import { roleWords } from './roleWords.ts';
 import { listStyles } from '../base/listStyles.ts';
-import { sharedStyles } from '../base/sharedStyles.ts';
-import { SignalElement } from '../base/signalElement.ts';
+import { ModelElement } from '../base/signalElement.ts';
 
 /** The first is the server's, which is less for who came by a link that ends before. */
 const lifetimes = [
@@ -34,9 +33,7 @@ export interface LinksModel {
     ownCopy: OwnCopyButton['model'];
 }
 
-export class LinksPanel extends SignalElement {
-    static override properties = { model: { attribute: false } };
-    declare model: LinksModel;
+export class LinksPanel extends ModelElement<LinksModel> {
     private readonly made = signal<{ link: string; role: Role; expires: number | undefined } | null>(null);
     private readonly shares = signal<readonly ShareLink[]>([]);
     /** The link that is about to be taken back, and has made others. */
@@ -44,7 +41,6 @@ export class LinksPanel extends SignalElement {
     private readonly copied = signal(false);
 
     static override styles = [
-        sharedStyles,
         listStyles,
         css`
             .new,

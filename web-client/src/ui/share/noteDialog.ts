@@ -4,8 +4,7 @@ import { live } from 'lit/directives/live.js';
 import type { Calls } from '../../session/base/calls.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { dialogStyles } from '../base/dialogStyles.ts';
-import { sharedStyles } from '../base/sharedStyles.ts';
-import { SignalElement } from '../base/signalElement.ts';
+import { ModelElement } from '../base/signalElement.ts';
 
 /** The server takes 4 KiB; letters of other alphabets take up to four bytes. */
 const longest = 1000;
@@ -15,13 +14,10 @@ export interface NoteModel {
     calls: Pick<Calls, 'try'>;
 }
 
-export class NoteDialog extends SignalElement {
-    static override properties = { model: { attribute: false } };
-    declare model: NoteModel;
+export class NoteDialog extends ModelElement<NoteModel> {
     private saving = false;
 
     static override styles = [
-        sharedStyles,
         dialogStyles,
         css`
             dialog {

@@ -6,8 +6,7 @@ import type { Calls } from '../../session/base/calls.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { listStyles } from '../base/listStyles.ts';
-import { sharedStyles } from '../base/sharedStyles.ts';
-import { SignalElement } from '../base/signalElement.ts';
+import { ModelElement } from '../base/signalElement.ts';
 
 export interface NotesModel {
     state: Pick<AppState, 'annotations' | 'role'>;
@@ -16,12 +15,8 @@ export interface NotesModel {
     scene: Pick<FlowScene, 'controls' | 'loop'>;
 }
 
-export class NotesPanel extends SignalElement {
-    static override properties = { model: { attribute: false } };
-    declare model: NotesModel;
-
+export class NotesPanel extends ModelElement<NotesModel> {
     static override styles = [
-        sharedStyles,
         listStyles,
         css`
             li {

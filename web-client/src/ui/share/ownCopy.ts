@@ -1,15 +1,9 @@
 // The way into a copy of the session, beside what cannot be done in the session itself.
 import { html, type TemplateResult } from 'lit';
 import type { OwnCopy } from '../../session/sessions/ownCopy.ts';
-import { sharedStyles } from '../base/sharedStyles.ts';
-import { SignalElement } from '../base/signalElement.ts';
+import { ModelElement } from '../base/signalElement.ts';
 
-export class OwnCopyButton extends SignalElement {
-    static override properties = { model: { attribute: false } };
-    declare model: Pick<OwnCopy, 'possible' | 'begin'>;
-
-    static override styles = [sharedStyles];
-
+export class OwnCopyButton extends ModelElement<Pick<OwnCopy, 'possible' | 'begin'>> {
     override render(): TemplateResult {
         return html`<button
             type="button"

@@ -7,8 +7,7 @@ import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { roleWords } from './roleWords.ts';
 import { listStyles } from '../base/listStyles.ts';
-import { sharedStyles } from '../base/sharedStyles.ts';
-import { SignalElement } from '../base/signalElement.ts';
+import { ModelElement } from '../base/signalElement.ts';
 
 const roles: readonly Role[] = ['viewer', 'editor', 'host'];
 
@@ -21,12 +20,8 @@ export interface PeopleModel {
     logOut: () => Promise<void>;
 }
 
-export class PeoplePanel extends SignalElement {
-    static override properties = { model: { attribute: false } };
-    declare model: PeopleModel;
-
+export class PeoplePanel extends ModelElement<PeopleModel> {
     static override styles = [
-        sharedStyles,
         listStyles,
         css`
             li {

@@ -7,8 +7,7 @@ import type { ImportWait } from '../../session/importWait.ts';
 import { velocitiesOf } from '../../session/openDataset.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
-import { sharedStyles } from '../base/sharedStyles.ts';
-import { SignalElement } from '../base/signalElement.ts';
+import { ModelElement } from '../base/signalElement.ts';
 import { goneWords } from './goneWords.ts';
 import './linkField.ts';
 
@@ -24,45 +23,40 @@ export interface BannerModel {
     makeSessionAgain: () => Promise<void>;
 }
 
-export class Banner extends SignalElement {
-    static override properties = { model: { attribute: false } };
-    declare model: BannerModel;
+export class Banner extends ModelElement<BannerModel> {
     private countdown: ReturnType<typeof setInterval> | null = null;
 
-    static override styles = [
-        sharedStyles,
-        css`
-            .banner {
-                display: flex;
-                align-items: center;
-                gap: 12px;
-                max-width: 620px;
-                margin: 0 auto 8px;
-                padding: 9px 14px;
-                border: 1px solid var(--line);
-                border-left: 4px solid var(--accent);
-                border-radius: 8px;
-                background: var(--ground);
-                box-shadow: 0 6px 24px rgb(0 0 0 / 0.35);
-            }
-            .down {
-                border-left-color: var(--warm);
-            }
-            .words {
-                flex: 1;
-            }
-            #velocity-unclear {
-                flex-wrap: wrap;
-            }
-            #velocity-unclear .words {
-                flex-basis: 100%;
-            }
-            progress {
-                width: 140px;
-                accent-color: var(--accent);
-            }
-        `,
-    ];
+    static override styles = css`
+        .banner {
+            display: flex;
+            align-items: center;
+            gap: 12px;
+            max-width: 620px;
+            margin: 0 auto 8px;
+            padding: 9px 14px;
+            border: 1px solid var(--line);
+            border-left: 4px solid var(--accent);
+            border-radius: 8px;
+            background: var(--ground);
+            box-shadow: 0 6px 24px rgb(0 0 0 / 0.35);
+        }
+        .down {
+            border-left-color: var(--warm);
+        }
+        .words {
+            flex: 1;
+        }
+        #velocity-unclear {
+            flex-wrap: wrap;
+        }
+        #velocity-unclear .words {
+            flex-basis: 100%;
+        }
+        progress {
+            width: 140px;
+            accent-color: var(--accent);
+        }
+    `;
 
     override render(): TemplateResult {
         return html`<div role="status" aria-live="polite">

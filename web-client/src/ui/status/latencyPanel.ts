@@ -3,8 +3,7 @@ import { css, html, nothing, type TemplateResult } from 'lit';
 import { signal } from '@preact/signals-core';
 import { type LatencyPart, latencyParts } from '../../state/latency.ts';
 import type { AppState } from '../../state/appState.ts';
-import { sharedStyles } from '../base/sharedStyles.ts';
-import { SignalElement } from '../base/signalElement.ts';
+import { ModelElement } from '../base/signalElement.ts';
 
 const partWords: Record<LatencyPart, string> = {
     network: 'Network round trip',
@@ -21,50 +20,45 @@ export interface LatencyModel {
     state: Pick<AppState, 'latency' | 'roundTripMs'>;
 }
 
-export class LatencyPanel extends SignalElement {
-    static override properties = { model: { attribute: false } };
-    declare model: LatencyModel;
+export class LatencyPanel extends ModelElement<LatencyModel> {
     private readonly open = signal(false);
 
-    static override styles = [
-        sharedStyles,
-        css`
-            :host {
-                display: block;
-            }
-            summary {
-                color: var(--quiet);
-                cursor: pointer;
-            }
-            summary span {
-                float: right;
-                color: var(--text);
-            }
-            dl {
-                display: grid;
-                grid-template-columns: 1fr 70px auto;
-                gap: 2px 8px;
-                align-items: center;
-                margin: 4px 0 0;
-                font-size: 12px;
-            }
-            dt {
-                color: var(--quiet);
-            }
-            dd {
-                margin: 0;
-                text-align: right;
-            }
-            summary,
-            dd {
-                font-variant-numeric: tabular-nums;
-            }
-            meter {
-                width: 100%;
-                height: 10px;
-            }
-        `,
-    ];
+    static override styles = css`
+        :host {
+            display: block;
+        }
+        summary {
+            color: var(--quiet);
+            cursor: pointer;
+        }
+        summary span {
+            float: right;
+            color: var(--text);
+        }
+        dl {
+            display: grid;
+            grid-template-columns: 1fr 70px auto;
+            gap: 2px 8px;
+            align-items: center;
+            margin: 4px 0 0;
+            font-size: 12px;
+        }
+        dt {
+            color: var(--quiet);
+        }
+        dd {
+            margin: 0;
+            text-align: right;
+        }
+        summary,
+        dd {
+            font-variant-numeric: tabular-nums;
+        }
+        meter {
+            width: 100%;
+            height: 10px;
+        }
+    `;
 
     override render(): TemplateResult {
         const sample = this.model.state.latency.value;

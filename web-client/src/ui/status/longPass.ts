@@ -6,8 +6,7 @@ import type { MeshDownload } from '../../session/out/meshDownload.ts';
 import { faster, type LessWork, standingWords, untilHere } from '../../session/surface/longPass.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
-import { sharedStyles } from '../base/sharedStyles.ts';
-import { SignalElement } from '../base/signalElement.ts';
+import { ModelElement } from '../base/signalElement.ts';
 import { downloadMesh } from '../out/meshExport.ts';
 
 export interface LongPassModel {
@@ -17,25 +16,19 @@ export interface LongPassModel {
     mesh: MeshDownload;
 }
 
-export class LongPass extends SignalElement {
-    static override properties = { model: { attribute: false } };
-    declare model: LongPassModel;
-
-    static override styles = [
-        sharedStyles,
-        css`
-            p {
-                margin: 0 0 4px;
-                font-variant-numeric: tabular-nums;
-            }
-            [role='group'] {
-                display: flex;
-                flex-wrap: wrap;
-                gap: 6px;
-                margin: 0 0 8px;
-            }
-        `,
-    ];
+export class LongPass extends ModelElement<LongPassModel> {
+    static override styles = css`
+        p {
+            margin: 0 0 4px;
+            font-variant-numeric: tabular-nums;
+        }
+        [role='group'] {
+            display: flex;
+            flex-wrap: wrap;
+            gap: 6px;
+            margin: 0 0 8px;
+        }
+    `;
 
     override render(): TemplateResult {
         const { state, view } = this.model;

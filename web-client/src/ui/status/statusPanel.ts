@@ -11,8 +11,7 @@ import { surfaceSetRanges } from '../../protocol/generated/surface.ts';
 import type { AppState, SurfacePhase } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
-import { sharedStyles } from '../base/sharedStyles.ts';
-import { SignalElement } from '../base/signalElement.ts';
+import { ModelElement } from '../base/signalElement.ts';
 import './latencyPanel.ts';
 import '../surface/qualityPanel.ts';
 import './longPass.ts';
@@ -27,80 +26,74 @@ export interface StatusModel {
     mesh: MeshDownload;
 }
 
-export class StatusPanel extends SignalElement {
-    static override properties = { model: { attribute: false } };
-    declare model: StatusModel;
-
-    static override styles = [
-        sharedStyles,
-        css`
-            :host {
-                display: block;
-            }
-            .problem {
-                margin: 8px 0 0;
-                color: var(--warm);
-            }
+export class StatusPanel extends ModelElement<StatusModel> {
+    static override styles = css`
+        :host {
+            display: block;
+        }
+        .problem {
+            margin: 8px 0 0;
+            color: var(--warm);
+        }
+        dl {
+            display: grid;
+            grid-template-columns: auto 1fr;
+            gap: 3px 12px;
+            margin: 0;
+        }
+        dt {
+            color: var(--quiet);
+        }
+        dd {
+            margin: 0;
+            text-align: right;
+            font-variant-numeric: tabular-nums;
+        }
+        .counts {
+            margin: 2px 0 0;
+            color: var(--quiet);
+            font-variant-numeric: tabular-nums;
+        }
+        .progress {
+            display: flex;
+            gap: 8px;
+            align-items: center;
+            height: 28px;
+            margin: 4px 0;
+        }
+        progress {
+            flex: 1;
+            min-width: 0;
+            accent-color: var(--accent);
+        }
+        .final {
+            color: var(--good);
+        }
+        .coarse,
+        .coarsened,
+        .doubtful,
+        .empty,
+        .live,
+        .waiting,
+        .updating,
+        .stopped,
+        .error {
+            color: var(--warm);
+        }
+        /* Below the picture, where all scrolls: how far the surface is stays in sight. */
+        @media (max-width: 760px) {
             dl {
-                display: grid;
-                grid-template-columns: auto 1fr;
-                gap: 3px 12px;
-                margin: 0;
+                position: sticky;
+                bottom: 0;
+                padding: 6px 16px;
+                border-top: 1px solid var(--line);
+                background: var(--ground);
             }
-            dt {
-                color: var(--quiet);
+            dl ~ * {
+                padding-inline: 16px;
             }
-            dd {
-                margin: 0;
-                text-align: right;
-                font-variant-numeric: tabular-nums;
-            }
-            .counts {
-                margin: 2px 0 0;
-                color: var(--quiet);
-                font-variant-numeric: tabular-nums;
-            }
-            .progress {
-                display: flex;
-                gap: 8px;
-                align-items: center;
-                height: 28px;
-                margin: 4px 0;
-            }
-            progress {
-                flex: 1;
-                min-width: 0;
-                accent-color: var(--accent);
-            }
-            .final {
-                color: var(--good);
-            }
-            .coarse,
-            .coarsened,
-            .doubtful,
-            .empty,
-            .live,
-            .waiting,
-            .updating,
-            .stopped,
-            .error {
-                color: var(--warm);
-            }
-            /* Below the picture, where all scrolls: how far the surface is stays in sight. */
-            @media (max-width: 760px) {
-                dl {
-                    position: sticky;
-                    bottom: 0;
-                    padding: 6px 16px;
-                    border-top: 1px solid var(--line);
-                    background: var(--ground);
-                }
-                dl ~ * {
-                    padding-inline: 16px;
-                }
-            }
-        `,
-    ];
+        }
+    `;
 
     override render(): TemplateResult {
         const { state, view } = this.model;

@@ -4,8 +4,7 @@ import { live } from 'lit/directives/live.js';
 import { surfaceSetRanges } from '../../protocol/generated/surface.ts';
 import type { SurfaceIntent } from '../../session/edits/surfaceIntent.ts';
 import type { Edits } from '../../session/edits/edits.ts';
-import { sharedStyles } from '../base/sharedStyles.ts';
-import { SignalElement } from '../base/signalElement.ts';
+import { ModelElement } from '../base/signalElement.ts';
 
 type Rule = 'maxQuads' | 'merge' | 'angle';
 
@@ -34,32 +33,26 @@ export interface MeshRulesModel {
     edits: Pick<Edits, 'changeSurface' | 'intent'>;
 }
 
-export class MeshRules extends SignalElement {
-    static override properties = { model: { attribute: false } };
-    declare model: MeshRulesModel;
-
-    static override styles = [
-        sharedStyles,
-        css`
-            :host {
-                display: block;
-            }
-            summary {
-                color: var(--quiet);
-                cursor: pointer;
-            }
-            .row {
-                display: flex;
-                gap: 8px;
-                align-items: center;
-                justify-content: space-between;
-                margin-top: 6px;
-            }
-            input[type='number'] {
-                width: 9em;
-            }
-        `,
-    ];
+export class MeshRules extends ModelElement<MeshRulesModel> {
+    static override styles = css`
+        :host {
+            display: block;
+        }
+        summary {
+            color: var(--quiet);
+            cursor: pointer;
+        }
+        .row {
+            display: flex;
+            gap: 8px;
+            align-items: center;
+            justify-content: space-between;
+            margin-top: 6px;
+        }
+        input[type='number'] {
+            width: 9em;
+        }
+    `;
 
     override render(): TemplateResult {
         const intent = this.model.edits.intent.value;

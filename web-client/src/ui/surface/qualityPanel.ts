@@ -5,8 +5,7 @@ import type { SurfaceStats, Terminations } from '../../protocol/messages.ts';
 import { shortNumber } from '../../scene/base/numbers.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
-import { sharedStyles } from '../base/sharedStyles.ts';
-import { SignalElement } from '../base/signalElement.ts';
+import { ModelElement } from '../base/signalElement.ts';
 import { countWords } from '../base/statusWords.ts';
 
 const reasons: readonly { reason: keyof Terminations; words: string }[] = [
@@ -22,42 +21,37 @@ export interface QualityModel {
     worker: Pick<WorkerClient, 'call'>;
 }
 
-export class QualityPanel extends SignalElement {
-    static override properties = { model: { attribute: false } };
-    declare model: QualityModel;
+export class QualityPanel extends ModelElement<QualityModel> {
     private readonly open = signal(false);
     private readonly stats = signal<SurfaceStats | null>(null);
     /** The state that the statistics were last asked for. */
     private askedFor = '';
     private asking = false;
 
-    static override styles = [
-        sharedStyles,
-        css`
-            :host {
-                display: block;
-            }
-            summary {
-                color: var(--quiet);
-                cursor: pointer;
-            }
-            dl {
-                display: grid;
-                grid-template-columns: 1fr auto;
-                gap: 2px 8px;
-                margin: 4px 0 0;
-                font-size: 12px;
-            }
-            dt {
-                color: var(--quiet);
-            }
-            dd {
-                margin: 0;
-                text-align: right;
-                font-variant-numeric: tabular-nums;
-            }
-        `,
-    ];
+    static override styles = css`
+        :host {
+            display: block;
+        }
+        summary {
+            color: var(--quiet);
+            cursor: pointer;
+        }
+        dl {
+            display: grid;
+            grid-template-columns: 1fr auto;
+            gap: 2px 8px;
+            margin: 4px 0 0;
+            font-size: 12px;
+        }
+        dt {
+            color: var(--quiet);
+        }
+        dd {
+            margin: 0;
+            text-align: right;
+            font-variant-numeric: tabular-nums;
+        }
+    `;
 
     override render(): TemplateResult {
         const { state } = this.model;

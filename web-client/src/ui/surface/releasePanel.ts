@@ -9,8 +9,7 @@ import { withUnit } from '../../session/picture/unitsInPicture.ts';
 import { timeWords } from '../../session/picture/writtenNumbers.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
-import { sharedStyles } from '../base/sharedStyles.ts';
-import { SignalElement } from '../base/signalElement.ts';
+import { ModelElement } from '../base/signalElement.ts';
 
 export interface ReleaseModel {
     state: AppState;
@@ -32,35 +31,30 @@ interface Span {
     change: (value: number | null) => Partial<SurfaceIntent>;
 }
 
-export class ReleasePanel extends SignalElement {
-    static override properties = { model: { attribute: false } };
-    declare model: ReleaseModel;
-    static override styles = [
-        sharedStyles,
-        css`
-            .row,
-            .check {
-                display: flex;
-                gap: 8px;
-                align-items: center;
-                margin-top: 6px;
-            }
-            .row {
-                justify-content: space-between;
-            }
-            .value {
-                font-variant-numeric: tabular-nums;
-            }
-            .check {
-                margin-top: 8px;
-                cursor: pointer;
-            }
-            .check input {
-                margin: 0;
-                accent-color: var(--accent);
-            }
-        `,
-    ];
+export class ReleasePanel extends ModelElement<ReleaseModel> {
+    static override styles = css`
+        .row,
+        .check {
+            display: flex;
+            gap: 8px;
+            align-items: center;
+            margin-top: 6px;
+        }
+        .row {
+            justify-content: space-between;
+        }
+        .value {
+            font-variant-numeric: tabular-nums;
+        }
+        .check {
+            margin-top: 8px;
+            cursor: pointer;
+        }
+        .check input {
+            margin: 0;
+            accent-color: var(--accent);
+        }
+    `;
 
     override render(): TemplateResult {
         const { state, view, edits } = this.model;

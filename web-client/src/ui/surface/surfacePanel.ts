@@ -25,8 +25,7 @@ import './meshRules.ts';
 import { LevelRows } from './levelPanel.ts';
 import './releasePanel.ts';
 import './timeEnds.ts';
-import { sharedStyles } from '../base/sharedStyles.ts';
-import { SignalElement } from '../base/signalElement.ts';
+import { ModelElement } from '../base/signalElement.ts';
 
 /** Separation as a multiple of the finest spacing of the dataset's grid. */
 const separations = [
@@ -74,94 +73,89 @@ export interface SurfaceModel {
     chooseKind: (kind: SurfaceKind) => void;
 }
 
-export class SurfacePanel extends SignalElement {
-    static override properties = { model: { attribute: false } };
-    declare model: SurfaceModel;
+export class SurfacePanel extends ModelElement<SurfaceModel> {
     private level: LevelRows | null = null;
 
-    static override styles = [
-        sharedStyles,
-        css`
-            /* Only there to be disabled as a whole. */
-            .edits {
-                display: contents;
-            }
-            .kinds {
-                display: grid;
-                grid-template-columns: 1fr 1fr;
-                margin: 0 0 10px;
-                padding: 2px;
-                border: 1px solid var(--line);
-                border-radius: 8px;
-                background: var(--raised);
-            }
-            legend {
-                position: absolute;
-                width: 1px;
-                height: 1px;
-                overflow: hidden;
-                clip-path: inset(50%);
-            }
-            .kind {
-                display: flex;
-                align-items: center;
-                justify-content: center;
-                gap: 6px;
-                min-height: 28px;
-                border-radius: 6px;
-                cursor: pointer;
-            }
-            .kind input {
-                margin: 0;
-                accent-color: var(--accent);
-            }
-            .row {
-                display: flex;
-                justify-content: space-between;
-                align-items: center;
-                gap: 8px;
-                margin-top: 6px;
-            }
-            .value {
-                font-variant-numeric: tabular-nums;
-            }
-            .quiet {
-                margin: 4px 0 0;
-                color: var(--quiet);
-                font-size: 12px;
-            }
-            select {
-                max-width: 190px;
-            }
-            .several {
-                display: grid;
-                grid-template-columns: minmax(0, 1fr) auto auto auto;
-                gap: 6px;
-                margin-top: 10px;
-            }
-            .several select {
-                max-width: none;
-            }
-            .sweep {
-                display: grid;
-                grid-template-columns: 42px repeat(3, 1fr);
-                gap: 6px;
-                align-items: center;
-                margin-top: 8px;
-            }
-            .sweep input {
-                width: 100%;
-                min-width: 0;
-                padding: 3px 6px;
-                text-align: right;
-                font-variant-numeric: tabular-nums;
-                appearance: textfield;
-            }
-            .sweep input::-webkit-inner-spin-button {
-                appearance: none;
-            }
-        `,
-    ];
+    static override styles = css`
+        /* Only there to be disabled as a whole. */
+        .edits {
+            display: contents;
+        }
+        .kinds {
+            display: grid;
+            grid-template-columns: 1fr 1fr;
+            margin: 0 0 10px;
+            padding: 2px;
+            border: 1px solid var(--line);
+            border-radius: 8px;
+            background: var(--raised);
+        }
+        legend {
+            position: absolute;
+            width: 1px;
+            height: 1px;
+            overflow: hidden;
+            clip-path: inset(50%);
+        }
+        .kind {
+            display: flex;
+            align-items: center;
+            justify-content: center;
+            gap: 6px;
+            min-height: 28px;
+            border-radius: 6px;
+            cursor: pointer;
+        }
+        .kind input {
+            margin: 0;
+            accent-color: var(--accent);
+        }
+        .row {
+            display: flex;
+            justify-content: space-between;
+            align-items: center;
+            gap: 8px;
+            margin-top: 6px;
+        }
+        .value {
+            font-variant-numeric: tabular-nums;
+        }
+        .quiet {
+            margin: 4px 0 0;
+            color: var(--quiet);
+            font-size: 12px;
+        }
+        select {
+            max-width: 190px;
+        }
+        .several {
+            display: grid;
+            grid-template-columns: minmax(0, 1fr) auto auto auto;
+            gap: 6px;
+            margin-top: 10px;
+        }
+        .several select {
+            max-width: none;
+        }
+        .sweep {
+            display: grid;
+            grid-template-columns: 42px repeat(3, 1fr);
+            gap: 6px;
+            align-items: center;
+            margin-top: 8px;
+        }
+        .sweep input {
+            width: 100%;
+            min-width: 0;
+            padding: 3px 6px;
+            text-align: right;
+            font-variant-numeric: tabular-nums;
+            appearance: textfield;
+        }
+        .sweep input::-webkit-inner-spin-button {
+            appearance: none;
+        }
+    `;
 
     override render(): TemplateResult {
         const { state, edits } = this.model;

@@ -5,8 +5,7 @@ import type { Edits } from '../../session/edits/edits.ts';
 import { endOf, type TypedTime, typedFrom, typedTo } from '../../session/edits/surfaceTimes.ts';
 import { timeField } from '../../session/picture/writtenNumbers.ts';
 import type { AppState } from '../../state/appState.ts';
-import { sharedStyles } from '../base/sharedStyles.ts';
-import { SignalElement } from '../base/signalElement.ts';
+import { ModelElement } from '../base/signalElement.ts';
 
 export interface TimeEndsModel {
     state: AppState;
@@ -15,36 +14,30 @@ export interface TimeEndsModel {
 
 type Typed = (value: number) => TypedTime;
 
-export class TimeEnds extends SignalElement {
-    static override properties = { model: { attribute: false } };
-    declare model: TimeEndsModel;
-
-    static override styles = [
-        sharedStyles,
-        css`
-            :host {
-                display: flex;
-                gap: 6px;
-                align-items: center;
-                margin-top: 4px;
-            }
-            label {
-                white-space: nowrap;
-            }
-            input {
-                flex: 1;
-                width: 100%;
-                min-width: 0;
-                padding: 3px 6px;
-                text-align: right;
-                font-variant-numeric: tabular-nums;
-                appearance: textfield;
-            }
-            input::-webkit-inner-spin-button {
-                appearance: none;
-            }
-        `,
-    ];
+export class TimeEnds extends ModelElement<TimeEndsModel> {
+    static override styles = css`
+        :host {
+            display: flex;
+            gap: 6px;
+            align-items: center;
+            margin-top: 4px;
+        }
+        label {
+            white-space: nowrap;
+        }
+        input {
+            flex: 1;
+            width: 100%;
+            min-width: 0;
+            padding: 3px 6px;
+            text-align: right;
+            font-variant-numeric: tabular-nums;
+            appearance: textfield;
+        }
+        input::-webkit-inner-spin-button {
+            appearance: none;
+        }
+    `;
 
     override render(): TemplateResult {
         const { state, edits } = this.model;

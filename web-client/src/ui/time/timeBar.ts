@@ -16,8 +16,7 @@ import { titleOf } from '../base/lockedWords.ts';
 import '../share/ownCopy.ts';
 import type { OwnCopyButton } from '../share/ownCopy.ts';
 import { icon } from '../base/icons.ts';
-import { sharedStyles } from '../base/sharedStyles.ts';
-import { SignalElement } from '../base/signalElement.ts';
+import { ModelElement } from '../base/signalElement.ts';
 import { timeBarStyles } from './timeBarStyles.ts';
 import { timeKeyOf } from './timeKeys.ts';
 import './timeline.ts';
@@ -39,13 +38,11 @@ export interface TimeBarModel {
     ownCopy: OwnCopyButton['model'];
 }
 
-export class TimeBar extends SignalElement {
-    static override properties = { model: { attribute: false } };
-    declare model: TimeBarModel;
+export class TimeBar extends ModelElement<TimeBarModel> {
     /** What is being typed must not be overwritten by the time that passes. */
     private typing = false;
 
-    static override styles = [sharedStyles, timeBarStyles];
+    static override styles = timeBarStyles;
 
     override connectedCallback(): void {
         super.connectedCallback();

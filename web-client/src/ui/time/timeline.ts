@@ -11,8 +11,7 @@ import type { Edits } from '../../session/edits/edits.ts';
 import type { Playback } from '../../session/time/playback.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
-import { sharedStyles } from '../base/sharedStyles.ts';
-import { SignalElement } from '../base/signalElement.ts';
+import { ModelElement } from '../base/signalElement.ts';
 import { timelineStyles } from './timelineStyles.ts';
 
 const pxPerTick = 64;
@@ -40,9 +39,7 @@ export interface TimelineModel {
     edits: Pick<Edits, 'intent' | 'changeSurface'>;
 }
 
-export class Timeline extends SignalElement {
-    static override properties = { model: { attribute: false } };
-    declare model: TimelineModel;
+export class Timeline extends ModelElement<TimelineModel> {
     private readonly width = signal(600);
     /** The handle under the pointer stays there until it is let go, also between two time-steps. */
     private readonly held = signal<string | null>(null);
@@ -50,7 +47,7 @@ export class Timeline extends SignalElement {
         if (entry !== undefined && entry.contentRect.width > 0) this.width.value = entry.contentRect.width;
     });
 
-    static override styles = [sharedStyles, timelineStyles];
+    static override styles = timelineStyles;
 
     override connectedCallback(): void {
         super.connectedCallback();

@@ -8,8 +8,7 @@ import type { ClockControl } from '../../session/time/clockControl.ts';
 import type { Views } from '../../session/view/views.ts';
 import type { AppState } from '../../state/appState.ts';
 import { listStyles } from '../base/listStyles.ts';
-import { sharedStyles } from '../base/sharedStyles.ts';
-import { SignalElement } from '../base/signalElement.ts';
+import { ModelElement } from '../base/signalElement.ts';
 
 export interface BookmarksModel {
     state: Pick<AppState, 'bookmarks' | 'clock' | 'dataset' | 'role' | 'surfaces'>;
@@ -18,12 +17,8 @@ export interface BookmarksModel {
     clock: Pick<ClockControl, 'set'>;
 }
 
-export class BookmarksPanel extends SignalElement {
-    static override properties = { model: { attribute: false } };
-    declare model: BookmarksModel;
-
+export class BookmarksPanel extends ModelElement<BookmarksModel> {
     static override styles = [
-        sharedStyles,
         listStyles,
         css`
             form {

@@ -10,8 +10,7 @@ import { coordinateField, timeWords } from '../../session/picture/writtenNumbers
 import type { ProbeReading, ViewState } from '../../state/viewState.ts';
 import type { Probing } from '../../session/tools/probing.ts';
 import type { AppState } from '../../state/appState.ts';
-import { sharedStyles } from '../base/sharedStyles.ts';
-import { SignalElement } from '../base/signalElement.ts';
+import { ModelElement } from '../base/signalElement.ts';
 import { vectorInput } from '../base/vectorInput.ts';
 
 export interface ProbeModel {
@@ -20,49 +19,43 @@ export interface ProbeModel {
     probing: Pick<Probing, 'probeThere'>;
 }
 
-export class ProbePanel extends SignalElement {
-    static override properties = { model: { attribute: false } };
-    declare model: ProbeModel;
-
-    static override styles = [
-        sharedStyles,
-        css`
-            .vector {
-                display: grid;
-                grid-template-columns: repeat(3, 1fr);
-                gap: 6px;
-            }
-            input {
-                width: 100%;
-                min-width: 0;
-                padding: 3px 6px;
-                text-align: right;
-                font-variant-numeric: tabular-nums;
-                appearance: textfield;
-            }
-            input::-webkit-inner-spin-button {
-                appearance: none;
-            }
-            dl {
-                display: grid;
-                grid-template-columns: auto 1fr;
-                gap: 2px 12px;
-                margin: 6px 0;
-            }
-            dt {
-                color: var(--quiet);
-            }
-            dd {
-                margin: 0;
-                text-align: right;
-                font-variant-numeric: tabular-nums;
-            }
-            .quiet {
-                margin: 6px 0;
-                color: var(--quiet);
-            }
-        `,
-    ];
+export class ProbePanel extends ModelElement<ProbeModel> {
+    static override styles = css`
+        .vector {
+            display: grid;
+            grid-template-columns: repeat(3, 1fr);
+            gap: 6px;
+        }
+        input {
+            width: 100%;
+            min-width: 0;
+            padding: 3px 6px;
+            text-align: right;
+            font-variant-numeric: tabular-nums;
+            appearance: textfield;
+        }
+        input::-webkit-inner-spin-button {
+            appearance: none;
+        }
+        dl {
+            display: grid;
+            grid-template-columns: auto 1fr;
+            gap: 2px 12px;
+            margin: 6px 0;
+        }
+        dt {
+            color: var(--quiet);
+        }
+        dd {
+            margin: 0;
+            text-align: right;
+            font-variant-numeric: tabular-nums;
+        }
+        .quiet {
+            margin: 6px 0;
+            color: var(--quiet);
+        }
+    `;
 
     override render(): TemplateResult {
         const { state, view, probing } = this.model;

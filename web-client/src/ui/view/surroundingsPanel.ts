@@ -4,8 +4,7 @@ import { limits } from '../../protocol/generated/limits.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { Units } from '../../state/units.ts';
 import type { Theme, ViewState } from '../../state/viewState.ts';
-import { sharedStyles } from '../base/sharedStyles.ts';
-import { SignalElement } from '../base/signalElement.ts';
+import { ModelElement } from '../base/signalElement.ts';
 
 const themes: readonly { theme: Theme; words: string }[] = [
     { theme: 'system', words: 'follow the system' },
@@ -19,29 +18,23 @@ export interface SurroundingsModel {
     typeUnits: (change: Partial<Units>) => void;
 }
 
-export class SurroundingsPanel extends SignalElement {
-    static override properties = { model: { attribute: false } };
-    declare model: SurroundingsModel;
-
-    static override styles = [
-        sharedStyles,
-        css`
-            input {
-                width: 90px;
-            }
-            input[type='checkbox'] {
-                width: auto;
-            }
-            label + label {
-                margin-top: 6px;
-            }
-            label {
-                display: flex;
-                justify-content: space-between;
-                align-items: center;
-            }
-        `,
-    ];
+export class SurroundingsPanel extends ModelElement<SurroundingsModel> {
+    static override styles = css`
+        input {
+            width: 90px;
+        }
+        input[type='checkbox'] {
+            width: auto;
+        }
+        label + label {
+            margin-top: 6px;
+        }
+        label {
+            display: flex;
+            justify-content: space-between;
+            align-items: center;
+        }
+    `;
 
     override render(): TemplateResult {
         const { state, view } = this.model;

@@ -2,8 +2,7 @@
 import { css, html, type TemplateResult } from 'lit';
 import type { Tool, ViewState } from '../../state/viewState.ts';
 import type { AppState } from '../../state/appState.ts';
-import { sharedStyles } from '../base/sharedStyles.ts';
-import { SignalElement } from '../base/signalElement.ts';
+import { ModelElement } from '../base/signalElement.ts';
 
 const tools: readonly { tool: Tool; label: string; words: string; edits: boolean }[] = [
     { tool: 'probe', label: 'Probe', words: 'Show the flow under the pointer; click to keep the point', edits: false },
@@ -16,29 +15,23 @@ export interface ToolsModel {
     view: Pick<ViewState, 'tool'>;
 }
 
-export class ToolButtons extends SignalElement {
-    static override properties = { model: { attribute: false } };
-    declare model: ToolsModel;
-
-    static override styles = [
-        sharedStyles,
-        css`
+export class ToolButtons extends ModelElement<ToolsModel> {
+    static override styles = css`
+        div {
+            display: grid;
+            gap: 4px;
+        }
+        @media (max-width: 760px), (max-height: 500px) {
             div {
-                display: grid;
-                gap: 4px;
+                grid-auto-flow: column;
             }
-            @media (max-width: 760px), (max-height: 500px) {
-                div {
-                    grid-auto-flow: column;
-                }
-            }
-            button[aria-pressed='true'] {
-                border-color: var(--accent);
-                background: var(--accent);
-                color: var(--ground);
-            }
-        `,
-    ];
+        }
+        button[aria-pressed='true'] {
+            border-color: var(--accent);
+            background: var(--accent);
+            color: var(--ground);
+        }
+    `;
 
     override render(): TemplateResult {
         const { view, state } = this.model;

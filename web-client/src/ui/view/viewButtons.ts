@@ -6,9 +6,8 @@ import type { ViewName } from '../../scene/camera/cameraControls.ts';
 import type { View } from '../../scene/base/view.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { ViewState } from '../../state/viewState.ts';
-import { sharedStyles } from '../base/sharedStyles.ts';
 import { icon } from '../base/icons.ts';
-import { SignalElement } from '../base/signalElement.ts';
+import { ModelElement } from '../base/signalElement.ts';
 import { hasFullScreen, togglePanel, turnFullScreen } from './room.ts';
 
 /** `from`: on which side the camera then is. */
@@ -27,75 +26,70 @@ export interface ViewButtonsModel {
     scene: Pick<FlowScene, 'controls' | 'loop' | 'onDraw' | 'view'>;
 }
 
-export class ViewButtons extends SignalElement {
-    static override properties = { model: { attribute: false } };
-    declare model: ViewButtonsModel;
+export class ViewButtons extends ModelElement<ViewButtonsModel> {
     private listening = false;
     /** The camera that the marker is drawn for. */
     private turned = '';
 
-    static override styles = [
-        sharedStyles,
-        css`
-            :host {
-                display: grid;
-                justify-items: end;
-                gap: 6px;
-            }
-            .buttons {
-                display: flex;
-                gap: 4px;
-            }
-            .sign {
-                display: grid;
-                place-content: center;
-                min-width: 28px;
-                padding: 3px;
-            }
-            svg {
-                overflow: visible;
-            }
-            line {
-                stroke-width: 2;
-            }
-            circle {
-                stroke-width: 2;
-                cursor: pointer;
-            }
-            g:focus-visible circle {
-                stroke: var(--text);
-            }
-            text {
-                fill: #0b1018;
-                font: 700 11px system-ui, sans-serif;
-                text-anchor: middle;
-                dominant-baseline: central;
-                pointer-events: none;
-            }
-            .x {
-                stroke: #ff8a80;
-                --end: #ff8a80;
-            }
-            .y {
-                stroke: #7ee2a8;
-                --end: #7ee2a8;
-            }
-            .z {
-                stroke: #8ab8ff;
-                --end: #8ab8ff;
-            }
-            circle.reach {
-                fill: transparent;
-                stroke: none;
-            }
-            .towards circle:not(.reach) {
-                fill: var(--end);
-            }
-            .away circle:not(.reach) {
-                fill: rgb(128 140 160 / 0.25);
-            }
-        `,
-    ];
+    static override styles = css`
+        :host {
+            display: grid;
+            justify-items: end;
+            gap: 6px;
+        }
+        .buttons {
+            display: flex;
+            gap: 4px;
+        }
+        .sign {
+            display: grid;
+            place-content: center;
+            min-width: 28px;
+            padding: 3px;
+        }
+        svg {
+            overflow: visible;
+        }
+        line {
+            stroke-width: 2;
+        }
+        circle {
+            stroke-width: 2;
+            cursor: pointer;
+        }
+        g:focus-visible circle {
+            stroke: var(--text);
+        }
+        text {
+            fill: #0b1018;
+            font: 700 11px system-ui, sans-serif;
+            text-anchor: middle;
+            dominant-baseline: central;
+            pointer-events: none;
+        }
+        .x {
+            stroke: #ff8a80;
+            --end: #ff8a80;
+        }
+        .y {
+            stroke: #7ee2a8;
+            --end: #7ee2a8;
+        }
+        .z {
+            stroke: #8ab8ff;
+            --end: #8ab8ff;
+        }
+        circle.reach {
+            fill: transparent;
+            stroke: none;
+        }
+        .towards circle:not(.reach) {
+            fill: var(--end);
+        }
+        .away circle:not(.reach) {
+            fill: rgb(128 140 160 / 0.25);
+        }
+    `;
 
     override render(): TemplateResult {
         const { view, scene } = this.model;
