@@ -1,5 +1,6 @@
-// Which fields of a dataset can be asked for at the vertices of a surface and at the nodes of its grid, and what is said of a name
-// that is none of them: one answer for sessions, files, level sets, points and the command line.
+// Which fields of a dataset can be asked for at the vertices of a surface and at the nodes of its grid, and
+// what is said of a name that is none of them: one answer for sessions, files, level sets, points and the
+// command line.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -12,12 +13,13 @@
 
 namespace wakesurf::server {
 
-/// What has a value at the nodes of the grid: the stored scalars and families, the velocity for its magnitude, its components and what is
-/// derived from its gradient. Each name once, stored ones first. @param stored  the scalars and families; a built-in flow has none
+/// Lists what has a value at the nodes of the grid: the stored scalars and families, the velocity for its
+/// magnitude, its components and what is derived from its gradient. Each name once, stored ones first.
+/// @param stored  the scalars and families; a built-in flow has none
 std::vector<std::string> node_field_names(std::vector<std::string> stored,
                                           const std::string& velocity);
 
-/// What surfaces can carry: these, and what is known of their vertices.
+/// Lists what surfaces can carry: these, and what is known of their vertices.
 std::vector<std::string> vertex_field_names(std::vector<std::string> stored,
                                             const std::string& velocity);
 
@@ -25,7 +27,8 @@ std::vector<std::string> vertex_field_names(std::vector<std::string> stored,
 std::string field_hint(std::string_view name, std::span<const std::string> there);
 
 /// NotFound. @param parameter  which has the name
-/// @param of_files  those of the files that the dataset was imported from, of which some may not have been stored
+/// @param of_files  those of the files that the dataset was imported from, of which some may not have been
+/// stored
 core::Error no_such_field(std::string_view parameter,
                           const std::string& name,
                           std::span<const std::string> there,

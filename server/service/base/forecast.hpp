@@ -1,5 +1,5 @@
-// How long a piece of work will still take, from how the part that is done has grown: by a power of the time, since some work goes evenly
-// and other work, as on a surface that grows, slows down.
+// How long a piece of work will still take, from how the part that is done has grown: by a power of the
+// time, since some work goes evenly and other work, as on a surface that grows, slows down.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// Who makes a call: the role its token has, and the session a share link is good for. Decided once, at the gate; asked
-// before every method.
+// Who makes a call: the role its token has, and the session a share link is good for. Decided once, at the
+// gate; asked before every method.
 #pragma once
 
 #include <array>
@@ -25,7 +25,8 @@ struct Identity {
     bool operator==(const Identity&) const = default;
 };
 
-/// Whether it has come by the link into that session which whoever copied it got: no one else has such a link.
+/// Returns whether it has come by the link into that session which whoever copied it got: no one else has
+/// such a link.
 inline bool is_copier_of(const std::string& session, const Identity& identity) {
     return !identity.copier.empty() && identity.session == session;
 }
@@ -36,7 +37,7 @@ constexpr std::string_view name(Role role) {
     return role_names[static_cast<std::size_t>(role)];
 }
 
-/// Nothing for what is no role.
+/// Returns nothing for what is no role.
 constexpr std::optional<Role> role_named(std::string_view word) {
     for (std::size_t i = 0; i < role_names.size(); ++i)
         if (role_names[i] == word)

@@ -1,5 +1,5 @@
-// Where the records of sessions are kept beyond the server's life, as sessions see it: changes go in on the loop's thread
-// and are told of once they are on the disk.
+// Where the records of sessions are kept beyond the server's life, as sessions see it: changes go in on the
+// loop's thread and are told of once they are on the disk.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -12,7 +12,7 @@
 
 namespace wakesurf::server {
 
-/// One record as it is now, or gone.
+/// Holds one record as it is now, or gone.
 struct JournalEntry {
     std::string type; ///< `session`, `rake`, `surface`, `bookmark`, `annotation`, `grant`, ...
     std::string id;
@@ -37,7 +37,8 @@ class Journal {
     /// Takes what one edit changed; it is kept as a whole or not at all.
     virtual void write(const std::string& session, std::vector<JournalEntry> entries) = 0;
 
-    /// Takes records, as they are kept, out of those in use to a place of their own, where nothing overwrites them.
+    /// Takes records, as they are kept, out of those in use to a place of their own, where nothing
+    /// overwrites them.
     virtual void set_aside(const std::string& session, std::vector<KeptAside> records) {
         static_cast<void>(session), static_cast<void>(records);
     }

@@ -16,7 +16,8 @@
 
 namespace wakesurf::server {
 
-/// A thread of its own writes it, from the first change on. Of changes that wait for the disk, the newest is written for all of them.
+/// A thread of its own writes it, from the first change on. Of changes that wait for the disk, the newest is
+/// written for all of them.
 class LateFile {
   public:
     using Done = std::function<void(core::Result<void>)>;
@@ -29,7 +30,8 @@ class LateFile {
     LateFile(const LateFile&) = delete;
     LateFile& operator=(const LateFile&) = delete;
 
-    /// The whole text. `done` is posted to the loop once it, or a newer one, is on the disk. Error: as write_private_file.
+    /// The whole text. `done` is posted to the loop once it, or a newer one, is on the disk. Error: as
+    /// write_private_file.
     void put(std::string text, Done done);
 
   private:

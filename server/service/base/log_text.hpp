@@ -1,5 +1,6 @@
-// Lines of the log are `event=... key=value ...`. What may go into a value that we did not word ourselves: everything but
-// paths of the server, on one line, and not too much of it. Tokens, keys, cookies and messages never do.
+// Lines of the log are `event=... key=value ...`. What may go into a value that we did not word ourselves:
+// everything but paths of the server, on one line, and not too much of it. Tokens, keys, cookies and
+// messages never do.
 #pragma once
 
 #include <algorithm>
@@ -8,8 +9,8 @@
 
 namespace wakesurf::server {
 
-/// A value as it stands in a line: quoted where it is more than a word, everything but printable ASCII as \xHH, at most 80
-/// characters of it.
+/// A value as it stands in a line: quoted where it is more than a word, everything but printable ASCII as
+/// \xHH, at most 80 characters of it.
 inline std::string log_value(std::string_view text) {
     constexpr std::string_view digits = "0123456789abcdef";
     constexpr std::size_t most = 80;

@@ -81,7 +81,8 @@ core::Result<std::string> read_all(const OpenFile& file, std::size_t most) {
     return text;
 }
 
-/// Through links, each of which is this user's or the system's. Kernels protect sticky folders alone like that.
+/// Through links, each of which is this user's or the system's. Kernels protect sticky folders alone like
+/// that.
 core::Result<fs::path> behind_links(fs::path path) {
     for (int i = 0; i < most_links; ++i) {
         struct stat status {};

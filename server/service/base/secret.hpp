@@ -1,5 +1,5 @@
-// Secrets as the server keeps them: only their SHA-256. The secrets themselves are random, 256 bits, so that no table of
-// likely ones helps anyone who gets to see a digest.
+// Secrets as the server keeps them: only their SHA-256. The secrets themselves are random, 256 bits, so that
+// no table of likely ones helps anyone who gets to see a digest.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ bool same_digest(const SecretDigest& a, const SecretDigest& b);
 /// 64 hexadecimal digits.
 std::string digest_text(const SecretDigest& digest);
 
-/// Nothing for what is not one.
+/// Returns nothing for what is not one.
 std::optional<SecretDigest> read_digest(std::string_view text);
 
 } // namespace wakesurf::server

@@ -10,9 +10,9 @@ namespace wakesurf::server {
 /// The running program's file.
 std::filesystem::path this_program();
 
-/// The bundled simulation's .pvd: under share/wakesurf of an installation, or beside the sources of a build tree. The first wins, because
-/// what lies three folders above an installed program is not ours.
-/// Error: NotFound.
+/// The bundled simulation's .pvd: under share/wakesurf of an installation, or beside the sources of a build
+/// tree. The first wins, because what lies three folders above an installed program is not ours. Error:
+/// NotFound.
 core::Result<std::filesystem::path> bundled_simulation();
 
 /// The folder with the client for Python, found in the same way. Error: NotFound.

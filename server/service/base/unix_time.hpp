@@ -1,4 +1,5 @@
-// The time that outlives a restart: for people setting clocks it may jump, so nothing is measured by it while the server runs.
+// The time that outlives a restart: for people setting clocks it may jump, so nothing is measured by it
+// while the server runs.
 #pragma once
 
 #include <chrono>

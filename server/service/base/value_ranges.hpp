@@ -8,7 +8,7 @@
 
 namespace wakesurf::server {
 
-/// Of one attribute of the frames.
+/// Holds the range of one attribute of the frames.
 struct ToldRange {
     std::string attribute;
     core::ValueRange range;

@@ -12,7 +12,7 @@ struct Visitor : Identity {
     Visitor(Identity identity = {}, std::string who = {})
         : Identity(std::move(identity)), person(std::move(who)) {}
 
-    /// As far as can be told: the login of a browser, else the address. May be empty.
+    /// Names the person, as far as can be told: the login of a browser, else the address. May be empty.
     std::string person;
 };
 

@@ -60,8 +60,8 @@ class SpawnOptions {
         ::posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
         ::posix_spawn_file_actions_adddup2(&actions_, out.writing(), STDOUT_FILENO);
         ::posix_spawn_file_actions_adddup2(&actions_, errors.writing(), STDERR_FILENO);
-        // Sockets are not closed by themselves when another program is begun. A child that outlives a killed server would
-        // keep its port taken and its clients waiting.
+        // Sockets are not closed by themselves when another program is begun. A child that outlives a killed
+        // server would keep its port taken and its clients waiting.
         ::posix_spawn_file_actions_addclosefrom_np(&actions_, STDERR_FILENO + 1);
         // Whatever this process ignores or blocks, the child must be endable.
         sigset_t none;

@@ -19,8 +19,8 @@ struct ChildOutcome {
     std::string errors;  ///< what it wrote to standard error, at most the last 16 KiB
 };
 
-/// Runs a program with standard input empty and `address_space` bytes at most (0: no limit). `line` is called in
-/// this thread for every line of its standard output. SIGTERM is sent to it when `stop` fires.
+/// Runs a program with standard input empty and `address_space` bytes at most (0: no limit). `line` is
+/// called in this thread for every line of its standard output. SIGTERM is sent to it when `stop` fires.
 /// Error: Io when it cannot be started.
 core::Result<ChildOutcome> run_child(const std::filesystem::path& program,
                                      const std::vector<std::string>& arguments,

@@ -19,19 +19,23 @@ struct DatasetArgument {
         path; ///< canonical: the store's folder or web address, or the file, folder or pattern to import
 };
 
-/// A folder that is no store stands for the one dataset in it, which the importer finds; a last part with * or % for the
-/// files of a series; https://HOST/PATH/STORE for a store on the web, which is not asked yet. Error: NotFound, Io; as store_address().
+/// A folder that is no store stands for the one dataset in it, which the importer finds; a last part with *
+/// or % for the files of a series; https://HOST/PATH/STORE for a store on the web, which is not asked yet.
+/// Error: NotFound, Io; as store_address().
 core::Result<DatasetArgument> resolve_dataset(const std::string& argument);
 
-/// Times and velocities can be told of sources only: what is stored, or computed, has its own. Error: InvalidArgument, beginning with the option.
+/// Times and velocities can be told of sources only: what is stored, or computed, has its own. Error:
+/// InvalidArgument, beginning with the option.
 core::Result<void> check_source_options(const DatasetArgument& argument,
                                         const command::SourceOptions& options);
 
-/// $WAKESURF_STORE, else $XDG_CACHE_HOME/wakesurf, else ~/.cache/wakesurf, else wakesurf-cache beside the current directory.
+/// $WAKESURF_STORE, else $XDG_CACHE_HOME/wakesurf, else ~/.cache/wakesurf, else wakesurf-cache beside the
+/// current directory.
 std::filesystem::path default_store_root();
 
-/// <root>/<name>-<16 hex digits of the canonical source path>, so that equal names do not meet. Another velocity of the same
-/// files is another folder, and so is a file without its series: a server may show one of them.
+/// <root>/<name>-<16 hex digits of the canonical source path>, so that equal names do not meet. Another
+/// velocity of the same files is another folder, and so is a file without its series: a server may show one
+/// of them.
 std::filesystem::path store_folder(const std::filesystem::path& root,
                                    const DatasetArgument& source,
                                    const command::SourceOptions& options = {});

@@ -42,7 +42,7 @@ DatasetCatalogue::~DatasetCatalogue() {
         each.request_stop();
 }
 
-/// As many as are wanted, but each with the memory that an import needs at least.
+/// Returns as many as are wanted, but each with the memory that an import needs at least.
 std::size_t DatasetCatalogue::wanted_lanes() const {
     const auto sources = std::count_if(entries_.begin(), entries_.end(), [](const auto& entry) {
         return entry->argument.kind != DatasetArgument::Kind::Flow;
@@ -84,7 +84,8 @@ core::Result<void> DatasetCatalogue::add(const std::string& text) {
     return {};
 }
 
-/// What somebody has chosen as the velocity of a source in which it is not clear: beside the store that it has without that.
+/// Names the file that says which velocity was chosen for a source in which it is not clear: beside the
+/// store that it has without that.
 std::filesystem::path DatasetCatalogue::choice_file(const Entry& entry) const {
     return store_folder(options_.store_root, entry.argument, options_.taken).string() + ".velocity";
 }
@@ -113,7 +114,8 @@ void DatasetCatalogue::work(const std::stop_token& stop) {
         attend(*entry, stop);
 }
 
-/// Waits for one that no other thread has: not looked at yet, to be imported again, or with its rest over. Null at the end.
+/// Waits for one that no other thread has: not looked at yet, to be imported again, or with its rest over.
+/// Null at the end.
 DatasetCatalogue::Entry* DatasetCatalogue::take_next(const std::stop_token& stop) {
     using Clock = std::chrono::steady_clock;
     std::unique_lock lock(mutex_);
@@ -183,7 +185,8 @@ void DatasetCatalogue::attend(Entry& entry, const std::stop_token& stop) {
         listener_(entry.status.dataset);
 }
 
-// Changed since the last import began; or that one failed, perhaps at a file that was being written: then again, less and less often.
+// Changed since the last import began; or that one failed, perhaps at a file that was being written: then
+// again, less and less often.
 bool DatasetCatalogue::due(Entry& entry) const {
     if (entry.watch->changed()) {
         entry.failures = 0;

@@ -22,12 +22,14 @@ namespace wakesurf::server {
 /// Thread safety: every call may come from any thread.
 class DatasetCatalogue {
   public:
-    /// Told that a dataset's status changed, without the catalogue's lock: from an import thread, or the thread that stops or starts it.
+    /// Is told that a dataset's status changed, without the catalogue's lock: from an import thread, or the
+    /// thread that stops or starts it.
     using Listener = std::function<void(const std::string& dataset)>;
 
-    /// Resolves the arguments and starts to import what needs it, `options.lanes` sources at a time; after that sources and stores are
-    /// looked at every `options.watch_period`: time-steps a running simulation has written since are imported, and what was computed again,
-    /// or replaced, is opened again. `options.cache`'s budget is for all datasets together. Error: what resolve_dataset and open_flow
+    /// Resolves the arguments and starts to import what needs it, `options.lanes` sources at a time; after
+    /// that sources and stores are looked at every `options.watch_period`: time-steps a running simulation
+    /// has written since are imported, and what was computed again, or replaced, is opened again.
+    /// `options.cache`'s budget is for all datasets together. Error: what resolve_dataset and open_flow
     /// report.
     static core::Result<std::unique_ptr<DatasetCatalogue>>
     open(const std::vector<std::string>& arguments, OpenOptions options, Listener listener);
@@ -41,24 +43,26 @@ class DatasetCatalogue {
     /// Error: NotFound.
     core::Result<DatasetStatus> status(std::string_view dataset) const;
 
-    /// Usable from its first time-step on. Error: NotFound for an unknown id and while nothing is imported yet,
-    /// else what made the import fail.
+    /// Usable from its first time-step on. Error: NotFound for an unknown id and while nothing is imported
+    /// yet, else what made the import fail.
     core::Result<std::shared_ptr<const LoadedDataset>> find(std::string_view dataset) const;
 
-    /// Ends the import of a dataset that is not ready yet, under way or in turn; the store stays usable. False when there is
-    /// none, as of one that only grows.
+    /// Ends the import of a dataset that is not ready yet, under way or in turn; the store stays usable.
+    /// False when there is none, as of one that only grows.
     bool stop_import(std::string_view dataset);
 
     /// Begins an import that was stopped again, where it ended. False when it was not stopped.
     bool start_import(std::string_view dataset);
 
-    /// The families in its store are others than they were: find() and status() have them from now on. Reads a small file.
+    /// The families in its store are others than they were: find() and status() have them from now on. Reads
+    /// a small file.
     void look_for_families(std::string_view dataset);
 
-    /// Imports a dataset of which nothing is there, as its velocity was not clear, with this one. Once that has worked, later servers take
-    /// it as well, as long as they have the same folder of stores and no --velocity.
-    /// Nothing where it is shown with that velocity already. Error: NotFound; InvalidArgument for a store or a built-in flow, and
-    /// where the dataset is shown with another velocity: nobody's flow changes under their surfaces.
+    /// Imports a dataset of which nothing is there, as its velocity was not clear, with this one. Once that
+    /// has worked, later servers take it as well, as long as they have the same folder of stores and no
+    /// --velocity. Does nothing where it is shown with that velocity already. Error: NotFound;
+    /// InvalidArgument for a store or a built-in flow, and where the dataset is shown with another velocity:
+    /// nobody's flow changes under their surfaces.
     core::Result<void> choose_velocity(std::string_view dataset, const std::string& velocity);
 
   private:

@@ -1,4 +1,5 @@
-// What to begin with in a dataset: the one answer of `wakesurf surface` without a rake, of dataset.suggest, and so of the page.
+// What to begin with in a dataset: the one answer of `wakesurf surface` without a rake, of dataset.suggest,
+// and so of the page.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -10,7 +11,7 @@
 
 namespace wakesurf::server {
 
-/// From the time-steps that are there now. @param store  null for a built-in flow
+/// Suggests it from the time-steps that are there now. @param store  null for a built-in flow
 /// Cost: as core::suggest_scene, and the walls are read. Error: as that; what reading the walls reports.
 core::Result<core::SceneSuggestion> suggest_for(const core::DatasetInfo& info,
                                                 const core::Flow& flow,

@@ -23,7 +23,7 @@ namespace {
 constexpr std::size_t longest_name = 64;
 constexpr std::size_t most_steps = 64;
 
-/// What a field of that name would hide, or be hidden by.
+/// Returns what a field of that name would hide, or be hidden by.
 bool taken(const LoadedDataset& dataset, const std::string& name) {
     constexpr std::array<std::string_view, 6> ours{"speed", "s", "t", "x", "y", "z"};
     const auto& components = core::velocity_component_names;

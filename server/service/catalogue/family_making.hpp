@@ -1,5 +1,5 @@
-// A family of stream surfaces of a dataset: its scalar is traced, and kept in the dataset's store as a field like any other. What
-// `family.make` and `wakesurf family` share.
+// A family of stream surfaces of a dataset: its scalar is traced, and kept in the dataset's store as a field
+// like any other. What `family.make` and `wakesurf family` share.
 #pragma once
 
 #include "core/base/work_done.hpp"
@@ -18,9 +18,9 @@ struct FamilyWish {
     std::vector<double> times; ///< the nearest time-steps; empty: the first one
 };
 
-/// What can be told without tracing. Loads no data.
-/// Error: Unsupported (a built-in flow), InvalidArgument (a name that is taken or none, a scalar that is not there), OutOfTime, OverLimit, and
-/// what check_room_for_family reports.
+/// Checks what can be told without tracing. Loads no data.
+/// Error: Unsupported (a built-in flow), InvalidArgument (a name that is taken or none, a scalar that is not
+/// there), OutOfTime, OverLimit, and what check_room_for_family reports.
 core::Result<void> check_family(const LoadedDataset& dataset, const FamilyWish& wish);
 
 /// Traces and keeps it. Runs in the caller's arena. Nothing is left of it where it ends early.

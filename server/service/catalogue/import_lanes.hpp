@@ -1,5 +1,5 @@
-// How many imports run at a time, and the memory that each may take: an equal part of what there is for all. One that does not fit into
-// its part runs again alone, with all of it.
+// How many imports run at a time, and the memory that each may take: an equal part of what there is for all.
+// One that does not fit into its part runs again alone, with all of it.
 #pragma once
 
 #include <condition_variable>

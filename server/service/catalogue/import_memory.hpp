@@ -18,7 +18,8 @@ inline constexpr std::size_t smallest_import = std::size_t{64} << 20;
 
 inline constexpr std::size_t import_part = 4; // of all memory all imports take one part in so many
 
-/// What an import under way takes of the account: it is another process of the same machine. Waits until others have given it back.
+/// What an import under way takes of the account: it is another process of the same machine. Waits until
+/// others have given it back.
 /// @param nth  part of what there is for imports
 inline core::Result<core::MemoryAccount::Share>
 import_memory(const OpenOptions& options, std::size_t nth, const std::stop_token& stop) {

@@ -35,14 +35,16 @@ constexpr double mebi = 1024.0 * 1024.0;
 // What a first surface takes beside the dataset, so that the memory that is asked for is enough for one.
 constexpr std::size_t first_surface = std::size_t{32} << 20;
 
-/// What chunks of a Zarr may take beyond the least, of memory that is left: they are read again and again where they are larger than bricks.
+/// Bounds what chunks of a Zarr may take beyond the least, of memory that is left: they are read again and
+/// again where they are larger than bricks.
 std::size_t more_chunks(std::size_t left) {
     constexpr std::size_t most = std::size_t{512} << 20;
     return std::min(left / 4, most);
 }
 
-/// What stays in memory beside the velocity's time-steps: the grid, what finds cells in a mesh, the solid mask by node, by cell and by
-/// round cells (CellMask); and what sampling a scalar takes, which comes from the memory of the bricks where those are read one by one.
+/// Counts what stays in memory beside the velocity's time-steps: the grid, what finds cells in a mesh, the
+/// solid mask by node, by cell and by round cells (CellMask); and what sampling a scalar takes, which comes
+/// from the memory of the bricks where those are read one by one.
 std::size_t fixed_bytes(const store::StoreReader& reader, bool by_brick) {
     const auto* mesh = std::get_if<core::CellMesh>(&reader.grid());
     constexpr std::size_t locator_bytes =
@@ -51,7 +53,7 @@ std::size_t fixed_bytes(const store::StoreReader& reader, bool by_brick) {
            3 * reader.mask().bytes() + (by_brick ? 0 : reader.scalar_memory());
 }
 
-/// What a dataset needs besides its grid, in words.
+/// Says in words what a dataset needs besides its grid.
 std::string least_words(const store::StoreReader& reader, std::size_t bytes) {
     if (bytes < core::TimeStepCache::smallest_window(reader))
         return fmt::format("for bricks of time-steps of {:.1f} MiB",
@@ -60,7 +62,8 @@ std::string least_words(const store::StoreReader& reader, std::size_t bytes) {
                        static_cast<double>(reader.bytes_per_step()) / mebi);
 }
 
-/// What of the budget is left for time-steps. Error: OverLimit where that is too little to follow a particle.
+/// Returns how much of the budget is left for time-steps. Error: OverLimit where that is too little to
+/// follow a particle.
 core::Result<std::size_t>
 cache_budget(const store::StoreReader& reader, std::size_t fixed, std::size_t budget) {
     const std::size_t steps = core::TimeStepCache::smallest_budget(reader);
@@ -78,7 +81,7 @@ cache_budget(const store::StoreReader& reader, std::size_t fixed, std::size_t bu
                     up(fixed + steps)));
 }
 
-/// The same of the account, which then counts the grid, and has room for the time-steps.
+/// Takes the same from the account, which then counts the grid, and has room for the time-steps.
 core::Result<std::shared_ptr<core::MemoryAccount::Share>>
 counted(const store::StoreReader& reader, std::size_t fixed, const core::MemoryAccount& account) {
     const std::size_t steps = core::TimeStepCache::smallest_budget(reader);
@@ -108,7 +111,7 @@ counted(const store::StoreReader& reader, std::size_t fixed, const core::MemoryA
 
 namespace {
 
-/// Null where no job is wanted, or the store is none of bricks.
+/// Returns null where no job is wanted, or the store is none of bricks.
 std::shared_ptr<RankedStore> with_ranks(const std::shared_ptr<const store::StoreReader>& reader,
                                         const std::filesystem::path& folder,
                                         const StoreOptions& options) {

@@ -35,7 +35,7 @@ struct LoadedDataset {
     std::shared_ptr<const RankedStore> ranks{}; ///< who holds its bricks; null where nobody does
 };
 
-/// How a store is opened.
+/// Says how a store is opened.
 struct StoreOptions {
     core::TimeStepCache::Options cache;
     /// A job beside the server holds bricks, where time-steps do not fit; the store's folder is filled in.
@@ -58,7 +58,7 @@ struct OpenOptions {
 /// Error: InvalidArgument, NotFound (the list of names).
 core::Result<LoadedDataset> open_flow(const DatasetArgument& argument);
 
-/// Whether the time-steps of a store, and its scalars, are had brick by brick, or whole.
+/// Says whether the time-steps of a store, and its scalars, are read brick by brick, or whole.
 struct HowServed {
     /// On the web, where the less is read the better, and where four time-steps do not fit.
     bool by_brick = false;
@@ -66,18 +66,20 @@ struct HowServed {
     std::size_t room = 0;
 };
 
-/// As open_store decides it. @param options  with the memory. @param chunk_bytes  of it that chunks of a Zarr take at least
+/// Decides as open_store does. @param options  with the memory. @param chunk_bytes  of it that chunks of a
+/// Zarr take at least
 HowServed how_served(const store::StoreReader& reader,
                      const core::TimeStepCache::Options& options,
                      std::size_t chunk_bytes = 0);
 
-/// A store, whole or still being written. @param options  the budget, or the account, is for its grid as well.
-/// Error: as read_store_manifest and StoreReader::open; OverLimit where that does not hold the grid and 4 time-steps.
+/// A store, whole or still being written. @param options  the budget, or the account, is for its grid as
+/// well. Error: as read_store_manifest and StoreReader::open; OverLimit where that does not hold the grid
+/// and 4 time-steps.
 core::Result<LoadedDataset> open_store(const std::filesystem::path& folder,
                                        const StoreOptions& options);
 
-/// The same store as what is open of it: with its cache, and with ranges known now, as long as it is the same series of the same values.
-/// Error: as open_store.
+/// Opens the same store as what is open of it: with its cache, and with ranges known now, as long as it is
+/// the same series of the same values. Error: as open_store.
 core::Result<LoadedDataset> open_again(const LoadedDataset& open,
                                        const std::filesystem::path& folder,
                                        const StoreOptions& options);
@@ -85,7 +87,7 @@ core::Result<LoadedDataset> open_again(const LoadedDataset& open,
 /// The families become fields of the dataset, in the place of those listed before.
 void list_families(core::DatasetInfo& info, const store::StoreScalars& scalars);
 
-/// The same, with the families that are in its store now.
+/// Returns the same, with the families that are in its store now.
 LoadedDataset with_families(LoadedDataset open, const core::TimeStepCache::Options& cache);
 
 /// The store on the disk has all the values of what is open of it, and perhaps more.
@@ -94,7 +96,7 @@ bool still_there(const LoadedDataset& open);
 /// Time-steps that can be used now.
 std::size_t steps_ready(const LoadedDataset& open);
 
-/// What its values are told from others by: store::ValueMarks::text. Empty for a built-in flow.
+/// Returns what its values are told from others by: store::ValueMarks::text. Empty for a built-in flow.
 std::string values_of(const LoadedDataset& open);
 
 /// Whatever the argument names, imported first where that is needed: blocks until the import is complete.

@@ -12,7 +12,8 @@ using core::Error;
 
 namespace {
 
-// What an import under way does not change: one that is ready grows and is told when it has. One that failed is imported again.
+// What an import under way does not change: one that is ready grows and is told when it has. One that failed
+// is imported again.
 bool settled(DatasetState state) {
     return state == DatasetState::Ready || state == DatasetState::Stopped ||
            state == DatasetState::Incomplete;
@@ -49,7 +50,8 @@ command::SourceOptions ServedDataset::taken_now() const {
     return taken;
 }
 
-// What is open stays open as long as it is the same series, of the same values. What took its place may need its memory.
+// What is open stays open as long as it is the same series, of the same values. What took its place may need
+// its memory.
 core::Result<LoadedDataset> ServedDataset::reopened(const std::filesystem::path& folder) {
     if (!open)
         return open_store(folder, options_);
@@ -63,7 +65,8 @@ core::Result<LoadedDataset> ServedDataset::reopened(const std::filesystem::path&
     return open_store(folder, options_);
 }
 
-// The log has each once, for a source that failed is looked at again and again; and none where the server ends, or someone stopped it.
+// The log has each once, for a source that failed is looked at again and again; and none where the server
+// ends, or someone stopped it.
 void ServedDataset::keep_error(const core::Error& error) {
     const bool told = status.error && status.error->message == error.message;
     if (!told && error.code != Error::Code::Cancelled)
@@ -86,7 +89,8 @@ void ServedDataset::give_up(const std::filesystem::path& folder, const core::Err
                              "import resumes by itself";
 }
 
-/// Data in use were computed again: what is open of them is there no more, and their import counts as one from the beginning.
+/// Data in use were computed again: what is open of them is there no more, and their import counts as one
+/// from the beginning.
 void ServedDataset::notice_replacement() {
     if (!open || std::exchange(compared, true) || still_there(*open))
         return;
@@ -97,7 +101,8 @@ void ServedDataset::notice_replacement() {
     status.error.reset();
 }
 
-// Who is told of ready time-steps asks for them at once: they are counted once find() has them, and not before.
+// Who is told of ready time-steps asks for them at once: they are counted once find() has them, and not
+// before.
 bool ServedDataset::show(const store::ImportProgress& progress,
                          const std::filesystem::path& folder) {
     if (!progress.velocities.empty()) {

@@ -17,11 +17,12 @@
 
 namespace wakesurf::server {
 
-/// Stopped: by the last client that waited for the import; the time-steps until then can be used. Incomplete: it ended before the last time-step,
-/// as on a full disk; those there can be used, and `error` says why and what to do.
+/// Stopped: by the last client that waited for the import; the time-steps until then can be used.
+/// Incomplete: it ended before the last time-step, as on a full disk; those there can be used, and `error`
+/// says why and what to do.
 enum class DatasetState { Importing, Ready, Failed, Stopped, Incomplete };
 
-/// As clients and monitors are told, in the order of DatasetState.
+/// Names the states for clients and monitors, in the order of DatasetState.
 inline constexpr std::array<std::string_view, 5> dataset_state_names{"importing", "ready", "failed",
                                                                      "stopped", "incomplete"};
 
@@ -42,10 +43,11 @@ struct DatasetStatus {
         error; ///< why it failed or is incomplete; of one that is ready, why what was looked for since could not be read
 };
 
-/// Its methods are for the thread that has it (`busy`), but for state(), taken_now() and look_for_families().
+/// Its methods are for the thread that has it (`busy`), but for state(), taken_now() and
+/// look_for_families().
 class ServedDataset {
   public:
-    /// Of an import. Stopped: the caller that stops and starts it says how the dataset stands.
+    /// Is the state of an import. Stopped: the caller that stops and starts it says how the dataset stands.
     enum class Ending { Whole, Stopped };
 
     /// @param guard  of what others look at; it is taken by each method
@@ -55,7 +57,7 @@ class ServedDataset {
     DatasetState state() const;
     command::SourceOptions taken_now() const;
 
-    /// What is in the store now; what is open where that is the same series, of the same values.
+    /// Opens what is in the store now; keeps what is open where that is the same series, of the same values.
     core::Result<LoadedDataset> reopened(const std::filesystem::path& folder);
     /// Of an import that was stopped, or of an earlier one.
     void show_what_is_there(const std::filesystem::path& folder);

@@ -17,7 +17,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Time-steps that are looked at every time: a solver that runs again begins at the first ones, one that goes on writes the last ones.
+/// Time-steps that are looked at every time: a solver that runs again begins at the first ones, one that
+/// goes on writes the last ones.
 constexpr std::size_t first_steps = 4, newest_steps = 16;
 
 constexpr std::uint64_t with(std::uint64_t so_far, std::uint64_t number) {
@@ -77,7 +78,7 @@ std::uint64_t SourceWatch::listing() {
     return sum;
 }
 
-/// One that is written in place changes no folder.
+/// A file that is written in place changes no folder.
 void SourceWatch::find_indices() {
     constexpr std::array<std::string_view, 6> endings{".pvd",   ".series", ".case",
                                                       ".encas", ".foam",   ".vtm"};
@@ -107,7 +108,8 @@ void SourceWatch::begin() {
             known_[path] = stamp(path);
 }
 
-/// From the source's folder down to the file: what appears there is a time-step, or a part of one.
+/// Lists the folders from the source's down to the file: what appears there is a time-step, or a part of
+/// one.
 void SourceWatch::take_folders(const fs::path& file, std::map<fs::path, Stamp>& into) {
     const auto below = file.lexically_relative(folder_);
     if (below.empty() || *below.begin() == "..")

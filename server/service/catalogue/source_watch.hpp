@@ -1,5 +1,6 @@
-// Whether what a dataset was made from has changed on disk since: how a simulation that is still running, or was run again, is noticed.
-// Files and folders that the dataset has nothing to do with are not looked at, however many there are beside it.
+// Whether what a dataset was made from has changed on disk since: how a simulation that is still running, or
+// was run again, is noticed. Files and folders that the dataset has nothing to do with are not looked at,
+// however many there are beside it.
 #pragma once
 
 #include "store/store_manifest.hpp"
@@ -15,17 +16,19 @@ namespace wakesurf::server {
 
 class SourceWatch {
   public:
-    /// @param source  a file, a folder or a pattern; or a store's folder, of which its manifest and checksums are looked at
+    /// @param source  a file, a folder or a pattern; or a store's folder, of which its manifest and
+    /// checksums are looked at
     SourceWatch(std::filesystem::path source, bool is_store);
 
     /// An import begins, or a store is about to be opened: what changes from here on is a change.
     void begin();
 
-    /// It has ended: these are its files. Without any, everything in the source's folder and the folders in it counts.
+    /// It has ended: these are its files. Without any, everything in the source's folder and the folders in
+    /// it counts.
     void made_from(const store::StoreSource& files);
 
-    /// Something has changed since begin(). Looks at what all time-steps share, at the first and the newest ones, and at a part of the
-    /// others, in turns: at no more than `most_looked_at` files.
+    /// Something has changed since begin(). Looks at what all time-steps share, at the first and the newest
+    /// ones, and at a part of the others, in turns: at no more than `most_looked_at` files.
     bool changed();
 
     static constexpr std::size_t most_looked_at = 1024;

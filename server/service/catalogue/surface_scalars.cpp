@@ -28,7 +28,7 @@ std::optional<core::GradientField> derived_here(const LoadedDataset& dataset,
     return stored(dataset, name) ? std::nullopt : core::find_gradient_field(name);
 }
 
-/// Of the velocity and the normal: a stored field of that name goes before it.
+/// Derives from the velocity and the normal: a stored field of that name goes before it.
 bool component_here(const LoadedDataset& dataset, const std::string& name) {
     return core::is_vertex_component(name) && !stored(dataset, name);
 }

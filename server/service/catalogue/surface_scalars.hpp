@@ -1,4 +1,5 @@
-// Scalar fields of a dataset, stored or derived from its velocity, at the vertices of a surface, for exports.
+// Scalar fields of a dataset, stored or derived from its velocity, at the vertices of a surface, for
+// exports.
 #pragma once
 
 #include "core/surface/quad_complex.hpp"
@@ -15,8 +16,8 @@ namespace wakesurf::server {
 core::Result<void> check_fields(const LoadedDataset& dataset,
                                 const std::vector<std::string>& fields);
 
-/// Each named field, with a value a vertex, at the time in `times`. The velocity, deformation, approximated and error may be named too: every export has them.
-/// Error: as check_fields, and what reading reports.
+/// Each named field, with a value a vertex, at the time in `times`. The velocity, deformation, approximated
+/// and error may be named too: every export has them. Error: as check_fields, and what reading reports.
 core::Result<protocol::MeshScalars> surface_scalars(const LoadedDataset& dataset,
                                                     const core::QuadComplex& mesh,
                                                     const std::vector<double>& times,

@@ -1,5 +1,5 @@
-// How many changes a server has acknowledged, beside the file that holds them: a log that was damaged or taken away looks
-// to SQLite like one of fewer changes, and would do so to us.
+// How many changes a server has acknowledged, beside the file that holds them: a log that was damaged or
+// taken away looks to SQLite like one of fewer changes, and would do so to us.
 #pragma once
 
 #include "server/service/base/private_file.hpp"
@@ -11,8 +11,8 @@
 
 namespace wakesurf::server {
 
-/// Written without waiting for the disk: it survives the process, and after a power cut it is at most behind. Where it cannot be
-/// written nothing is noticed, and nothing else is lost.
+/// Written without waiting for the disk: it survives the process, and after a power cut it is at most
+/// behind. Where it cannot be written nothing is noticed, and nothing else is lost.
 class CommitMark {
   public:
     struct Value {
@@ -22,7 +22,7 @@ class CommitMark {
 
     explicit CommitMark(std::string path) : path_(std::move(path)) {}
 
-    /// Nothing where there is none.
+    /// Returns nothing where there is none.
     std::optional<Value> read() const;
 
     void write(const Value& value);

@@ -13,7 +13,7 @@ struct sqlite3_stmt;
 
 namespace wakesurf::server {
 
-/// One statement, to be bound and stepped any number of times. Must not outlive its database.
+/// Holds one statement, to be bound and stepped any number of times. Must not outlive its database.
 class Statement {
   public:
     /// The `at`-th parameter, from 1. REQUIRES: the text stays until the next reset().
@@ -42,21 +42,22 @@ class Statement {
     std::unique_ptr<sqlite3_stmt, Finalize> statement_;
 };
 
-/// One connection; one thread at a time.
+/// Holds one connection; one thread at a time.
 class Database {
   public:
-    /// What to do about a damaged file.
+    /// Says what to do about a damaged file.
     static const char* const way_out;
 
-    /// Makes the file where there is none. `vfs`: SQLite's name of the file system to use; null: the usual one.
-    /// Error: Io; Corrupt where the file is no database.
+    /// Makes the file where there is none. `vfs`: SQLite's name of the file system to use; null: the usual
+    /// one. Error: Io; Corrupt where the file is no database.
     static core::Result<Database> open(const std::string& file, const char* vfs);
 
-    /// Whether closing it moves the log into the file and removes it: so from the start on. Off, closing leaves a damaged log to be
-    /// looked at.
+    /// Sets whether closing it moves the log into the file and removes it: so from the start on. Off,
+    /// closing leaves a damaged log to be looked at.
     void fold_log_on_close(bool fold);
 
-    /// A copy of all of it, with what the log holds, as a file of its own that must not be there. Error: as run().
+    /// A copy of all of it, with what the log holds, as a file of its own that must not be there. Error: as
+    /// run().
     core::Result<void> copy_to(const std::string& file, const char* vfs);
 
     /// Error: Io (full, read-only, failing disk; locked), Corrupt.

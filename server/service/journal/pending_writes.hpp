@@ -1,4 +1,5 @@
-// What has changed since the last commit: of every record the newest state only, however often it was edited.
+// What has changed since the last commit: of every record the newest state only, however often it was
+// edited.
 #pragma once
 
 #include "server/service/base/journal.hpp"

@@ -1,4 +1,5 @@
-// What is kept beside the rows of the state's file, so that one that was altered, and one that is gone, are noticed.
+// What is kept beside the rows of the state's file, so that one that was altered, and one that is gone, are
+// noticed.
 #pragma once
 
 #include "server/service/journal/pending_writes.hpp"

@@ -8,7 +8,7 @@ namespace wakesurf::server {
 
 namespace {
 
-/// How often it is looked after the file while nothing is written.
+/// Is the interval at which the file is checked while nothing is written.
 constexpr std::chrono::seconds look{2};
 
 } // namespace
@@ -138,7 +138,8 @@ void SqliteJournal::work(const std::stop_token& stop) {
 
 // With the lock held, so that no one is told of a later state before an earlier one.
 void SqliteJournal::tell(PendingWrites tried, const core::Result<void>& outcome, Waiting waited) {
-    // The disk takes writes again, but edits came meanwhile that were answered as not durable: they go first.
+    // The disk takes writes again, but edits came meanwhile that were answered as not durable: they go
+    // first.
     const bool behind = outcome && refusal_ && !changes_.empty();
     const bool changed = !behind && refusal_.has_value() == outcome.has_value();
     if (outcome) {

@@ -1,26 +1,27 @@
-// Notices a server that dies again and again while it starts, so that the next start can leave out what may be killing it.
+// Notices a server that dies again and again while it starts, so that the next start can leave out what may
+// be killing it.
 #pragma once
 
 #include <filesystem>
 
 namespace wakesurf::server {
 
-/// The number of starts that have not come to a good end is a file in the folder of `--state`. A folder that cannot be written to counts
-/// nothing. Loop thread only.
+/// The number of starts that have not come to a good end is a file in the folder of `--state`. A folder that
+/// cannot be written to counts nothing. Loop thread only.
 class StartGuard {
   public:
-    /// So many, and the next start is a careful one.
+    /// After so many deaths the next start is a careful one.
     static constexpr unsigned most = 3;
 
     /// Begins a start. @param folder  held by this process
     explicit StartGuard(const std::filesystem::path& folder);
 
-    /// Starts before this one that died, in a row.
+    /// Returns how many starts before this one died, in a row.
     unsigned died() const { return died_; }
 
     bool careful() const { return died_ >= most; }
 
-    /// It has served for a while, or ends as it should: forgets them. Waits for the disk.
+    /// Forgets them: the server has served for a while, or ends as it should. Waits for the disk.
     void good();
 
   private:

@@ -20,7 +20,7 @@ std::string count_text(std::int64_t count, const char* what) {
     return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
-/// What was found, added up in both ways: an altered digest is not a missing row, nor is an altered record.
+/// Sums up what was found in both ways: an altered digest is not a missing row, nor is an altered record.
 struct Found {
     std::map<std::string, RowSum> as_written;
     std::map<std::string, RowSum> as_read;
@@ -171,7 +171,8 @@ Error damage_error(const StateContent& content) {
     return {Error::Code::Corrupt, std::move(text), Database::way_out};
 }
 
-// A row by its number needs only the pages on the way to it, so that those behind a broken page are reached all the same.
+// A row by its number needs only the pages on the way to it, so that those behind a broken page are reached
+// all the same.
 core::Result<StateContent> salvage_content(Database& database, std::int64_t now) {
     auto begun = of_layout(database);
     if (!begun || begun->layout == 0)

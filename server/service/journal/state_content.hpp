@@ -1,5 +1,5 @@
-// Everything in the state's file, read and checked: against the checksum of each row, the sums of each session's rows and
-// of all of them, and SQLite's own check of its structure.
+// Everything in the state's file, read and checked: against the checksum of each row, the sums of each
+// session's rows and of all of them, and SQLite's own check of its structure.
 #pragma once
 
 #include "server/service/journal/state_layout.hpp"
@@ -22,18 +22,18 @@ struct StateContent {
 
     std::size_t records() const { return digests.size(); }
 
-    /// Of the sound records.
+    /// Covers the sound records.
     std::map<std::string, RowSum> sums() const;
 };
 
-/// Reads all there is, and says what is not as it was written. `now`: since when what is damaged is kept aside.
-/// Error: as Database::run, where it cannot be read to the end; as layout_of.
+/// Reads all there is, and says what is not as it was written. `now`: since when what is damaged is kept
+/// aside. Error: as Database::run, where it cannot be read to the end; as layout_of.
 core::Result<StateContent> read_content(Database& database, std::int64_t now);
 
 /// Reads what can be read of a damaged file, row by row. Error: as layout_of.
 core::Result<StateContent> salvage_content(Database& database, std::int64_t now);
 
-/// What a start says of a file with faults.
+/// Says what a start tells of a file with faults.
 core::Error damage_error(const StateContent& content);
 
 } // namespace wakesurf::server

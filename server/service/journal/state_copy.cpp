@@ -96,7 +96,7 @@ core::Result<void> copy_of_running(const fs::path& folder, const fs::path& to) {
                 "see the server's log");
 }
 
-/// Of a folder as it is now, even if a server uses it.
+/// Copies a folder as it is now, even if a server uses it.
 core::Result<void> copy_of(const fs::path& folder, const fs::path& to) {
     const auto held = StateFolder::hold_existing(folder);
     if (held)

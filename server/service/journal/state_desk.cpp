@@ -53,7 +53,8 @@ class Descriptor {
     int number_;
 };
 
-/// A socket's address has room for 107 bytes, a folder's path may be longer: it is named by the folder's descriptor.
+/// A socket's address has room for 107 bytes, a folder's path may be longer: it is named by the folder's
+/// descriptor.
 sockaddr_un address_in(int folder) {
     sockaddr_un address{};
     address.sun_family = AF_UNIX;

@@ -1,5 +1,5 @@
-// The place in the state folder where other programs of the same user reach a server that runs: a Unix-domain socket (0600). It grants
-// one thing, that the file is left alone while somebody copies it.
+// The place in the state folder where other programs of the same user reach a server that runs: a
+// Unix-domain socket (0600). It grants one thing, that the file is left alone while somebody copies it.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -10,8 +10,9 @@
 
 namespace wakesurf::server {
 
-/// `hold\n` is answered by `ok\n`, or `error REASON\n`; what the asker sends then, or its leaving, ends it, answered by `whole\n` where the file
-/// was left alone all the time, else `changed\n`. One asker at a time, each for a minute at most.
+/// `hold\n` is answered by `ok\n`, or `error REASON\n`; what the asker sends then, or its leaving, ends it,
+/// answered by `whole\n` where the file was left alone all the time, else `changed\n`. One asker at a time,
+/// each for a minute at most.
 class StateDesk {
   public:
     struct Services {
@@ -19,7 +20,8 @@ class StateDesk {
         std::function<bool()> release; ///< whether the file was left alone
     };
 
-    /// Called by a thread of its own. A folder that takes no socket is done without: copies need a server that has ended then.
+    /// Called by a thread of its own. A folder that takes no socket is done without: copies need a server
+    /// that has ended then.
     StateDesk(std::filesystem::path folder, Services services);
     ~StateDesk();
     StateDesk(const StateDesk&) = delete;

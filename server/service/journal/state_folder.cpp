@@ -24,7 +24,7 @@ tl::unexpected<Error> unusable(int error) {
                 "name one that this user can create or write to");
 }
 
-/// What a server, or SQLite for it, opens there by these names.
+/// Lists the names that a server, or SQLite for it, opens there.
 constexpr std::array<const char*, 7> own_files{"sessions.sqlite",
                                                "sessions.sqlite-wal",
                                                "sessions.sqlite-shm",
@@ -33,7 +33,7 @@ constexpr std::array<const char*, 7> own_files{"sessions.sqlite",
                                                "starts",
                                                "ended-logins"};
 
-/// Of this user, and with nothing in it that somebody else could have led elsewhere.
+/// Checks that it is this user's, with nothing in it that somebody else could have led elsewhere.
 core::Result<void> look_through(const std::filesystem::path& folder) {
     if (auto ours = check_private_folder(folder, "--state", false); !ours)
         return ours;

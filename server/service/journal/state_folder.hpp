@@ -14,11 +14,11 @@ core::Result<void> make_private_file(const std::string& path);
 /// Held until it is destroyed, and until the process ends at the latest.
 class StateFolder {
   public:
-    /// Makes the folder (0700) and an empty database file (0600) where there is none. Error: Io; OverLimit where another server
-    /// holds the folder.
+    /// Makes the folder (0700) and an empty database file (0600) where there is none. Error: Io; OverLimit
+    /// where another server holds the folder.
     static core::Result<StateFolder> hold(const std::filesystem::path& folder);
 
-    /// The same, making nothing. Error: NotFound where there is no folder; Io; OverLimit.
+    /// Does the same, making nothing. Error: NotFound where there is no folder; Io; OverLimit.
     static core::Result<StateFolder> hold_existing(const std::filesystem::path& folder);
 
     ~StateFolder();

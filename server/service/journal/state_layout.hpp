@@ -12,7 +12,7 @@
 
 namespace wakesurf::server {
 
-/// What the file says of itself.
+/// Holds what the file says of itself.
 struct StateHead {
     std::int64_t id = 0;      ///< drawn when it was made, so that it is known from others
     std::int64_t commits = 0; ///< transactions since then
@@ -21,17 +21,18 @@ struct StateHead {
     bool operator==(const StateHead&) const = default;
 };
 
-/// A record out of use, as it was.
+/// Holds a record out of use, as it was.
 struct AsideRow {
     std::string session;
     KeptAside label;
     std::string json;
 };
 
-/// Kept in the file's user_version.
+/// Is kept in the file's user_version.
 inline constexpr int state_layout = 2;
 
-/// Layout of the file; 0: nothing is in it. Error: as Database::run; Unsupported where it is a newer program's, or another's.
+/// Returns the layout of the file; 0: nothing is in it. Error: as Database::run; Unsupported where it is a
+/// newer program's, or another's.
 core::Result<int> layout_of(Database& database);
 
 /// Makes the tables of this layout where there are none.
@@ -48,7 +49,7 @@ core::Result<void>
 put_row(Database& database, const StoredKey& key, const std::string& json, std::uint64_t digest);
 core::Result<void> put_aside(Database& database, const AsideRow& row);
 
-/// Of one session; of all together where its name is empty. A sum of nothing is not kept.
+/// Writes the sum of one session, or of all together where its name is empty. A sum of nothing is not kept.
 core::Result<void> put_sum(Database& database, const std::string& session, const RowSum& sum);
 core::Result<void> put_head(Database& database, const StateHead& head);
 

@@ -114,15 +114,16 @@ core::Result<OpenedState> open_state(const StateOptions& options, const CommitMa
     if (!database)
         return tl::unexpected(database.error());
     database->fold_log_on_close(false);
-    // Exclusive before the first access: the log's index is then kept in memory, not in a mapped file, where a write is a
-    // signal when the disk is full.
+    // Exclusive before the first access: the log's index is then kept in memory, not in a mapped file, where
+    // a write is a signal when the disk is full.
     if (auto alone = database->run("PRAGMA locking_mode=EXCLUSIVE; PRAGMA synchronous=FULL");
         !alone)
         return tl::unexpected(alone.error());
     auto content = take_over(*database, options, mark);
     if (!content)
         return tl::unexpected(content.error());
-    // The log is opened by reading: a checkpoint before that is SQLITE_LOCKED after an integrity check (SQLite 3.40).
+    // The log is opened by reading: a checkpoint before that is SQLITE_LOCKED after an integrity check
+    // (SQLite 3.40).
     if (auto logs = database->run("PRAGMA journal_mode=WAL").and_then([&] {
             return database->number("SELECT commits FROM head");
         });

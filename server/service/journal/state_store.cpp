@@ -117,8 +117,8 @@ core::Result<void> StateStore::put_back() {
     return connect().map([](const Loaded&) {});
 }
 
-// After a sync that failed, or was never made, what the log shows may not be on the disk, nor what is appended to it be
-// found there: everything moves to the file itself, and the log starts again.
+// After a sync that failed, or was never made, what the log shows may not be on the disk, nor what is
+// appended to it be found there: everything moves to the file itself, and the log starts again.
 core::Result<void> StateStore::begin_log() {
     auto begun = database_->run("PRAGMA wal_checkpoint(TRUNCATE)");
     log_is_new_ = begun.has_value();
@@ -140,7 +140,7 @@ bool StateStore::release() {
     return std::exchange(held_, false);
 }
 
-/// Of one row more, or less.
+/// Takes one row more, or less, into the sum.
 void StateStore::count(const StoredKey& key, std::optional<std::uint64_t> digest) {
     const auto before = stored_.find(key);
     for (RowSum* sum : {&sums_[key.session], &sums_[{}]}) {

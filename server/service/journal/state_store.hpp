@@ -1,5 +1,5 @@
-// The records of all sessions in one SQLite file: read whole at the start, then changed by transactions, each of which is on
-// the disk before it counts (write-ahead log, synchronous=FULL).
+// The records of all sessions in one SQLite file: read whole at the start, then changed by transactions,
+// each of which is on the disk before it counts (write-ahead log, synchronous=FULL).
 #pragma once
 
 #include "server/service/journal/commit_mark.hpp"
@@ -15,10 +15,10 @@
 
 namespace wakesurf::server {
 
-/// One thread at a time; everything here waits for the disk.
+/// Is used by one thread at a time; everything here waits for the disk.
 class StateStore {
   public:
-    /// What a start found.
+    /// Holds what a start found.
     struct Loaded {
         std::map<std::string, std::vector<JournalEntry>> sessions;
         std::vector<AsideRow> aside;   ///< kept aside by earlier starts
@@ -32,28 +32,30 @@ class StateStore {
         return open(StateOptions{std::move(file), vfs});
     }
 
-    /// What open() has read; once.
+    /// Returns what open() has read; once.
     Loaded take_loaded() { return std::move(loaded_); }
 
-    /// All of it or, with an error (Io, Corrupt), none. After an error the next call opens the file again; deletions that are needless have
-    /// been dropped from `changes` then. A change reported as failed may be found on the disk all the same.
+    /// All of it or, with an error (Io, Corrupt), none. After an error the next call opens the file again;
+    /// deletions that are needless have been dropped from `changes` then. A change reported as failed may be
+    /// found on the disk all the same.
     core::Result<void> apply(PendingWrites& changes);
 
-    /// False once the file was deleted or replaced behind our back. The next apply() fails and says so, the one after it puts all
-    /// there was in its place, where nothing else is there by then.
+    /// False once the file was deleted or replaced behind our back. The next apply() fails and says so, the
+    /// one after it puts all there was in its place, where nothing else is there by then.
     bool in_place() const;
 
-    /// Until release() the file alone, without its log, is all there is now, and it is not written to. Error: as apply().
+    /// Until release() the file alone, without its log, is all there is now, and it is not written to.
+    /// Error: as apply().
     core::Result<void> hold();
 
-    /// Whether the file was left alone all the time.
+    /// Returns whether the file was left alone all the time.
     bool release();
 
   private:
     explicit StateStore(StateOptions options)
         : options_(std::move(options)), mark_(options_.file + ".commits") {}
 
-    /// Which file it is, whatever its name.
+    /// Says which file it is, whatever its name.
     struct Identity {
         std::uint64_t device = 0;
         std::uint64_t inode = 0;

@@ -43,7 +43,7 @@ std::uint64_t whole(const Counter& counted) {
     return static_cast<std::uint64_t>(counted.Value());
 }
 
-/// Of one look only: rebuilt each time, so that a dataset that goes leaves nothing behind.
+/// Holds one reading only: it is rebuilt each time, so that a dataset that goes leaves nothing behind.
 void collect(const Standing& standing, Registry& registry) {
     const auto gauge = [&](const char* name, const char* help, auto value) {
         gauges(registry, name, help).Add({}).Set(static_cast<double>(value));

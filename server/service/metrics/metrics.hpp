@@ -1,5 +1,6 @@
-// What the server counts about itself: how long each stage from an edit to the screen takes, what was sent, what was
-// dropped or refused. Read by /metrics as Prometheus text and by server.stats as quantiles of the last minute.
+// What the server counts about itself: how long each stage from an edit to the screen takes, what was sent,
+// what was dropped or refused. Read by /metrics as Prometheus text and by server.stats as quantiles of the
+// last minute.
 #pragma once
 
 #include "core/base/clock.hpp"
@@ -14,14 +15,14 @@
 
 namespace wakesurf::server {
 
-/// What happens to an edit, in order: it waits for a compute thread, waits for time-steps, moves particles, keeps the
-/// surface fine enough, is encoded, and is written to a socket.
+/// Names what happens to an edit, in order: it waits for a compute thread, waits for time-steps, moves
+/// particles, keeps the surface fine enough, is encoded, and is written to a socket.
 enum class Stage : std::uint8_t { Queue, Load, Advect, Refine, Encode, Send };
 
 inline constexpr std::array<std::string_view, 6> stage_names{"queue",  "load",   "advect",
                                                              "refine", "encode", "send"};
 
-/// Why somebody was turned away or sent off.
+/// Says why a client was turned away or sent off.
 enum class Rejection : std::uint8_t {
     Unauthenticated,  ///< no token, or a wrong one
     Forbidden,        ///< Host, Origin or role
@@ -39,7 +40,7 @@ inline constexpr std::array<std::string_view, 10> rejection_names{
     "unauthenticated", "forbidden", "rate_limited",      "too_many_clients", "too_many_pending",
     "malformed",       "too_large", "handshake_timeout", "stalled",          "overflow"};
 
-/// What of a person's, a link's or an address's budget was used up; see limits::Budget.
+/// Says which part of a person's, a link's or an address's budget was used up; see limits::Budget.
 enum class Budgeted : std::uint8_t {
     Sockets,
     Requests,
@@ -57,8 +58,8 @@ inline constexpr std::array<std::string_view, 11> budgeted_names{
     "sockets", "requests", "downloads", "probes",       "waits",
     "edits",   "calls",    "messages",  "wrong_tokens", "without_token"};
 
-/// Thread safety: everything may be called from any thread. Cost of an observation: two uncontended locks, about
-/// 0.1 microseconds; once a pass or a frame, never once a particle.
+/// Thread safety: everything may be called from any thread. Cost of an observation: two uncontended locks,
+/// about 0.1 microseconds; once a pass or a frame, never once a particle.
 class Metrics {
   public:
     /// REQUIRES: the clock outlives it.
@@ -69,7 +70,8 @@ class Metrics {
 
     void observe(Stage stage, double seconds);
 
-    /// From an edit, as the server takes it, to the first frame that shows it handed to a subscriber's connection.
+    /// Takes the time from an edit, as the server takes it, to the first frame that shows it handed to a
+    /// subscriber's connection.
     void first_frame(double seconds);
 
     void frame_sent(std::size_t bytes);
@@ -86,13 +88,13 @@ class Metrics {
     void over_budget(Budgeted kind);
     /// A call was answered with a JSON-RPC error.
     void error(int code);
-    /// Whether edits reach the disk; without a state folder no one says.
+    /// Says whether edits reach the disk; without a state folder no one says.
     void durable(bool yes);
 
     /// Prometheus text, version 0.0.4.
     std::string text(const Standing& standing) const;
 
-    /// Of the last minute.
+    /// Covers the last minute.
     Quantiles quantiles(Stage stage) const;
     Quantiles first_frames() const;
 

@@ -9,7 +9,7 @@ namespace wakesurf::server {
 
 namespace {
 
-/// Of what there is, in percent.
+/// Is a share of what there is, in percent.
 constexpr std::uint64_t part = 60;
 constexpr std::size_t without_proc = std::size_t{4} << 30;
 

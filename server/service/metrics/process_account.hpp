@@ -1,5 +1,5 @@
-// The account of this process's memory: how large it is, what the process is seen to hold beside its shares, and who gives memory back
-// first: the allocator.
+// The account of this process's memory: how large it is, what the process is seen to hold beside its shares,
+// and who gives memory back first: the allocator.
 #pragma once
 
 #include "core/base/memory_account.hpp"
@@ -9,8 +9,8 @@
 
 namespace wakesurf::server {
 
-/// What `--memory` is without being given: 60 % of what the machine, or the control group, has; the rest is for the page cache and
-/// others.
+/// Returns the default of `--memory`: 60 % of what the machine, or the control group, has; the rest is for
+/// the page cache and others.
 std::size_t default_memory();
 
 class ProcessAccount {
@@ -20,7 +20,8 @@ class ProcessAccount {
 
     const core::MemoryAccount& account() const { return account_; }
 
-    /// Looks at what the process holds; true where that is more than it may, and others should be asked to give back.
+    /// Looks at what the process holds; true where that is more than it may, and others should be asked to
+    /// give back.
     bool too_much() const;
 
   private:

@@ -1,5 +1,5 @@
-// Quantiles of what was observed lately: a ring of the newest values with their times. Exact over what it holds, which
-// a histogram's buckets are not, and it forgets, which a histogram does not.
+// Quantiles of what was observed lately: a ring of the newest values with their times. Exact over what it
+// holds, which a histogram's buckets are not, and it forgets, which a histogram does not.
 #pragma once
 
 #include <array>

@@ -1,4 +1,5 @@
-// How the server stands at the moment it is asked: what is open, held and used. Gathered when somebody looks.
+// How the server stands at the moment it is asked: what is open, held and used. Gathered when somebody
+// looks.
 #pragma once
 
 #include "core/base/memory_account.hpp"
@@ -29,7 +30,7 @@ struct BricksStanding {
     std::uint64_t ranks = 0; ///< of the job; 0: it is not there
 };
 
-/// How many datasets are in a state.
+/// Says how many datasets are in a state.
 struct DatasetCount {
     std::string_view state;
     std::size_t count = 0;
@@ -37,10 +38,11 @@ struct DatasetCount {
     bool operator==(const DatasetCount&) const = default;
 };
 
-/// What /healthz says: "ok", and of how many datasets some failed or are incomplete. No names: anyone may ask.
+/// Returns what /healthz says: "ok", and of how many datasets some failed or are incomplete. No names:
+/// anyone may ask.
 std::string health_text(std::span<const DatasetCount> datasets);
 
-/// Of the account of memory, in bytes.
+/// Describes the account of memory, in bytes.
 struct MemoryStanding {
     std::size_t budget = 0;
     std::size_t used = 0;
@@ -69,7 +71,7 @@ struct ProcessMemory {
     std::uint64_t descriptors = 0;
 };
 
-/// Of this process, from /proc; zeros where there is none. Cost: tens of microseconds.
+/// Describes this process, from /proc; zeros where there is none. Cost: tens of microseconds.
 ProcessMemory process_memory();
 
 } // namespace wakesurf::server

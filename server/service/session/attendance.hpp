@@ -1,5 +1,5 @@
-// Whether anybody is there: someone connected, a reader of a surface, an unanswered call, wait or download, or a call a moment ago.
-// A session without anybody neither plays nor computes, and gives its memory back.
+// Whether anybody is there: someone connected, a reader of a surface, an unanswered call, wait or download,
+// or a call a moment ago. A session without anybody neither plays nor computes, and gives its memory back.
 #pragma once
 
 #include "core/base/clock.hpp"
@@ -29,13 +29,13 @@ class Attendance {
     Attendance(const Attendance&) = delete;
     Attendance& operator=(const Attendance&) = delete;
 
-    /// Somebody asks for something, or has just gone.
+    /// Notes that somebody asks for something, or has just gone.
     void seen();
 
-    /// Somebody is there for as long as this is held: it waits for an answer.
+    /// Returns a token: somebody is there for as long as it is held, as they wait for an answer.
     std::shared_ptr<void> stay();
 
-    /// No one comes any more.
+    /// Ends it: no one comes any more.
     void end() { look_.reset(); }
 
   private:

@@ -113,7 +113,7 @@ core::Result<void> Session::may_put(const RecordKey& key, bool is_new) const {
                             "delete some, or use another session");
 }
 
-/// It is sound, and there is room for it.
+/// Checks that the record is sound, and that there is room for it.
 core::Result<void> Session::may_keep(const Record& record) const {
     if (auto sound = check_record(record); !sound)
         return sound;
@@ -148,7 +148,8 @@ core::Result<core::ClippedRake> Session::clip_to(const core::Rake& shape,
     return core::clip_rake(shape, open->flow->domain());
 }
 
-// A rake in use must lie in the domains of its surfaces' datasets; a free one in any domain, whole if possible.
+// A rake in use must lie in the domains of its surfaces' datasets; a free one in any domain, whole if
+// possible.
 core::Result<core::ClippedRake> Session::clip(const protocol::RakeSetting& setting) const {
     if (auto sound = core::check_rake(setting.shape); !sound) // also where no dataset is open
         return tl::unexpected(sound.error());
@@ -178,7 +179,7 @@ core::Result<core::ClippedRake> Session::clip(const protocol::RakeSetting& setti
     return best == tries.end() ? tries.front() : *best;
 }
 
-/// What a page puts into a session that nobody has edited, so that there is something to see.
+/// Checks that a page may put a default scene there: nobody has edited the session yet.
 core::Result<void> Session::may_be_default(RecordType type, bool is_new) const {
     const bool first = type == RecordType::Rake ? records_.empty() : records_.count(type) == 0;
     if (is_new && first && !profile().edited)

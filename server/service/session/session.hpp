@@ -1,6 +1,6 @@
-// A session: the records several people look at and edit together. Edits are whole records, the server puts them in
-// order and the last writer wins; each bumps seq, goes to the journal and is told to every participant. Knows neither
-// sockets nor JSON text.
+// A session: the records several people look at and edit together. Edits are whole records, the server puts
+// them in order and the last writer wins; each bumps seq, goes to the journal and is told to every
+// participant. Knows neither sockets nor JSON text.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -38,7 +38,7 @@ struct RakeChange {
         surfaces; ///< recomputed, with their new epochs
 };
 
-/// What came of undo or redo. With neither changes nor skipped there was nothing to undo or redo.
+/// Tells what came of undo or redo. With neither changes nor skipped there was nothing to undo or redo.
 struct HistoryMoveResult {
     struct Skip {
         RecordKey key;
@@ -61,7 +61,7 @@ class Session {
 
     const std::string& name() const { return name_; }
 
-    /// That its people have typed.
+    /// Returns the units that participants entered.
     const protocol::SessionUnits& units() const { return units_; }
 
     std::uint64_t seq() const { return seq_; }
@@ -72,25 +72,25 @@ class Session {
 
     const SessionRecords& records() const { return records_; }
 
-    /// Since when it is there, who was in it, whether anybody edited it.
+    /// Says since when it is there, who was in it, whether anybody edited it.
     const protocol::SessionProfile& profile() const { return profile_.value(); }
 
-    /// The picture that a list shows, in base64; empty: no one has sent one.
+    /// Returns the picture that a list shows, in base64; empty: no one has sent one.
     const std::string& thumbnail() const { return thumbnail_; }
 
     SessionClock& clock() { return clock_; }
 
     const SessionClock& clock() const { return clock_; }
 
-    /// What its moving surfaces can be played over; nothing without any.
+    /// Returns the times that its moving surfaces can be played over; nothing without any.
     std::optional<std::array<double, 2>> moving_range() const { return builds_.moving_range(); }
 
-    /// As SurfaceBuilds::check_time.
+    /// Checks like SurfaceBuilds::check_time.
     core::Result<void> check_time(const char* name, double time) const {
         return builds_.check_time(name, time);
     }
 
-    /// As ChangeLog::since; the clock as it is now.
+    /// Returns what ChangeLog::since does, with the clock as it is now.
     std::optional<std::vector<Patch>> changes_since(std::uint64_t seq) const;
 
     std::vector<protocol::RakeRecord> rakes() const;
@@ -103,33 +103,33 @@ class Session {
     core::Result<protocol::AnnotationRecord> annotation(const std::string& id) const;
     core::Result<std::shared_ptr<LiveSurface>> live(const std::string& id) const;
 
-    /// As Participants::join; the profile remembers who came.
+    /// Works like Participants::join; the profile remembers who came.
     core::Result<Joined> join(const Arrival& arrival, Observer& observer);
     void leave(const Observer& observer);
     void lose(const Observer& observer);
 
-    /// Everybody in it is told.
+    /// Renames it, and tells everybody in it.
     void rename(std::string name);
     void set_units(protocol::SessionUnits units);
     void set_thumbnail(std::string base64);
 
-    /// Somebody calls, or stays for as long as they wait for an answer: see Attendance.
+    /// Notes that somebody calls, or waits for an answer: see Attendance.
     Attendance& attendance() { return attendance_; }
 
-    /// Somebody wants it to be there: it is never given up, however little is in it.
+    /// Notes that somebody made it on purpose: it is never given up, however little is in it.
     void made_on_purpose();
 
-    /// Creates or replaces a rake and rebuilds the surfaces that hang on it, as rake or as rake2; `dragging` takes, renews
-    /// or ends the lease. Whether somebody else has it is for the caller to ask. Error: NotFound, OverLimit,
-    /// InvalidArgument, OutOfDomain by how much; nothing has changed then.
+    /// Creates or replaces a rake and rebuilds the surfaces that hang on it, as rake or as rake2; `dragging`
+    /// takes, renews or ends the lease. Whether somebody else has it is for the caller to ask. Error:
+    /// NotFound, OverLimit, InvalidArgument, OutOfDomain by how much; nothing has changed then.
     core::Result<RakeChange> set_rake(const protocol::RakeSetting& setting,
                                       const Author& author = {});
 
     /// Deletes the surfaces that hang on it as well.
     core::Result<void> delete_rake(const std::string& id, const Author& author = {});
 
-    /// Creates or replaces a surface and starts building it. Error: NotFound (surface, rake, dataset), Unsupported
-    /// (kind), OutOfTime, OutOfDomain, InvalidArgument, OverLimit.
+    /// Creates or replaces a surface and starts building it. Error: NotFound (surface, rake, dataset),
+    /// Unsupported (kind), OutOfTime, OutOfDomain, InvalidArgument, OverLimit.
     core::Result<protocol::SurfaceRecord> set_surface(const protocol::SurfaceSetting& setting,
                                                       const Author& author = {});
     core::Result<void> delete_surface(const std::string& id, const Author& author = {});
@@ -139,38 +139,39 @@ class Session {
                                                         const Author& author = {});
     core::Result<void> delete_bookmark(const std::string& id, const Author& author = {});
 
-    /// A new one carries the author's name, and keeps it. Error: NotFound (annotation, surface), OverLimit.
+    /// Creates or replaces an annotation. A new one carries the author's name, and keeps it. Error: NotFound
+    /// (annotation, surface), OverLimit.
     core::Result<protocol::AnnotationRecord>
     set_annotation(const protocol::AnnotationSetting& setting, const Author& author = {});
     core::Result<void> delete_annotation(const std::string& id, const Author& author = {});
 
-    /// Takes the author's newest edit back, or does it again, as an edit like any other. Where a record of it is no longer as the
-    /// author left it, nothing happens but that the edit is forgotten.
+    /// Takes the author's newest edit back, or does it again, as an edit like any other. Where a record of
+    /// it is no longer as the author left it, nothing happens but that the edit is forgotten.
     HistoryMoveResult move_in_history(HistoryMove move, const Author& author);
 
-    /// Who drags a rake just now.
+    /// Says who drags a rake just now.
     std::optional<Lease> lease(const std::string& rake) const { return leases_.find(rake); }
 
     const SurfaceBuilds& builds() const { return builds_; }
 
-    /// Of somebody who has left.
+    /// Ends the leases of somebody who has left.
     void end_leases(const std::string& participant);
 
-    /// As SurfaceBuilds::dataset_changed. Where its values are not those that the session was last used with, also by an earlier server,
-    /// its picture goes, and newcomers are told.
+    /// Works like SurfaceBuilds::dataset_changed. Where its values are not those that the session was last
+    /// used with, also by an earlier server, its picture goes, and newcomers are told.
     void dataset_changed(const std::string& dataset);
 
-    /// Datasets whose values have been replaced while no one was here.
+    /// Lists the datasets whose values have been replaced while no one was here.
     const std::set<std::string>& replaced_data() const { return replaced_data_; }
 
-    /// Brings back what a journal kept, places of people and all, into a session without records. Its epochs and seq are above all told
-    /// before.
+    /// Brings back what a journal kept, places of people and all, into a session without records. Its epochs
+    /// and seq are above all told before.
     RestoreReport restore(std::span<const JournalEntry> entries);
 
-    /// Records that starts could not use, oldest first.
+    /// Lists the records that starts could not use, oldest first.
     const std::vector<KeptAside>& kept_aside() const { return aside_; }
 
-    /// How many of them only the last start found.
+    /// Says how many of them only the last start found.
     std::size_t newly_aside() const { return newly_aside_; }
 
     /// Has records that cannot be used kept aside, and remembers them.
@@ -185,16 +186,18 @@ class Session {
     /// Writes the session into the journal as it is, name and all.
     void keep();
 
-    /// All that the journal has of it but its share links: restore() makes the same session of it.
+    /// Returns all that the journal has of it but its share links: restore() makes the same session of it.
     std::vector<JournalEntry> entries() const;
 
-    /// Takes over records that have been checked, into a session without records; its surfaces rest until someone looks.
+    /// Takes over records that have been checked, into a session without records; its surfaces rest until
+    /// someone looks.
     void take_over(KeptRecords records);
 
     /// Notes since when it is in the trash; nothing: it is not any more.
     void delete_at(std::optional<std::int64_t> when);
 
-    /// It is deleted: its people are sent away and its jobs stopped, and nothing of it is kept any more.
+    /// Ends a deleted session: its people are sent away, its jobs stopped, and nothing of it is kept any
+    /// more.
     void end();
 
     /// Writes the time into the journal if the clock runs: otherwise it is there already.

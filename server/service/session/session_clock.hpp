@@ -1,5 +1,6 @@
-// The clock all surfaces of a session are shown at: simulation time that runs, stands or has never been set. It is a record
-// like others, told when somebody changes it; its ticks are not, clients carry the time on by themselves.
+// The clock all surfaces of a session are shown at: simulation time that runs, stands or has never been set.
+// It is a record like others, told when somebody changes it; its ticks are not, clients carry the time on by
+// themselves.
 #pragma once
 
 #include "core/base/clock.hpp"
@@ -33,7 +34,8 @@ class SessionClock {
     /// Jumps to a time; goes on running if it runs. Nothing: stops, and forgets the time.
     void set(std::optional<double> time);
 
-    /// Runs on from where it stands, or from the start where that is outside of what is played or at its end.
+    /// Runs on from where it stands, or from the start where that is outside of what is played or at its
+    /// end.
     /// @param natural  what is played unless it was said: now or in an earlier call
     /// Error: InvalidArgument when no one said, or the ends are not in order.
     core::Result<void> play(const protocol::PlaySetting& setting,

@@ -1,5 +1,5 @@
-// A session and the values of its datasets: it remembers which they were, so that others in their place are noticed, also after a
-// restart.
+// A session and the values of its datasets: it remembers which they were, so that others in their place are
+// noticed, also after a restart.
 #include "server/service/session/session.hpp"
 
 #include <set>

@@ -26,7 +26,7 @@ void log_event(const char* event, const std::string& id) {
     spdlog::info("event={} session={}", event, log_value(id));
 }
 
-/// No one would miss it: only the page's default scene is in it, or nothing.
+/// Returns whether no one would miss it: only the page's default scene is in it, or nothing.
 bool is_unused(const Session& session) {
     return session.id() != main_id && !session.profile().edited && !session.profile().on_purpose;
 }
@@ -55,7 +55,7 @@ TrashedSession trashed(const std::string& id,
     return out;
 }
 
-/// Of all memory at most one `nth`.
+/// Takes at most one `nth` of all memory.
 std::size_t part_of(const core::MemoryAccount* account, std::size_t nth, std::size_t most) {
     return account == nullptr ? most : std::min(most, account->budget() / nth);
 }
@@ -267,7 +267,7 @@ core::Result<void> SessionDirectory::erase(const std::string& id) {
     return {};
 }
 
-/// Its links before the journal forgets it: they strike themselves from there.
+/// Ends its links before the journal forgets it: they strike themselves from there.
 void SessionDirectory::forget(const std::string& id) {
     if (gone_)
         gone_(id);

@@ -1,5 +1,6 @@
-// All sessions of the server, and those in the trash. One, `main`, is there from the start, so that a page and a script meet
-// without arranging anything. The server deletes no one's work: where there are too many sessions it refuses to make more.
+// All sessions of the server, and those in the trash. One, `main`, is there from the start, so that a page
+// and a script meet without arranging anything. The server deletes no one's work: where there are too many
+// sessions it refuses to make more.
 #pragma once
 
 #include "server/service/compute/history_budget.hpp"
@@ -22,49 +23,53 @@ class SessionDirectory {
   public:
     explicit SessionDirectory(SessionServices services);
 
-    /// Where there are too many, the one unused for longest goes that no one edited, named or shared and no one is in. Error: OverLimit
-    /// when there is none of those.
+    /// Makes a session. Where there are too many, the one unused for longest goes that no one edited, named
+    /// or shared and no one is in. Error: OverLimit when there is none of those.
     core::Result<std::shared_ptr<Session>> create(std::string name);
 
-    /// A new session with the records of another, at the time that this one shows. Error: NotFound, OverLimit.
+    /// Makes a session with the records of another, at the time that this one shows. Error: NotFound,
+    /// OverLimit.
     /// @param on_purpose  false: it may go once it is not needed, like one that no one has edited
     core::Result<std::shared_ptr<Session>>
     fork(const std::string& id, std::string name, bool on_purpose = true);
 
-    /// Gives up the one of these sessions that has been unused for longest, of those that no one has edited, named or shared and no one
-    /// is in. False: all of them are somebody's work.
+    /// Gives up the one of these sessions that has been unused for longest, of those that no one has edited,
+    /// named or shared and no one is in. False: all of them are somebody's work.
     bool give_up_one(std::span<const std::string> ids);
 
-    /// Whether no one has edited, named or shared it, and no one is in it but by that link: it is nobody's work.
+    /// Returns whether no one has edited, named or shared it, and no one is in it but by that link: it is
+    /// nobody's work.
     bool may_give_up(const std::string& id, const std::string& grant) const;
 
-    /// For good, past the trash; who is in it is sent away. REQUIRES: find(id), and that it is not main.
+    /// Deletes it for good, past the trash; who is in it is sent away. REQUIRES: find(id), and that it is
+    /// not main.
     void give_up(const std::string& id);
 
-    /// A new session of records that have been checked. Error: OverLimit.
+    /// Makes a session of records that have been checked. Error: OverLimit.
     core::Result<std::shared_ptr<Session>> import(KeptRecords records, std::string name);
 
-    /// Brings a session back from what the journal kept of it, into the trash if it was there. Before anybody is served.
+    /// Brings a session back from what the journal kept of it, into the trash if it was there. Before
+    /// anybody is served.
     RestoreReport
     restore(const std::string& id, std::string name, std::span<const JournalEntry> entries);
 
     /// Error: NotFound.
     core::Result<std::shared_ptr<Session>> find(const std::string& id) const;
 
-    /// How many more can be made, those counted that would go for them.
+    /// Returns how many more can be made, those counted that would go for them.
     std::size_t remaining() const;
 
-    /// Moves a session to the trash; its people are sent away. Returns the second since 1970 until which it can be brought back.
-    /// Error: NotFound, InvalidArgument (main), OverLimit (full trash).
+    /// Moves a session to the trash; its people are sent away. Returns the second since 1970 until which it
+    /// can be brought back. Error: NotFound, InvalidArgument (main), OverLimit (full trash).
     core::Result<std::int64_t> remove(const std::string& id);
 
-    /// Out of the trash, as it was. Error: NotFound, OverLimit.
+    /// Takes it out of the trash, as it was. Error: NotFound, OverLimit.
     core::Result<std::shared_ptr<Session>> bring_back(const std::string& id);
 
-    /// Out of the trash for good. Error: NotFound.
+    /// Deletes it from the trash for good. Error: NotFound.
     core::Result<void> erase(const std::string& id);
 
-    /// Seconds since 1970.
+    /// Returns the seconds since 1970.
     std::int64_t unix_time() const { return services_.unix_time(); }
 
     const SessionTrash& trash() const { return trash_; }
@@ -75,12 +80,12 @@ class SessionDirectory {
     /// Writes the times of clocks that run into the journal: the server is ending.
     void keep_times() const;
 
-    /// Called with the id of a session that is gone for good.
+    /// Sets what is called with the id of a session that is gone for good.
     void on_gone(std::function<void(const std::string&)> tell) { gone_ = std::move(tell); }
 
     const std::map<std::string, std::shared_ptr<Session>>& all() const { return sessions_; }
 
-    /// Of all sessions.
+    /// Returns the surfaces of all sessions.
     std::vector<std::shared_ptr<LiveSurface>> surfaces() const;
 
   private:

@@ -1,5 +1,5 @@
-// What every edit of a session goes through: the records, the surfaces that follow from them, the journal, everybody who
-// looks on, the author's history.
+// What every edit of a session goes through: the records, the surfaces that follow from them, the journal,
+// everybody who looks on, the author's history.
 #include "server/service/session/session.hpp"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ std::vector<Patch> patches_of(const std::vector<RecordChange>& changes,
     return patches;
 }
 
-/// Nothing but its name or colour is another: what hangs on it stays as it is.
+/// Returns whether only its name or colour is another: then what hangs on it stays as it is.
 bool looks_only(const RecordChange& change) {
     if (!change.before)
         return false;
@@ -39,14 +39,15 @@ bool looks_only(const RecordChange& change) {
            (before.name != after.name || before.colour != after.colour);
 }
 
-/// A drag is one gesture also for those who do not say so. Clients' words for theirs are never taken for a drag.
+/// A drag is one gesture also for those who do not say so. Clients' words for theirs are never taken for a
+/// drag.
 std::string gesture_of(const Author& author, std::uint64_t drag) {
     if (!author.gesture.empty())
         return "named " + author.gesture;
     return drag == 0 ? std::string{} : "drag " + std::to_string(drag);
 }
 
-/// Nothing for what the session's head says.
+/// Returns nothing for what the session's head says.
 std::optional<JournalEntry> entry_of_patch(const Patch& patch) {
     return std::visit(
         [](const auto& each) -> std::optional<JournalEntry> {

@@ -1,4 +1,5 @@
-// Sessions between servers: what goes into a session file, and what comes out of one, checked as if a stranger had written it.
+// Sessions between servers: what goes into a session file, and what comes out of one, checked as if a
+// stranger had written it.
 #pragma once
 
 #include "protocol/api/session_file.hpp"
@@ -14,7 +15,7 @@
 
 namespace wakesurf::server {
 
-/// A session's values at one moment, so that its file can be written elsewhere.
+/// Holds a session's values at one moment, so that its file can be written elsewhere.
 struct SessionSnapshot {
     std::string name;
     SessionRecords records;
@@ -27,19 +28,21 @@ struct SessionSnapshot {
 /// Loop thread only. @param now  seconds since 1970
 SessionSnapshot snapshot_of(const Session& session, const Datasets& datasets, std::int64_t now);
 
-/// Any thread.
+/// May run on any thread.
 protocol::SessionFile file_of(const SessionSnapshot& snapshot);
 
-/// A session file whose records are sound.
+/// Holds a session file whose records are sound.
 struct ReadSession {
     KeptRecords records;
     std::vector<protocol::DatasetMark> datasets; ///< as the file names them
 };
 
-/// From JSON text; any thread. Error: InvalidArgument, OverLimit, Unsupported: the first record that is not sound refuses the whole.
+/// Reads JSON text; any thread. Error: InvalidArgument, OverLimit, Unsupported: the first record that is not
+/// sound refuses the whole.
 core::Result<ReadSession> read_session_text(std::string_view text);
 
-/// Sentences about the datasets that are not here, or are other ones than the file's. Loop thread only.
+/// Returns sentences about the datasets that are not here, or are other ones than the file's. Loop thread
+/// only.
 std::vector<std::string> dataset_notes(const ReadSession& read, const Datasets& datasets);
 
 } // namespace wakesurf::server

@@ -1,4 +1,5 @@
-// Undo and redo: an author's own edits, taken back or done again where no one has touched their records since.
+// Undo and redo: an author's own edits, taken back or done again where no one has touched their records
+// since.
 #include "server/service/session/session.hpp"
 
 #include <algorithm>
@@ -14,7 +15,7 @@ bool sets(const Edit& edit, HistoryMove move, const RecordKey& key, bool there) 
     });
 }
 
-/// The record to put, as a later revision than any of it before.
+/// Returns the record to put, as a later revision than any of it before.
 std::shared_ptr<const Record> at_new_rev(const EditStep& step, HistoryMove move) {
     if (!step.to(move))
         return nullptr;

@@ -10,10 +10,12 @@ namespace wakesurf::server {
 
 namespace {
 
-/// What was told but had not reached the disk when the server ended is not known; numbers start well above it.
+/// What was told but had not reached the disk when the server ended is not known; numbers start well above
+/// it.
 constexpr std::uint32_t restart_gap = 1u << 16;
 
-/// The link that lets somebody into a copy of their own shares it with no one.
+/// Returns whether it was shared. The link that lets somebody into a copy of their own shares it with no
+/// one.
 bool was_shared(const JournalEntry& entry) {
     if (entry.type != "grant" || !entry.record)
         return false;
@@ -23,7 +25,8 @@ bool was_shared(const JournalEntry& entry) {
 
 } // namespace
 
-/// A wakesurf that noted nothing of sessions may have kept anything in them: all count as somebody's work but empty ones.
+/// A wakesurf that noted nothing of sessions may have kept anything in them: all count as somebody's work
+/// but empty ones.
 protocol::SessionProfile Session::profile_of(KeptRecords& kept,
                                              std::span<const JournalEntry> entries) const {
     protocol::SessionProfile profile;

@@ -9,7 +9,7 @@ namespace wakesurf::server {
 
 namespace {
 
-/// Between two writings of when a session was last edited; seconds.
+/// Is the least time between two writings of when a session was last edited; seconds.
 constexpr std::int64_t coarse = 60;
 
 std::int64_t time_of(const UnixTime& unix_time) {

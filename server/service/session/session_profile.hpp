@@ -1,5 +1,5 @@
-// What a list tells of a session besides its records, kept up to date: who was in it, when it was last used, whether
-// anybody ever edited it.
+// What a list tells of a session besides its records, kept up to date: who was in it, when it was last used,
+// whether anybody ever edited it.
 #pragma once
 
 #include "protocol/api/messages_session.hpp"
@@ -15,12 +15,12 @@ namespace wakesurf::server {
 /// Loop thread only. Changes reach the journal with what caused them, the time of an edit once a minute.
 class ProfileKeeper {
   public:
-    /// Of a session made now.
+    /// Describes a session made now.
     explicit ProfileKeeper(UnixTime unix_time);
 
     const protocol::SessionProfile& value() const { return value_; }
 
-    /// Out of the journal, for a session made before now.
+    /// Takes it from the journal, for a session made before now.
     void restore(protocol::SessionProfile kept);
 
     void arrived(protocol::SessionPerson person);
@@ -30,14 +30,14 @@ class ProfileKeeper {
     void copied(const std::string& session, const std::string& name);
     void deleted(std::optional<std::int64_t> when);
 
-    /// Which values a dataset had (store::ValueMarks::text); empty: no surface has used it.
+    /// Says which values a dataset had (store::ValueMarks::text); empty: no surface has used it.
     std::string data(const std::string& dataset) const;
     void set_data(const std::string& dataset, std::string values);
 
-    /// To be written, if anything has changed that should be; it counts as written then.
+    /// Returns what is to be written, if anything has changed that should be; it counts as written then.
     std::optional<JournalEntry> due();
 
-    /// As it is now.
+    /// Returns the entry as it is now.
     JournalEntry entry() const;
 
   private:

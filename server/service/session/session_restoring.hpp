@@ -25,7 +25,7 @@ struct RestoredSessions {
         refused; ///< what could not be used; the journal has been asked to keep it aside
 };
 
-/// By session. Before anybody is served; surfaces are built afterwards. Loop thread only.
+/// Restores them by session, before anybody is served; surfaces are built afterwards. Loop thread only.
 RestoredSessions restore_sessions(const std::map<std::string, std::vector<JournalEntry>>& kept,
                                   SessionDirectory& sessions,
                                   Grants& grants);

@@ -11,7 +11,7 @@ namespace wakesurf::server {
 
 namespace {
 
-/// Between two looks at the wall clock, which may be set meanwhile.
+/// Is the time between two readings of the wall clock, which may be set meanwhile.
 constexpr std::chrono::hours trash_look{1};
 
 } // namespace

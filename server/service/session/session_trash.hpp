@@ -1,5 +1,5 @@
-// Sessions that were deleted: for thirty days each can be restored as it was, then it is gone for good. What is kept of one
-// is what the journal has of it, as text; nothing of it runs.
+// Sessions that were deleted: for thirty days each can be restored as it was, then it is gone for good. What
+// is kept of one is what the journal has of it, as text; nothing of it runs.
 #pragma once
 
 #include "core/base/memory_account.hpp"
@@ -32,11 +32,11 @@ struct TrashedSession {
     core::MemoryAccount::Share memory = {}; ///< of those
 };
 
-/// Seconds since 1970 at which it will be gone for good.
+/// Returns the second since 1970 at which it will be gone for good.
 std::int64_t deleted_until(const protocol::SessionProfile& profile);
 
-/// Loop thread only. By the wall clock, so that thirty days are thirty days across restarts. As that can be wrong for a while, as after a
-/// start, nothing goes before it has been over for two looks, an hour apart.
+/// Loop thread only. By the wall clock, so that thirty days are thirty days across restarts. As that can be
+/// wrong for a while, as after a start, nothing goes before it has been over for two looks, an hour apart.
 class SessionTrash {
   public:
     /// `purged` is told of each session whose time is over, after it has left the trash.
@@ -51,10 +51,10 @@ class SessionTrash {
     /// REQUIRES: the profile says since when it is deleted.
     void put(TrashedSession session);
 
-    /// Null where there is none.
+    /// Returns null where there is none.
     const TrashedSession* find(const std::string& id) const;
 
-    /// Out of the trash. Error: NotFound.
+    /// Takes a session out of the trash. Error: NotFound.
     core::Result<TrashedSession> take(const std::string& id);
 
     const std::map<std::string, TrashedSession>& all() const { return sessions_; }

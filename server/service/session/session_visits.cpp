@@ -25,7 +25,7 @@ void Session::lose(const Observer& observer) {
     somebody_went();
 }
 
-/// Someone who only reloads the page finds it as it was.
+/// Notes that somebody went. Someone who only reloads the page finds the session as it was.
 void Session::somebody_went() {
     profile_.used();
     keep_profile();

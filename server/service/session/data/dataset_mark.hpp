@@ -1,5 +1,5 @@
-// How a dataset is told from others that have its name: by its mesh and its fields, and by its values, of which a growing simulation
-// changes none.
+// How a dataset is told from others that have its name: by its mesh and its fields, and by its values, of
+// which a growing simulation changes none.
 #pragma once
 
 #include "protocol/api/session_file.hpp"

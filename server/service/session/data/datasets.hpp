@@ -31,7 +31,7 @@ class Datasets {
   public:
     virtual ~Datasets() = default;
 
-    /// Ids of those that can be opened now, in catalogue order.
+    /// Lists the ids of those that can be opened now, in catalogue order.
     virtual std::vector<std::string> ids() const = 0;
 
     /// Error: NotFound; what importing failed with; Io while not a single time-step has been imported.

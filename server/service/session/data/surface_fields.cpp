@@ -18,7 +18,7 @@ namespace {
 
 static_assert(protocol::surface_attributes.size() + limits::fields <= protocol::max_attributes);
 
-/// Nothing where the name is none of the dataset's and of ours.
+/// Returns nothing where the name is none of the dataset's and of ours.
 std::optional<SurfaceField> lookup(const OpenDataset& dataset, const std::string& name) {
     using Source = SurfaceField::Source;
     if (dataset.scalars != nullptr && dataset.scalars->find(name))
@@ -39,7 +39,7 @@ std::optional<SurfaceField> lookup(const OpenDataset& dataset, const std::string
     return std::nullopt;
 }
 
-/// All `missing` where the mesh has none.
+/// Returns all `missing` where the mesh has none.
 template <class T>
 std::vector<float>
 values_of(const std::vector<T>& given, const core::QuadComplex& mesh, float missing = 0.0F) {

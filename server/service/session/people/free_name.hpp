@@ -7,7 +7,7 @@
 
 namespace wakesurf::server {
 
-/// `name`, or `name 2`, `name 3`, ...: the first that is not `taken`; at most `longest` bytes.
+/// Returns `name`, or `name 2`, `name 3`, ...: the first that is not `taken`; at most `longest` bytes.
 std::string free_name(const std::string& name,
                       std::size_t longest,
                       const std::function<bool(const std::string&)>& taken);

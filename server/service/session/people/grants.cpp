@@ -83,7 +83,7 @@ Grants::add(Grant link, std::optional<std::chrono::seconds> expires_in, const Li
     return Made{entry.grant, std::move(key)};
 }
 
-/// In force, oldest first.
+/// Lists those in force, oldest first.
 template <class Fits>
 std::vector<Grant> Grants::those(Fits fits) const {
     std::vector<const Entry*> found;

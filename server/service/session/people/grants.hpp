@@ -1,5 +1,5 @@
-// Share links: keys that let people into one session, in one role, until they expire or are taken back. A key is told
-// once, to the client that asked for it; kept is only its digest, here and in the journal.
+// Share links: keys that let people into one session, in one role, until they expire or are taken back. A
+// key is told once, to the client that asked for it; kept is only its digest, here and in the journal.
 #pragma once
 
 #include "core/base/clock.hpp"
@@ -25,7 +25,7 @@
 
 namespace wakesurf::server {
 
-/// Who makes a link.
+/// Says who makes a link.
 struct LinkMaker {
     std::string grant; ///< the link that the maker came by; empty: the server's own token
     std::string name;  ///< of the participant; empty: a script
@@ -41,11 +41,12 @@ struct Grant {
     std::map<std::string, Role> lowered = {}; ///< participants to whom a host gave a lesser role
     std::string copier = {}; ///< link by which somebody made its session, a copy; empty: no copy
 
-    /// What somebody without a place of their own may do by it: no more than anybody it was taken from.
+    /// Returns what somebody without a place of their own may do by it: no more than anybody it was taken
+    /// from.
     Role newcomers() const;
 };
 
-/// What to append to the address of the page, with the key of a link into that session.
+/// Returns what to append to the address of the page, with the key of a link into that session.
 inline std::string link_to(const std::string& session, const std::string& key) {
     return "#session=" + session + "&token=" + key;
 }
@@ -66,8 +67,8 @@ struct GrantServices {
     Journal* journal = nullptr; ///< nothing: not kept
 };
 
-/// Loop thread only. While it runs, links expire by `clock`, which should go on while the machine sleeps: setting the wall clock neither
-/// prolongs nor ends them.
+/// Loop thread only. While it runs, links expire by `clock`, which should go on while the machine sleeps:
+/// setting the wall clock neither prolongs nor ends them.
 class Grants {
   public:
     explicit Grants(GrantServices services);
@@ -86,46 +87,52 @@ class Grants {
                             std::optional<std::chrono::seconds> expires_in,
                             const LinkMaker& maker = {});
 
-    /// How long a link that `grant` makes may last; nothing: for ever.
+    /// Returns how long a link that `grant` makes may last; nothing: for ever.
     std::optional<std::chrono::seconds> longest_of(const std::string& grant) const;
 
-    /// Those in force, oldest first.
+    /// Lists those in force, oldest first.
     std::vector<Grant> of(const std::string& session) const;
 
-    /// An editor's link into a copy, for the holder of the link `by` who has made that. It ends with that link at the latest.
-    /// Error: OverLimit.
+    /// Makes an editor's link into a copy, for the holder of the link `by` who has made that. It ends with
+    /// that link at the latest. Error: OverLimit.
     core::Result<Made> make_for_copy(const std::string& copy, const LinkMaker& by);
 
-    /// Those in force into copies that holders of the link have made, or of all links where it is empty; oldest first.
+    /// Lists those in force into copies that holders of the link have made, or of all links where it is
+    /// empty; oldest first.
     std::vector<Grant> copies(const std::string& id = {}) const;
 
-    /// Those in force that were made by a link, or by one that it made, into copies as well; oldest first.
+    /// Lists those in force that were made by a link, or by one that it made, into copies as well; oldest
+    /// first.
     std::vector<Grant> descendants(const std::string& id) const;
 
-    /// Ends a link of this session, and with `children` its descendants; their holders are told. Error: NotFound.
+    /// Ends a link of this session, and with `children` its descendants; their holders are told. Error:
+    /// NotFound.
     core::Result<void>
     revoke(const std::string& session, const std::string& id, bool children = false);
 
-    /// Ends all links of all sessions; how many there were. Those of sessions in the trash as well.
+    /// Ends all links of all sessions; returns how many there were. Those of sessions in the trash as well.
     std::size_t end_all(const std::string& reason);
 
-    /// A participant came by this link as that person: see Visitor. Not kept beyond the server's life.
+    /// Notes that a participant came by this link as that person: see Visitor. Not kept beyond the server's
+    /// life.
     void seat(const std::string& id, const std::string& participant, const std::string& person);
 
-    /// Other participants who came by the link as the same person.
+    /// Lists other participants who came by the link as the same person.
     std::vector<std::string> others_of(const std::string& id, const std::string& participant) const;
 
-    /// The least role that was set for a participant who is that person; nothing: none less than the link's.
+    /// Returns the least role that was set for a participant who is that person; nothing: none less than the
+    /// link's.
     std::optional<Role> least_of(const std::string& id, const std::string& person) const;
 
-    /// A host has set the role of somebody who came by a link: where it is less than the link's, it holds for everybody who comes by
-    /// the link and has no place yet, until that person gets the link's role back. Nothing happens for links that have ended.
+    /// Notes that a host has set the role of somebody who came by a link: where it is less than the link's,
+    /// it holds for everybody who comes by the link and has no place yet, until that person gets the link's
+    /// role back. Nothing happens for links that have ended.
     void set_role(const std::string& id, const std::string& participant, Role role);
 
-    /// What a key is good for; takes the same time whichever key it is, and whether it is one.
+    /// Returns what a key is good for; takes the same time whichever key it is, and whether it is one.
     std::optional<Identity> find(std::string_view key) const;
 
-    /// What a link is good for now, for a client without a place; nothing once it has ended.
+    /// Returns what a link is good for now, for a client without a place; nothing once it has ended.
     std::optional<Identity> identity(const std::string& id) const;
 
     /// Of its key; nothing once it has ended.
@@ -145,7 +152,8 @@ class Grants {
     /// The session is gone for good.
     void forget(const std::string& session);
 
-    /// The session is in the trash: its links let no one in until it is back; holders are told that theirs has ended.
+    /// The session is in the trash: its links let no one in until it is back; holders are told that theirs
+    /// has ended.
     void suspend(const std::string& session);
     void resume(const std::string& session);
 

@@ -81,7 +81,8 @@ core::Result<Joined> Participants::join(const Arrival& arrival, Observer& observ
         place.name = "guest " + place.id.substr(1);
         place.colour = free_colour();
     }
-    // The role of a place is for the person who came by that link, not for another who learnt the resume token.
+    // The role of a place is for the person who came by that link, not for another who learnt the resume
+    // token.
     if (!joined.returned || place.grant != arrival.identity.grant) {
         place.role = arrival.identity.role;
         place.role_set = false;
@@ -110,7 +111,7 @@ std::string Participants::renew_token(Participant& place, const SecretDigest& sh
     return token;
 }
 
-/// Out of the lists; a place without an id where there is none.
+/// Takes it out of the lists; returns a place without an id where there is none.
 Participant Participants::take_place(const SecretDigest& token) {
     Participant place;
     const auto same = [&](const Participant& each) { return opens(token, each); };
@@ -135,7 +136,7 @@ bool Participants::taken(const std::string& name) const {
                        [&](const Absent& each) { return each.shown && each.place.name == name; });
 }
 
-/// The one of the palette that the fewest have.
+/// Returns the colour of the palette that the fewest have.
 std::string Participants::free_colour() const {
     ColourCount count;
     for (const Participant& each : present_)
@@ -146,7 +147,7 @@ std::string Participants::free_colour() const {
     return count.rarest();
 }
 
-/// Nothing for who is not connected here.
+/// Returns nothing for who is not connected here.
 std::optional<Participant> Participants::take_out(const Observer& observer) {
     const auto found = std::find_if(present_.begin(), present_.end(), [&](const Participant& each) {
         return each.observer == &observer;
@@ -203,8 +204,8 @@ void Participants::hide(const std::string& id) {
     news_.left(id);
 }
 
-/// Those who left too long ago, and of too many the oldest of the link by which most came, first of those no one sees any more: who
-/// comes and goes by one link all day takes no one else's place.
+/// Those who left too long ago, and of too many the oldest of the link by which most came, first of those no
+/// one sees any more: who comes and goes by one link all day takes no one else's place.
 void Participants::trim() {
     const std::int64_t expired = unix_time_() - limits::place_kept.count();
     while (!absent_.empty() && absent_.front().left < expired)

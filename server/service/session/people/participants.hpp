@@ -1,5 +1,6 @@
-// Who is in a session: name, colour, role and presence. A lost connection is shown for ten seconds more, so that a quick
-// return is no news; with its resume token it keeps its place for a week, also beyond the server's end.
+// Who is in a session: name, colour, role and presence. A lost connection is shown for ten seconds more, so
+// that a quick return is no news; with its resume token it keeps its place for a week, also beyond the
+// server's end.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -32,14 +33,15 @@ struct Participant {
     std::string grant;     ///< the share link it came by; empty: the server's own token
     bool role_set = false; ///< by a host, and so not the link's
     SecretDigest token{};  ///< of its resume token
-    /// Of the token before, from an earlier life of the server, as long as the answer with the new one may have been lost.
+    /// Belongs to the token before, from an earlier life of the server, as long as the answer with the new
+    /// one may have been lost.
     std::optional<SecretDigest> former;
     bool restored = false;        ///< no one has come back to it since the server started
     Observer* observer = nullptr; ///< nothing: its connection is lost
     protocol::Presence presence;
 };
 
-/// What somebody asks for who joins.
+/// Holds what somebody asks for who joins.
 struct Arrival {
     std::string name;         ///< empty: one is found
     std::string colour;       ///< #rrggbb; empty: one is found
@@ -51,7 +53,8 @@ struct Joined {
     Participant you;
     std::string resume_token;
     bool returned = false; ///< to a place of an earlier stay
-    /// What the client saw was told by this server, since it started: it can go on from there. Else its token is another one now.
+    /// What the client saw was told by this server, since it started: it can go on from there. Else its
+    /// token is another one now.
     bool same_life = false;
 };
 
@@ -66,17 +69,17 @@ class Participants {
     Participants(const Participants&) = delete;
     Participants& operator=(const Participants&) = delete;
 
-    /// With the token of an earlier stay the participant gets that place again; a connection that still holds it is
-    /// sent away. Error: OverLimit.
+    /// With the token of an earlier stay the participant gets that place again; a connection that still
+    /// holds it is sent away. Error: OverLimit.
     core::Result<Joined> join(const Arrival& arrival, Observer& observer);
 
-    /// Goodbye: the others are told at once.
+    /// Says goodbye: the others are told at once.
     void leave(const Observer& observer);
 
-    /// The connection is lost: shown for a while longer.
+    /// Notes that the connection is lost: the participant is shown for a while longer.
     void lose(const Observer& observer);
 
-    /// New presence, told to the others. Does nothing for who is not in here.
+    /// Sets new presence, and tells the others. Does nothing for who is not in here.
     void update(const Observer& observer, const protocol::PresenceChange& update);
 
     /// Sets somebody's role, which stays with the place. REQUIRES: find(id).
@@ -85,25 +88,27 @@ class Participants {
     /// Sends somebody away for good; the place is gone. REQUIRES: find(id).
     void remove(const std::string& id);
 
-    /// The session is deleted: everybody is sent away, and nothing is kept any more.
+    /// Ends a deleted session: everybody is sent away, and nothing is kept any more.
     void end();
 
-    /// The places as the journal has them.
+    /// Returns the places as the journal has them.
     std::vector<JournalEntry> entries() const;
 
-    /// A place out of the journal. One that no one has come back to for too long is struck from it. Error: Corrupt.
+    /// Restores a place from the journal. One that no one has come back to for too long is struck from it.
+    /// Error: Corrupt.
     core::Result<void> restore(const std::string& id, std::string_view record);
 
-    /// Those connected.
+    /// Lists those connected.
     const std::vector<Participant>& present() const { return present_; }
 
-    /// Nothing for who is not connected here.
+    /// Returns nothing for who is not connected here.
     const Participant* find(const Observer& observer) const;
 
-    /// Somebody who is here, or may come back. Error: NotFound.
+    /// Finds somebody who is here, or may come back. Error: NotFound.
     core::Result<Participant> find(const std::string& id) const;
 
-    /// As others see them: those lost a moment ago, then those connected; who came last comes last.
+    /// Lists them as others see them: those lost a moment ago, then those connected; who came last comes
+    /// last.
     std::vector<protocol::ParticipantRecord> shown() const;
 
   private:

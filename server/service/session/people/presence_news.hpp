@@ -1,5 +1,6 @@
-// What changed about the participants of a session, gathered until it is told. The newest is told at most every 50 ms; where many
-// would have to be told of many, of some at a time and less often, so that presence never crowds out the meshes.
+// What changed about the participants of a session, gathered until it is told. The newest is told at most
+// every 50 ms; where many would have to be told of many, of some at a time and less often, so that presence
+// never crowds out the meshes.
 #pragma once
 
 #include "server/service/base/loop.hpp"
@@ -24,7 +25,7 @@ class PresenceNews {
     /// Tells a batch; returns how many bytes that took over all who were told.
     using Tell = std::function<std::size_t(const Batch&)>;
 
-    /// Of how many participants may be told at a time; at least 1.
+    /// Returns how many participants may be told at a time; at least 1.
     using Room = std::function<std::size_t()>;
 
     PresenceNews(Loop& loop, Room room, Tell tell)

@@ -6,11 +6,12 @@
 namespace wakesurf::server {
 
 struct Author {
-    /// A participant's id; `script`, or `script:` and the share link's id, for a caller that has not joined the session.
-    /// Empty: the server itself, which has no history.
+    /// A participant's id; `script`, or `script:` and the share link's id, for a caller that has not joined
+    /// the session. Empty: the server itself, which has no history.
     std::string participant;
     std::string name; ///< for people
-    /// Which of their gestures an edit is part of: those of one are one step of undo. Empty: it is one by itself.
+    /// Which of their gestures an edit is part of: those of one are one step of undo. Empty: it is one by
+    /// itself.
     std::string gesture{};
     /// The page puts something there to begin with: not an edit of anybody's, which undo would turn.
     bool default_scene = false;

@@ -1,5 +1,5 @@
-// What changed in a session since any of its sequence numbers, for those who come back. Of each record only the newest change
-// is kept: it is the whole record, so that a drag of a thousand edits is one entry.
+// What changed in a session since any of its sequence numbers, for those who come back. Of each record only
+// the newest change is kept: it is the whole record, so that a drag of a thousand edits is one entry.
 #pragma once
 
 #include "server/service/session/records/observer.hpp"
@@ -23,8 +23,8 @@ class ChangeLog {
     /// REQUIRES: seq grows from call to call.
     void add(std::uint64_t seq, std::span<const Patch> patches);
 
-    /// The changes after `seq`, oldest first: applied to the records as they were then, they give the present ones. Nothing if it
-    /// does not reach back that far.
+    /// Returns the changes after `seq`, oldest first: applied to the records as they were then, they give
+    /// the present ones. Nothing if it does not reach back that far.
     std::optional<std::vector<Patch>> since(std::uint64_t seq) const;
 
   private:

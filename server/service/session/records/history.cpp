@@ -23,8 +23,8 @@ EditStep* find_step(Edit& edit, const RecordKey& key) {
     return found == edit.steps.end() ? nullptr : &*found;
 }
 
-/// `next` deletes what `into` made, and with it what others had made of that: forgotten with the one, the other could not
-/// come back.
+/// `next` deletes what `into` made, and with it what others had made of that: forgotten with the one, the
+/// other could not come back.
 bool takes_others_along(Edit& into, const Edit& next) {
     bool unmakes = false;
     bool takes = false;
@@ -36,8 +36,8 @@ bool takes_others_along(Edit& into, const Edit& next) {
     return unmakes && takes;
 }
 
-/// Makes `into`, of the same gesture, the edit that did both. False where something else came between, or it would be
-/// of too many records, or could not be taken back or done again.
+/// Makes `into`, of the same gesture, the edit that did both. False where something else came between, or it
+/// would be of too many records, or could not be taken back or done again.
 bool merge(Edit& into, const Edit& next) {
     if (next.gesture.empty() || into.gesture != next.gesture)
         return false;

@@ -1,7 +1,8 @@
-// What each author of a session can take back, and do again: their own edits as records before and after. An edit may
-// only be taken back, or done again, while its records are as it left them, so every step knows the revision it left; doing so to an
-// edit sets a new revision of a record, which the author's neighbouring edits are told. The edits of one gesture (a slider
-// that moves, a rake that is dragged, a button that makes two records) are one edit here.
+// What each author of a session can take back, and do again: their own edits as records before and after. An
+// edit may only be taken back, or done again, while its records are as it left them, so every step knows the
+// revision it left; doing so to an edit sets a new revision of a record, which the author's neighbouring
+// edits are told. The edits of one gesture (a slider that moves, a rake that is dragged, a button that makes
+// two records) are one edit here.
 #pragma once
 
 #include "server/service/session/records/session_records.hpp"
@@ -20,7 +21,7 @@ namespace wakesurf::server {
 
 enum class HistoryMove : std::uint8_t { Undo, Redo };
 
-/// One record of an edit, both ways.
+/// Holds one record of an edit, both ways.
 struct EditStep {
     RecordKey key;
     std::shared_ptr<const Record> before; ///< null: it was not there
@@ -29,12 +30,12 @@ struct EditStep {
     std::uint64_t after_rev = 0;
     std::uint64_t latest = 0; ///< the highest it had between, where a gesture left it gone
 
-    /// What the record becomes.
+    /// Returns what the record becomes.
     const std::shared_ptr<const Record>& to(HistoryMove move) const {
         return move == HistoryMove::Undo ? before : after;
     }
 
-    /// The revision it must be at for that.
+    /// Returns the revision it must be at for that.
     std::uint64_t from_rev(HistoryMove move) const {
         return move == HistoryMove::Undo ? after_rev : before_rev;
     }
@@ -54,13 +55,15 @@ class History {
         std::size_t redo = 0;
     };
 
-    /// A new edit, or more of the newest one's gesture. Nothing can be done again after it.
+    /// Adds a new edit, or more of the newest one's gesture. Nothing can be done again after it.
     void add(const std::string& author, Edit edit);
 
-    /// Takes the newest edit off, to take it back or to do it again. Gestures end here: what comes next is another edit.
+    /// Takes the newest edit off, to take it back or to do it again. Gestures end here: what comes next is
+    /// another edit.
     std::optional<Edit> take(const std::string& author, HistoryMove move);
 
-    /// The edit that take() returned was taken back or done again; `revs` are its records' revisions now, step by step, 0 for those that are gone.
+    /// Notes that the edit that take() returned was taken back or done again; `revs` are its records'
+    /// revisions now, step by step, 0 for those that are gone.
     void moved(const std::string& author,
                HistoryMove move,
                Edit edit,
@@ -68,7 +71,7 @@ class History {
 
     Depth depth(const std::string& author) const;
 
-    /// What all that is kept takes, about.
+    /// Returns about how many bytes all that is kept takes.
     std::size_t bytes() const { return bytes_; }
 
   private:

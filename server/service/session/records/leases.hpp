@@ -1,5 +1,5 @@
-// Who drags which rake just now. A lease is soft: it ends by itself a few seconds after its holder's last edit, so that
-// no one has to wait for somebody who is gone.
+// Who drags which rake just now. A lease is soft: it ends by itself a few seconds after its holder's last
+// edit, so that no one has to wait for somebody who is gone.
 #pragma once
 
 #include "server/service/base/session_services.hpp"
@@ -27,17 +27,18 @@ class Leases {
     /// `expired` is told of a lease that has just ended by itself.
     Leases(const SessionServices& services, std::function<void(const std::string& rake)> expired);
 
-    /// Takes, renews or takes over. Returns the number of the drag, which stays while the lease is only renewed.
+    /// Takes, renews or takes over. Returns the number of the drag, which stays while the lease is only
+    /// renewed.
     std::uint64_t take(const std::string& rake, const Author& author);
 
     void end(const std::string& rake) { held_.erase(rake); }
 
     std::optional<Lease> find(const std::string& rake) const;
 
-    /// Number of the drag, if this author holds the rake; else 0.
+    /// Returns the number of the drag, if this author holds the rake; else 0.
     std::uint64_t drag(const std::string& rake, const Author& author) const;
 
-    /// The rakes somebody holds.
+    /// Lists the rakes somebody holds.
     std::vector<std::string> of(const std::string& participant) const;
 
   private:

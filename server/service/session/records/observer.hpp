@@ -1,5 +1,5 @@
-// What a session tells those who look at it: record changes and progress. Values, not text; the methods' side puts them
-// into messages.
+// What a session tells those who look at it: record changes and progress. Values, not text; the methods'
+// side puts them into messages.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -26,7 +26,7 @@ struct DeletedRecord {
     std::string id;
 };
 
-/// What the session is called now, and its units.
+/// Holds what the session is called now, and its units.
 struct SessionName {
     std::string session;
     std::string name;
@@ -49,14 +49,14 @@ struct SurfaceProgress {
     PassSeconds took; ///< making that state
 };
 
-/// What the values of a surface range over since it began to play.
+/// Holds the ranges of a surface's values since it began to play.
 struct SurfaceRanges {
     std::string surface;
     std::uint32_t epoch = 0;
     ValueRanges ranges;
 };
 
-/// How an epoch of a surface ended.
+/// Says how an epoch of a surface ended.
 struct SurfaceOutcome {
     std::string surface;
     std::uint32_t epoch = 0;
@@ -67,19 +67,19 @@ struct SurfaceOutcome {
     std::optional<core::Error> error;
 };
 
-/// Why a participant is sent away.
+/// Says why a participant is sent away.
 enum class Farewell : std::uint8_t {
     Displaced, ///< a newer connection has taken its place
     Removed,   ///< by a host
     Deleted    ///< the session is, by a host
 };
 
-/// One for all observers of one event: who puts it into words leaves them here for the others.
+/// Is shared by all observers of one event: who puts it into words leaves them here for the others.
 struct Telling {
     std::shared_ptr<const std::string> text{};
 };
 
-/// Who has joined a session. Calls come on the loop's thread and must not change the session.
+/// Is somebody who has joined a session. Calls come on the loop's thread and must not change the session.
 class Observer {
   public:
     virtual ~Observer() = default;
@@ -87,11 +87,11 @@ class Observer {
                          std::uint64_t seq,
                          std::span<const Patch> patches,
                          Telling& telling) = 0;
-    /// Not told while a surface plays, nor of times it only passes.
+    /// Is not called while a surface plays, nor of times it only passes.
     virtual void progress(const SurfaceProgress& progress, Telling& telling) = 0;
     virtual void done(const SurfaceOutcome& outcome, Telling& telling) = 0;
 
-    /// Told before the state that ranges further is sent.
+    /// Is called before the state that ranges further is sent.
     virtual void ranges(const SurfaceRanges& /*ranges*/, Telling& /*telling*/) {}
 
     /// Others came, went or moved: a notification, as text.

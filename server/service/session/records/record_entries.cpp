@@ -45,7 +45,7 @@ core::Result<void> check_rules_of(const protocol::SurfaceRecord& record) {
     return core::check_direction(record.parameters);
 }
 
-/// As it is read back: a lease is not kept.
+/// Returns the record as it is read back: a lease is not kept.
 Record without_lease(Record record) {
     if (auto* rake = std::get_if<protocol::RakeRecord>(&record)) {
         rake->dragging = false;

@@ -1,5 +1,5 @@
-// Records to what the journal keeps, and back from a journal that may be damaged: what cannot be a record is left out
-// and said, the rest is there.
+// Records to what the journal keeps, and back from a journal that may be damaged: what cannot be a record is
+// left out and said, the rest is there.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -20,25 +20,27 @@ JournalEntry entry_of(const Record& record);
 JournalEntry entry_of(const protocol::ClockRecord& clock);
 JournalEntry entry_of(const protocol::SessionHead& head);
 JournalEntry entry_of_thumbnail(const std::string& base64);
-/// What a record has to be, on whichever way it comes: from a journal, from a file, and (check_record) from an edit. Pure.
-/// Error: Corrupt, OverLimit; InvalidArgument for what its kind of surface does not have, or lacks.
+/// Checks what a record has to be, on whichever way it comes: from a journal, from a file, and
+/// (check_record) from an edit. Pure. Error: Corrupt, OverLimit; InvalidArgument for what its kind of
+/// surface does not have, or lacks.
 core::Result<Record> read_record(const RecordKey& key, const std::string& text);
 
-/// Whether a record would be read back as it is, so that what is accepted is what the next start accepts. Its rakes are for
-/// the caller to look for. Cost: its text is written and read. Error: InvalidArgument.
+/// Checks whether a record would be read back as it is, so that what is accepted is what the next start
+/// accepts. Its rakes are for the caller to look for. Cost: its text is written and read. Error:
+/// InvalidArgument.
 core::Result<void> check_record(const Record& record);
 
-/// As check_record.
+/// Checks like check_record.
 core::Result<void> check_clock(const protocol::ClockRecord& clock);
 
-/// An entry that was left out.
+/// Holds an entry that was left out.
 struct RefusedEntry {
     std::string type;
     std::string id;
     core::Error error; ///< its message names the entry
 };
 
-/// With the error's message naming the entry.
+/// Returns it with the error's message naming the entry.
 RefusedEntry refused_entry(const JournalEntry& entry, core::Error error);
 
 struct RestoreReport {
@@ -57,7 +59,7 @@ struct KeptRecords {
     RestoreReport report;
 };
 
-/// Entries in any order, one per record. Other types of entry are somebody else's and left alone.
+/// Reads entries in any order, one per record. Other types of entry are somebody else's and left alone.
 KeptRecords read_entries(std::span<const JournalEntry> entries);
 
 } // namespace wakesurf::server

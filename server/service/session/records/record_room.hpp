@@ -1,5 +1,6 @@
-// How much the records of a session, and of all sessions together, may take. Each is small, but one link could make many: an edit
-// that makes them more is refused where they would be too much. What is kept already is never refused for that.
+// How much the records of a session, and of all sessions together, may take. Each is small, but one link
+// could make many: an edit that makes them more is refused where they would be too much. What is kept
+// already is never refused for that.
 #pragma once
 
 #include "core/base/memory_account.hpp"
@@ -12,12 +13,14 @@ namespace wakesurf::server {
 /// Error: OverLimit, where a session's records would take `bytes`.
 core::Result<void> room_in_session(std::size_t bytes);
 
-/// Error: OverLimit, where a session's records would take `bytes`, that is `more` than now, and all sessions' too much of --memory.
+/// Error: OverLimit, where a session's records would take `bytes`, that is `more` than now, and all
+/// sessions' too much of --memory.
 /// @param account  may be null: there is room
 core::Result<void>
 room_beside_others(const core::MemoryAccount* account, std::size_t bytes, std::size_t more);
 
-/// What a session with records of so many bytes takes: who comes back gets what has changed, so they are there twice.
+/// Returns the bytes that a session with records of so many bytes takes: who comes back gets what has
+/// changed, so they are there twice.
 constexpr std::size_t taken_by_records(std::size_t bytes) {
     return 2 * bytes;
 }

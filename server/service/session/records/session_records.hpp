@@ -1,5 +1,6 @@
-// What a session is made of, as plain values: rakes, surfaces' parameters, bookmarks, annotations. Any kind of record is
-// found, put and taken away by its key, so that undo, the journal and restoring need to know no kind.
+// What a session is made of, as plain values: rakes, surfaces' parameters, bookmarks, annotations. Any kind
+// of record is found, put and taken away by its key, so that undo, the journal and restoring need to know no
+// kind.
 #pragma once
 
 #include "protocol/api/generated/annotation.hpp"
@@ -24,7 +25,8 @@ using Record = std::variant<protocol::RakeRecord,
                             protocol::BookmarkRecord,
                             protocol::AnnotationRecord>;
 
-/// In the order of Record's alternatives, in which they can be put: a surface hangs on rakes.
+/// Lists the types in the order of Record's alternatives, in which they can be put: a surface hangs on
+/// rakes.
 enum class RecordType : std::uint8_t { Rake, Surface, Bookmark, Annotation };
 
 inline constexpr std::array<RecordType, 4> record_types{
@@ -40,17 +42,17 @@ struct RecordKey {
     auto operator<=>(const RecordKey&) const = default;
 };
 
-/// How many of a type a session may have.
+/// Returns how many of a type a session may have.
 std::size_t most_records(RecordType type);
 
 RecordKey key_of(const Record& record);
 std::uint64_t rev_of(const Record& record);
 void set_rev(Record& record, std::uint64_t rev);
 
-/// About what it takes in memory; as text about three times as much.
+/// Returns about how many bytes it takes in memory; as text about three times as much.
 std::size_t bytes_of(const Record& record);
 
-/// A record before and after an edit; null where there is none.
+/// Holds a record before and after an edit; null where there is none.
 struct RecordChange {
     RecordKey key;
     std::shared_ptr<const Record> before;
@@ -73,30 +75,30 @@ class SessionRecords {
         return found == all<R>().end() ? nullptr : &found->second;
     }
 
-    /// Null where there is none.
+    /// Returns null where there is none.
     std::shared_ptr<const Record> find(const RecordKey& key) const;
 
-    /// Of the record, 0 where there is none.
+    /// Returns the revision of the record, 0 where there is none.
     std::uint64_t rev(const RecordKey& key) const;
 
     std::size_t count(RecordType type) const;
 
-    /// As bytes_of, of all and of one, 0 where there is none.
+    /// Return bytes_of all, and of one, 0 where there is none.
     std::size_t bytes() const { return bytes_; }
 
     std::size_t bytes(const RecordKey& key) const;
     bool empty() const;
 
-    /// Every record, rakes first.
+    /// Lists every record, rakes first.
     std::vector<Record> list() const;
 
-    /// Of the surfaces that hang on a rake.
+    /// Returns the ids of the surfaces that hang on a rake.
     std::vector<std::string> hanging_on(const std::string& rake) const;
 
-    /// The rakes a surface names are there.
+    /// Returns whether the rakes a surface names are there.
     bool holds_rakes_of(const protocol::SurfaceRecord& surface) const;
 
-    /// The colour for a new rake: one that no other has, or few.
+    /// Returns the colour for a new rake: one that no other has, or few.
     std::string free_colour() const;
 
     void put(const Record& record);
@@ -112,7 +114,7 @@ class SessionRecords {
     /// Numbers below `next` count as given.
     void skip_numbers(RecordType type, std::uint64_t next);
 
-    /// Of an id, 0 for what new_id never gives.
+    /// Returns the number of an id, 0 for what new_id never gives.
     static std::uint64_t number_of(const RecordKey& key);
 
   private:

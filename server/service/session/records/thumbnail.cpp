@@ -48,7 +48,7 @@ std::string_view type_of(std::string_view bytes) {
 /// Whoever shows it unpacks all of them.
 constexpr std::uint64_t most_pixels = 1'000'000;
 
-/// A number of so many bytes; 0 where the picture ends before it.
+/// Reads a number of so many bytes; 0 where the picture ends before it.
 std::uint32_t big_endian(std::string_view bytes, std::size_t at, std::size_t count) {
     std::uint32_t out = 0;
     for (std::size_t i = 0; i < count && at + count <= bytes.size(); ++i)
