@@ -15,6 +15,9 @@ interface LockedPackage {
     dependencies?: Record<string, string>;
 }
 
+/** What is said in each of the licences that the packages have. */
+const licenceWords = /Permission is hereby granted|Redistribution and use|TERMS AND CONDITIONS FOR USE|Mozilla Public License/;
+
 /** Types leave no code behind, and lit's stand-in for a DOM is for servers. */
 const notInBrowsers = /^@types\/|^@lit-labs\/ssr-dom-shim$/;
 
@@ -44,7 +47,8 @@ describe.skipIf(!existsSync(built))('the notices beside the page', () => {
         expect(sections.map((text) => text.split(' ')[0]).sort()).toEqual([...packages.keys()].sort());
         for (const [name, { version, license }] of packages) {
             const section = sections.find((text) => text.startsWith(`${name} ${version}, ${license}\n`));
-            expect(section, name).toMatch(/Permission is hereby granted|Redistribution and use|TERMS AND CONDITIONS FOR USE/);
+            expect(section, name).toContain(`\nSource: https://www.npmjs.com/package/${name}/v/${version}\n`);
+            expect(section, name).toMatch(licenceWords);
         }
     });
 });
@@ -68,7 +72,7 @@ describe('a build', () => {
         expect(build).toThrow(/nameless has no licence file/);
         writeFileSync(join(of, 'LICENSE.md'), 'Do what you like.');
         build();
-        expect(emitted[0]).toMatch(/nameless 1\.0\.0, UNLICENSED\n\nDo what you like\./);
+        expect(emitted[0]).toMatch(/nameless 1\.0\.0, UNLICENSED\nSource: \S+\n\nDo what you like\./);
         rmSync(folder, { recursive: true });
     });
 });

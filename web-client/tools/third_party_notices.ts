@@ -50,7 +50,10 @@ function noticeOf(folder: string): string {
         unknown
     >;
     const by = typeof author === 'string' ? `\nBy ${author}` : '';
-    return `\n${'='.repeat(80)}\n${String(name)} ${String(version)}, ${String(license)}${by}\n\n${licenceText(folder, String(license))}\n`;
+    const title = `${String(name)} ${String(version)}, ${String(license)}${by}`;
+    // Some licences (MPL-2.0) ask for the place of the sources.
+    const source = `Source: https://www.npmjs.com/package/${String(name)}/v/${String(version)}`;
+    return `\n${'='.repeat(80)}\n${title}\n${source}\n\n${licenceText(folder, String(license))}\n`;
 }
 
 /** Error: where neither the package nor the list of known licences has it, so that no build goes out without. */

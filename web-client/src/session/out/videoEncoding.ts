@@ -6,10 +6,10 @@ const queueAtMost = 3;
 const bitsPerPixel = 0.18;
 
 /** In the order in which they are tried; the second part of VP9's is its level, which bounds the size. */
-const codecs: readonly { name: string; id: Film['codec'] }[] = [
-    { name: 'vp09.00.41.08', id: 'V_VP9' },
-    { name: 'vp09.00.61.08', id: 'V_VP9' },
-    { name: 'vp8', id: 'V_VP8' },
+const codecs: readonly Pick<Film, 'codec' | 'codecString'>[] = [
+    { codec: 'vp9', codecString: 'vp09.00.41.08' },
+    { codec: 'vp9', codecString: 'vp09.00.61.08' },
+    { codec: 'vp8', codecString: 'vp8' },
 ];
 
 export interface VideoSetting {
@@ -26,14 +26,14 @@ export function canEncode(): boolean {
 export class VideoEncoding {
     private readonly setting: VideoSetting;
     private readonly encoder: VideoEncoder;
-    private readonly codec: Film['codec'];
+    private readonly codec: (typeof codecs)[number];
     private readonly frames: EncodedFrame[] = [];
     private failure: Error | null = null;
     /** Ends the waiting of `add`; an encoder that has failed takes nothing more out of its queue. */
     private wake: () => void = () => undefined;
     private count = 0;
 
-    private constructor(setting: VideoSetting, config: VideoEncoderConfig, codec: Film['codec']) {
+    private constructor(setting: VideoSetting, config: VideoEncoderConfig, codec: (typeof codecs)[number]) {
         this.setting = setting;
         this.codec = codec;
         this.encoder = new VideoEncoder({
@@ -50,10 +50,10 @@ export class VideoEncoding {
     static async begin(setting: VideoSetting): Promise<VideoEncoding | null> {
         const { width, height, fps } = setting;
         const bitrate = Math.round(Math.max(1e6, width * height * fps * bitsPerPixel));
-        for (const { name, id } of codecs) {
-            const config: VideoEncoderConfig = { codec: name, width, height, bitrate, framerate: fps };
+        for (const codec of codecs) {
+            const config: VideoEncoderConfig = { codec: codec.codecString, width, height, bitrate, framerate: fps };
             const { supported } = await VideoEncoder.isConfigSupported(config).catch(() => ({ supported: false }));
-            if (supported === true) return new VideoEncoding(setting, config, id);
+            if (supported === true) return new VideoEncoding(setting, config, codec);
         }
         return null;
     }
@@ -86,9 +86,8 @@ export class VideoEncoding {
         });
         this.demandRunning();
         this.encoder.close();
-        const { width, height, fps } = this.setting;
-        const duration = (1000 * this.count) / fps;
-        return (await import('./webm.ts')).webmFile({ codec: this.codec, width, height, duration, frames: this.frames });
+        const { width, height } = this.setting;
+        return (await import('./webm.ts')).webmFile({ ...this.codec, width, height, frames: this.frames });
     }
 
     abandon(): void {
@@ -106,6 +105,7 @@ export class VideoEncoding {
     private encoded(chunk: EncodedVideoChunk): void {
         const data = new Uint8Array(chunk.byteLength);
         chunk.copyTo(data);
-        this.frames.push({ data, time: Math.round(chunk.timestamp / 1000), key: chunk.type === 'key' });
+        const [time, duration] = [chunk.timestamp / 1e6, (chunk.duration ?? 0) / 1e6];
+        this.frames.push({ data, time, duration, key: chunk.type === 'key' });
     }
 }
