@@ -1,6 +1,7 @@
 // What a first visitor meets beside the tour: several datasets and their bodies, a phone.
 import { describe, expect, it } from 'vitest';
 import { ask, finalSurface, screenshot } from './support/browser_page.ts';
+import { showFacts } from './support/page_facts.ts';
 import { useStand } from './support/stand.ts';
 
 const stand = useStand(['flow:sphere']);
@@ -73,6 +74,7 @@ describe('a server with several datasets', () => {
         const link = new URL(await stand.server.newSession());
         link.hash = `${link.hash}&dataset=gone`;
         const context = await stand.browser.newContext({ viewport: size });
+        await showFacts(context);
         const page = await context.newPage();
         await page.goto(link.href);
         await page.getByText('does not have the dataset of this link').waitFor();

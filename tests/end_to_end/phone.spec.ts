@@ -2,6 +2,7 @@
 import type { Page } from 'playwright-core';
 import { afterEach, describe, expect, it } from 'vitest';
 import { ask, finalSurface, screenshot } from './support/browser_page.ts';
+import { showFacts } from './support/page_facts.ts';
 import { useStand } from './support/stand.ts';
 
 const stand = useStand();
@@ -14,6 +15,7 @@ async function visit(width: number, height: number): Promise<void> {
         isMobile: true,
         reducedMotion: 'reduce',
     });
+    await showFacts(context);
     page = await context.newPage();
     await page.goto(await stand.server.newSession());
     await finalSurface(page);

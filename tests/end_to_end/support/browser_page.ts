@@ -2,8 +2,8 @@
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { type Browser, type BrowserContext, chromium, type Page } from 'playwright-core';
-import type { TestHook } from '../../../web-client/src/testHook.ts';
 import { hearComplaints } from './complaints.ts';
+import { type PageFacts, showFacts } from './page_facts.ts';
 import { projectRoot } from './project_root.ts';
 
 const flags = [
@@ -48,6 +48,7 @@ export async function newContext(browser: Browser, options: PageOptions = {}): P
         reducedMotion: 'reduce',
         colorScheme,
     });
+    await showFacts(context);
     // Scripts also run in the empty page before the first, which may keep nothing.
     if (!firstVisit) await context.addInitScript(() => origin !== 'null' && localStorage.setItem('wakesurf.tour', 'done'));
     return context;
@@ -66,7 +67,7 @@ export async function finalSurface(page: Page): Promise<void> {
 }
 
 /** Reads facts from the page. */
-export function ask<Result>(page: Page, read: (hook: TestHook) => Result): Promise<Result> {
+export function ask<Result>(page: Page, read: (hook: PageFacts) => Result): Promise<Result> {
     return page.evaluate<Result>(`(${read.toString()})(window.wakesurf)`);
 }
 

@@ -1,9 +1,11 @@
-// Pictures for a program that drives this page, as the client for Python does: whether all that the session shows is on the screen, and
-// the picture as a PNG.
+// `window.wakesurf`: pictures for a program that drives this page, as the client for Python does. It says whether all that the session
+// shows is on the screen, and draws a PNG.
 import type { FigureBackground } from '../../scene/capture.ts';
+import type { FlowScene } from '../../scene/scene.ts';
 import type { AppState } from '../../state/appState.ts';
-import type { Figure } from './figure.ts';
+import type { LatencyLog } from '../../state/latency.ts';
 import type { ViewState } from '../../state/viewState.ts';
+import type { Figure } from './figure.ts';
 import type { BodyFlow } from '../picture/bodyFlow.ts';
 import { unfinishedSurface } from './wholeSurface.ts';
 
@@ -37,11 +39,39 @@ export function unfinished(
     return bodyFlow.standing.value === 'waiting' ? 'the flow along the body is not there' : '';
 }
 
-/** As an address of data. Error: in words. */
-export function scriptedPicture(figure: Figure, setting: ScriptedSetting): string {
-    const { width, height, background, caption } = setting;
-    figure.bar.value = setting.bar;
-    figure.axes.value = setting.axes;
-    figure.rake.value = setting.rake;
-    return figure.draw({ width, height }, caption, background).toDataURL('image/png');
+export interface PageParts {
+    state: AppState;
+    view: Pick<ViewState, 'lookOf'>;
+    scene: FlowScene;
+    bodyFlow: Pick<BodyFlow, 'standing'>;
+    latency: LatencyLog;
+    canvas: HTMLCanvasElement;
+    figure: Figure;
+}
+
+export interface ScriptedPage {
+    /** Has what tests/end_to_end reads its facts from. */
+    readonly parts: PageParts;
+    unfinished(time: number | null): string;
+    /** Returns a PNG as an address of data. Error: in words. */
+    picture(setting: ScriptedSetting): string;
+    /** Says whether the last picture had no room for the scalar bar. */
+    readonly barLeftOut: boolean;
+}
+
+export function scriptedPage(parts: PageParts): ScriptedPage {
+    const { state, view, bodyFlow, figure } = parts;
+    return {
+        parts,
+        unfinished: (time) => unfinished(state, view, bodyFlow, time),
+        picture: ({ width, height, background, caption, bar, axes, rake }) => {
+            figure.bar.value = bar;
+            figure.axes.value = axes;
+            figure.rake.value = rake;
+            return figure.draw({ width, height }, caption, background).toDataURL('image/png');
+        },
+        get barLeftOut() {
+            return figure.barLeftOut;
+        },
+    };
 }

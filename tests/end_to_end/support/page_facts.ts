@@ -1,21 +1,18 @@
-// `window.wakesurf`: facts about what is on the screen and pictures of it, for tests, for programs that drive the page and for
-// people with a console. It reads; the only things it sets are the camera's place and what figures are to show.
-import type { Vec3 } from './protocol/messages.ts';
-import type { FlowScene } from './scene/scene.ts';
-import type { ScreenPoint, ScreenSize } from './scene/base/view.ts';
-import type { BodyVertex } from './scene/surface/drawnBody.ts';
-import type { PickGrid, PickHit } from './scene/surface/pickHit.ts';
-import type { SurfaceVertex } from './scene/surface/surfaceMesh.ts';
-import type { Handle } from './scene/rake/rakeHandles.ts';
-import type { DrawnRake } from './scene/rake/drawnRake.ts';
-import type { Figure } from './session/out/figure.ts';
-import type { BodyFlow } from './session/picture/bodyFlow.ts';
-import { type ScriptedSetting, scriptedPicture, unfinished } from './session/out/scriptedPicture.ts';
-import type { AppState, DisplayedSurface } from './state/appState.ts';
-import type { ViewState } from './state/viewState.ts';
-import type { LatencyLog, LatencySample } from './state/latency.ts';
+// `window.wakesurf` in pages of tests: facts about what is on the screen, read from the parts of the page that users get. It reads;
+// the only things it sets are the camera's place and what figures are to show.
+import type { BrowserContext } from 'playwright-core';
+import type { Vec3 } from '../../../web-client/src/protocol/messages.ts';
+import type { ScreenPoint, ScreenSize } from '../../../web-client/src/scene/base/view.ts';
+import type { BodyVertex } from '../../../web-client/src/scene/surface/drawnBody.ts';
+import type { PickGrid, PickHit } from '../../../web-client/src/scene/surface/pickHit.ts';
+import type { SurfaceVertex } from '../../../web-client/src/scene/surface/surfaceMesh.ts';
+import type { Handle } from '../../../web-client/src/scene/rake/rakeHandles.ts';
+import type { DrawnRake } from '../../../web-client/src/scene/rake/drawnRake.ts';
+import type { ScriptedPage } from '../../../web-client/src/session/out/scriptedPicture.ts';
+import type { DisplayedSurface } from '../../../web-client/src/state/appState.ts';
+import type { LatencySample } from '../../../web-client/src/state/latency.ts';
 
-export interface TestHook {
+export interface PageFacts extends Omit<ScriptedPage, 'parts'> {
     readonly framesDrawn: number;
     /** Pixels of the last picture for one of CSS, along one side. */
     readonly pixelRatio: number;
@@ -61,33 +58,19 @@ export interface TestHook {
     pixelsAt(points: ScreenPoint[], exact?: boolean): [number, number, number][];
     /** RGBA of a figure as it would be saved, with tiles of this many pixels a side. */
     figure(size: ScreenSize, tileSide: number): Uint8ClampedArray;
-    /** Why the picture is not whole, see scriptedPicture.ts. */
-    unfinished(time: number | null): string;
-    /** A PNG as an address of data. */
-    picture(setting: ScriptedSetting): string;
-    /** The last picture had no room for it. */
-    readonly barLeftOut: boolean;
     loseContext(): void;
     restoreContext(): void;
 }
 
 declare global {
     interface Window {
-        wakesurf?: TestHook;
+        wakesurf?: PageFacts;
     }
 }
 
-export interface TestHookParts {
-    state: AppState;
-    view: Pick<ViewState, 'lookOf'>;
-    scene: FlowScene;
-    bodyFlow: Pick<BodyFlow, 'standing'>;
-    latency: LatencyLog;
-    canvas: HTMLCanvasElement;
-    figure: Figure;
-}
-
-export function installTestHook({ state, view, scene, bodyFlow, latency, canvas, figure }: TestHookParts): void {
+/** Runs in the page, and therefore uses nothing of this file. */
+function factsOf(scripted: ScriptedPage): PageFacts {
+    const { state, scene, latency, canvas, figure } = scripted.parts;
     const active = (): string => state.activeSurface.value ?? '';
     const displayed = (): DisplayedSurface | undefined => state.displayed.value.get(active());
     const requested = (): number => state.requestedEpochs.value.get(active()) ?? 0;
@@ -96,7 +79,7 @@ export function installTestHook({ state, view, scene, bodyFlow, latency, canvas,
         return at === null ? null : { x: at.x + box.left, y: at.y + box.top };
     };
     let contextLoss: WEBGL_lose_context | null = null;
-    window.wakesurf = Object.freeze<TestHook>({
+    return {
         get framesDrawn() {
             return scene.framesDrawn;
         },
@@ -199,15 +182,23 @@ export function installTestHook({ state, view, scene, bodyFlow, latency, canvas,
             const drawn = figure.draw({ width, height }, 'Caption', undefined, tileSide);
             return drawn.getContext('2d')!.getImageData(0, 0, width, height).data;
         },
-        unfinished: (time) => unfinished(state, view, bodyFlow, time),
-        picture: (setting) => scriptedPicture(figure, setting),
+        unfinished: (time) => scripted.unfinished(time),
+        picture: (setting) => scripted.picture(setting),
         get barLeftOut() {
-            return figure.barLeftOut;
+            return scripted.barLeftOut;
         },
         loseContext: () => {
             contextLoss = scene.renderer.getContext().getExtension('WEBGL_lose_context');
             contextLoss?.loseContext();
         },
         restoreContext: () => contextLoss?.restoreContext(),
-    });
+    };
+}
+
+/** Puts the facts in the place of what the page shows to programs, as soon as it is there. */
+export async function showFacts(context: BrowserContext): Promise<void> {
+    await context.addInitScript(`Object.defineProperty(window, 'wakesurf', {
+        configurable: true,
+        set: (page) => Object.defineProperty(window, 'wakesurf', { value: (${factsOf.toString()})(page) }),
+    })`);
 }
