@@ -3,23 +3,89 @@
 #include "importer/base/notes.hpp"
 #include "importer/base/one_thread.hpp"
 #include "importer/first_step.hpp"
+#include "importer/import_plan.hpp"
 #include "importer/kept_steps.hpp"
 #include "importer/sources/open_source.hpp"
 #include "importer/sources/series/series_times.hpp"
 #include "importer/step_workers.hpp"
 #include "importer/store_description.hpp"
-#include "importer/worker_count.hpp"
 #include "store/brick_mask.hpp"
 #include "store/store_grid.hpp"
 
+#include <dirent.h>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <chrono>
+#include <cstddef>
+#include <cstdlib>
+#include <fstream>
+#include <string>
+#include <thread>
 
 namespace wakesurf::importer {
 
 using core::Error;
 
 namespace {
+
+// How many processes convert time-steps at once, and whether they may share what is open.
+
+// MemAvailable of /proc/meminfo in bytes; 0 where it is not known.
+std::size_t free_memory() {
+    std::ifstream in("/proc/meminfo");
+    std::string name;
+    std::string unit;
+    for (std::size_t kilobytes = 0; in >> name >> kilobytes; std::getline(in, unit))
+        if (name == "MemAvailable:")
+            return kilobytes * 1024;
+    return 0;
+}
+
+// Returns as many as asked for, else as there are cores; fewer where half of the free memory does not hold as
+// many time-steps.
+std::size_t worker_count(const ImportPlan& plan, std::size_t nodes) {
+    const std::size_t wanted =
+        plan.jobs > 0 ? plan.jobs : std::max(1u, std::thread::hardware_concurrency());
+    // A reader holds a file about twice while it decodes; averaging holds sums in double.
+    constexpr std::size_t a_node = 64;
+    constexpr std::size_t copies = 3;
+    std::size_t a_step = a_node * nodes;
+    for (const auto& file : plan.made_from.steps.front())
+        a_step += copies * static_cast<std::size_t>(file.size);
+    std::size_t memory = free_memory() / 2;
+    // What is allowed is shared with the first time-step, which the process that starts the others holds.
+    const std::size_t allowed = plan.memory - std::min<std::size_t>(plan.memory, a_step);
+    if (plan.memory > 0)
+        memory = memory == 0 ? allowed : std::min(memory, allowed);
+    return memory == 0 && plan.memory == 0
+               ? wanted
+               : std::clamp<std::size_t>(memory / std::max<std::size_t>(a_step, 1), 1, wanted);
+}
+
+// Says whether files are open for reading, standard input aside: forked processes would move each other's
+// place in them.
+bool reads_open_files() {
+    DIR* list = ::opendir("/proc/self/fd");
+    if (list == nullptr)
+        return true;
+    bool found = false;
+    while (const dirent* entry = ::readdir(list)) {
+        char* end = nullptr;
+        const long file = std::strtol(entry->d_name, &end, 10);
+
+        struct stat state {};
+
+        if (end == entry->d_name || file <= STDERR_FILENO ||
+            ::fstat(static_cast<int>(file), &state) != 0 || !S_ISREG(state.st_mode))
+            continue;
+        found = found || (::fcntl(static_cast<int>(file), F_GETFL) & O_ACCMODE) == O_RDONLY;
+    }
+    ::closedir(list);
+    return found;
+}
 
 bool same_size(const store::StoredGrid& a, const store::StoredGrid& b) {
     return a.kind == b.kind && a.nodes() == b.nodes() && a.cells == b.cells &&
@@ -259,7 +325,8 @@ class Conversion {
     std::chrono::steady_clock::time_point begun_;
 };
 
-// The first of a few time-steps that an import will not get beyond: looking at all would cost as much as the import.
+// The first of a few time-steps that an import will not get beyond: looking at all would cost as much as the
+// import.
 std::string what_ends_an_import(const ImportPlan& plan, const FirstStep& first) {
     const std::size_t last = plan.times.size() - 1;
     for (const std::size_t index : {std::size_t{1}, last}) {

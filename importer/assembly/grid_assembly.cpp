@@ -1,13 +1,102 @@
 #include "importer/assembly/grid_assembly.hpp"
 
+#include "core/base/result.hpp"
+#include "core/dataset/rectilinear_grid.hpp"
+#include "core/dataset/uniform_grid.hpp"
 #include "importer/assembly/mesh_assembly.hpp"
-#include "importer/assembly/structured_grids.hpp"
+#include "store/store_grid.hpp"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkDataSetAttributes.h>
+#include <vtkImageData.h>
+#include <vtkMatrix3x3.h>
+#include <vtkPointData.h>
+#include <vtkRectilinearGrid.h>
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 
 namespace wakesurf::importer {
 
+using core::Error;
+
 namespace {
+
+// One VTK image or rectilinear grid as a grid of ours.
+
+core::Result<void> check_thickness(const int nodes[3]) {
+    for (int axis = 0; axis < 3; ++axis)
+        if (nodes[axis] < 2)
+            return core::fail(Error::Code::Unsupported,
+                              "is not three-dimensional: it has " + std::to_string(nodes[axis]) +
+                                  " nodes along " + "xyz"[axis],
+                              "extrude it by one cell first");
+    return {};
+}
+
+bool any_marked(vtkDataSetAttributes& attributes, int flags) {
+    vtkDataArray* marks = attributes.GetArray(vtkDataSetAttributes::GhostArrayName());
+    for (vtkIdType i = 0; marks != nullptr && i < marks->GetNumberOfTuples(); ++i)
+        if ((static_cast<int>(marks->GetTuple1(i)) & flags) != 0)
+            return true;
+    return false;
+}
+
+// Error: Unsupported (fewer than two nodes along an axis), Corrupt. REQUIRES: the image is not rotated.
+core::Result<core::UniformGrid> uniform_grid(vtkImageData& image) {
+    int nodes[3];
+    int extent[6];
+    image.GetDimensions(nodes);
+    image.GetExtent(extent);
+    if (auto thick = check_thickness(nodes); !thick)
+        return tl::unexpected(thick.error());
+    core::UniformGrid grid;
+    for (int axis = 0; axis < 3; ++axis) {
+        grid.dimensions[static_cast<std::size_t>(axis)] = static_cast<std::uint32_t>(nodes[axis]);
+        grid.spacing[axis] = image.GetSpacing()[axis];
+        grid.origin[axis] = image.GetOrigin()[axis] + extent[2 * axis] * image.GetSpacing()[axis];
+    }
+    if (auto size = store::check_grid(store::stored_grid(grid)); !size)
+        return core::fail(size.error().code, size.error().message);
+    return grid;
+}
+
+core::Result<core::RectilinearGrid> rectilinear_grid(vtkRectilinearGrid& data) {
+    int nodes[3];
+    data.GetDimensions(nodes);
+    if (auto thick = check_thickness(nodes); !thick)
+        return tl::unexpected(thick.error());
+    core::RectilinearGrid grid;
+    const std::array<vtkDataArray*, 3> axes{data.GetXCoordinates(), data.GetYCoordinates(),
+                                            data.GetZCoordinates()};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        auto& along = grid.coordinates[axis];
+        for (vtkIdType i = 0; i < nodes[axis]; ++i)
+            along.push_back(axes[axis]->GetComponent(i, 0));
+        const bool rising =
+            std::all_of(along.begin(), along.end(), [](double x) { return std::isfinite(x); }) &&
+            std::adjacent_find(along.begin(), along.end(),
+                               [](double a, double b) { return !(a < b); }) == along.end();
+        if (!rising)
+            return core::fail(Error::Code::Corrupt, std::string("has coordinates along ") +
+                                                        "xyz"[axis] + " that do not increase");
+    }
+    return grid;
+}
+
+bool is_rotated(vtkImageData& image) {
+    return !image.GetDirectionMatrix()->IsIdentity();
+}
+
+// Says whether cells or points of a data set are marked as hidden or as another piece's.
+bool has_blanks(vtkDataSet& data) {
+    using Marks = vtkDataSetAttributes;
+    return any_marked(*data.GetCellData(),
+                      Marks::HIDDENCELL | Marks::DUPLICATECELL | Marks::REFINEDCELL) ||
+           any_marked(*data.GetPointData(), Marks::HIDDENPOINT);
+}
 
 GridAssembly of_grid(core::Grid grid) {
     GridAssembly out;

@@ -2,7 +2,6 @@
 
 #include "core/dataset/cell_neighbours.hpp"
 #include "importer/assembly/block_cells.hpp"
-#include "importer/assembly/boundary_polygons.hpp"
 #include "importer/assembly/cell_volume.hpp"
 #include "importer/assembly/disjoint_sets.hpp"
 #include "importer/assembly/mesh_parts.hpp"
@@ -27,8 +26,9 @@ using Form = BlockCell::Form;
 
 namespace {
 
-// Two points are the same place when they are closer than eight roundings of 32-bit coordinates, which many files have and many programs
-// compute with, but never farther apart than this part of the shortest edge there: boundary layers are thin, and may be far from the origin.
+// Two points are the same place when they are closer than eight roundings of 32-bit coordinates, which many
+// files have and many programs compute with, but never farther apart than this part of the shortest edge
+// there: boundary layers are thin, and may be far from the origin.
 constexpr double same_place = 0x1p-21;
 constexpr double part_of_edge = 0.1;
 
@@ -415,6 +415,28 @@ class MeshAssembly {
 };
 
 } // namespace
+
+std::vector<std::uint32_t>
+source_polygon(const GridAssembly& assembly, const core::MeshCell& cell, std::size_t face) {
+    std::vector<std::uint32_t> nodes;
+    for (const std::uint32_t node : core::face_nodes(cell, face)) {
+        if (node == no_node)
+            break;
+        if (node < assembly.source_nodes) {
+            nodes.push_back(node);
+            continue;
+        }
+        const std::size_t added = node - assembly.source_nodes;
+        const auto at = [&](std::size_t i) {
+            return assembly.added.node.begin() +
+                   static_cast<std::ptrdiff_t>(assembly.added.first[i]);
+        };
+        nodes.insert(nodes.end(), at(added), at(added + 1));
+    }
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    return nodes;
+}
 
 core::Result<GridAssembly> assemble_mesh(BlockList blocks, const AssemblyRequest& request) {
     return MeshAssembly(blocks, request).run();

@@ -1,11 +1,66 @@
-// BlockList of cells -> one core::CellMesh: the part of grid_assembly.hpp that grids of their own need not go through.
+// Blocks of cells -> one core::CellMesh and the way from the blocks' points and cells to its nodes: the part
+// of grid_assembly.hpp that images and rectilinear grids need not go through.
 #pragma once
 
-#include "importer/assembly/grid_assembly.hpp"
+#include "core/base/result.hpp"
+#include "core/dataset/cell_neighbours.hpp"
+#include "core/dataset/grid.hpp"
+#include "importer/assembly/added_nodes.hpp"
+
+#include <vtkDataSet.h>
+#include <vtkSmartPointer.h>
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
 
 namespace wakesurf::importer {
 
-/// Error: as assemble_grid.
+using BlockList = std::span<const vtkSmartPointer<vtkDataSet>>;
+
+/// Stands for no node.
+inline constexpr std::uint32_t no_node = 0xffffffffu;
+
+/// Says where the values of one block go.
+struct BlockNodes {
+    /// Holds the node of each point; no_node where the point is unused, or another block's stands for it.
+    std::vector<std::uint32_t> node_of_point;
+    /// The nodes of cell i, each once, are cell_nodes[first[i]] .. cell_nodes[first[i + 1]]; none of a cell
+    /// left out.
+    std::vector<std::size_t> first;
+    std::vector<std::uint32_t> cell_nodes;
+};
+
+struct GridAssembly {
+    core::Grid grid;
+    /// Is true of a mesh of cells that is made of structured blocks only.
+    bool curvilinear = false;
+    /// Counts the cells that are kept, before polyhedra are cut.
+    std::uint64_t source_cells = 0;
+    /// Counts the nodes that are points of the source: they are the first ones.
+    std::size_t source_nodes = 0;
+    /// Is empty unless the grid is a mesh of cells: the points of other grids are their nodes.
+    std::vector<BlockNodes> blocks;
+    AddedNodes added;
+    /// Says what was left out or reordered; may be empty.
+    std::string note;
+};
+
+struct AssemblyRequest {
+    /// Holds by block which cells are solid; an empty block has none. They are left out, and the faces they
+    /// leave are walls.
+    std::vector<std::vector<bool>> solid;
+    /// Asks for BlockNodes::first and cell_nodes, which cell data need.
+    bool cell_nodes = true;
+};
+
+/// Returns a mesh that is connected (core/dataset/cell_neighbours.hpp). Fails as assemble_grid does.
 core::Result<GridAssembly> assemble_mesh(BlockList blocks, const AssemblyRequest& request);
+
+/// Returns the source's nodes of the polygon that a face is, or is a triangle of, in ascending order: a large
+/// face that was cut is known by the centre it was cut round.
+std::vector<std::uint32_t>
+source_polygon(const GridAssembly& assembly, const core::MeshCell& cell, std::size_t face);
 
 } // namespace wakesurf::importer

@@ -1,6 +1,6 @@
 #include "importer/assembly/wall_assembly.hpp"
 
-#include "importer/assembly/boundary_polygons.hpp"
+#include "importer/assembly/mesh_assembly.hpp"
 
 #include <vtkCellArray.h>
 #include <vtkCellType.h>
@@ -69,7 +69,8 @@ Polygon sorted_set(Polygon nodes) {
     return nodes;
 }
 
-// The polygons of a reader's walls by place; true: no slip. A polygon with a point no boundary node has is left out.
+// The polygons of a reader's walls by place; true: no slip. A polygon with a point no boundary node has is
+// left out.
 std::map<Polygon, bool> polygons_of(const std::vector<WallFaces>& walls,
                                     const NumberedPoints& numbered) {
     std::map<Polygon, bool> polygons;
@@ -129,8 +130,8 @@ double sixfold_volume(const CellMesh& mesh, const BoundaryFace& at, const Vec3& 
     return volume;
 }
 
-// The boundary of a hole points into it: the volume it encloses is negative, that round the domain positive. A baffle
-// encloses none.
+// The boundary of a hole points into it: the volume it encloses is negative, that round the domain positive.
+// A baffle encloses none.
 void wall_off_holes(CellMesh& mesh, const std::vector<BoundaryFace>& boundary) {
     struct Part {
         double volume = 0.0;

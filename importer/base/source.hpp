@@ -14,50 +14,62 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace wakesurf::importer {
 
 struct SourceDescription {
-    std::string name;          ///< of the dataset, for people
-    std::string reader;        ///< VTK's class and what it reads, as `info` shows it
-    std::vector<double> times; ///< strictly increasing
-    std::string note;          ///< what a user should know; may be empty
-    std::string time_note;     ///< where the times come from, if that is not plain; may be empty
-    /// Where no time is stated: where each time-step stands in its series, 0, 1, 2, further apart where numbers of files are missing.
-    /// Empty where the source states its times.
+    /// Names the dataset for people.
+    std::string name;
+    /// Names VTK's class and what it reads, as `info` shows it.
+    std::string reader;
+    /// Are strictly increasing.
+    std::vector<double> times;
+    /// Says what a user should know; may be empty.
+    std::string note;
+    /// Says where the times come from, if that is not plain; may be empty.
+    std::string time_note;
+    /// Says, where no time is stated, where each time-step stands in its series: 0, 1, 2, further apart where
+    /// numbers of files are missing. Empty where the source states its times.
     std::vector<double> places;
-    bool ignores_boundary_values = false; ///< of the velocity, but for walls at rest
-    std::vector<core::FieldInfo>
-        fields; ///< of the fluid, units where the format has them, ranges of the first time-step
-    std::string length_unit{}; ///< of coordinates; empty where the files do not state it
-    std::string time_unit{};   ///< of times; empty where the files do not state it
+    /// Is true where boundary values of the velocity are not used, but for walls at rest.
+    bool ignores_boundary_values = false;
+    /// Are those of the fluid, with units where the format has them, and ranges of the first time-step.
+    std::vector<core::FieldInfo> fields;
+    /// Is that of coordinates; empty where the files do not state it.
+    std::string length_unit{};
+    /// Is that of times; empty where the files do not state it.
+    std::string time_unit{};
 };
 
-/// Faces on which the fluid ends.
+/// Holds faces on which the fluid ends.
 struct WallFaces {
-    vtkSmartPointer<vtkPolyData>
-        faces;            ///< points have exactly the coordinates they have in the blocks
-    bool no_slip = false; ///< the velocity is zero on them, whatever averaging says
+    /// Has points with exactly the coordinates they have in the blocks.
+    vtkSmartPointer<vtkPolyData> faces;
+    /// Says that the velocity is zero on them, whatever averaging says.
+    bool no_slip = false;
 };
 
 struct SourceStep {
-    /// Of the fluid, in the same order at every time-step. Three-dimensional cells only; point data are values at the nodes, cell data
-    /// those the file has, never averaged by the reader. Blanked points and cells carry vtkGhostType.
+    /// Hold the fluid, in the same order at every time-step. Three-dimensional cells only; point data are
+    /// values at the nodes, cell data those the file has, never averaged by the reader. Blanked points and
+    /// cells carry vtkGhostType.
     std::vector<vtkSmartPointer<vtkDataSet>> blocks;
     std::vector<WallFaces> walls;
-    std::vector<vtkSmartPointer<vtkPolyData>>
-        solids; ///< surfaces of solid regions, for display only
+    /// Are surfaces of solid regions, for display only.
+    std::vector<vtkSmartPointer<vtkPolyData>> solids;
 };
 
-/// Not thread-safe. Every error names the file (without its folder) and the time-step it is about.
+/// Is not thread-safe. Every error names the file (without its folder) and the time-step it is about.
 class Source {
   public:
     virtual ~Source() = default;
 
-    virtual const SourceDescription& description() const = 0;
+    const SourceDescription& description() const { return description_; }
 
-    /// What all time-steps share (case files, mesh), then those of one time-step: an import is repeated when they change.
+    /// Returns what all time-steps share (case files, mesh), then those of one time-step: an import is
+    /// repeated when they change.
     virtual core::Result<std::vector<store::SourceFile>> shared_files() const = 0;
     virtual core::Result<std::vector<store::SourceFile>> files(std::size_t step) const = 0;
 
@@ -65,6 +77,16 @@ class Source {
     /// Error: Corrupt, Io, NotFound (a field is missing at this time-step), Unsupported, OverLimit (memory).
     virtual core::Result<SourceStep> read(std::size_t step,
                                           const std::vector<core::FieldInfo>& fields) = 0;
+
+  protected:
+    SourceDescription description_;
 };
+
+/// Makes the reader of a format and opens it: it looks at the first time-step. Fails as its `open` does.
+template <class Reader, class... Arguments>
+core::Result<std::unique_ptr<Source>> opened(Arguments&&... arguments) {
+    auto source = std::make_unique<Reader>(std::forward<Arguments>(arguments)...);
+    return source->open().map([&]() -> std::unique_ptr<Source> { return std::move(source); });
+}
 
 } // namespace wakesurf::importer

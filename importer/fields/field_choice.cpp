@@ -1,5 +1,6 @@
 #include "importer/fields/field_choice.hpp"
 
+#include "importer/base/lower_case.hpp"
 #include "importer/base/notes.hpp"
 #include "importer/fields/physical_units.hpp"
 #include "importer/fields/velocity_choice.hpp"
@@ -24,10 +25,7 @@ constexpr std::array<std::string_view, 3> solid_names{"solid", "solid_mask", "ob
 
 template <class Names>
 bool called_one_of(const FieldInfo& field, const Names& names) {
-    std::string lower = field.name;
-    std::transform(lower.begin(), lower.end(), lower.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return std::find(names.begin(), names.end(), lower) != names.end();
+    return std::find(names.begin(), names.end(), lower_case(field.name)) != names.end();
 }
 
 bool is_mask(const FieldInfo& field, const std::vector<std::string>& no_masks) {

@@ -1,5 +1,7 @@
 #include "importer/fields/physical_units.hpp"
 
+#include "importer/base/lower_case.hpp"
+
 #include <udunits2.h>
 
 #include <algorithm>
@@ -36,8 +38,7 @@ Unit parsed(std::string text) {
         return nullptr;
     if (Unit found(ut_parse(database(), text.c_str(), UT_UTF8)); found)
         return found;
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    text = lower_case(text);
     return Unit(
         ut_parse(database(), text.c_str(), UT_UTF8)); // "Hours", which UDUNITS does not know
 }

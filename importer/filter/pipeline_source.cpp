@@ -34,8 +34,6 @@ class PipelineSource final : public Source {
         return {};
     }
 
-    const SourceDescription& description() const override { return description_; }
-
     core::Result<std::vector<store::SourceFile>> shared_files() const override { return {}; }
 
     core::Result<std::vector<store::SourceFile>> files(std::size_t) const override { return {}; }
@@ -88,7 +86,6 @@ class PipelineSource final : public Source {
 
     std::vector<PipelineStep> steps_;
     std::string velocity_;
-    SourceDescription description_;
     std::vector<bool> fluid_;
 };
 

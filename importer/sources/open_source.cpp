@@ -1,21 +1,21 @@
-// Which reader a path is for: by its extension and, where several formats share one, by what it holds.
+// Chooses the reader of a path: by its extension and, where several formats share one, by what it holds.
 #include "importer/sources/open_source.hpp"
 
 #include "core/base/disk.hpp"
-#include "importer/sources/cgns/cgns_source.hpp"
-#include "importer/sources/ensight/ensight_source.hpp"
-#include "importer/sources/exodus/exodus_source.hpp"
+#include "core/base/result.hpp"
 #include "importer/sources/files/file_names.hpp"
-#include "importer/sources/netcdf/netcdf_source.hpp"
-#include "importer/sources/openfoam/openfoam_source.hpp"
-#include "importer/sources/plot3d/plot3d_source.hpp"
-#include "importer/sources/series/folder_choice.hpp"
+#include "importer/sources/files/formats.hpp"
 #include "importer/sources/series/numbered_files.hpp"
-#include "importer/sources/vtk/vtk_files_source.hpp"
 
+#include <algorithm>
 #include <array>
+#include <filesystem>
 #include <fstream>
+#include <functional>
+#include <set>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace wakesurf::importer {
 
@@ -24,25 +24,88 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Format {
-    bool (*is_it)(const fs::path&);
-    core::Result<std::unique_ptr<Source>> (*open)(const fs::path&, const command::SourceOptions&);
-};
+// A folder that is given as a source is the one dataset in it.
 
-// .g is a grid of Exodus, which is NetCDF, or of Plot3D.
-bool is_exodus_inside(const fs::path& path) {
-    if (!is_exodus(path) || lower_extension(path) != ".g")
-        return is_exodus(path);
-    std::array<char, 4> start{};
-    std::ifstream(path, std::ios::binary).read(start.data(), start.size());
-    const std::string_view text(start.data(), start.size());
-    return text.starts_with("CDF") || text == "\x89HDF";
+bool lists_others(const fs::path& path) {
+    const auto extension = lower_extension(path);
+    return extension == ".pvd" || extension == ".series" || extension == ".case" ||
+           extension == ".foam" || extension == ".p3d";
 }
 
+// Files that are parts of others when those are there: pieces of .pvtu, blocks of .vtm, Plot3D solutions.
+int rank(const fs::path& path) {
+    const auto extension = lower_extension(path);
+    if (lists_others(path))
+        return 0;
+    if (extension == ".vtm" || extension == ".vtmb" || extension.starts_with(".pvt"))
+        return 1;
+    return extension == ".q" ? 3 : 2;
+}
+
+core::Result<std::vector<fs::path>> files_in(const fs::path& folder) {
+    std::vector<fs::path> out;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error))
+        out.push_back(entry->path());
+    if (error)
+        return core::fail(Error::Code::Io,
+                          folder.filename().string() + " cannot be listed: " + error.message());
+    std::sort(out.begin(), out.end());
+    return out;
+}
+
+// A file that lists others (.pvd, .series, .case) goes before the files it may list; else the one file or
+// numbered series there is. Files that `readable` does not know do not count. Error: NotFound (nothing to
+// read), InvalidArgument (several datasets, listed), Io.
+core::Result<fs::path> choose_in_folder(const fs::path& folder,
+                                        const std::function<bool(const fs::path&)>& readable) {
+    const std::string name = (folder / "").parent_path().filename().string();
+    auto files = files_in(folder);
+    if (!files)
+        return tl::unexpected(files.error());
+    std::erase_if(*files, [&](const fs::path& file) { return !readable(file); });
+    if (files->empty())
+        return core::fail(Error::Code::NotFound, name + " holds nothing that can be read",
+                          "give a folder with an OpenFOAM case, or with one series of files");
+    const auto best =
+        std::min_element(files->begin(), files->end(),
+                         [](const auto& a, const auto& b) { return rank(a) < rank(b); });
+    const int wanted = rank(*best);
+    std::vector<fs::path> datasets; // one file of each
+    std::set<fs::path> known;
+    for (const auto& file : *files) {
+        if (rank(file) != wanted || known.contains(file))
+            continue;
+        datasets.push_back(file);
+        if (wanted == 0)
+            continue;
+        const auto series = numbered_files(file);
+        if (!series)
+            return tl::unexpected(series.error());
+        known.insert(series->files.begin(), series->files.end());
+    }
+    if (datasets.size() == 1)
+        return datasets.front();
+    std::string list;
+    constexpr std::size_t most = 8;
+    for (std::size_t i = 0; i < std::min(datasets.size(), most); ++i)
+        list += (i == 0 ? "" : ", ") + datasets[i].filename().string();
+    if (datasets.size() > most)
+        list += ", ...";
+    return core::fail(Error::Code::InvalidArgument, name + " holds several datasets: " + list,
+                      "give one of them");
+}
+
+struct Format {
+    bool (*is_it)(const fs::path&);
+    Opened (*open)(const fs::path&, const command::SourceOptions&);
+};
+
 constexpr std::array formats{
-    Format{is_openfoam, open_openfoam},    Format{is_ensight, open_ensight},
-    Format{is_exodus_inside, open_exodus}, Format{is_vtk_files, open_vtk_files},
-    Format{is_netcdf, open_netcdf},        Format{is_cgns, open_cgns},
+    Format{is_openfoam, open_openfoam}, Format{is_ensight, open_ensight},
+    Format{is_exodus, open_exodus},     Format{is_vtk_files, open_vtk_files},
+    Format{is_netcdf, open_netcdf},     Format{is_cgns, open_cgns},
     Format{is_plot3d, open_plot3d}};
 
 const Format* format_of(const fs::path& path) {

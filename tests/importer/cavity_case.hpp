@@ -1,7 +1,7 @@
 // An OpenFOAM case made cell by cell, whole or in the folders of processors, whose every value is known.
 #pragma once
 
-#include "importer/sources/openfoam/openfoam_source.hpp"
+#include "importer/sources/files/formats.hpp"
 #include "tests/support/foam_files.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/temporary_folder.hpp"

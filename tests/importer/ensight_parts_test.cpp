@@ -1,5 +1,5 @@
 // EnSight Gold cases whose variables exist on some parts only: solids, walls, and what is left out.
-#include "importer/sources/ensight/ensight_source.hpp"
+#include "importer/sources/files/formats.hpp"
 #include "tests/support/ensight_text.hpp"
 #include "tests/support/temporary_folder.hpp"
 

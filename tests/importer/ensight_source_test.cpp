@@ -1,6 +1,6 @@
 // EnSight Gold cases made here: what the source returns of them, and what it refuses.
 #include "importer/sources/ensight/ensight_case.hpp"
-#include "importer/sources/ensight/ensight_source.hpp"
+#include "importer/sources/files/formats.hpp"
 #include "tests/support/ensight_text.hpp"
 #include "tests/support/temporary_folder.hpp"
 

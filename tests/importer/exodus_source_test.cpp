@@ -1,5 +1,5 @@
 // Exodus II files written by VTK: what the source returns of them, and what it refuses.
-#include "importer/sources/exodus/exodus_source.hpp"
+#include "importer/sources/files/formats.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // OpenFOAM cases made here, cell by cell: what the source returns of them, and what it refuses.
-#include "importer/sources/openfoam/openfoam_source.hpp"
+#include "importer/sources/files/formats.hpp"
 #include "tests/importer/cavity_case.hpp"
 
 #include <gtest/gtest.h>

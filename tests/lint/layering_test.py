@@ -302,7 +302,7 @@ GOOD = [
     (wrong_includes, "importer/reader.cpp", "#include <vtkImageData.h>\n"),
     (wrong_includes, "server/service/bricks/ranks/brick_window.hpp", "#include <mpi.h>\n"),
     (wrong_includes, "server/service/compute/budgets.hpp", '#include "server/service/base/visitor.hpp"\n'),
-    (wrong_includes, "importer/sources/plot3d/plot3d_files.cpp",
+    (wrong_includes, "importer/sources/plot3d/plot3d_source.cpp",
      '#include "importer/sources/files/named_path.hpp"\n#include "importer/fields/physical_units.hpp"\n'),
     (wrong_includes, "tests/bench/vtk/peer.cpp", "#include <vtkStreamSurface.h>\n"),
     (wrong_includes, "core/surface/front.cpp", "#include <vector>\n#include <oneapi/tbb/parallel_for.h>\n"),

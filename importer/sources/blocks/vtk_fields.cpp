@@ -99,16 +99,20 @@ void add_fields(vtkDataSet& data, std::vector<FieldInfo>& fields) {
     }
 }
 
-void enable_only(vtkDataArraySelection& selection,
-                 FieldInfo::Source source,
-                 const std::vector<FieldInfo>& fields) {
-    selection.DisableAllArrays();
+void select_arrays(vtkDataArraySelection& offered,
+                   FieldInfo::Source source,
+                   const WantedArrays& wanted) {
+    if (wanted.all) {
+        offered.EnableAllArrays();
+        return;
+    }
+    offered.DisableAllArrays();
     const char* ghosts = vtkDataSetAttributes::GhostArrayName(); // blanked whatever is asked for
-    if (selection.ArrayExists(ghosts) != 0)
-        selection.EnableArray(ghosts);
-    for (const auto& field : fields)
+    if (offered.ArrayExists(ghosts) != 0)
+        offered.EnableArray(ghosts);
+    for (const auto& field : wanted.fields)
         if (field.source == source)
-            selection.EnableArray(field.name.c_str());
+            offered.EnableArray(field.name.c_str());
 }
 
 core::Result<void>

@@ -1,5 +1,5 @@
-// What the readers of all formats share: the pieces of what VTK read, the fields they carry, and which of them are
-// asked for.
+// What the readers of all formats share: the pieces of what VTK read, the fields they carry, and which of
+// them are asked for.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -24,21 +24,29 @@ struct Leaf {
     const std::string& name() const; ///< the last of `path`, or ""
 };
 
-/// The data sets with at least one cell in `data`, in VTK's order; a data set itself is one leaf without a path.
+/// Returns the data sets with at least one cell in `data`, in VTK's order; a data set itself is one leaf
+/// without a path.
 std::vector<Leaf> leaves_of(vtkDataObject* data);
 
-/// Adds the fields of `data` to `fields`: point data, then cell data, with their finite ranges (of the magnitude for
-/// several components). A field that is there (same name, source and components) has its range widened instead, so
-/// that blocks add up. Ghost marks, ids VTK adds and arrays without a name or of text are no fields.
+/// Adds the fields of `data` to `fields`: point data, then cell data, with their finite ranges (of the
+/// magnitude for several components). A field that is there (same name, source and components) has its range
+/// widened instead, so that blocks add up. Ghost marks, ids VTK adds and arrays without a name or of text are
+/// no fields.
 void add_fields(vtkDataSet& data, std::vector<core::FieldInfo>& fields);
 
-/// What `selection` should read of one source (point or cell data): the named fields and nothing else.
-void enable_only(vtkDataArraySelection& selection,
-                 core::FieldInfo::Source source,
-                 const std::vector<core::FieldInfo>& fields);
+struct WantedArrays {
+    bool all = false;
+    std::vector<core::FieldInfo> fields;
+};
 
-/// Error: NotFound naming `file` and the first of `fields` that `data` does not have; Corrupt where it has another
-/// number of components, or of values than there are points or cells.
+/// Enables the wanted arrays of what a reader offers as `source` (point or cell data), and ghost marks;
+/// disables all others.
+void select_arrays(vtkDataArraySelection& offered,
+                   core::FieldInfo::Source source,
+                   const WantedArrays& wanted);
+
+/// Checks that they are there. Error: NotFound naming `file` and the first of `fields` that `data` does not
+/// have; Corrupt where it has another number of components, or of values than there are points or cells.
 core::Result<void> require_fields(vtkDataSet& data,
                                   const std::vector<core::FieldInfo>& fields,
                                   const std::string& file);

@@ -1,7 +1,9 @@
 #include "importer/sources/blocks/wall_patches.hpp"
 
+#include "importer/base/lower_case.hpp"
 #include "importer/sources/blocks/vtk_fields.hpp"
 
+#include <vtkCell.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -12,15 +14,11 @@
 #include <vtkPoints.h>
 
 #include <algorithm>
-#include <cctype>
 
 namespace wakesurf::importer {
 
 bool is_named_wall(const std::string& patch) {
-    std::string name = patch.substr(patch.rfind('/') + 1);
-    std::transform(name.begin(), name.end(), name.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return name.find("wall") != std::string::npos;
+    return lower_case(patch.substr(patch.rfind('/') + 1)).find("wall") != std::string::npos;
 }
 
 bool is_still(vtkDataSet& patch, const std::vector<core::FieldInfo>& fields) {
@@ -40,6 +38,27 @@ bool is_still(vtkDataSet& patch, const std::vector<core::FieldInfo>& fields) {
                     return false;
     }
     return found;
+}
+
+bool stands_still(vtkDataSet& faces, const std::vector<core::FieldInfo>& fields) {
+    const auto velocity =
+        std::find_if(fields.begin(), fields.end(),
+                     [](const core::FieldInfo& field) { return field.components == 3; });
+    return velocity != fields.end() && is_still(faces, {*velocity});
+}
+
+vtkSmartPointer<vtkPolyData> faces_of(vtkDataSet& grid) {
+    auto out = vtkSmartPointer<vtkPolyData>::New();
+    auto* points = vtkPointSet::SafeDownCast(&grid);
+    if (points == nullptr)
+        return out;
+    out->SetPoints(points->GetPoints());
+    out->GetPointData()->ShallowCopy(grid.GetPointData());
+    out->AllocateEstimate(grid.GetNumberOfCells(), 4);
+    for (vtkIdType i = 0; i < grid.GetNumberOfCells(); ++i)
+        if (vtkCell* cell = grid.GetCell(i); cell->GetCellDimension() == 2)
+            out->InsertNextCell(cell->GetCellType(), cell->GetPointIds());
+    return out;
 }
 
 core::Result<vtkSmartPointer<vtkPolyData>> surface_of(vtkDataSet& patch, const std::string& file) {

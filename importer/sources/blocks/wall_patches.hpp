@@ -13,17 +13,24 @@
 
 namespace wakesurf::importer {
 
-/// Whether the last part of a patch's path ("boundary/lowerWall") holds "wall", in any case.
+/// Says whether the last part of a patch's path ("boundary/lowerWall") holds "wall", in any case.
 bool is_named_wall(const std::string& patch);
 
-/// Whether there is a 3-component one among `fields`, the data set has it, and each of these is exactly zero everywhere.
+/// Says whether there is a vector among `fields`, the data set has it, and each of these is exactly zero
+/// everywhere.
 bool is_still(vtkDataSet& patch, const std::vector<core::FieldInfo>& fields);
 
-/// The patch as polygons with its points as they are; data arrays are left out. Error: Corrupt (nodes that are not
-/// there), naming `file`.
+/// Does the same of the first vector of `fields` only, the velocity.
+bool stands_still(vtkDataSet& faces, const std::vector<core::FieldInfo>& fields);
+
+/// Returns the two-dimensional cells of a grid that has no others, with the points and point data it has.
+vtkSmartPointer<vtkPolyData> faces_of(vtkDataSet& grid);
+
+/// Returns the patch as polygons with its points as they are; data arrays are left out. Error: Corrupt (nodes
+/// that are not there), naming `file`.
 core::Result<vtkSmartPointer<vtkPolyData>> surface_of(vtkDataSet& patch, const std::string& file);
 
-/// The outside of a checked block of cells.
+/// Returns the outside of a checked block of cells.
 vtkSmartPointer<vtkPolyData> boundary_of(vtkDataSet& block);
 
 } // namespace wakesurf::importer

@@ -1,15 +1,15 @@
-#include "importer/sources/cgns/cgns_source.hpp"
-
 #include "importer/base/notes.hpp"
+#include "importer/base/process_memory.hpp"
 #include "importer/base/vtk_messages.hpp"
 #include "importer/sources/blocks/block_roles.hpp"
 #include "importer/sources/blocks/fluid_blocks.hpp"
+#include "importer/sources/blocks/vtk_fields.hpp"
 #include "importer/sources/blocks/wall_patches.hpp"
-#include "importer/sources/blocks/wanted_arrays.hpp"
 #include "importer/sources/cgns/cgns_survey.hpp"
 #include "importer/sources/cgns/cgns_zones.hpp"
 #include "importer/sources/files/file_names.hpp"
-#include "importer/sources/series/series_times.hpp"
+#include "importer/sources/files/formats.hpp"
+#include "importer/sources/series/series_source.hpp"
 
 #include <vtkCGNSReader.h>
 #include <vtkMultiBlockDataSet.h>
@@ -18,7 +18,6 @@
 
 #include <algorithm>
 #include <array>
-#include <new>
 #include <set>
 
 namespace wakesurf::importer {
@@ -72,13 +71,11 @@ void scale_points(vtkDataSet& data, double factor) {
     points->SetPoints(scaled);
 }
 
-class CgnsSource final : public Source {
+class CgnsSource final : public SeriesSource<std::optional<double>> {
   public:
-    CgnsSource(FileSeries series, std::string velocity)
-        : series_(std::move(series)), velocity_(std::move(velocity)) {}
+    using SeriesSource::SeriesSource;
 
     core::Result<void> open() {
-        description_.name = series_.name;
         std::vector<TimedEntry> times;
         CgnsSurvey first;
         for (std::size_t i = 0; i < series_.entries.size(); ++i) {
@@ -99,13 +96,8 @@ class CgnsSource final : public Source {
                     {"time-step " + std::to_string(t) + " of " + listed(i).name, survey->times[t]});
             }
         }
-        auto settled = settle_times(times);
-        if (!settled)
-            return tl::unexpected(settled.error());
-        description_.times = std::move(settled->times);
-        description_.time_note = std::move(settled->note);
-        description_.places = std::move(settled->places);
-        keep(settled->order);
+        if (auto settled = settle_steps(times); !settled)
+            return settled;
         description_.reader =
             (first.cells_have_other_numbers ? "CGNS library (" : "vtkCGNSReader (") + series_.kind +
             ")";
@@ -115,18 +107,9 @@ class CgnsSource final : public Source {
         });
     }
 
-    const SourceDescription& description() const override { return description_; }
-
-    core::Result<std::vector<store::SourceFile>> shared_files() const override {
-        return file_of_all(series_);
-    }
-
-    core::Result<std::vector<store::SourceFile>> files(std::size_t step) const override {
-        return file_of_one(series_, steps_[step].file);
-    }
-
     core::Result<SourceStep> read(std::size_t step, const std::vector<FieldInfo>& fields) override {
-        // What has changed since the source was opened is found before VTK reads another time-step for this one.
+        // What has changed since the source was opened is found before VTK reads another time-step for this
+        // one.
         const auto survey = survey_cgns(listed(steps_[step].file));
         if (!survey)
             return tl::unexpected(survey.error());
@@ -171,18 +154,6 @@ class CgnsSource final : public Source {
                           "write what follows a restart into a file of its own");
     }
 
-    void keep(const std::vector<std::size_t>& order) {
-        std::vector<Step> kept;
-        for (const std::size_t i : order)
-            kept.push_back(steps_[i]);
-        steps_ = std::move(kept);
-    }
-
-    struct Step {
-        std::size_t file = 0;
-        std::optional<double> time;
-    };
-
     struct Zone {
         std::string place; ///< names of its base and of the zone
         vtkSmartPointer<vtkDataSet> block;
@@ -204,10 +175,6 @@ class CgnsSource final : public Source {
         return check_thickness(fluid, step_name(0));
     }
 
-    const ListedFile& listed(std::size_t entry) const {
-        return series_.entries[entry].parts.front();
-    }
-
     std::string step_name(std::size_t step) const {
         const auto& [file, time] = steps_[step];
         return listed(file).name + (time ? " at time " + time_text(*time) : "");
@@ -221,8 +188,7 @@ class CgnsSource final : public Source {
             vtkSmartPointer<vtkCGNSReader>::New(); // a new one keeps nothing of other steps
         reader->SetFileName(listed(steps_[step].file).path.c_str());
         reader->DoublePrecisionMeshOn();
-        vtkSmartPointer<vtkDataObject> output;
-        try {
+        const auto update = [&] {
             reader->UpdateInformation();
             select(*reader, wanted);
             reader->UpdateInformation();
@@ -230,13 +196,11 @@ class CgnsSource final : public Source {
                 reader->UpdateTimeStep(*steps_[step].time);
             else
                 reader->Update();
-            output = reader->GetOutputDataObject(0);
-        } catch (const std::bad_alloc&) {
-            return core::fail(Error::Code::OverLimit, "there is not enough memory to read " + name);
-        }
-        if (auto clean = messages.verdict(name); !clean)
-            return tl::unexpected(clean.error());
-        return leaves_of(output);
+            return messages.verdict(name);
+        };
+        return within_memory(name, update).map([&] {
+            return leaves_of(reader->GetOutputDataObject(0));
+        });
     }
 
     core::Result<std::vector<Zone>>
@@ -272,11 +236,8 @@ class CgnsSource final : public Source {
         return zones;
     }
 
-    FileSeries series_;
-    std::string velocity_; ///< asked for; may be empty
-    std::vector<Step> steps_;
-    SourceDescription description_;
-    std::set<std::string> solids_; ///< places of the zones without the velocity
+    /// Are the places of the zones without the velocity.
+    std::set<std::string> solids_;
 };
 
 } // namespace
@@ -285,15 +246,8 @@ bool is_cgns(const std::filesystem::path& path) {
     return lower_extension(path) == ".cgns";
 }
 
-core::Result<std::unique_ptr<Source>> open_cgns(const std::filesystem::path& path,
-                                                const command::SourceOptions& wish) {
-    auto series = open_file_series(path, wish.alone);
-    if (!series)
-        return tl::unexpected(series.error());
-    auto source = std::make_unique<CgnsSource>(std::move(*series), wish.velocity);
-    if (auto opened = source->open(); !opened)
-        return tl::unexpected(opened.error());
-    return source;
+Opened open_cgns(const std::filesystem::path& path, const command::SourceOptions& wish) {
+    return open_series<CgnsSource>(path, wish);
 }
 
 } // namespace wakesurf::importer

@@ -1,12 +1,21 @@
 #include "importer/sources/ensight/ensight_geometry.hpp"
 
-#include "importer/sources/ensight/ensight_block.hpp"
+#include "importer/base/process_memory.hpp"
+#include "importer/sources/ensight/ensight_stream.hpp"
 
 #include <vtkCellArray.h>
 #include <vtkCellType.h>
+#include <vtkDataSet.h>
+#include <vtkDataSetAttributes.h>
 #include <vtkFloatArray.h>
 #include <vtkIdTypeArray.h>
+#include <vtkImageData.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
+#include <vtkRectilinearGrid.h>
+#include <vtkSmartPointer.h>
+#include <vtkStructuredGrid.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
@@ -19,6 +28,101 @@ namespace wakesurf::importer {
 using core::Error;
 
 namespace {
+
+// Structured parts of EnSight Gold geometry: curvilinear, rectilinear and uniform blocks.
+
+vtkSmartPointer<vtkFloatArray> array_of(const std::vector<float>& values) {
+    auto out = vtkSmartPointer<vtkFloatArray>::New();
+    out->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+    std::copy(values.begin(), values.end(), out->GetPointer(0));
+    return out;
+}
+
+core::Result<vtkSmartPointer<vtkDataSet>>
+curvilinear(EnsightStream& in, const int* nodes, std::size_t total) {
+    auto values = vtkSmartPointer<vtkFloatArray>::New();
+    values->SetNumberOfComponents(3);
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto along = in.numbers(total);
+        if (!along)
+            return tl::unexpected(along.error());
+        values->SetNumberOfTuples(static_cast<vtkIdType>(total));
+        for (std::size_t i = 0; i < total; ++i)
+            values->SetTypedComponent(static_cast<vtkIdType>(i), axis, (*along)[i]);
+    }
+    auto points = vtkSmartPointer<vtkPoints>::New();
+    points->SetData(values);
+    auto grid = vtkSmartPointer<vtkStructuredGrid>::New();
+    grid->SetDimensions(nodes);
+    grid->SetPoints(points);
+    return vtkSmartPointer<vtkDataSet>(grid);
+}
+
+core::Result<vtkSmartPointer<vtkDataSet>> rectilinear(EnsightStream& in, const int* nodes) {
+    std::array<vtkSmartPointer<vtkFloatArray>, 3> axes;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto along = in.numbers(static_cast<std::size_t>(nodes[axis]));
+        if (!along)
+            return tl::unexpected(along.error());
+        axes[axis] = array_of(*along);
+    }
+    auto grid = vtkSmartPointer<vtkRectilinearGrid>::New();
+    grid->SetDimensions(nodes);
+    grid->SetXCoordinates(axes[0]);
+    grid->SetYCoordinates(axes[1]);
+    grid->SetZCoordinates(axes[2]);
+    return vtkSmartPointer<vtkDataSet>(grid);
+}
+
+core::Result<vtkSmartPointer<vtkDataSet>> uniform(EnsightStream& in, const int* nodes) {
+    const auto origin = in.numbers(3);
+    const auto spacing = origin ? in.numbers(3) : origin;
+    if (!spacing)
+        return tl::unexpected(spacing.error());
+    auto grid = vtkSmartPointer<vtkImageData>::New();
+    grid->SetDimensions(nodes);
+    grid->SetOrigin((*origin)[0], (*origin)[1], (*origin)[2]);
+    grid->SetSpacing((*spacing)[0], (*spacing)[1], (*spacing)[2]);
+    return vtkSmartPointer<vtkDataSet>(grid);
+}
+
+// Reads what follows the line `shape` ("block", "block rectilinear iblanked" ...). Points blanked out carry
+// vtkGhostType.
+// Error: Corrupt, Unsupported (parts of blocks, ghosts).
+core::Result<vtkSmartPointer<vtkDataSet>> read_ensight_block(EnsightStream& in,
+                                                             const std::string& shape) {
+    const auto says = [&](const char* word) { return shape.find(word) != std::string::npos; };
+    if (says("range") || says("ghost"))
+        return core::fail(Error::Code::Unsupported,
+                          "a part is a '" + shape + "', which cannot be read",
+                          "write whole blocks without ghost cells");
+    const auto nodes = in.integers(3);
+    if (!nodes)
+        return tl::unexpected(nodes.error());
+    constexpr std::size_t most = std::size_t{1} << 40;
+    std::size_t total = 1;
+    for (const auto along : *nodes) {
+        if (along < 1 || static_cast<std::size_t>(along) > most / total)
+            return in.damaged("a block has " + std::to_string(along) + " nodes along one side");
+        total *= static_cast<std::size_t>(along);
+    }
+    auto grid = says("uniform")       ? uniform(in, nodes->data())
+                : says("rectilinear") ? rectilinear(in, nodes->data())
+                                      : curvilinear(in, nodes->data(), total);
+    if (!grid || !says("iblanked"))
+        return grid;
+    const auto marks = in.integers(total);
+    if (!marks)
+        return tl::unexpected(marks.error());
+    auto ghosts = vtkSmartPointer<vtkUnsignedCharArray>::New();
+    ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+    ghosts->SetNumberOfTuples(static_cast<vtkIdType>(total));
+    for (std::size_t i = 0; i < total; ++i)
+        ghosts->SetValue(static_cast<vtkIdType>(i),
+                         (*marks)[i] == 0 ? vtkDataSetAttributes::HIDDENPOINT : 0);
+    (*grid)->GetPointData()->AddArray(ghosts);
+    return grid;
+}
 
 struct Kind {
     const char* name;
@@ -323,12 +427,7 @@ core::Result<EnsightGeometry> read_ensight_geometry(const NamedFile& file) {
     auto in = EnsightStream::open(file);
     if (!in)
         return tl::unexpected(in.error());
-    try {
-        return GeometryReader(*in, file.name).read();
-    } catch (const std::bad_alloc&) {
-        return core::fail(Error::Code::OverLimit,
-                          "there is not enough memory to read " + file.name);
-    }
+    return within_memory(file.name, [&] { return GeometryReader(*in, file.name).read(); });
 }
 
 bool same_geometry(const EnsightGeometry& one, const EnsightGeometry& other) {

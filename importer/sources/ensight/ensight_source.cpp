@@ -1,13 +1,13 @@
-#include "importer/sources/ensight/ensight_source.hpp"
-
+#include "importer/base/lower_case.hpp"
 #include "importer/base/notes.hpp"
 #include "importer/fields/velocity_choice.hpp"
 #include "importer/sources/blocks/block_roles.hpp"
 #include "importer/sources/blocks/vtk_fields.hpp"
-#include "importer/sources/blocks/wall_faces.hpp"
 #include "importer/sources/blocks/wall_patches.hpp"
 #include "importer/sources/ensight/ensight_case.hpp"
 #include "importer/sources/ensight/ensight_variable.hpp"
+#include "importer/sources/files/file_names.hpp"
+#include "importer/sources/files/formats.hpp"
 
 #include <vtkCellData.h>
 #include <vtkPointData.h>
@@ -54,7 +54,7 @@ class EnsightSource final : public Source {
         }
     }
 
-    core::Result<void> prepare() {
+    core::Result<void> open() {
         const auto file = found_.file_at(found_.geometry, found_.times.front());
         auto geometry = file.and_then(read_ensight_geometry);
         if (!geometry)
@@ -68,8 +68,6 @@ class EnsightSource final : public Source {
         choose_walls();
         return {};
     }
-
-    const SourceDescription& description() const override { return description_; }
 
     core::Result<std::vector<store::SourceFile>> shared_files() const override {
         return found_.file_at(found_.geometry, found_.times.front())
@@ -303,9 +301,7 @@ class EnsightSource final : public Source {
             }
         }
         std::erase_if(walls_, [&](std::size_t number) {
-            std::string name = geometry_.parts.at(number).name;
-            std::transform(name.begin(), name.end(), name.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+            const std::string name = lower_case(geometry_.parts.at(number).name);
             return name.find("wall") == std::string::npos && !still[number];
         });
     }
@@ -318,25 +314,19 @@ class EnsightSource final : public Source {
     std::set<std::size_t> walls_;
     std::map<std::size_t, vtkSmartPointer<vtkPolyData>>
         solids_; ///< the outside of the parts without the velocity
-    SourceDescription description_;
 };
 
 } // namespace
 
 bool is_ensight(const fs::path& path) {
-    std::string ending = path.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string ending = lower_extension(path);
     return ending == ".case" || ending == ".encas";
 }
 
-core::Result<std::unique_ptr<Source>> open_ensight(const fs::path& path,
-                                                   const command::SourceOptions& wish) {
-    auto found = read_ensight_case(path, wish.velocity);
-    if (!found)
-        return tl::unexpected(found.error());
-    auto source = std::make_unique<EnsightSource>(std::move(*found), wish.velocity);
-    return source->prepare().map([&]() -> std::unique_ptr<Source> { return std::move(source); });
+Opened open_ensight(const fs::path& path, const command::SourceOptions& wish) {
+    return read_ensight_case(path, wish.velocity).and_then([&](EnsightCase found) {
+        return opened<EnsightSource>(std::move(found), wish.velocity);
+    });
 }
 
 } // namespace wakesurf::importer

@@ -48,13 +48,11 @@ core::Result<EnsightStream> EnsightStream::open(const NamedFile& file) {
         return tl::unexpected(size.error());
     if (auto fits = check_claim(file.name, *size, 1); !fits)
         return tl::unexpected(fits.error());
-    try {
+    const auto read_all = [&] {
         out.text_.resize(*size);
-    } catch (const std::bad_alloc&) {
-        return core::fail(Error::Code::OverLimit,
-                          "there is not enough memory to read " + file.name);
-    }
-    if (auto read = disk.read(file.path, 0, std::as_writable_bytes(std::span(out.text_))); !read)
+        return disk.read(file.path, 0, std::as_writable_bytes(std::span(out.text_)));
+    };
+    if (auto read = within_memory(file.name, read_all); !read)
         return tl::unexpected(read.error());
     return out;
 }

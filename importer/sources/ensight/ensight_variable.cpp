@@ -1,5 +1,7 @@
 #include "importer/sources/ensight/ensight_variable.hpp"
 
+#include "importer/base/process_memory.hpp"
+
 #include <algorithm>
 #include <limits>
 #include <new>
@@ -101,8 +103,9 @@ core::Result<std::map<std::size_t, EnsightValues>> read_ensight_variable(
     if (!in)
         return tl::unexpected(in.error());
     in->set_encoding(geometry.encoding, geometry.swapped);
-    std::map<std::size_t, EnsightValues> out;
-    try {
+    using Values = std::map<std::size_t, EnsightValues>;
+    return within_memory(file.name, [&]() -> core::Result<Values> {
+        Values out;
         if (auto description = in->line(); !description)
             return tl::unexpected(description.error());
         while (!in->at_end()) {
@@ -122,11 +125,8 @@ core::Result<std::map<std::size_t, EnsightValues>> read_ensight_variable(
                 return tl::unexpected(values.error());
             out[part->first] = std::move(*values);
         }
-    } catch (const std::bad_alloc&) {
-        return core::fail(Error::Code::OverLimit,
-                          "there is not enough memory to read " + file.name);
-    }
-    return out;
+        return out;
+    });
 }
 
 } // namespace wakesurf::importer

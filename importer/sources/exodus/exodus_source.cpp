@@ -1,12 +1,12 @@
-#include "importer/sources/exodus/exodus_source.hpp"
-
+#include "importer/base/lower_case.hpp"
 #include "importer/base/notes.hpp"
 #include "importer/base/process_memory.hpp"
 #include "importer/base/vtk_messages.hpp"
 #include "importer/sources/blocks/block_roles.hpp"
 #include "importer/sources/blocks/vtk_fields.hpp"
-#include "importer/sources/blocks/wall_faces.hpp"
 #include "importer/sources/blocks/wall_patches.hpp"
+#include "importer/sources/files/file_names.hpp"
+#include "importer/sources/files/formats.hpp"
 #include "importer/sources/files/netcdf_size.hpp"
 #include "importer/sources/files/source_files.hpp"
 #include "importer/sources/series/series_times.hpp"
@@ -35,10 +35,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool is_called_wall(std::string name) {
-    std::transform(name.begin(), name.end(), name.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return name.find("wall") != std::string::npos;
+bool is_called_wall(const std::string& name) {
+    return lower_case(name).find("wall") != std::string::npos;
 }
 
 bool is_solid_shape(vtkDataSet& data) {
@@ -63,11 +61,11 @@ class ExodusSource final : public Source {
         description_.reader = "vtkExodusIIReader (Exodus II)";
     }
 
-    core::Result<void> prepare() {
+    core::Result<void> open() {
         if (auto complete = check_netcdf_size(file_); !complete)
             return complete;
-        if (auto opened = open(); !opened)
-            return opened;
+        if (auto readable = open_reader(); !readable)
+            return readable;
         vtkInformation* info = reader_->GetOutputInformation(0);
         const int steps = info->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
         const double* times = info->Get(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
@@ -76,13 +74,12 @@ class ExodusSource final : public Source {
             entries.push_back({step_name(static_cast<std::size_t>(i)), times[i]});
         if (entries.empty())
             entries.push_back({step_name(0), std::nullopt});
-        auto settled = settle_times(std::move(entries));
-        if (!settled)
-            return tl::unexpected(settled.error());
-        description_.times = std::move(settled->times);
-        description_.places = std::move(settled->places);
-        description_.time_note = steps == 0 ? "the file has no times" : std::move(settled->note);
-        order_ = std::move(settled->order);
+        auto order = describe_times(std::move(entries), description_);
+        if (!order)
+            return tl::unexpected(order.error());
+        order_ = std::move(*order);
+        if (steps == 0)
+            description_.time_note = "the file has no times";
         for (int i = 0; i < reader_->GetNumberOfPointResultArrays(); ++i)
             if (std::string name = reader_->GetPointResultArrayName(i);
                 name.starts_with("DISPL") || name.starts_with("displ") || name.starts_with("Displ"))
@@ -97,8 +94,6 @@ class ExodusSource final : public Source {
         add_note(description_.note, roles.note);
         return {};
     }
-
-    const SourceDescription& description() const override { return description_; }
 
     core::Result<std::vector<store::SourceFile>> shared_files() const override {
         return fingerprint({file_});
@@ -115,7 +110,7 @@ class ExodusSource final : public Source {
     }
 
   private:
-    core::Result<void> open() {
+    core::Result<void> open_reader() {
         const VtkMessages messages;
         ex_opts(0); // the library prints by itself; VTK says the same
         reader_ = vtkSmartPointer<vtkExodusIIReader>::New();
@@ -191,8 +186,8 @@ class ExodusSource final : public Source {
         const std::string what = step_name(order_.at(step));
         try {
             if (reader_ == nullptr)
-                if (auto opened = open(); !opened)
-                    return give_up(opened.error());
+                if (auto readable = open_reader(); !readable)
+                    return give_up(readable.error());
             choose_fields(fields);
             const VtkMessages messages;
             reader_->SetTimeStep(static_cast<int>(order_[step])); // of two with one time either
@@ -250,7 +245,6 @@ class ExodusSource final : public Source {
     NamedFile file_;
     std::string velocity_; ///< asked for; may be empty
     vtkSmartPointer<vtkExodusIIReader> reader_;
-    SourceDescription description_;
     std::vector<std::size_t> order_; ///< of each time its place in the file
     std::vector<bool> solid_; ///< of each block of three-dimensional elements: without the velocity
 };
@@ -260,9 +254,7 @@ class ExodusSource final : public Source {
 bool is_exodus(const fs::path& path) {
     constexpr std::array<const char*, 7> endings{".exo", ".exii", ".ex2",  ".e",
                                                  ".g",   ".gen",  ".exoii"};
-    std::string ending = path.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string ending = lower_extension(path);
     if (std::find(endings.begin(), endings.end(), ending) == endings.end())
         return false;
     // Plot3D calls its grids .g as well: there, the signature of netCDF or HDF5 tells.
@@ -272,10 +264,8 @@ bool is_exodus(const fs::path& path) {
     return ending != ".g" || signature.starts_with("CDF") || signature == "\x89HDF";
 }
 
-core::Result<std::unique_ptr<Source>> open_exodus(const fs::path& path,
-                                                  const command::SourceOptions& wish) {
-    auto source = std::make_unique<ExodusSource>(path, wish.velocity);
-    return source->prepare().map([&]() -> std::unique_ptr<Source> { return std::move(source); });
+Opened open_exodus(const fs::path& path, const command::SourceOptions& wish) {
+    return opened<ExodusSource>(path, wish.velocity);
 }
 
 } // namespace wakesurf::importer

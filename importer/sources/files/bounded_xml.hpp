@@ -1,10 +1,11 @@
-// VTK's XML parser with a bound on nesting: it builds and takes apart its tree by recursion, and some 100,000 elements in each
-// other end the process.
+// VTK's XML parser with a bound on nesting: it builds and takes apart its tree by recursion, and some 100,000
+// elements in each other end the process.
 #pragma once
 
 #include "core/base/result.hpp"
 
 #include <vtkSmartPointer.h>
+#include <vtkXMLDataElement.h>
 #include <vtkXMLDataParser.h>
 
 #include <istream>
@@ -12,9 +13,16 @@
 
 namespace wakesurf::importer {
 
-/// What the stream holds, parsed as far as it is XML; without a root element where it is none. The parser keeps the stream.
+/// Returns what the stream holds, parsed as far as it is XML; without a root element where it is none. The
+/// parser keeps the stream.
 /// Error: Corrupt (elements nested too deeply). REQUIRES: a VtkMessages lives.
 core::Result<vtkSmartPointer<vtkXMLDataParser>> parse_xml(std::istream& in,
                                                           const std::string& file);
+
+/// Returns an attribute of an element as VTK hands it out, empty where there is none.
+inline std::string xml_attribute(vtkXMLDataElement& element, const char* name) {
+    const char* text = element.GetAttribute(name);
+    return text == nullptr ? std::string() : std::string(text);
+}
 
 } // namespace wakesurf::importer

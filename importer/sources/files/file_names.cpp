@@ -1,5 +1,7 @@
 #include "importer/sources/files/file_names.hpp"
 
+#include "importer/base/lower_case.hpp"
+
 #include <algorithm>
 #include <cctype>
 #include <charconv>
@@ -8,10 +10,7 @@
 namespace wakesurf::importer {
 
 std::string lower_extension(const std::filesystem::path& path) {
-    std::string out = path.extension().string();
-    std::transform(out.begin(), out.end(), out.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return out;
+    return lower_case(path.extension().string());
 }
 
 std::optional<double> finite_number(std::string_view text) {

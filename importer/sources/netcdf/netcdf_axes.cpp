@@ -1,11 +1,13 @@
 #include "importer/sources/netcdf/netcdf_axes.hpp"
 
+#include "importer/base/lower_case.hpp"
+#include "importer/fields/physical_units.hpp"
 #include "importer/fields/velocity_choice.hpp"
-#include "importer/sources/netcdf/netcdf_units.hpp"
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <string_view>
 
@@ -14,12 +16,6 @@ namespace wakesurf::importer {
 using core::Error;
 
 namespace {
-
-std::string lower(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
 
 template <std::size_t N>
 bool is_one_of(const std::string& text, const std::array<std::string_view, N>& list) {
@@ -36,7 +32,7 @@ AxisKind kind_of_name(const std::string& name) {
     return name == "x" ? AxisKind::X : name == "y" ? AxisKind::Y : AxisKind::Unknown;
 }
 
-// Of a coordinate variable, which models name as they like: x, xh, x_c, zu_3d, x_position.
+// Tells a coordinate variable, which models name as they like: x, xh, x_c, zu_3d, x_position.
 AxisKind kind_of_coordinate(const std::string& name) {
     if (const auto kind = kind_of_name(name); kind != AxisKind::Unknown)
         return kind;
@@ -46,11 +42,12 @@ AxisKind kind_of_coordinate(const std::string& name) {
     return name[0] == 'x' ? AxisKind::X : name[0] == 'y' ? AxisKind::Y : AxisKind::Z;
 }
 
-// What a variable says about itself.
+// Returns what a variable says about itself.
 AxisKind stated_kind(const NetcdfFile& file, const NetcdfVariable& variable) {
-    const auto axis = lower(file.text(variable, "axis"));
-    const auto standard = lower(file.text(variable, "standard_name"));
-    if (axis == "t" || lower(file.text(variable, "units")).find(" since ") != std::string::npos)
+    const auto axis = lower_case(file.text(variable, "axis"));
+    const auto standard = lower_case(file.text(variable, "standard_name"));
+    if (axis == "t" ||
+        lower_case(file.text(variable, "units")).find(" since ") != std::string::npos)
         return AxisKind::Time;
     if (axis == "x" || axis == "y" || axis == "z")
         return axis == "x" ? AxisKind::X : axis == "y" ? AxisKind::Y : AxisKind::Z;
@@ -190,7 +187,7 @@ class GridSearch {
         std::vector<std::pair<std::string, Triple>> found;
         for (const auto& [dimensions, candidate] : candidates_)
             for (const auto& name : candidate.variables)
-                if (const auto short_name = lower(name);
+                if (const auto short_name = lower_case(name);
                     short_name == "u" || short_name == "v" || short_name == "w")
                     found.emplace_back(name, dimensions);
         for (const auto& [name, dimensions] : found)
@@ -208,10 +205,41 @@ class GridSearch {
     std::optional<std::string> curvilinear_;
 };
 
+// Makes lengths metres; `units` of an axis keeps what the file said. Error: Unsupported (an axis that is no
+// length), Io.
+core::Result<void> convert_axes(const NetcdfFile& file, NetcdfGrid& grid) {
+    if (auto known = check_units_known(); !known)
+        return known;
+    for (auto& axis : grid.axes) {
+        const auto factor = factor_to_si(axis.units, Quantity::Length);
+        const bool angle = axis.units.starts_with("rad") || axis.units.starts_with("arc");
+        if (!factor && is_unit(axis.units) && (angle || !is_plain_number(axis.units)))
+            return core::fail(Error::Code::Unsupported,
+                              file.name() + ": " +
+                                  file.dimensions()[static_cast<std::size_t>(axis.dimension)].name +
+                                  " is in " + axis.units + ", which is not a length",
+                              "interpolate the data to a Cartesian grid in metres first");
+        axis.factor = factor.value_or(1.0);
+        for (double& node : axis.nodes)
+            node *= axis.factor;
+        if (!std::isfinite(axis.nodes.front()) || !std::isfinite(axis.nodes.back()) ||
+            std::adjacent_find(axis.nodes.begin(), axis.nodes.end(), std::greater_equal<>()) !=
+                axis.nodes.end())
+            return core::fail(Error::Code::Corrupt,
+                              file.name() + " has coordinates along " +
+                                  file.dimensions()[static_cast<std::size_t>(axis.dimension)].name +
+                                  " that are too large or too close together when they are "
+                                  "converted from " +
+                                  axis.units + " to metres");
+        axis.known = factor.has_value();
+    }
+    return {};
+}
+
 } // namespace
 
-// CF names it as its dimension; other models do not. Then it is the one variable along the dimension that says that it is an axis, or, where
-// none does, the one that is named like one.
+// CF names it as its dimension; other models do not. Then it is the one variable along the dimension that
+// says that it is an axis, or, where none does, the one that is named like one.
 const NetcdfVariable* coordinates_of(const NetcdfFile& file, int dimension) {
     const auto along = [&](const NetcdfVariable& variable) {
         return variable.dimensions == std::vector<int>{dimension} && variable.type != NC_CHAR &&
@@ -230,7 +258,7 @@ const NetcdfVariable* coordinates_of(const NetcdfFile& file, int dimension) {
             if (stated != nullptr)
                 return nullptr;
             stated = &variable;
-        } else if (kind_of_coordinate(lower(variable.name)) != AxisKind::Unknown) {
+        } else if (kind_of_coordinate(lower_case(variable.name)) != AxisKind::Unknown) {
             named = &variable;
             ++several;
         }
@@ -242,23 +270,23 @@ core::Result<AxisKind> axis_kind(const NetcdfFile& file, int dimension) {
     const auto& name = file.dimensions()[static_cast<std::size_t>(dimension)].name;
     const auto* variable = coordinates_of(file, dimension);
     if (variable == nullptr) {
-        auto length = refuse_angles_and_levels(file, name, lower(name), {});
-        return length.map([&] { return kind_of_name(lower(name)); });
+        auto length = refuse_angles_and_levels(file, name, lower_case(name), {});
+        return length.map([&] { return kind_of_name(lower_case(name)); });
     }
     const auto stated = stated_kind(file, *variable);
     if (stated == AxisKind::Time)
         return stated;
-    auto standard = lower(file.text(*variable, "standard_name"));
+    auto standard = lower_case(file.text(*variable, "standard_name"));
     if (standard.empty())
-        standard = lower(variable->name);
+        standard = lower_case(variable->name);
     if (auto length = refuse_angles_and_levels(file, variable->name, standard,
-                                               lower(file.text(*variable, "units")));
+                                               lower_case(file.text(*variable, "units")));
         !length)
         return tl::unexpected(length.error());
     if (stated != AxisKind::Unknown)
         return stated;
-    for (const auto& each : {kind_of_name(standard), kind_of_name(lower(name)),
-                             kind_of_coordinate(lower(variable->name))})
+    for (const auto& each : {kind_of_name(standard), kind_of_name(lower_case(name)),
+                             kind_of_coordinate(lower_case(variable->name))})
         if (each != AxisKind::Unknown)
             return each;
     return AxisKind::Unknown;
@@ -280,7 +308,7 @@ core::Result<NetcdfAxis> read_axis(const NetcdfFile& file, int dimension) {
         return tl::unexpected(nodes.error());
     axis.nodes = std::move(*nodes);
     axis.units = file.text(*variable, "units");
-    if (lower(file.text(*variable, "positive")) == "down")
+    if (lower_case(file.text(*variable, "positive")) == "down")
         std::transform(axis.nodes.begin(), axis.nodes.end(), axis.nodes.begin(), std::negate<>());
     axis.flipped = axis.nodes.size() > 1 && axis.nodes.front() > axis.nodes.back();
     if (axis.flipped)

@@ -1,11 +1,11 @@
-#include "importer/sources/netcdf/netcdf_source.hpp"
-
+#include "importer/base/notes.hpp"
 #include "importer/fields/velocity_choice.hpp"
 #include "importer/sources/blocks/fluid_blocks.hpp"
 #include "importer/sources/files/file_names.hpp"
+#include "importer/sources/files/formats.hpp"
 #include "importer/sources/netcdf/netcdf_axes.hpp"
 #include "importer/sources/netcdf/netcdf_units.hpp"
-#include "importer/sources/series/series_times.hpp"
+#include "importer/sources/series/series_source.hpp"
 
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <new>
 
 namespace wakesurf::importer {
 
@@ -134,36 +133,19 @@ core::Result<void> add_field(vtkDataSet& data,
     return array.map([&](const auto& read) { data.GetPointData()->AddArray(read); });
 }
 
-class NetcdfSource final : public Source {
+class NetcdfSource final : public SeriesSource<std::size_t> {
   public:
-    NetcdfSource(FileSeries series, std::string velocity)
-        : series_(std::move(series)), velocity_(std::move(velocity)) {}
+    using SeriesSource::SeriesSource;
 
     core::Result<void> open() {
-        description_.name = series_.name;
         description_.reader = "netCDF library (" + series_.kind + ")";
         std::vector<TimedEntry> times;
         for (std::size_t i = 0; i < series_.entries.size(); ++i)
             if (auto added = add_steps(i, times); !added)
                 return added;
-        auto settled = settle_times(times);
-        if (!settled)
-            return tl::unexpected(settled.error());
-        description_.times = std::move(settled->times);
-        description_.time_note = std::move(settled->note);
-        description_.places = std::move(settled->places);
-        keep(settled->order);
+        if (auto settled = settle_steps(times); !settled)
+            return settled;
         return describe();
-    }
-
-    const SourceDescription& description() const override { return description_; }
-
-    core::Result<std::vector<store::SourceFile>> shared_files() const override {
-        return file_of_all(series_);
-    }
-
-    core::Result<std::vector<store::SourceFile>> files(std::size_t step) const override {
-        return file_of_one(series_, steps_[step].file);
     }
 
     core::Result<SourceStep> read(std::size_t step, const std::vector<FieldInfo>& fields) override {
@@ -185,27 +167,6 @@ class NetcdfSource final : public Source {
     }
 
   private:
-    void keep(const std::vector<std::size_t>& order) {
-        std::vector<Step> kept;
-        for (const std::size_t i : order)
-            kept.push_back(steps_[i]);
-        steps_ = std::move(kept);
-    }
-
-    struct Step {
-        std::size_t file = 0;
-        std::size_t time = 0;
-    };
-
-    const ListedFile& listed(std::size_t entry) const {
-        return series_.entries[entry].parts.front();
-    }
-
-    void add_note(const std::string& text) {
-        if (!text.empty())
-            description_.note += (description_.note.empty() ? "" : "; ") + text;
-    }
-
     core::Result<void> add_steps(std::size_t entry, std::vector<TimedEntry>& times) {
         const auto file = NetcdfFile::open(listed(entry));
         if (!file)
@@ -238,7 +199,7 @@ class NetcdfSource final : public Source {
         if (entry == 0) {
             reference_ = read->reference;
             time_unit_ = read->unit;
-            add_note(read->note);
+            add_note(description_.note, read->note);
         }
         return {};
     }
@@ -265,8 +226,8 @@ class NetcdfSource final : public Source {
             return tl::unexpected(grid.error());
         for (std::size_t i = 0; i < 3; ++i)
             if (grid->axes[i].numbered)
-                add_note(std::string("the file has no coordinates along ") + "xyz"[i] +
-                         ": node numbers are used");
+                add_note(description_.note, std::string("the file has no coordinates along ") +
+                                                "xyz"[i] + ": node numbers are used");
         std::vector<FieldInfo> all;
         for (const auto& name : grid->variables)
             all.push_back({name, 1, FieldInfo::Source::Point, {0.0, 0.0}, {}});
@@ -274,7 +235,7 @@ class NetcdfSource final : public Source {
             description_.fields = common_fields(first.blocks);
             for (auto& field : description_.fields)
                 field.unit = unit_of(*file, *file->variable(field.name)).unit;
-            add_note(note_on_units(*file, *grid, velocity_names(), time_unit_));
+            add_note(description_.note, note_on_units(*file, *grid, velocity_names(), time_unit_));
         });
     }
 
@@ -287,12 +248,9 @@ class NetcdfSource final : public Source {
         return out;
     }
 
-    FileSeries series_;
-    std::string velocity_;  ///< asked for; may be empty
-    std::string reference_; ///< that times are counted from
+    /// Is what times are counted from.
+    std::string reference_;
     std::optional<std::string> time_unit_;
-    std::vector<Step> steps_;
-    SourceDescription description_;
 };
 
 } // namespace
@@ -302,15 +260,8 @@ bool is_netcdf(const std::filesystem::path& path) {
     return extension == ".nc" || extension == ".nc4" || extension == ".cdf";
 }
 
-core::Result<std::unique_ptr<Source>> open_netcdf(const std::filesystem::path& path,
-                                                  const command::SourceOptions& wish) {
-    auto series = open_file_series(path, wish.alone);
-    if (!series)
-        return tl::unexpected(series.error());
-    auto source = std::make_unique<NetcdfSource>(std::move(*series), wish.velocity);
-    if (auto opened = source->open(); !opened)
-        return tl::unexpected(opened.error());
-    return source;
+Opened open_netcdf(const std::filesystem::path& path, const command::SourceOptions& wish) {
+    return open_series<NetcdfSource>(path, wish);
 }
 
 } // namespace wakesurf::importer

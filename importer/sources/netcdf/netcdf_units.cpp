@@ -1,5 +1,6 @@
 #include "importer/sources/netcdf/netcdf_units.hpp"
 
+#include "importer/base/notes.hpp"
 #include "importer/fields/physical_units.hpp"
 
 #include <algorithm>
@@ -14,11 +15,6 @@ namespace wakesurf::importer {
 using core::Error;
 
 namespace {
-
-void add_words(std::string& note, const std::string& words) {
-    if (!words.empty())
-        note += (note.empty() ? "" : "; ") + words;
-}
 
 std::string listed(const std::vector<std::string>& names) {
     std::string out;
@@ -53,50 +49,21 @@ using Groups = std::map<std::string, std::vector<std::string>>; ///< names by th
 
 void note_converted(std::string& note, const Groups& groups, const std::string& to) {
     for (const auto& [from, names] : groups)
-        add_words(note, listed(names) + (names.size() == 1 ? " was" : " were") +
-                            " converted from " + from + " to " + to);
+        add_note(note, listed(names) + (names.size() == 1 ? " was" : " were") + " converted from " +
+                           from + " to " + to);
 }
 
 void note_kept(std::string& note, const Groups& groups, const std::string& as) {
     for (const auto& [unit, names] : groups)
-        add_words(note, listed(names) +
-                            (unit.empty()
-                                 ? std::string(names.size() == 1 ? " has" : " have") + " no unit: "
-                                 : (names.size() == 1 ? " is" : " are") +
-                                       (" in '" + unit + "', which is not known: ")) +
-                            "kept, and taken as " + as);
+        add_note(note, listed(names) +
+                           (unit.empty()
+                                ? std::string(names.size() == 1 ? " has" : " have") + " no unit: "
+                                : (names.size() == 1 ? " is" : " are") +
+                                      (" in '" + unit + "', which is not known: ")) +
+                           "kept, and taken as " + as);
 }
 
 } // namespace
-
-core::Result<void> convert_axes(const NetcdfFile& file, NetcdfGrid& grid) {
-    if (auto known = check_units_known(); !known)
-        return known;
-    for (auto& axis : grid.axes) {
-        const auto factor = factor_to_si(axis.units, Quantity::Length);
-        const bool angle = axis.units.starts_with("rad") || axis.units.starts_with("arc");
-        if (!factor && is_unit(axis.units) && (angle || !is_plain_number(axis.units)))
-            return core::fail(Error::Code::Unsupported,
-                              file.name() + ": " +
-                                  file.dimensions()[static_cast<std::size_t>(axis.dimension)].name +
-                                  " is in " + axis.units + ", which is not a length",
-                              "interpolate the data to a Cartesian grid in metres first");
-        axis.factor = factor.value_or(1.0);
-        for (double& node : axis.nodes)
-            node *= axis.factor;
-        if (!std::isfinite(axis.nodes.front()) || !std::isfinite(axis.nodes.back()) ||
-            std::adjacent_find(axis.nodes.begin(), axis.nodes.end(), std::greater_equal<>()) !=
-                axis.nodes.end())
-            return core::fail(Error::Code::Corrupt,
-                              file.name() + " has coordinates along " +
-                                  file.dimensions()[static_cast<std::size_t>(axis.dimension)].name +
-                                  " that are too large or too close together when they are "
-                                  "converted from " +
-                                  axis.units + " to metres");
-        axis.known = factor.has_value();
-    }
-    return {};
-}
 
 core::Result<NetcdfTimes>
 read_times(const NetcdfFile& file, const NetcdfVariable& time, const std::string& reference) {
@@ -178,7 +145,7 @@ std::string note_on_units(const NetcdfFile& file,
         std::erase_if(velocity_kept, [](const auto& group) { return group.first.empty(); });
     }
     if (stated && times && times->empty())
-        add_words(note, "the times have no unit: kept, and taken as s");
+        add_note(note, "the times have no unit: kept, and taken as s");
     note_kept(note, kept, "m");
     note_kept(note, velocity_kept, "m s-1");
     return note;

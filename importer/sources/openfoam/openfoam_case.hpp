@@ -1,5 +1,5 @@
-// What an OpenFOAM case is made of, found by looking at its folders: the parts it was decomposed into, its regions and
-// the times there are.
+// What an OpenFOAM case is made of, found by looking at its folders: the parts it was decomposed into, its
+// regions and the times there are.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -22,7 +22,8 @@ struct FoamRegion {
     std::string name; ///< empty: the only one, or OpenFOAM's region0
     bool fluid = false;
     std::vector<std::string> walls; ///< its patches of a type of wall, in any part
-    /// Its patches that continue at another one, in any part, and the names of those; empty where the file does not say.
+    /// Its patches that continue at another one, in any part, and the names of those; empty where the file
+    /// does not say.
     std::map<std::string, std::string> cyclic{};
 };
 
@@ -45,19 +46,12 @@ struct FoamCase {
                          const std::string& instance,
                          const std::string& region,
                          const std::string& file) const;
-    /// A mesh's file as it counts at `times`: that of the newest time folder with one, else that of constant; relative as above.
+    /// A mesh's file as it counts at `times`: that of the newest time folder with one, else that of constant;
+    /// relative as above.
     std::string
     mesh_file(const std::string& part, const std::string& region, const std::string& file) const;
     /// The file as it is, plain or compressed; as named where it is not there.
     NamedFile file_at(const std::string& relative) const;
 };
-
-/// `path`: a case's folder, its .foam or .OpenFOAM file or its system/controlDict. @param velocity  asked for; may be empty
-/// Error: NotFound (no mesh, no times), Unsupported (a mesh that moves, collated files), Corrupt, Io.
-core::Result<FoamCase> scan_openfoam_case(const std::filesystem::path& path,
-                                          const std::string& velocity = {});
-
-/// The case's folder, where `path` is one of what scan_openfoam_case takes.
-std::filesystem::path openfoam_folder(const std::filesystem::path& path);
 
 } // namespace wakesurf::importer

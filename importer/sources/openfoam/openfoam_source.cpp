@@ -1,10 +1,9 @@
-#include "importer/sources/openfoam/openfoam_source.hpp"
-
 #include "importer/base/notes.hpp"
-#include "importer/sources/blocks/wall_faces.hpp"
-#include "importer/sources/openfoam/openfoam_case.hpp"
+#include "importer/sources/blocks/wall_patches.hpp"
+#include "importer/sources/files/formats.hpp"
 #include "importer/sources/openfoam/openfoam_file.hpp"
 #include "importer/sources/openfoam/openfoam_reader.hpp"
+#include "importer/sources/openfoam/openfoam_scan.hpp"
 
 #include <vtkBoundingBox.h>
 
@@ -48,7 +47,8 @@ class OpenfoamSource final : public Source {
     OpenfoamSource(const OpenfoamSource&) = delete;
     OpenfoamSource& operator=(const OpenfoamSource&) = delete;
 
-    core::Result<void> find_ranges() {
+    /// Finds the ranges of the fields.
+    core::Result<void> open() {
         auto first = read(0, found_.fields);
         // Initial fields written by hand may hold directives and groups of patches VTK does not know.
         if (!first && found_.times.size() > 1 && found_.times.front().value == 0.0) {
@@ -67,8 +67,6 @@ class OpenfoamSource final : public Source {
                     field.range = other.range;
         return {};
     }
-
-    const SourceDescription& description() const override { return description_; }
 
     core::Result<std::vector<store::SourceFile>> shared_files() const override {
         std::vector<NamedFile> files;
@@ -118,10 +116,10 @@ class OpenfoamSource final : public Source {
                         found_.relative(part, found_.times.front().name, region.name, field.name));
                     if (!region.fluid || !written_by_hand(file.path))
                         continue;
-                    description_.note +=
-                        (description_.note.empty() ? "" : "; ") +
-                        ("time " + found_.times.front().name +
-                         " is left out: its fields are written by hand, and " + why.message);
+                    add_note(description_.note,
+                             "time " + found_.times.front().name +
+                                 " is left out: its fields are written by hand, and " +
+                                 why.message);
                     found_.times.erase(found_.times.begin());
                     description_.times.erase(description_.times.begin());
                     return;
@@ -187,7 +185,6 @@ class OpenfoamSource final : public Source {
 
     FoamCase found_;
     std::vector<OpenfoamReader> readers_;
-    SourceDescription description_;
     std::map<std::string, vtkBoundingBox> cyclic_; ///< of such patches: REGION/NAME
 };
 
@@ -206,14 +203,10 @@ bool is_openfoam(const fs::path& path) {
            ending == ".OpenFOAM";
 }
 
-core::Result<std::unique_ptr<Source>> open_openfoam(const fs::path& path,
-                                                    const command::SourceOptions& wish) {
-    auto found = scan_openfoam_case(path, wish.velocity);
-    if (!found)
-        return tl::unexpected(found.error());
-    auto source = std::make_unique<OpenfoamSource>(std::move(*found));
-    return source->find_ranges().map(
-        [&]() -> std::unique_ptr<Source> { return std::move(source); });
+Opened open_openfoam(const fs::path& path, const command::SourceOptions& wish) {
+    return scan_openfoam_case(path, wish.velocity).and_then([](FoamCase found) {
+        return opened<OpenfoamSource>(std::move(found));
+    });
 }
 
 } // namespace wakesurf::importer

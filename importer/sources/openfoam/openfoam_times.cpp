@@ -6,6 +6,7 @@
 #include "store/velocity_names.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
@@ -19,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// As VTK reads it, so that both mean the same number.
+// Reads it as VTK does, so that both mean the same number.
 bool is_time(const std::string& name, double& value) {
     if (name.empty() ||
         (std::isdigit(static_cast<unsigned char>(name[0])) == 0 && name[0] != '+' &&
@@ -29,6 +30,93 @@ bool is_time(const std::string& name, double& value) {
     char* end = nullptr;
     value = std::strtod(name.c_str(), &end);
     return *end == '\0' && std::isfinite(value);
+}
+
+// Lists the time folders of one part, by value. Error: Corrupt where two have the same value.
+core::Result<std::vector<FoamTime>> list_foam_times(const fs::path& folder,
+                                                    const std::string& part) {
+    std::vector<FoamTime> out;
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(folder, error)) {
+        FoamTime time{0.0, entry.path().filename().string()};
+        if (is_time(time.name, time.value) && entry.is_directory(error))
+            out.push_back(std::move(time));
+    }
+    std::sort(out.begin(), out.end(),
+              [](const FoamTime& a, const FoamTime& b) { return a.value < b.value; });
+    const auto twice =
+        std::adjacent_find(out.begin(), out.end(),
+                           [](const FoamTime& a, const FoamTime& b) { return a.value == b.value; });
+    if (twice != out.end())
+        return core::fail(Error::Code::Corrupt,
+                          part + " has the time folders " + twice->name + " and " +
+                              std::next(twice)->name + ", which are the same time",
+                          "remove one of them");
+    return out;
+}
+
+/// The mesh becomes another one at a time.
+struct MeshChange {
+    std::string before; ///< files that differ
+    std::string after;
+    bool cells = false; ///< not only its points move
+};
+
+using MeshChanges = std::map<double, MeshChange>;
+
+// Looks at one part, up to the last time-step; what was there before the first is no change.
+core::Result<void> find_changes(const FoamCase& found, const std::string& part, MeshChanges& out) {
+    constexpr std::array<const char*, 4> files{"points", "faces", "owner", "neighbour"};
+    const auto times = list_foam_times(found.folder / part, part);
+    if (!times)
+        return tl::unexpected(times.error());
+    for (const auto& region : found.regions)
+        for (const std::string file : files) {
+            std::string in_use = found.relative(part, "constant", region.name, "polyMesh/" + file);
+            for (const auto& time : *times) {
+                const std::string here =
+                    found.relative(part, time.name, region.name, "polyMesh/" + file);
+                if (time.value > found.times.back().value || !foam_file(found.folder / here))
+                    continue;
+                if (time.value > found.times.front().value &&
+                    !same_foam_body(found.file_at(in_use).path, found.file_at(here).path)) {
+                    auto& change =
+                        out.try_emplace(time.value, MeshChange{in_use, here}).first->second;
+                    change.cells = change.cells || file != "points";
+                }
+                in_use = here;
+            }
+        }
+    return {};
+}
+
+std::vector<FoamTime> times_with_mesh(const FoamCase& found) {
+    std::vector<FoamTime> out;
+    for (const auto& part : found.parts)
+        if (const auto times = list_foam_times(found.folder / part, part))
+            for (const auto& time : *times) {
+                const bool counts =
+                    time.value <= found.times.back().value &&
+                    std::any_of(found.regions.begin(), found.regions.end(), [&](const auto& one) {
+                        return std::filesystem::is_directory(
+                            found.folder / found.relative(part, time.name, one.name, "polyMesh"));
+                    });
+                if (counts && std::none_of(out.begin(), out.end(), [&](const FoamTime& other) {
+                        return other.name == time.name;
+                    }))
+                    out.push_back(time);
+            }
+    std::sort(out.begin(), out.end(),
+              [](const FoamTime& a, const FoamTime& b) { return a.value > b.value; });
+    return out;
+}
+
+std::string left_out(const std::vector<FoamTime>& times, const MeshChange& change) {
+    const std::string which =
+        times.size() == 1 ? "time " + times.front().name + " is left out: its fields are"
+                          : std::to_string(times.size()) + " times, " + times.front().name +
+                                " to " + times.back().name + ", are left out: their fields are";
+    return which + " not of the last mesh, which begins with " + change.after;
 }
 
 using NamesAtTimes = std::map<double, std::pair<std::string, std::set<std::string>>>;
@@ -48,7 +136,8 @@ bool is_of_something_else(const std::string& name) {
     return store::meaning_of_vector(name) == store::VectorName::Other;
 }
 
-// What is asked for, U, or else the vector field that most times have and whose name does not say that it is something else.
+// Returns what is asked for, U, or else the vector field that most times have and whose name does not say
+// that it is something else.
 std::string velocity_name(const FoamCase& found, const std::vector<NamesAtTimes>& regions) {
     std::map<std::string, std::size_t> counts;
     for (const auto& region : regions)
@@ -116,7 +205,7 @@ struct LeftOut {
     }
 };
 
-// Of `wanted` the times at which all processors have the velocity stay, under one name.
+// Keeps of `wanted` the times at which all processors have the velocity, under one name.
 core::Result<void> keep_common_times(const FoamCase& found,
                                      const FoamRegion& region,
                                      const std::string& velocity,
@@ -142,8 +231,8 @@ core::Result<void> keep_common_times(const FoamCase& found,
     return {};
 }
 
-// Fields are written one after the other: at the last time some processors may have files that others do not have yet, and one file
-// may be written in part.
+// Fields are written one after the other: at the last time some processors may have files that others do not
+// have yet, and one file may be written in part.
 void leave_out_last_time_half_written(FoamCase& found) {
     const std::string last = found.times.back().name;
     for (const auto& region : found.regions) {
@@ -180,28 +269,6 @@ void leave_out_last_time_half_written(FoamCase& found) {
 }
 
 } // namespace
-
-core::Result<std::vector<FoamTime>> list_foam_times(const fs::path& folder,
-                                                    const std::string& part) {
-    std::vector<FoamTime> out;
-    std::error_code error;
-    for (const auto& entry : fs::directory_iterator(folder, error)) {
-        FoamTime time{0.0, entry.path().filename().string()};
-        if (is_time(time.name, time.value) && entry.is_directory(error))
-            out.push_back(std::move(time));
-    }
-    std::sort(out.begin(), out.end(),
-              [](const FoamTime& a, const FoamTime& b) { return a.value < b.value; });
-    const auto twice =
-        std::adjacent_find(out.begin(), out.end(),
-                           [](const FoamTime& a, const FoamTime& b) { return a.value == b.value; });
-    if (twice != out.end())
-        return core::fail(Error::Code::Corrupt,
-                          part + " has the time folders " + twice->name + " and " +
-                              std::next(twice)->name + ", which are the same time",
-                          "remove one of them");
-    return out;
-}
 
 std::set<std::string> foam_fields(const fs::path& folder) {
     made_progress();
@@ -276,6 +343,41 @@ core::Result<void> find_foam_times(FoamCase& found) {
         found.note = "only times at which all fluid regions have " + velocity;
     add_note(found.note, left_out.note(velocity));
     leave_out_last_time_half_written(found);
+    return {};
+}
+
+core::Result<void> keep_times_of_last_mesh(FoamCase& found) {
+    MeshChanges changes;
+    for (const auto& part : found.parts)
+        if (auto looked = find_changes(found, part, changes); !looked)
+            return looked;
+    if (!changes.empty()) {
+        const auto& [from, last] = *changes.rbegin();
+        const auto kept =
+            std::find_if(found.times.begin(), found.times.end(),
+                         [from = from](const auto& time) { return time.value >= from; });
+        // Meshes before the last one at which there is a velocity.
+        std::size_t before = 0;
+        double begin = -HUGE_VAL;
+        for (const auto& [end, change] : changes) {
+            before += std::any_of(found.times.begin(), found.times.end(), [&](const auto& time) {
+                return time.value >= begin && time.value < end;
+            });
+            begin = end;
+        }
+        const bool cells = std::any_of(changes.begin(), changes.end(),
+                                       [](const auto& change) { return change.second.cells; });
+        if (std::distance(kept, found.times.end()) == 1 && (!cells || before > 1)) {
+            const MeshChange& first = changes.begin()->second;
+            return core::fail(Error::Code::Unsupported,
+                              "the mesh moves: " + first.after + " of " + found.file +
+                                  " differs from " + first.before,
+                              "only meshes that do not move can be read");
+        }
+        add_note(found.note, left_out({found.times.begin(), kept}, last));
+        found.times.erase(found.times.begin(), kept);
+    }
+    found.mesh_times = times_with_mesh(found);
     return {};
 }
 

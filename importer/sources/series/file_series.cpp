@@ -2,9 +2,7 @@
 
 #include "importer/sources/files/file_names.hpp"
 #include "importer/sources/files/source_files.hpp"
-#include "importer/sources/series/json_series.hpp"
 #include "importer/sources/series/numbered_files.hpp"
-#include "importer/sources/series/pvd_series.hpp"
 
 namespace wakesurf::importer {
 
@@ -36,17 +34,6 @@ core::Result<std::vector<store::SourceFile>> fingerprint(const std::vector<Liste
     for (const auto& file : files)
         named.push_back({file.path, file.name});
     return fingerprint(named);
-}
-
-core::Result<std::vector<store::SourceFile>> file_of_all(const FileSeries& series) {
-    return series.entries.size() > 1 ? core::Result<std::vector<store::SourceFile>>()
-                                     : fingerprint(series.entries.front().parts);
-}
-
-core::Result<std::vector<store::SourceFile>> file_of_one(const FileSeries& series,
-                                                         std::size_t entry) {
-    return series.entries.size() > 1 ? fingerprint(series.entries[entry].parts)
-                                     : core::Result<std::vector<store::SourceFile>>();
 }
 
 } // namespace wakesurf::importer

@@ -15,14 +15,16 @@ struct NumberedFiles {
     std::vector<double> numbers{};            ///< of each; empty for a file alone
 };
 
-/// Whether the file name holds a `*` or a printf integer such as %04d.
+/// Says whether the file name holds a `*` or a printf integer such as %04d.
 bool is_pattern(const std::filesystem::path& path);
 
-/// The files of the series that `path` (a pattern, or any file of the series) names: those whose names differ by the last
-/// number (number_in_name.hpp), so that out1.0001 and out2.0001 are two series, and so are flow_1 and flow_01. A file without
-/// a number, or the only one of its series, is alone. Where a pattern has a `*`, the files have a number.
+/// Returns the files of the series that `path` (a pattern, or any file of the series) names: those whose
+/// names differ by the last number, so that out1.0001 and out2.0001 are two series, and so are flow_1 and
+/// flow_01. A file without a number, or the only one of its series, is alone. Where a pattern has a `*`, the
+/// files have a number.
 /// @param alone  the file itself, whatever its number
-/// Error: NotFound (nothing matches), Io, InvalidArgument (two patterns in one name), Corrupt (two files with one number).
+/// Error: NotFound (nothing matches), Io, InvalidArgument (two patterns in one name), Corrupt (two files with
+/// one number).
 core::Result<NumberedFiles> numbered_files(const std::filesystem::path& path, bool alone = false);
 
 } // namespace wakesurf::importer

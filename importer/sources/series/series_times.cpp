@@ -20,7 +20,8 @@ std::string time_text(double time) {
 
 namespace {
 
-// A time between those of the readable neighbours; at the end of the series one further step as long as the last.
+// A time between those of the readable neighbours; at the end of the series one further step as long as the
+// last.
 void make_up_times(std::vector<TimedEntry>& entries) {
     for (std::size_t i = 1; i < entries.size(); ++i) {
         if (!entries[i].unreadable || !entries[i - 1].time)
@@ -131,6 +132,16 @@ core::Result<SeriesTimes> settle_times(std::vector<TimedEntry> entries) {
         out.places = places_of(kept);
     }
     return out;
+}
+
+core::Result<std::vector<std::size_t>> describe_times(std::vector<TimedEntry> entries,
+                                                      SourceDescription& description) {
+    return settle_times(std::move(entries)).map([&](SeriesTimes settled) {
+        description.times = std::move(settled.times);
+        description.time_note = std::move(settled.note);
+        description.places = std::move(settled.places);
+        return std::move(settled.order);
+    });
 }
 
 } // namespace wakesurf::importer

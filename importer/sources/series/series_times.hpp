@@ -1,7 +1,7 @@
 // The times of a series' time-steps, once all that is known of them is together.
 #pragma once
 
-#include "core/base/result.hpp"
+#include "importer/base/source.hpp"
 
 #include <optional>
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace wakesurf::importer {
 
-/// What a file says about when it is.
+/// Holds what a file says about when it is.
 struct StatedTime {
     std::optional<double> time;
     std::optional<double> cycle; ///< of the solver, where it counts them
@@ -33,22 +33,38 @@ struct SeriesTimes {
     std::vector<std::size_t> order; ///< the entry of each time
 };
 
-/// Whether two times differ by roundings of a double only.
+/// Says whether two times differ by roundings of a double only.
 bool same_time(double a, double b);
 
-/// The note on what a restart wrote again: "left out, as ... later ...: a.vti, b.vti". Empty without names.
+/// Returns the note on what a restart wrote again: "left out, as ... later ...: a.vti, b.vti". Empty without
+/// names.
 std::string written_again(const std::vector<std::string>& left_out);
 
-/// Where each of entries without times stands: 0, 1, 2, but further apart where cycles or numbers between theirs are missing: the
-/// smallest difference counts as one.
+/// Returns where each of entries without times stands: 0, 1, 2, but further apart where cycles or numbers
+/// between theirs are missing: the smallest difference counts as one.
 std::vector<double> places_of(const std::vector<TimedEntry>& entries);
 
-/// The entries' own times, rising; 0, 1, 2, ... with a note where no entry of several has one. Of two entries for one time
-/// the later one stays, as after a restart, and a note names the other. Times of titles may be replaced by --dt.
+/// Returns the entries' own times, rising; 0, 1, 2, ... with a note where no entry of several has one. Of two
+/// entries for one time the later one stays, as after a restart, and a note names the other. Times of titles
+/// may be replaced by --dt.
 /// Error: Corrupt, naming two entries, where only some have a time.
 core::Result<SeriesTimes> settle_times(std::vector<TimedEntry> entries);
 
-/// As messages show a time: as short as tells it from others.
+/// Writes times, places and note, as settle_times returns them, into `description`. Returns the entry of each
+/// time, and fails as settle_times does.
+core::Result<std::vector<std::size_t>> describe_times(std::vector<TimedEntry> entries,
+                                                      SourceDescription& description);
+
+/// Keeps of `items` those that `order` names, in its order.
+template <class Item>
+void keep_in_order(std::vector<Item>& items, const std::vector<std::size_t>& order) {
+    std::vector<Item> kept;
+    for (const std::size_t i : order)
+        kept.push_back(std::move(items[i]));
+    items = std::move(kept);
+}
+
+/// Returns a time as messages show it: as short as tells it from others.
 std::string time_text(double time);
 
 } // namespace wakesurf::importer

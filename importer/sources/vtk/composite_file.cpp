@@ -2,9 +2,9 @@
 
 #include "core/base/disk.hpp"
 #include "importer/base/vtk_messages.hpp"
+#include "importer/sources/files/bounded_xml.hpp"
 #include "importer/sources/files/file_names.hpp"
 #include "importer/sources/files/named_path.hpp"
-#include "importer/sources/files/xml_attribute.hpp"
 #include "importer/sources/vtk/xml_header.hpp"
 
 #include <string_view>

@@ -14,7 +14,6 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <new>
 #include <utility>
 
 namespace wakesurf::importer {
@@ -44,7 +43,8 @@ class Handle {
     herr_t (*close_)(hid_t);
 };
 
-/// What a 1-D attribute or data set holds, as far as `most` numbers; empty where it is not there or is none.
+/// Returns what a 1-D attribute or data set holds, as far as `most` numbers; empty where it is not there or
+/// is none.
 template <class Read>
 std::vector<long long> numbers_of(hid_t space, std::size_t most, const Read& read) {
     const auto count = H5Sget_simple_extent_npoints(space);
@@ -170,20 +170,18 @@ core::Result<VtkFile> read_hdf_file(const ListedFile& file, const WantedArrays& 
     std::vector<std::string> cells;
     auto reader = vtkSmartPointer<vtkHDFReader>::New();
     reader->SetFileName(file.path.c_str());
-    try {
+    const auto update = [&]() -> core::Result<void> {
         reader->UpdateInformation();
         if (auto clean = messages.verdict(file.name); !clean)
-            return tl::unexpected(clean.error());
+            return clean;
         select_arrays(*reader->GetPointDataArraySelection(), FieldInfo::Source::Point, wanted);
         select_arrays(*reader->GetCellDataArraySelection(), FieldInfo::Source::Cell, wanted);
         if (vtkImageData::SafeDownCast(reader->GetOutputDataObject(0)) != nullptr)
             cells = take_cell_arrays(*reader);
         reader->Update();
-    } catch (const std::bad_alloc&) {
-        return core::fail(Error::Code::OverLimit,
-                          "there is not enough memory to read " + file.name);
-    }
-    if (auto clean = messages.verdict(file.name); !clean)
+        return messages.verdict(file.name);
+    };
+    if (auto clean = within_memory(file.name, update); !clean)
         return tl::unexpected(clean.error());
     vtkSmartPointer<vtkDataSet> data = vtkDataSet::SafeDownCast(reader->GetOutputDataObject(0));
     if (data == nullptr)

@@ -1,17 +1,25 @@
 #include "importer/sources/vtk/legacy_file.hpp"
 
+#include "importer/base/lower_case.hpp"
 #include "importer/base/process_memory.hpp"
 #include "importer/base/vtk_messages.hpp"
 #include "importer/sources/files/file_names.hpp"
-#include "importer/sources/vtk/legacy_gaps.hpp"
 
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkDataSet.h>
 #include <vtkGenericDataObjectReader.h>
+#include <vtkPointData.h>
+#include <vtkPointSet.h>
+#include <vtkPoints.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <filesystem>
 #include <fstream>
-#include <new>
+#include <istream>
+#include <limits>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -23,6 +31,106 @@ namespace wakesurf::importer {
 using core::Error;
 
 namespace {
+
+// Numbers that are none, as text in legacy files: "nan" and "inf", which VTK's reader takes for damage.
+
+// A number that no one computes, in 32 bits too.
+constexpr const char* mark_text = "-1.4703134148e+38";
+
+bool is_gap(std::string_view word) {
+    std::string plain;
+    for (const char c : word)
+        plain += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (plain.starts_with('-') || plain.starts_with('+'))
+        plain.erase(0, 1);
+    constexpr std::array<std::string_view, 3> words{"nan", "inf", "infinity"};
+    return std::find(words.begin(), words.end(), plain) != words.end() || plain.starts_with("nan(");
+}
+
+bool is_blank(char c) {
+    return std::isspace(static_cast<unsigned char>(c)) != 0;
+}
+
+// Calls visit(blank, word) for every word of a line and the blanks before it; "" behind the last.
+template <class Visit>
+void visit_words(std::string_view line, const Visit& visit) {
+    std::size_t at = 0;
+    while (at <= line.size()) {
+        std::size_t begin = at;
+        while (begin < line.size() && is_blank(line[begin]))
+            ++begin;
+        std::size_t end = begin;
+        while (end < line.size() && !is_blank(line[end]))
+            ++end;
+        visit(line.substr(at, begin - at), line.substr(begin, end - begin));
+        at = end + (end == line.size() ? 1 : 0);
+    }
+}
+
+// A line of numbers begins with one; others name something, which may be called anything.
+bool has_gaps(std::string_view line) {
+    bool numbers = false;
+    bool first = true;
+    bool any = false;
+    visit_words(line, [&](std::string_view, std::string_view word) {
+        if (word.empty())
+            return;
+        const bool gap = is_gap(word);
+        if (first)
+            numbers = gap || std::string_view("+-.0123456789").find(word[0]) != std::string::npos;
+        first = false;
+        any = any || gap;
+    });
+    return numbers && any;
+}
+
+void unmark(vtkDataArray& array, double as_stored) {
+    for (vtkIdType i = 0; i < array.GetNumberOfTuples(); ++i)
+        for (int c = 0; c < array.GetNumberOfComponents(); ++c)
+            if (array.GetComponent(i, c) == as_stored)
+                array.SetComponent(i, c, std::numeric_limits<double>::quiet_NaN());
+}
+
+// Returns the text with a mark in place of every such word among numbers; nothing where there are none, which
+// is found without keeping the text.
+std::optional<std::string> with_marked_gaps(std::istream& in) {
+    std::string line;
+    bool any = false;
+    while (!any && std::getline(in, line))
+        any = has_gaps(line);
+    if (!any)
+        return std::nullopt;
+    in.clear();
+    in.seekg(0);
+    std::string out;
+    while (std::getline(in, line)) {
+        if (has_gaps(line))
+            visit_words(line, [&](std::string_view blank, std::string_view word) {
+                out += blank;
+                out += is_gap(word) ? std::string_view(mark_text) : word;
+            });
+        else
+            out += line;
+        out += '\n';
+    }
+    return out;
+}
+
+// Puts NaN where the marks are, in points and fields.
+void unmark_gaps(vtkDataSet& data) {
+    const auto each = [](vtkDataArray* array) {
+        if (array != nullptr && array->GetDataType() == VTK_FLOAT)
+            unmark(*array, static_cast<double>(std::stof(mark_text)));
+        else if (array != nullptr && array->GetDataType() == VTK_DOUBLE)
+            unmark(*array, std::stod(mark_text));
+    };
+    if (auto* set = vtkPointSet::SafeDownCast(&data); set != nullptr && set->GetPoints() != nullptr)
+        each(set->GetPoints()->GetData());
+    for (vtkDataSetAttributes* fields : {static_cast<vtkDataSetAttributes*>(data.GetPointData()),
+                                         static_cast<vtkDataSetAttributes*>(data.GetCellData())})
+        for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
+            each(fields->GetArray(i));
+}
 
 // A text that was cut in its last number would give another number.
 core::Result<void> check_last_number(const ListedFile& file) {
@@ -53,7 +161,8 @@ std::vector<std::uint64_t> numbers_behind(const std::string& line, std::string_v
     return out;
 }
 
-// VTK's reader looks for words in what is left of a file whose arrays it has no memory for, which takes hours where that is long.
+// VTK's reader looks for words in what is left of a file whose arrays it has no memory for, which takes hours
+// where that is long.
 core::Result<void> check_size(const ListedFile& file) {
     constexpr std::size_t header_bytes = 4096;
     constexpr std::uint64_t bytes_a_node = 12; // a velocity, or a place
@@ -97,29 +206,22 @@ core::Result<VtkFile> read_legacy_file(const ListedFile& file) {
     for (int line = 0; line < 3; ++line)
         std::getline(in, encoding);
     std::optional<std::string> marked;
-    try {
-        if (!encoding.starts_with("BINARY"))
-            marked = with_marked_gaps(in);
-    } catch (const std::bad_alloc&) {
-        return core::fail(Error::Code::OverLimit,
-                          "there is not enough memory to read " + file.name);
-    }
-    if (marked) {
-        reader->SetInputString(*marked);
-        reader->ReadFromInputStringOn();
-    }
     reader->ReadAllScalarsOn();
     reader->ReadAllVectorsOn();
     reader->ReadAllFieldsOn();
     reader->ReadAllTensorsOn();
     reader->ReadAllNormalsOn();
-    try {
+    const auto update = [&] {
+        if (!encoding.starts_with("BINARY"))
+            marked = with_marked_gaps(in);
+        if (marked) {
+            reader->SetInputString(*marked);
+            reader->ReadFromInputStringOn();
+        }
         reader->Update();
-    } catch (const std::bad_alloc&) {
-        return core::fail(Error::Code::OverLimit,
-                          "there is not enough memory to read " + file.name);
-    }
-    if (auto clean = messages.verdict(file.name); !clean)
+        return messages.verdict(file.name);
+    };
+    if (auto clean = within_memory(file.name, update); !clean)
         return tl::unexpected(clean.error());
     vtkSmartPointer<vtkDataSet> data = vtkDataSet::SafeDownCast(reader->GetOutput());
     if (data == nullptr)
@@ -134,8 +236,7 @@ std::optional<double> legacy_title_time(const ListedFile& file) {
     std::string version, title;
     if (!std::getline(in, version) || !std::getline(in, title))
         return std::nullopt;
-    std::transform(title.begin(), title.end(), title.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    title = lower_case(title);
     auto at = title.find("time");
     if (at == std::string::npos ||
         (at > 0 && std::isalnum(static_cast<unsigned char>(title[at - 1])) != 0))

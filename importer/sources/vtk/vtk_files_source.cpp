@@ -1,5 +1,3 @@
-#include "importer/sources/vtk/vtk_files_source.hpp"
-
 #include "core/base/disk.hpp"
 #include "importer/assembly/same_mesh.hpp"
 #include "importer/base/notes.hpp"
@@ -9,15 +7,23 @@
 #include "importer/sources/blocks/vtk_fields.hpp"
 #include "importer/sources/blocks/wall_patches.hpp"
 #include "importer/sources/files/file_names.hpp"
-#include "importer/sources/series/series_times.hpp"
+#include "importer/sources/files/formats.hpp"
+#include "importer/sources/series/series_source.hpp"
 #include "importer/sources/vtk/composite_file.hpp"
-#include "importer/sources/vtk/vtk_file.hpp"
+#include "importer/sources/vtk/hdf_file.hpp"
+#include "importer/sources/vtk/legacy_file.hpp"
+#include "importer/sources/vtk/xml_file.hpp"
+#include "importer/sources/vtk/xml_time.hpp"
 
 #include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <map>
 #include <set>
 #include <utility>
@@ -28,6 +34,58 @@ using core::Error;
 using core::FieldInfo;
 
 namespace {
+
+constexpr std::array xml_extensions{".vti",  ".vtr",  ".vts",  ".vtu",  ".vtp",
+                                    ".pvti", ".pvtr", ".pvts", ".pvtu", ".pvtp"};
+
+bool is_xml(const std::filesystem::path& path) {
+    const auto extension = lower_extension(path);
+    return std::find(xml_extensions.begin(), xml_extensions.end(), extension) !=
+           xml_extensions.end();
+}
+
+// By extension it is one of VTK's XML formats, legacy .vtk or VTKHDF.
+bool is_vtk_file(const std::filesystem::path& path) {
+    const auto extension = lower_extension(path);
+    return is_xml(path) || extension == ".vtk" || extension == ".vtm" || extension == ".vtmb" ||
+           is_hdf(path);
+}
+
+// Arrays that are not wanted are left out where the format allows that. Error: Io, Corrupt, Unsupported,
+// OverLimit (memory). REQUIRES: no VtkMessages lives, as of the next two.
+core::Result<VtkFile> read_vtk_file(const ListedFile& file, const WantedArrays& wanted) {
+    if (is_hdf(file.path))
+        return read_hdf_file(file, wanted);
+    return is_xml(file.path) ? read_xml_file(file, wanted) : read_legacy_file(file);
+}
+
+// The time is the one that the file itself states, if any: of a .vtm or .pvtu not those of the files it
+// names.
+core::Result<StatedTime> vtk_file_time(const ListedFile& file) {
+    if (is_xml(file.path) || names_others(file.path))
+        return xml_file_time(file);
+    return read_vtk_file(file, {}).map([&](const VtkFile& read) {
+        StatedTime out;
+        for (const auto& [name, means] : time_arrays)
+            if (auto* array = read.data->GetFieldData()->GetArray(name);
+                array != nullptr && array->GetNumberOfValues() > 0 &&
+                std::isfinite(array->GetTuple1(0)))
+                out.*means = array->GetTuple1(0);
+        if (!out.time && lower_extension(file.path) == ".vtk")
+            if ((out.time = legacy_title_time(file)))
+                out.in_title = true;
+        return out;
+    });
+}
+
+// These are the point and cell arrays that the file's header lists. Error: Unsupported, where only reading
+// all of the file would tell (legacy .vtk, VTKHDF); else as read_vtk_file.
+core::Result<std::set<std::pair<FieldInfo::Source, std::string>>>
+vtk_file_fields(const ListedFile& file) {
+    if (is_xml(file.path))
+        return xml_file_fields(file);
+    return core::fail(Error::Code::Unsupported, file.name + " has no header that lists its arrays");
+}
 
 CompositeFile& append(CompositeFile& whole, CompositeFile part) {
     std::move(part.files.begin(), part.files.end(), std::back_inserter(whole.files));
@@ -52,10 +110,8 @@ class VtkFilesSource final : public Source {
         return find_times().and_then([&] { return describe(); });
     }
 
-    const SourceDescription& description() const override { return description_; }
-
-    // None: what a .pvd or .series lists are the files and times of the time-steps, which tell by themselves that
-    // they changed. It grows with the series, whose old time-steps stay good.
+    // None: what a .pvd or .series lists are the files and times of the time-steps, which tell by themselves
+    // that they changed. It grows with the series, whose old time-steps stay good.
     core::Result<std::vector<store::SourceFile>> shared_files() const override {
         return std::vector<store::SourceFile>();
     }
@@ -187,14 +243,8 @@ class VtkFilesSource final : public Source {
                 entries.back().in_title = own->in_title;
             }
         }
-        return settle_times(std::move(entries)).map([&](SeriesTimes found) {
-            description_.times = std::move(found.times);
-            description_.time_note = std::move(found.note);
-            description_.places = std::move(found.places);
-            std::vector<SeriesEntry> kept;
-            for (const std::size_t i : found.order)
-                kept.push_back(std::move(series_.entries[i]));
-            series_.entries = std::move(kept);
+        return describe_times(std::move(entries), description_).map([&](const auto& order) {
+            keep_in_order(series_.entries, order);
             add_note(description_.time_note, written_again(series_.left_out));
         });
     }
@@ -232,7 +282,8 @@ class VtkFilesSource final : public Source {
             auto file = read_vtk_file(leaf, {true, {}});
             if (!file)
                 return tl::unexpected(file.error());
-            // Of a parallel file its pieces are asked for the fields as well; ghosts are read only where they are wanted.
+            // Of a parallel file its pieces are asked for the fields as well; ghosts are read only where they
+            // are wanted.
             if (before && !lower_extension(leaf.path).starts_with(".p") && !has_ghosts(*file->data))
                 described_.emplace(i, *file);
             if (is_patch(*file->data, all->leaves.size()))
@@ -361,8 +412,7 @@ class VtkFilesSource final : public Source {
     }
 
     FileSeries series_;
-    std::string velocity_; ///< asked for; may be empty
-    SourceDescription description_;
+    std::string velocity_;         ///< asked for; may be empty
     std::set<std::string> solids_; ///< places of the blocks without the velocity
     std::map<std::string, bool> still_;
     std::map<std::size_t, VtkFile> described_; ///< by leaf, of the first time-step
@@ -377,15 +427,8 @@ bool is_vtk_files(const std::filesystem::path& path) {
     return extension == ".pvd" || extension == ".series" || is_vtk_file(path);
 }
 
-core::Result<std::unique_ptr<Source>> open_vtk_files(const std::filesystem::path& path,
-                                                     const command::SourceOptions& wish) {
-    auto series = open_file_series(path, wish.alone);
-    if (!series)
-        return tl::unexpected(series.error());
-    auto source = std::make_unique<VtkFilesSource>(std::move(*series), wish.velocity);
-    if (auto opened = source->open(); !opened)
-        return tl::unexpected(opened.error());
-    return source;
+Opened open_vtk_files(const std::filesystem::path& path, const command::SourceOptions& wish) {
+    return open_series<VtkFilesSource>(path, wish);
 }
 
 } // namespace wakesurf::importer

@@ -1,19 +1,22 @@
 // One file of VTK's XML formats that holds data itself: .vti .vtr .vts .vtu .vtp and .pvti .pvtr .pvts.
 #pragma once
 
-#include "importer/sources/blocks/wanted_arrays.hpp"
-#include "importer/sources/series/file_series.hpp"
+#include "importer/sources/series/series_times.hpp"
 #include "importer/sources/vtk/vtk_file.hpp"
+
+#include <set>
+#include <utility>
 
 namespace wakesurf::importer {
 
-/// Error: Io, Corrupt, Unsupported (several time-steps in one file), OverLimit (memory). REQUIRES: no VtkMessages lives.
+/// Reads it. Error: Io, Corrupt, Unsupported (several time-steps in one file), OverLimit (memory). REQUIRES:
+/// no VtkMessages lives.
 core::Result<VtkFile> read_xml_file(const ListedFile& file, const WantedArrays& wanted);
 
-/// Its TimeValue, if it has one; reads as little else as VTK allows. Error: as read_xml_file.
+/// Returns its TimeValue, if it has one; reads as little else as VTK allows. Fails as read_xml_file does.
 core::Result<StatedTime> xml_file_time(const ListedFile& file);
 
-/// As vtk_file_fields.
+/// Returns places and names of the arrays that its header lists. Fails as read_xml_file does.
 core::Result<std::set<std::pair<core::FieldInfo::Source, std::string>>>
 xml_file_fields(const ListedFile& file);
 

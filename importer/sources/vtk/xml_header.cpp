@@ -34,8 +34,8 @@ core::Result<void> check_ending(const ListedFile& file) {
     return {};
 }
 
-constexpr std::uint64_t bytes_a_node = 12;                 // a velocity
-constexpr std::int64_t most_nodes = std::int64_t{1} << 48; // of 12 bytes each: 3 PiB
+constexpr std::uint64_t bytes_a_node = 12;                          // a velocity
+constexpr std::int64_t most_nodes_of_piece = std::int64_t{1} << 48; // of 12 bytes each: 3 PiB
 
 using Extent = std::array<std::int64_t, 6>;
 
@@ -78,7 +78,7 @@ core::Result<void> check_extents(vtkXMLDataElement& primary, const std::string& 
     std::int64_t nodes = 1;
     for (std::size_t axis = 0; axis < 6; axis += 2) {
         const auto here = std::max<std::int64_t>((*whole)[axis + 1] - (*whole)[axis] + 1, 1);
-        if (nodes > most_nodes / here)
+        if (nodes > most_nodes_of_piece / here)
             return core::fail(Error::Code::Corrupt,
                               name + " says that it has more nodes than memory can hold");
         nodes *= here;
@@ -133,7 +133,8 @@ core::Result<void> check_counts(vtkXMLDataElement& primary, const std::string& n
             const bool cells_of_other_names = piece->GetAttribute(attribute) == nullptr;
             if (cells_of_other_names && std::string_view(attribute) == "NumberOfCells")
                 continue;
-            if (piece->GetScalarAttribute(attribute, count) == 0 || count < 0 || count > most_nodes)
+            if (piece->GetScalarAttribute(attribute, count) == 0 || count < 0 ||
+                count > most_nodes_of_piece)
                 return core::fail(Error::Code::Corrupt,
                                   name + " has a piece whose " + attribute + " is not a count");
             if (auto fits = check_claim(name, static_cast<std::uint64_t>(count), bytes_a_node);

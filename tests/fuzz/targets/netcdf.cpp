@@ -1,6 +1,6 @@
 // A NetCDF file of any of its classic versions: the list of what is in it, then its last time-step on its axes. NetCDF-4 is HDF5, whose
 // library crashes on damaged files (1.10.8 on one of 2,000): the importer runs it in a process of its own and says so.
-#include "importer/sources/netcdf/netcdf_source.hpp"
+#include "importer/sources/files/formats.hpp"
 #include "tests/fuzz/targets/all.hpp"
 #include "tests/fuzz/targets/scratch_file.hpp"
 #include "tests/importer/netcdf_files.hpp"

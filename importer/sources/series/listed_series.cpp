@@ -1,16 +1,17 @@
-#include "importer/sources/series/pvd_series.hpp"
+#include "importer/sources/series/listed_series.hpp"
 
 #include "importer/base/vtk_messages.hpp"
 #include "importer/sources/files/bounded_xml.hpp"
 #include "importer/sources/files/file_names.hpp"
 #include "importer/sources/files/named_path.hpp"
-#include "importer/sources/files/xml_attribute.hpp"
 #include "importer/sources/series/series_times.hpp"
 
+#include <nlohmann/json.hpp>
 #include <vtkSmartPointer.h>
 #include <vtkXMLDataElement.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <string_view>
@@ -18,8 +19,29 @@
 namespace wakesurf::importer {
 
 using core::Error;
+using nlohmann::json;
 
 namespace {
+
+core::Result<SeriesEntry>
+read_entry(const json& element, const std::filesystem::path& folder, const std::string& series) {
+    const auto name = element.is_object() ? element.find("name") : element.end();
+    if (name == element.end() || !name->is_string() || name->get<std::string>().empty())
+        return core::fail(Error::Code::Corrupt, series + " has an entry without a name");
+    const auto file = name->get<std::string>();
+    const auto path = named_path(folder, file, series);
+    if (!path)
+        return tl::unexpected(path.error());
+    SeriesEntry entry{{{*path, told_name(file), {}}}, std::nullopt, {}};
+    if (const auto time = element.find("time"); time != element.end()) {
+        if (!time->is_number() || !std::isfinite(time->get<double>()))
+            return core::fail(Error::Code::Corrupt, series + " gives " + file + " the time '" +
+                                                        time->dump() +
+                                                        "', which is not a finite number");
+        entry.time = time->get<double>();
+    }
+    return entry;
+}
 
 struct DataSetElement {
     ListedFile file;
@@ -93,8 +115,8 @@ core::Result<void> sort_by_time(std::vector<DataSetElement>& elements, const std
 
 using Group = std::vector<DataSetElement>;
 
-// Files for one part of one time, next to each other at every time and as many of them each, are parts without a number: a
-// restart would have written the times one after the other.
+// Files for one part of one time, next to each other at every time and as many of them each, are parts
+// without a number: a restart would have written the times one after the other.
 bool are_parts_without_numbers(const std::vector<Group>& times) {
     return std::all_of(times.begin(), times.end(), [&](const Group& group) {
         return group.size() > 1 && group.size() == times.front().size() &&
@@ -104,7 +126,7 @@ bool are_parts_without_numbers(const std::vector<Group>& times) {
     });
 }
 
-// Of a part that is named twice for one time, as after a restart, the last.
+// Takes of a part that is named twice for one time, as after a restart, the last.
 SeriesEntry entry_of(Group& group, std::vector<std::string>& left_out) {
     SeriesEntry out{{}, group.front().time, {}};
     std::vector<std::string> parts;
@@ -133,6 +155,32 @@ std::vector<Group> by_times(std::vector<DataSetElement> elements) {
 }
 
 } // namespace
+
+core::Result<FileSeries> read_json_series(const std::filesystem::path& file) {
+    const std::string name = file.filename().string();
+    std::ifstream in(file, std::ios::binary);
+    if (!in)
+        return core::fail(Error::Code::Io, "cannot open " + name);
+    const json root = json::parse(in, nullptr, false);
+    const auto files = root.is_object() ? root.find("files") : root.end();
+    if (!root.is_object() || files == root.end() || !files->is_array())
+        return core::fail(Error::Code::Corrupt,
+                          name + " is not a file series: it is not JSON with a list of files");
+    // flow.vtm.series is about flow, made of .vtm files.
+    const auto stem = file.stem();
+    const auto kind = lower_extension(stem);
+    FileSeries series{
+        stem.stem().string(), kind.empty() ? "series" : kind.substr(1) + ".series", {file}, {}};
+    for (const auto& element : *files) {
+        auto entry = read_entry(element, file.parent_path(), name);
+        if (!entry)
+            return tl::unexpected(entry.error());
+        series.entries.push_back(std::move(*entry));
+    }
+    if (series.entries.empty())
+        return core::fail(Error::Code::Corrupt, name + " names no files");
+    return series;
+}
 
 core::Result<FileSeries> read_pvd_series(const std::filesystem::path& file) {
     const std::string name = file.filename().string();

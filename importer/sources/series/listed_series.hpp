@@ -1,0 +1,53 @@
+// The files of which time-step a source is made, and the files that list such a series: ParaView's
+// collections (.pvd) and file series (flow.vtm.series, ...).
+#pragma once
+
+#include "core/base/result.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace wakesurf::importer {
+
+struct ListedFile {
+    std::filesystem::path path;
+    /// Is for people: as the series names it, without its folder.
+    std::string name;
+    /// Names the part it is, where the series has one.
+    std::string block;
+};
+
+struct SeriesEntry {
+    /// Holds all files of one time-step, at least one.
+    std::vector<ListedFile> parts;
+    std::optional<double> time;
+    /// Stands in the file's name.
+    std::optional<double> number{};
+};
+
+struct FileSeries {
+    /// Names the dataset.
+    std::string name;
+    /// Is one of pvd, vtm.series, vtu series, vtu and the like.
+    std::string kind;
+    /// Holds the file that lists the others, if there is one.
+    std::vector<std::filesystem::path> index;
+    /// Are in order, at least one.
+    std::vector<SeriesEntry> entries;
+    /// Names files of parts that the list names again for the same time.
+    std::vector<std::string> left_out{};
+};
+
+/// Reads JSON with a time for each file:
+/// {"file-series-version": "1.0", "files": [{"name": "flow_0.vtm", "time": 0.5}, ...]}. Entries stay in the
+/// order of the file. Error: Io, Corrupt (not JSON, no files, a time that is not a finite number).
+core::Result<FileSeries> read_json_series(const std::filesystem::path& file);
+
+/// Reads a small XML file with a time for each file; several files of one time are parts of that time-step.
+/// Entries come in order of time, parts in the order of the file. Error: Corrupt (not XML, no DataSet, times
+/// that are no numbers, one part twice at one time), Unsupported (time-steps of different numbers of parts).
+core::Result<FileSeries> read_pvd_series(const std::filesystem::path& file);
+
+} // namespace wakesurf::importer
