@@ -341,6 +341,9 @@ def texts_of(paths):
 
 
 class TheProject(unittest.TestCase):
+    def test_has_no_circle_of_units(self):
+        self.assertEqual(circle(arrows(texts_of(project_files()), unit_of)), [])
+
     def test_has_no_circle_of_folders(self):
         self.assertEqual(circle(arrows(texts_of(project_files()), one_way_folder)), [])
 

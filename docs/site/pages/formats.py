@@ -30,7 +30,7 @@ def first_table(text):
 
 def without_code_places(text):
     """Without the names of files of code, which are for contributors."""
-    return re.sub(r" \(sources/[^)]*\)", "", re.sub(r"\(sources/[^)]*, ", "(", text))
+    return re.sub(r" \((?:fields|sources)/[^)]*\)", "", re.sub(r"\((?:fields|sources)/[^)]*, ", "(", text))
 
 
 def written():
@@ -40,7 +40,7 @@ def written():
 
 def text():
     units = without_code_places(section("importer/README.md", "Units"))
-    units = re.sub(r",\s*by\s*\n?UDUNITS(?: \(sources/[^)]*\))?", ", by UDUNITS", units)
+    units = re.sub(r",\s*by\s*\n?UDUNITS(?: \((?:fields|sources)/[^)]*\))?", ", by UDUNITS", units)
     return (MADE.format(source="importer/README.md and protocol/files/README.md") + INTRO
             + first_table(section("importer/README.md", "Formats")).replace(", see Files that a source names", "")
             + "\n\n" + IN_PLACE + "\n\n## Units\n\n" + units
