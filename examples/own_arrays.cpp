@@ -1,7 +1,7 @@
 // Arrays of one's own, as a solver has them in memory: time-steps on a grid, without files. A vortex that spins up, and its streak surface.
 #include <wakesurf/core/dataset/steps_in_memory.hpp>
 #include <wakesurf/core/field/stored_flow.hpp>
-#include <wakesurf/core/surface/surface_builder.hpp>
+#include <wakesurf/core/surface/builder/surface_builder.hpp>
 
 #include <cmath>
 #include <cstdio>

@@ -1,7 +1,7 @@
 // A velocity of one's own: a wind that sways. Its stream surface is flat at any time; its streak surface, the smoke, has waves.
 //   own_velocity [FOLDER]     writes stream.vtp and streak.vtp
 #include <wakesurf/core/field/function_flow.hpp>
-#include <wakesurf/core/surface/surface_builder.hpp>
+#include <wakesurf/core/surface/builder/surface_builder.hpp>
 #include <wakesurf/protocol/files/mesh_file.hpp>
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // A store, as `wakesurf import` and `wakesurf generate` write them, to a surface in a file.
 //   store_to_file STORE "x,y,z x,y,z" FILE.vtp      .ply, .glb, .obj and .drc as well
 #include <wakesurf/core/field/stored_flow.hpp>
-#include <wakesurf/core/surface/surface_builder.hpp>
+#include <wakesurf/core/surface/builder/surface_builder.hpp>
 #include <wakesurf/protocol/files/mesh_file.hpp>
 #include <wakesurf/store/open_store.hpp>
 

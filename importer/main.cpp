@@ -16,8 +16,8 @@
 #include "importer/level_sets.hpp"
 #include "importer/sources/files/named_path.hpp"
 #include "importer/step_workers.hpp"
+#include "protocol/api/base/json_text.hpp"
 #include "protocol/api/dataset_json.hpp"
-#include "protocol/api/json_text.hpp"
 #include "store/store_writer.hpp"
 
 #include <CLI/CLI.hpp>

@@ -23,7 +23,7 @@ set(waiting
     core/surface/playback/surface_at.hpp
     core/surface/rake.hpp
     core/surface/suggestion/scene_suggestion.hpp
-    core/surface/surface_builder.hpp
+    core/surface/builder/surface_builder.hpp
     core/surface/vertex_times.hpp
     protocol/files/mesh_file.hpp
     protocol/wire/mesh_decoder.hpp

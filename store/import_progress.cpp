@@ -1,8 +1,8 @@
 #include "store/import_progress.hpp"
 
 #include "core/base/plain_text.hpp"
-#include "protocol/api/json_members.hpp"
-#include "protocol/api/json_text.hpp"
+#include "protocol/api/base/json_members.hpp"
+#include "protocol/api/base/json_text.hpp"
 
 #include <nlohmann/json.hpp>
 #include <unistd.h>

@@ -1,7 +1,7 @@
 #include "store/store_layout_json.hpp"
 
+#include "protocol/api/base/json_members.hpp"
 #include "protocol/api/dataset_json.hpp"
-#include "protocol/api/json_members.hpp"
 
 #include <nlohmann/json.hpp>
 

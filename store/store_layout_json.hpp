@@ -1,7 +1,7 @@
 // Converts between a store's layout and the members of store.json that say so.
 #pragma once
 
-#include "protocol/api/json_members.hpp"
+#include "protocol/api/base/json_members.hpp"
 #include "store/store_layout.hpp"
 
 #include <nlohmann/json_fwd.hpp>

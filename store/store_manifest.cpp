@@ -1,8 +1,8 @@
 #include "store/store_manifest.hpp"
 
+#include "protocol/api/base/json_members.hpp"
+#include "protocol/api/base/json_text.hpp"
 #include "protocol/api/dataset_json.hpp"
-#include "protocol/api/json_members.hpp"
-#include "protocol/api/json_text.hpp"
 #include "store/store_layout_json.hpp"
 
 #include <nlohmann/json.hpp>

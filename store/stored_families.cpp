@@ -1,9 +1,9 @@
 #include "store/stored_families.hpp"
 
 #include "core/base/crc32c.hpp"
+#include "protocol/api/base/json_members.hpp"
+#include "protocol/api/base/json_text.hpp"
 #include "protocol/api/family_json.hpp"
-#include "protocol/api/json_members.hpp"
-#include "protocol/api/json_text.hpp"
 #include "store/folder_changes.hpp"
 #include "store/store_layout.hpp"
 

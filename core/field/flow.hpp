@@ -3,10 +3,10 @@
 #pragma once
 
 #include "core/base/box.hpp"
+#include "core/base/node_shares.hpp"
 #include "core/base/point_status.hpp"
 #include "core/base/result.hpp"
 #include "core/dataset/wall_geometry.hpp"
-#include "core/field/node_shares.hpp"
 #include "core/integrate/curve.hpp"
 #include "core/integrate/particles.hpp"
 

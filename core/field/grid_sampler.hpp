@@ -3,10 +3,10 @@
 // rectilinear grids.
 #pragma once
 
+#include "core/base/node_shares.hpp"
 #include "core/base/point_status.hpp"
 #include "core/dataset/missing_bricks.hpp"
 #include "core/field/cell_mask.hpp"
-#include "core/field/node_shares.hpp"
 #include "core/field/uniform_axes.hpp"
 #include "core/integrate/at_rest.hpp"
 

@@ -1,6 +1,6 @@
 #include "core/field/stored_flow.hpp"
 
-#include "core/field/cells/cell_sampling.hpp"
+#include "core/field/cell_sampling.hpp"
 #include "core/field/interval_flow.hpp"
 #include "core/field/rectilinear_sampling.hpp"
 #include "core/field/uniform_sampling.hpp"

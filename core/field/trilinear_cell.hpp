@@ -4,7 +4,7 @@
 // Solving ODEs I, I.8.
 #pragma once
 
-#include "core/field/components.hpp"
+#include "core/base/components.hpp"
 #include "core/field/grid_sampler.hpp"
 #include "core/integrate/path_series.hpp"
 

@@ -1,8 +1,8 @@
 #include "importer/filter/vtkIntegralSurface.h"
 
 #include "core/field/stored_flow.hpp"
+#include "core/surface/builder/surface_builder.hpp"
 #include "core/surface/playback/surface_at.hpp"
-#include "core/surface/surface_builder.hpp"
 #include "importer/filter/pipeline_source.hpp"
 #include "importer/filter/polygonal_data.hpp"
 

@@ -1,6 +1,6 @@
 #include "protocol/api/dataset_json.hpp"
 
-#include "protocol/api/json_members.hpp"
+#include "protocol/api/base/json_members.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,8 +1,8 @@
 #include "protocol/api/family_json.hpp"
 
+#include "protocol/api/base/json_members.hpp"
+#include "protocol/api/base/point_json.hpp"
 #include "protocol/api/generated/names.hpp"
-#include "protocol/api/json_members.hpp"
-#include "protocol/api/point_json.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
 #include "protocol/api/json_rpc.hpp"
 
 #include "core/base/machine_memory.hpp"
-#include "protocol/api/json_text.hpp"
+#include "protocol/api/base/json_text.hpp"
 
 #include <nlohmann/json.hpp>
 

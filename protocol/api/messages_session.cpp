@@ -1,6 +1,6 @@
 #include "protocol/api/messages_session.hpp"
 
-#include "protocol/api/json_text.hpp"
+#include "protocol/api/base/json_text.hpp"
 #include "protocol/api/utc_text.hpp"
 
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 #include "protocol/api/record_text.hpp"
 
 #include "core/surface/rake.hpp"
-#include "protocol/api/json_text.hpp"
+#include "protocol/api/base/json_text.hpp"
 
 #include <nlohmann/json.hpp>
 

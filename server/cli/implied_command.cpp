@@ -1,6 +1,6 @@
 #include "server/cli/implied_command.hpp"
 
-#include "protocol/api/nearest_name.hpp"
+#include "protocol/api/base/nearest_name.hpp"
 #include "server/service/catalogue/dataset_argument.hpp"
 
 #include <CLI/CLI.hpp>

@@ -1,9 +1,9 @@
 #include "server/cli/info_command.hpp"
 
 #include "core/field/analytic_flow.hpp"
+#include "protocol/api/base/json_text.hpp"
 #include "protocol/api/dataset_json.hpp"
 #include "protocol/api/family_json.hpp"
-#include "protocol/api/json_text.hpp"
 #include "server/cli/failure.hpp"
 #include "server/cli/stop_on_signal.hpp"
 #include "server/cli/tell.hpp"

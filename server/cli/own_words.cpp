@@ -1,7 +1,7 @@
 #include "server/cli/own_words.hpp"
 
+#include "protocol/api/base/methods.hpp"
 #include "protocol/api/generated/surface_options.hpp"
-#include "protocol/api/methods.hpp"
 
 #include <array>
 #include <functional>

@@ -1,6 +1,6 @@
 #include "server/cli/sessions_command.hpp"
 
-#include "protocol/api/json_text.hpp"
+#include "protocol/api/base/json_text.hpp"
 #include "server/cli/environment.hpp"
 #include "server/cli/failure.hpp"
 #include "server/cli/log_lines.hpp"

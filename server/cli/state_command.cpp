@@ -1,7 +1,7 @@
 #include "server/cli/state_command.hpp"
 
 #include "core/base/plain_text.hpp"
-#include "protocol/api/json_text.hpp"
+#include "protocol/api/base/json_text.hpp"
 #include "protocol/api/utc_text.hpp"
 #include "server/cli/failure.hpp"
 #include "server/cli/tell.hpp"

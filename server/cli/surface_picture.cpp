@@ -1,7 +1,7 @@
 #include "server/cli/surface_picture.hpp"
 
+#include "protocol/api/base/point_json.hpp"
 #include "protocol/api/generated/names.hpp"
-#include "protocol/api/point_json.hpp"
 #include "server/cli/python_program.hpp"
 
 #include <nlohmann/json.hpp>

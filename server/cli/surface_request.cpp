@@ -1,9 +1,9 @@
 #include "server/cli/surface_request.hpp"
 
-#include "core/surface/vertex_attributes.hpp"
+#include "core/surface/builder/vertex_attributes.hpp"
+#include "protocol/api/base/point_json.hpp"
 #include "protocol/api/generated/surface.hpp"
 #include "protocol/api/generated/surface_options.hpp"
-#include "protocol/api/point_json.hpp"
 #include "protocol/files/mesh_file.hpp"
 #include "server/cli/rake_text.hpp"
 

@@ -1,10 +1,10 @@
 #include "server/net/downloads.hpp"
 
 #include "core/base/crc32c.hpp"
+#include "core/surface/builder/vertex_attributes.hpp"
 #include "core/surface/patches/tessellation.hpp"
 #include "core/surface/playback/surface_at.hpp"
-#include "core/surface/vertex_attributes.hpp"
-#include "protocol/api/json_text.hpp"
+#include "protocol/api/base/json_text.hpp"
 #include "protocol/files/lines_file.hpp"
 #include "protocol/files/mesh_file.hpp"
 #include "server/net/download_request.hpp"

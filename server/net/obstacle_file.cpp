@@ -1,8 +1,8 @@
 #include "server/net/obstacle_file.hpp"
 
 #include "core/base/rounding.hpp"
+#include "core/surface/builder/vertex_attributes.hpp"
 #include "core/surface/obstacle_surface.hpp"
-#include "core/surface/vertex_attributes.hpp"
 #include "core/surface/wall_velocity.hpp"
 #include "protocol/wire/bytes.hpp"
 #include "protocol/wire/mesh_encoder.hpp"

@@ -1,7 +1,7 @@
 #include "server/net/routes.hpp"
 
-#include "protocol/api/checked_json.hpp"
-#include "protocol/api/json_text.hpp"
+#include "protocol/api/base/checked_json.hpp"
+#include "protocol/api/base/json_text.hpp"
 #include "server/net/http_error.hpp"
 #include "server/service/limits.hpp"
 

@@ -1,6 +1,6 @@
 #include "server/net/session_files.hpp"
 
-#include "protocol/api/json_text.hpp"
+#include "protocol/api/base/json_text.hpp"
 #include "protocol/api/session_file.hpp"
 #include "server/net/http_error.hpp"
 #include "server/rpc/session_import.hpp"

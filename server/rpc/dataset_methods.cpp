@@ -1,9 +1,9 @@
 // dataset.list, dataset.describe, dataset.suggest, dataset.open, cache.status, probe.sample.
+#include "protocol/api/base/point_json.hpp"
 #include "protocol/api/dataset_json.hpp"
 #include "protocol/api/family_json.hpp"
 #include "protocol/api/generated/dataset.hpp"
 #include "protocol/api/generated/names.hpp"
-#include "protocol/api/point_json.hpp"
 #include "server/rpc/cache_json.hpp"
 #include "server/rpc/dataset_entry.hpp"
 #include "server/rpc/import_waiters.hpp"

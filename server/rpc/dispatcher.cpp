@@ -1,6 +1,6 @@
 #include "server/rpc/dispatcher.hpp"
 
-#include "protocol/api/nearest_name.hpp"
+#include "protocol/api/base/nearest_name.hpp"
 #include "protocol/api/openrpc.hpp"
 #include "server/rpc/call_log.hpp"
 #include "server/rpc/held_answer.hpp"

@@ -1,6 +1,6 @@
 #include "server/rpc/method.hpp"
 
-#include "protocol/api/methods.hpp"
+#include "protocol/api/base/methods.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -2,7 +2,7 @@
 // parameters that were checked against the description.
 #pragma once
 
-#include "protocol/api/checked_json.hpp"
+#include "protocol/api/base/checked_json.hpp"
 #include "protocol/api/json_rpc.hpp"
 #include "server/rpc/client.hpp"
 #include "server/service/base/journal.hpp"

@@ -1,5 +1,5 @@
 // rake.set, rake.delete, rake.list.
-#include "protocol/api/point_json.hpp"
+#include "protocol/api/base/point_json.hpp"
 #include "server/rpc/leased.hpp"
 #include "server/rpc/method_table.hpp"
 #include "server/rpc/record_handlers.hpp"

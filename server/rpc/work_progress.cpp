@@ -1,6 +1,6 @@
 #include "server/rpc/work_progress.hpp"
 
-#include "protocol/api/json_text.hpp"
+#include "protocol/api/base/json_text.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -3,7 +3,7 @@
 #include "core/dataset/brick_cache.hpp"
 #include "core/field/generated_bricks.hpp"
 #include "core/field/stored_flow.hpp"
-#include "core/surface/surface_builder.hpp"
+#include "core/surface/builder/surface_builder.hpp"
 #include "tests/bench/benchmarks.hpp"
 #include "tests/bench/support/interleaved.hpp"
 #include "tests/bench/support/one_core.hpp"

@@ -2,7 +2,7 @@
 // than the cache beside the same reads alone.
 #include "core/dataset/brick_cache.hpp"
 #include "core/field/stored_flow.hpp"
-#include "core/surface/surface_builder.hpp"
+#include "core/surface/builder/surface_builder.hpp"
 #include "tests/bench/benchmarks.hpp"
 #include "tests/bench/support/temporary_store.hpp"
 

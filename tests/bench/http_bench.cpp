@@ -1,7 +1,7 @@
 // A store of bricks on a web server that is far away: how long the first coarse surface takes. The server is one of ours in this process,
 // which waits before it answers each request; libcurl and all above it are the product's.
 #include "core/dataset/brick_cache.hpp"
-#include "core/surface/surface_builder.hpp"
+#include "core/surface/builder/surface_builder.hpp"
 #include "server/service/catalogue/open_dataset.hpp"
 #include "tests/bench/benchmarks.hpp"
 #include "tests/bench/support/temporary_store.hpp"

@@ -1,7 +1,7 @@
 // A level that is dragged through a field of 128^3 values: 30 levels, each to its mesh and to its frames, with the field loaded once in the
 // process that extracts them. And what loading it, and starting that process, takes before the first.
+#include "core/surface/builder/surface_builder.hpp"
 #include "core/surface/level/level_surface.hpp"
-#include "core/surface/surface_builder.hpp"
 #include "protocol/wire/mesh_encoder.hpp"
 #include "server/service/levels/level_sets.hpp"
 #include "tests/bench/benchmarks.hpp"

@@ -1,6 +1,6 @@
 // Bricks from the memory of two ranks beside the same from files, and how soon a surface is there when a rank was killed.
 #include "core/field/stored_flow.hpp"
-#include "core/surface/surface_builder.hpp"
+#include "core/surface/builder/surface_builder.hpp"
 #include "server/service/bricks/ranked_store.hpp"
 #include "store/open_store.hpp"
 #include "store/store_generation.hpp"

@@ -1,4 +1,4 @@
-#include "core/surface/surface_builder.hpp"
+#include "core/surface/builder/surface_builder.hpp"
 #include "tests/bench/benchmarks.hpp"
 #include "tests/bench/deviation/deviation.hpp"
 #include "tests/bench/support/interleaved.hpp"

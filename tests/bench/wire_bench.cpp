@@ -1,8 +1,8 @@
 // What a surface of 100,000 quads costs on the wire: bytes of each update beside raw floats and beside a whole Draco mesh, and the
 // time to encode and to decode it on one core.
+#include "core/surface/builder/surface_builder.hpp"
 #include "core/surface/moving/moving_surface.hpp"
 #include "core/surface/playback/growing_mesh.hpp"
-#include "core/surface/surface_builder.hpp"
 #include "protocol/wire/mesh_decoder.hpp"
 #include "protocol/wire/mesh_frame.hpp"
 #include "protocol/wire/mesh_stream.hpp"

@@ -3,7 +3,7 @@
 #include "core/dataset/time_step_cache.hpp"
 #include "core/field/sample_scalar.hpp"
 #include "core/field/stored_flow.hpp"
-#include "core/surface/surface_builder.hpp"
+#include "core/surface/builder/surface_builder.hpp"
 #include "store/store_layout.hpp"
 #include "tests/importer/import_fixture.hpp"
 #include "tests/importer/netcdf_files.hpp"

@@ -165,14 +165,6 @@ def unit_of(path):
     return path.rsplit(".", 1)[0]
 
 
-# Folders that still include both ways count as one here.
-ONE_FOLDER = ("core/field", "core/surface", "protocol/api")
-
-
-def one_way_folder(path):
-    return next((each for each in ONE_FOLDER if path.startswith(each + "/")), os.path.dirname(path))
-
-
 def statement_start(code, at):
     """Back over whole brackets to the last `;` or `{`; a block on the way counts only inside a call's `(`."""
     depth = 0
@@ -345,7 +337,7 @@ class TheProject(unittest.TestCase):
         self.assertEqual(circle(arrows(texts_of(project_files()), unit_of)), [])
 
     def test_has_no_circle_of_folders(self):
-        self.assertEqual(circle(arrows(texts_of(project_files()), one_way_folder)), [])
+        self.assertEqual(circle(arrows(texts_of(project_files()), os.path.dirname)), [])
 
 
 class TheLinter(unittest.TestCase):

@@ -124,7 +124,7 @@ class PackageTest(unittest.TestCase):
 
     def test_only_headers_that_programs_include_are_installed(self):
         headers = set(self.headers())
-        self.assertLessEqual({"core/surface/surface_builder.hpp", "protocol/files/mesh_file.hpp", "store/open_store.hpp"}, headers)
+        self.assertLessEqual({"core/surface/builder/surface_builder.hpp", "protocol/files/mesh_file.hpp", "store/open_store.hpp"}, headers)
         self.assertEqual([each for each in headers if set(PRIVATE) & set(each.split("/"))], [])
         # A stored flow can be told which kernel to use.
         self.assertEqual([each for each in headers if "/kernel/" in each], ["core/field/kernel/simd.hpp"])

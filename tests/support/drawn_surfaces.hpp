@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/field/analytic_flow.hpp"
+#include "core/surface/builder/surface_builder.hpp"
 #include "core/surface/patches/tessellation.hpp"
-#include "core/surface/surface_builder.hpp"
 #include "core/surface/vertex_times.hpp"
 #include "tests/support/exact_sheet.hpp"
 

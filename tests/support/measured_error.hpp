@@ -2,7 +2,7 @@
 // surface, across it.
 #pragma once
 
-#include "core/surface/surface_builder.hpp"
+#include "core/surface/builder/surface_builder.hpp"
 #include "tests/support/exact_sheet.hpp"
 
 #include <gtest/gtest.h>

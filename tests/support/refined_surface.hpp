@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/field/analytic_flow.hpp"
-#include "core/surface/surface_builder.hpp"
+#include "core/surface/builder/surface_builder.hpp"
 
 namespace wakesurf::tests {
 

@@ -3,7 +3,7 @@
 
 #include "core/field/analytic_catalogue.hpp"
 #include "core/field/analytic_flow.hpp"
-#include "core/surface/surface_builder.hpp"
+#include "core/surface/builder/surface_builder.hpp"
 
 #include <array>
 #include <memory>

@@ -4,8 +4,8 @@
 // is smooth up to and at the apex.
 #pragma once
 
+#include "core/base/components.hpp"
 #include "core/dataset/cell_mesh.hpp"
-#include "core/field/components.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 // Tells how much each node of a cell contributes to the value at a point in it.
 #pragma once
 
+#include "core/base/node_shares.hpp"
 #include "core/field/cells/cell_geometry.hpp"
-#include "core/field/node_shares.hpp"
 
 namespace wakesurf::core {
 

@@ -5,9 +5,9 @@
 #include "core/base/clock.hpp"
 #include "core/base/result.hpp"
 #include "core/base/work_done.hpp"
-#include "core/surface/columns/sheet_options.hpp"
 #include "core/surface/columns/strip.hpp"
 #include "core/surface/rake.hpp"
+#include "core/surface/request/sheet_options.hpp"
 
 #include <deque>
 #include <map>

@@ -1,10 +1,10 @@
 #include "core/surface/playback/surface_at.hpp"
 
+#include "core/surface/builder/surface_builder.hpp"
 #include "core/surface/level/level_surface.hpp"
 #include "core/surface/playback/growing_mesh.hpp"
 #include "core/surface/playback/played_surface.hpp"
 #include "core/surface/playback/surface_age.hpp"
-#include "core/surface/surface_builder.hpp"
 #include "core/surface/time_direction.hpp"
 #include "core/surface/vertex_times.hpp"
 

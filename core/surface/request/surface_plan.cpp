@@ -1,7 +1,7 @@
 #include "core/surface/request/surface_plan.hpp"
 
 #include "core/base/rounding.hpp"
-#include "core/surface/columns/sheet_options.hpp"
+#include "core/surface/request/sheet_options.hpp"
 #include "core/surface/request/surface_values.hpp"
 #include "core/surface/time_direction.hpp"
 

@@ -1,8 +1,8 @@
 // Made by protocol/api/generate from annotation.schema.json: do not edit.
 #include "protocol/api/generated/annotation.hpp"
 
+#include "protocol/api/base/point_json.hpp"
 #include "protocol/api/generated/limits.hpp"
-#include "protocol/api/point_json.hpp"
 
 #include <nlohmann/json.hpp>
 

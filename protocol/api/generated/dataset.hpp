@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/base/vec3.hpp"
-#include "protocol/api/checked_json.hpp"
+#include "protocol/api/base/checked_json.hpp"
 
 #include <cstdint>
 #include <optional>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/surface/rake.hpp"
-#include "protocol/api/checked_json.hpp"
+#include "protocol/api/base/checked_json.hpp"
 
 #include <optional>
 #include <string>

@@ -1,5 +1,5 @@
 // Made by protocol/api/generate from *.schema.json: do not edit.
-#include "protocol/api/methods.hpp"
+#include "protocol/api/base/methods.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "core/base/vec3.hpp"
-#include "protocol/api/checked_json.hpp"
+#include "protocol/api/base/checked_json.hpp"
+#include "protocol/api/base/nullable.hpp"
 #include "protocol/api/generated/shared.hpp"
-#include "protocol/api/nullable.hpp"
 
 #include <optional>
 #include <string>

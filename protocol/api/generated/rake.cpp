@@ -1,10 +1,10 @@
 // Made by protocol/api/generate from rake.schema.json: do not edit.
 #include "protocol/api/generated/rake.hpp"
 
-#include "protocol/api/colour_text.hpp"
+#include "protocol/api/base/colour_text.hpp"
+#include "protocol/api/base/point_json.hpp"
 #include "protocol/api/generated/limits.hpp"
 #include "protocol/api/generated/names.hpp"
-#include "protocol/api/point_json.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -2,7 +2,7 @@
 // The server: what methods take. Readers leave what is wrong in `in`.
 #pragma once
 
-#include "protocol/api/checked_json.hpp"
+#include "protocol/api/base/checked_json.hpp"
 
 #include <string>
 #include <string_view>

@@ -1,7 +1,7 @@
 // Made by protocol/api/generate from session.schema.json: do not edit.
 #include "protocol/api/generated/session.hpp"
 
-#include "protocol/api/colour_text.hpp"
+#include "protocol/api/base/colour_text.hpp"
 #include "protocol/api/generated/limits.hpp"
 
 namespace wakesurf::protocol {

@@ -2,9 +2,9 @@
 // Share links: what methods take. Readers leave what is wrong in `in`.
 #pragma once
 
-#include "protocol/api/checked_json.hpp"
+#include "protocol/api/base/checked_json.hpp"
+#include "protocol/api/base/nullable.hpp"
 #include "protocol/api/generated/shared.hpp"
-#include "protocol/api/nullable.hpp"
 
 #include <cstdint>
 #include <string>

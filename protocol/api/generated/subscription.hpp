@@ -2,7 +2,7 @@
 // Looking at surfaces: what methods take. Readers leave what is wrong in `in`.
 #pragma once
 
-#include "protocol/api/checked_json.hpp"
+#include "protocol/api/base/checked_json.hpp"
 #include "protocol/api/generated/shared.hpp"
 
 #include <cstdint>

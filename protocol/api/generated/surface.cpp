@@ -2,9 +2,9 @@
 #include "protocol/api/generated/surface.hpp"
 
 #include "core/surface/request/surface_values.hpp"
+#include "protocol/api/base/point_json.hpp"
 #include "protocol/api/generated/limits.hpp"
 #include "protocol/api/generated/names.hpp"
-#include "protocol/api/point_json.hpp"
 
 #include <nlohmann/json.hpp>
 

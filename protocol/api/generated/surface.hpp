@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/surface/surface_parameters.hpp"
-#include "protocol/api/checked_json.hpp"
+#include "protocol/api/base/checked_json.hpp"
 #include "protocol/api/generated/shared.hpp"
 
 #include <nlohmann/json_fwd.hpp>

@@ -384,7 +384,7 @@ class Cpp:
                                                                      else "") + ". Readers leave what is wrong in `in`.",
                 "#pragma once", "",
                 '#include "core/surface/rake.hpp"', '#include "core/surface/surface_parameters.hpp"',
-                '#include "protocol/api/checked_json.hpp"', '#include "protocol/api/nullable.hpp"', "",
+                '#include "protocol/api/base/checked_json.hpp"', '#include "protocol/api/base/nullable.hpp"', "",
                 "#include <nlohmann/json_fwd.hpp>", "", "#include <cstdint>", "#include <optional>", "#include <string>",
                 "#include <string_view>", "#include <utility>", "#include <vector>", "", "namespace wakesurf::protocol {", ""]
         body, readers = [], []
@@ -406,7 +406,7 @@ class Cpp:
         body += [*readers, ""]
         used = "\n".join(body)
         if " : InSession" in used:
-            text.insert(text.index('#include "protocol/api/nullable.hpp"'), '#include "protocol/api/generated/shared.hpp"')
+            text.insert(text.index('#include "protocol/api/base/nullable.hpp"'), '#include "protocol/api/generated/shared.hpp"')
         text = [line for line in text if not (
             ("rake.hpp" in line and "core::Rake" not in used) or ("surface_parameters" in line and "SurfaceParameters" not in used)
             or ("nullable" in line and "Nullable<" not in used) or ("<vector>" in line and "std::vector" not in used) or ("<utility>" in line and "std::pair" not in used)
@@ -414,7 +414,7 @@ class Cpp:
             or ("<optional>" in line and "std::optional" not in used) or ("<string>" in line and "std::string " not in used
                                                                          and "std::string>" not in used))]
         if "core::Vec3" in used and "core::Rake" not in used:
-            text.insert(text.index('#include "protocol/api/checked_json.hpp"'), '#include "core/base/vec3.hpp"')
+            text.insert(text.index('#include "protocol/api/base/checked_json.hpp"'), '#include "core/base/vec3.hpp"')
         return "\n".join(text + body + ["} // namespace wakesurf::protocol", ""])
 
     def shared(self):
@@ -435,9 +435,9 @@ class Cpp:
         used = "\n".join(body)
         includes = ['#include "protocol/api/generated/limits.hpp"'] if "limits::" in used else []
         includes += ['#include "protocol/api/generated/names.hpp"'] if "name(" in used or "= *found" in used else []
-        includes += ['#include "protocol/api/colour_text.hpp"'] if "is_colour" in used else []
+        includes += ['#include "protocol/api/base/colour_text.hpp"'] if "is_colour" in used else []
         includes += ['#include "core/surface/request/surface_values.hpp"'] if "check_rules" in used else []
-        includes += ['#include "protocol/api/point_json.hpp"'] if "point_json" in used or "points_json" in used else []
+        includes += ['#include "protocol/api/base/point_json.hpp"'] if "point_json" in used or "points_json" in used else []
         text = [MADE.format(f"{noun}.schema.json"), f'#include "protocol/api/generated/{noun}.hpp"', "", *includes, ""]
         if "fmt::" in used:
             text += ["#include <fmt/format.h>"]

@@ -78,7 +78,7 @@ def names_source(api):
 
 
 def methods_source(api):
-    lines = [MADE.format("*.schema.json"), '#include "protocol/api/methods.hpp"', "", "#include <algorithm>", "#include <array>", "",
+    lines = [MADE.format("*.schema.json"), '#include "protocol/api/base/methods.hpp"', "", "#include <algorithm>", "#include <array>", "",
              *NAMESPACE, "namespace {", "", "using Names = std::string_view;", ""]
     for method in api.methods:
         if method.params.fields:

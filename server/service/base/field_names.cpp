@@ -1,8 +1,8 @@
 #include "server/service/base/field_names.hpp"
 
 #include "core/field/velocity_gradient.hpp"
-#include "core/surface/vertex_attributes.hpp"
-#include "protocol/api/nearest_name.hpp"
+#include "core/surface/builder/vertex_attributes.hpp"
+#include "protocol/api/base/nearest_name.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

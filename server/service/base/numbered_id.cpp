@@ -1,6 +1,6 @@
 #include "server/service/base/numbered_id.hpp"
 
-#include "protocol/api/checked_json.hpp"
+#include "protocol/api/base/checked_json.hpp"
 
 #include <charconv>
 

@@ -2,7 +2,7 @@
 
 #include "core/base/rounding.hpp"
 #include "core/field/velocity_gradient.hpp"
-#include "core/surface/vertex_attributes.hpp"
+#include "core/surface/builder/vertex_attributes.hpp"
 #include "server/service/base/field_names.hpp"
 #include "server/service/zarr/open_disk.hpp"
 #include "store/stored_families.hpp"

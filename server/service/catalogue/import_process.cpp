@@ -1,8 +1,8 @@
 #include "server/service/catalogue/import_process.hpp"
 
 #include "core/base/machine_memory.hpp"
+#include "protocol/api/base/json_text.hpp"
 #include "protocol/api/dataset_json.hpp"
-#include "protocol/api/json_text.hpp"
 #include "server/service/base/shipped_files.hpp"
 #include "server/service/catalogue/child_process.hpp"
 #include "server/service/catalogue/file_being_written.hpp"

@@ -1,7 +1,7 @@
 #include "server/service/levels/node_values.hpp"
 
 #include "core/dataset/missing_bricks.hpp"
-#include "core/surface/vertex_attributes.hpp"
+#include "core/surface/builder/vertex_attributes.hpp"
 #include "server/service/base/field_names.hpp"
 #include "store/brick_rows.hpp"
 

@@ -1,8 +1,8 @@
 #include "server/service/live/surface_build.hpp"
 
+#include "core/surface/builder/surface_builder.hpp"
 #include "core/surface/level/level_surface.hpp"
 #include "core/surface/playback/surface_age.hpp"
-#include "core/surface/surface_builder.hpp"
 #include "core/surface/time_direction.hpp"
 #include "core/surface/vertex_times.hpp"
 #include "server/service/base/log_text.hpp"

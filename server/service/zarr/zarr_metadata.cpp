@@ -1,7 +1,7 @@
 #include "server/service/zarr/zarr_metadata.hpp"
 
-#include "protocol/api/json_members.hpp"
-#include "protocol/api/json_text.hpp"
+#include "protocol/api/base/json_members.hpp"
+#include "protocol/api/base/json_text.hpp"
 #include "server/service/zarr/zarr_attributes.hpp"
 #include "server/service/zarr/zarr_numbers.hpp"
 

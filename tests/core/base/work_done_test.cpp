@@ -1,7 +1,7 @@
 #include "core/base/clock.hpp"
 #include "core/base/work_done.hpp"
 #include "core/field/analytic_flow.hpp"
-#include "core/surface/surface_builder.hpp"
+#include "core/surface/builder/surface_builder.hpp"
 
 #include <gtest/gtest.h>
 

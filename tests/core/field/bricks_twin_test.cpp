@@ -1,6 +1,6 @@
 // Surfaces through time-steps that come brick by brick, beside those through whole ones: the same bytes.
 #include "core/field/stored_flow.hpp"
-#include "core/surface/surface_builder.hpp"
+#include "core/surface/builder/surface_builder.hpp"
 #include "tests/support/bricked_source.hpp"
 #include "tests/support/sampled_source.hpp"
 

@@ -1,5 +1,5 @@
 #include "core/field/function_flow.hpp"
-#include "core/surface/surface_builder.hpp"
+#include "core/surface/builder/surface_builder.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include "core/field/advance_stored.hpp"
 #include "core/field/stored_flow.hpp"
 #include "core/field/velocity_gradient.hpp"
-#include "core/surface/surface_builder.hpp"
+#include "core/surface/builder/surface_builder.hpp"
 #include "tests/support/cell_meshes.hpp"
 #include "tests/support/sampled_source.hpp"
 #include "tests/support/swarm.hpp"

@@ -3,7 +3,7 @@
 #include "core/field/rectilinear_axes.hpp"
 #include "core/field/stored_flow.hpp"
 #include "core/field/stored_steps.hpp"
-#include "core/surface/surface_builder.hpp"
+#include "core/surface/builder/surface_builder.hpp"
 #include "tests/support/sampled_source.hpp"
 #include "tests/support/swarm.hpp"
 

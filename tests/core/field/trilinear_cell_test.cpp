@@ -1,6 +1,6 @@
 #include "core/field/analytic_flow.hpp"
 #include "core/field/stored_flow.hpp"
-#include "core/surface/surface_builder.hpp"
+#include "core/surface/builder/surface_builder.hpp"
 #include "tests/support/curve_at_time.hpp"
 #include "tests/support/sampled_source.hpp"
 

@@ -1,5 +1,5 @@
 // Surfaces of every kind through meshes of cells: the engine knows flows only.
-#include "core/surface/surface_builder.hpp"
+#include "core/surface/builder/surface_builder.hpp"
 #include "tests/support/meshed_field.hpp"
 #include "tests/support/meshed_source.hpp"
 

@@ -1,6 +1,6 @@
 // Surfaces whose vertices a formula knows: every vertex within 1e-5 at separation 0.05 with exact accuracy.
 #include "core/field/analytic_flow.hpp"
-#include "core/surface/surface_builder.hpp"
+#include "core/surface/builder/surface_builder.hpp"
 
 #include <gtest/gtest.h>
 

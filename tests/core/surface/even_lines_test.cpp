@@ -1,6 +1,6 @@
 // Lines at even distances, ribbons and arrows: what is measured on them in lengths.
 #include "core/field/analytic_flow.hpp"
-#include "core/surface/surface_builder.hpp"
+#include "core/surface/builder/surface_builder.hpp"
 #include "core/surface/surface_cutouts.hpp"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 // code with the engine's sampling.
 #include "core/field/analytic_flow.hpp"
 #include "core/field/stored_flow.hpp"
-#include "core/surface/surface_builder.hpp"
+#include "core/surface/builder/surface_builder.hpp"
 #include "tests/support/sampled_source.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Surfaces whose grid stays as the rake begins it (SurfaceParameters::refine), as the smoke surfaces of von Funck et al. 2008.
 #include "core/field/analytic_flow.hpp"
+#include "core/surface/builder/surface_builder.hpp"
 #include "core/surface/playback/surface_at.hpp"
-#include "core/surface/surface_builder.hpp"
 
 #include <gtest/gtest.h>
 

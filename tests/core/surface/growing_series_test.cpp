@@ -1,6 +1,6 @@
 // A surface whose times lie inside the data is the same before and after more data have come.
 #include "core/field/stored_flow.hpp"
-#include "core/surface/surface_builder.hpp"
+#include "core/surface/builder/surface_builder.hpp"
 #include "tests/support/sampled_source.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Rakes where the domain begins, as people type them, in data whose coordinates and times are rounded to 32 bits.
 #include "core/base/rounding.hpp"
 #include "core/field/stored_flow.hpp"
-#include "core/surface/surface_builder.hpp"
+#include "core/surface/builder/surface_builder.hpp"
 #include "tests/support/cell_meshes.hpp"
 #include "tests/support/sampled_source.hpp"
 

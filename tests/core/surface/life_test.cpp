@@ -1,7 +1,7 @@
 // Particles that end at an age: what is left of the surface is a closed form, or another surface.
 #include "core/field/analytic_flow.hpp"
+#include "core/surface/builder/surface_builder.hpp"
 #include "core/surface/playback/surface_at.hpp"
-#include "core/surface/surface_builder.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SurfaceParameters::stagnation_speed: one rule for what counts as at rest, in all four kinds of surface.
 #include "core/field/analytic_flow.hpp"
-#include "core/surface/surface_builder.hpp"
+#include "core/surface/builder/surface_builder.hpp"
 
 #include <gtest/gtest.h>
 

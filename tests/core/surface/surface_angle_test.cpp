@@ -1,6 +1,6 @@
 // SurfaceParameters::angle on stream and path surfaces: cells that meet at more are refined, along the columns and across.
 #include "core/field/analytic_flow.hpp"
-#include "core/surface/surface_builder.hpp"
+#include "core/surface/builder/surface_builder.hpp"
 #include "tests/support/mesh_measures.hpp"
 
 #include <gtest/gtest.h>

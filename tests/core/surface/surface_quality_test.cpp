@@ -3,7 +3,7 @@
 #include "core/dataset/time_step_cache.hpp"
 #include "core/field/analytic_flow.hpp"
 #include "core/field/stored_flow.hpp"
-#include "core/surface/surface_builder.hpp"
+#include "core/surface/builder/surface_builder.hpp"
 #include "tests/support/curve_at_time.hpp"
 #include "tests/support/mesh_measures.hpp"
 #include "tests/support/sampled_source.hpp"

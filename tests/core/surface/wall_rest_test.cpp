@@ -1,7 +1,7 @@
 // Particles that slow down for ever before a wall that holds the fluid have reached it; those that slow down
 // elsewhere came to rest.
 #include "core/field/analytic_flow.hpp"
-#include "core/surface/surface_builder.hpp"
+#include "core/surface/builder/surface_builder.hpp"
 #include "tests/support/meshed_field.hpp"
 #include "tests/support/meshed_source.hpp"
 #include "tests/support/sampled_source.hpp"

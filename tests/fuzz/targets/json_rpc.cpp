@@ -1,7 +1,7 @@
 // The envelope: text to calls, and each of them back to text as an error and as an answer.
 #include "protocol/api/json_rpc.hpp"
 
-#include "protocol/api/json_text.hpp"
+#include "protocol/api/base/json_text.hpp"
 #include "tests/fuzz/targets/all.hpp"
 
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
 // Records as they are kept, in every reader: what is read can be written and read again to the same text.
-#include "protocol/api/json_text.hpp"
+#include "protocol/api/base/json_text.hpp"
 #include "protocol/api/messages_grant.hpp"
 #include "protocol/api/messages_presence.hpp"
 #include "protocol/api/record_text.hpp"

@@ -1,4 +1,5 @@
 // What edits send: the parameters of a call, read as every kind of setting and as presence.
+#include "protocol/api/base/json_text.hpp"
 #include "protocol/api/generated/annotation.hpp"
 #include "protocol/api/generated/bookmark.hpp"
 #include "protocol/api/generated/dataset.hpp"
@@ -9,7 +10,6 @@
 #include "protocol/api/generated/subscription.hpp"
 #include "protocol/api/generated/surface.hpp"
 #include "protocol/api/generated/time.hpp"
-#include "protocol/api/json_text.hpp"
 #include "tests/fuzz/targets/all.hpp"
 
 #include <nlohmann/json.hpp>

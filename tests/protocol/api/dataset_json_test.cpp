@@ -1,5 +1,5 @@
+#include "protocol/api/base/json_text.hpp"
 #include "protocol/api/dataset_json.hpp"
-#include "protocol/api/json_text.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
 #include "core/field/analytic_flow.hpp"
-#include "core/surface/surface_builder.hpp"
+#include "core/surface/builder/surface_builder.hpp"
 #include "protocol/files/lines_file.hpp"
 #include "tests/support/vtp_arrays.hpp"
 

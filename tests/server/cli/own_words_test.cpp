@@ -1,5 +1,5 @@
 // What the API says, as the command line says it.
-#include "protocol/api/methods.hpp"
+#include "protocol/api/base/methods.hpp"
 #include "server/cli/own_words.hpp"
 
 #include <gtest/gtest.h>

@@ -125,11 +125,11 @@ int main(int argc, char** argv) {
                    "node's memory, shared by the ranks there)")
         ->transform(command::as_memory_size());
     app.set_version_flag("--version", "wakesurf-bricks " WAKESURF_VERSION);
-    app.add_flag_callback(
-           "--man-page",
-           [&] {
-               throw CLI::CallForVersion(command::manual_page(app, {WAKESURF_VERSION, chapters}), 0);
-           })
+    app.add_flag_callback("--man-page",
+                          [&] {
+                              throw CLI::CallForVersion(
+                                  command::manual_page(app, {WAKESURF_VERSION, chapters}), 0);
+                          })
         ->group("");
     CLI11_PARSE(app, argc, argv);
     choose_windows();

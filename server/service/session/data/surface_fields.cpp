@@ -2,7 +2,7 @@
 
 #include "core/field/sample_scalar.hpp"
 #include "core/field/velocity_gradient.hpp"
-#include "core/surface/vertex_attributes.hpp"
+#include "core/surface/builder/vertex_attributes.hpp"
 #include "protocol/wire/mesh_frame.hpp"
 #include "server/service/base/field_names.hpp"
 #include "server/service/limits.hpp"

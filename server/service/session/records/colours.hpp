@@ -2,7 +2,7 @@
 // apart ("Color Universal Design", 2008), without black, which is no one's.
 #pragma once
 
-#include "protocol/api/colour_text.hpp"
+#include "protocol/api/base/colour_text.hpp"
 
 #include <algorithm>
 #include <array>

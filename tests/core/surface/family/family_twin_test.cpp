@@ -1,7 +1,7 @@
 // The level set 0 of a curve's family, and the stream surface that the engine builds from the same curve.
 #include "core/field/analytic_flow.hpp"
+#include "core/surface/builder/surface_builder.hpp"
 #include "core/surface/family/family_trace.hpp"
-#include "core/surface/surface_builder.hpp"
 #include "tests/support/level_set.hpp"
 
 #include <gtest/gtest.h>

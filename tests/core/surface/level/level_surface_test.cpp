@@ -1,8 +1,8 @@
 #include "core/field/analytic_flow.hpp"
+#include "core/surface/builder/surface_builder.hpp"
 #include "core/surface/level/level_surface.hpp"
 #include "core/surface/patches/tessellation.hpp"
 #include "core/surface/playback/surface_at.hpp"
-#include "core/surface/surface_builder.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "core/field/analytic_flow.hpp"
 #include "core/surface/budget_search.hpp"
+#include "core/surface/builder/surface_builder.hpp"
 #include "core/surface/moving/moving_surface.hpp"
-#include "core/surface/surface_builder.hpp"
 #include "tests/support/mesh_delta.hpp"
 #include "tests/support/mesh_measures.hpp"
 

@@ -1,7 +1,7 @@
 // Where no cells can follow the particles, a moving surface is torn and says so, and does not grow without
 // end.
 #include "core/field/analytic_flow.hpp"
-#include "core/surface/surface_builder.hpp"
+#include "core/surface/builder/surface_builder.hpp"
 #include "tests/support/mesh_measures.hpp"
 #include "tests/support/meshed_field.hpp"
 #include "tests/support/meshed_source.hpp"

@@ -1,9 +1,9 @@
 // What is downloaded is what is shown: the mesh of each kind at a time of the clock, against the code behind live surfaces.
 #include "core/field/analytic_flow.hpp"
+#include "core/surface/builder/surface_builder.hpp"
 #include "core/surface/playback/growing_mesh.hpp"
 #include "core/surface/playback/played_surface.hpp"
 #include "core/surface/playback/surface_at.hpp"
-#include "core/surface/surface_builder.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "core/field/analytic_flow.hpp"
 #include "core/field/closed_forms.hpp"
-#include "core/surface/surface_builder.hpp"
+#include "core/surface/builder/surface_builder.hpp"
 #include "tests/support/mesh_measures.hpp"
 #include "tests/support/meshed_source.hpp"
 #include "tests/support/sampled_source.hpp"

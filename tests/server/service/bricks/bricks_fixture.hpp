@@ -3,7 +3,7 @@
 
 #include "core/dataset/brick_cache.hpp"
 #include "core/field/stored_flow.hpp"
-#include "core/surface/surface_builder.hpp"
+#include "core/surface/builder/surface_builder.hpp"
 #include "server/service/bricks/ranked_store.hpp"
 #include "store/open_store.hpp"
 #include "store/store_generation.hpp"

@@ -1,5 +1,5 @@
 #include "core/field/sample_scalar.hpp"
-#include "core/surface/surface_builder.hpp"
+#include "core/surface/builder/surface_builder.hpp"
 #include "server/service/catalogue/dataset_argument.hpp"
 #include "server/service/catalogue/family_making.hpp"
 #include "store/store_generation.hpp"

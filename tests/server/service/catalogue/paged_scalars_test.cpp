@@ -1,6 +1,6 @@
 // Scalars in time-steps larger than memory, as a server opens them: surfaces are coloured, and level sets lie, as if all were there.
 #include "core/dataset/brick_cache.hpp"
-#include "core/surface/surface_builder.hpp"
+#include "core/surface/builder/surface_builder.hpp"
 #include "server/service/catalogue/open_dataset.hpp"
 #include "server/service/catalogue/surface_scalars.hpp"
 #include "tests/support/brick_store.hpp"

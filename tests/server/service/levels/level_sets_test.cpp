@@ -1,6 +1,6 @@
 // Level sets by the real process that extracts them, against closed forms; and what becomes of them when it is killed, hangs or lacks memory.
+#include "core/surface/builder/surface_builder.hpp"
 #include "core/surface/level/level_surface.hpp"
-#include "core/surface/surface_builder.hpp"
 #include "protocol/wire/mesh_decoder.hpp"
 #include "protocol/wire/mesh_encoder.hpp"
 #include "server/service/levels/level_sets.hpp"

@@ -1,6 +1,6 @@
 // Surfaces that no one looks at: those a restarted server brought back, and those whose memory others needed, rest as parameters.
 #include "core/field/analytic_flow.hpp"
-#include "protocol/api/json_text.hpp"
+#include "protocol/api/base/json_text.hpp"
 #include "server/service/session/session_directory.hpp"
 #include "server/service/session/session_exchange.hpp"
 #include "tests/support/server/hand_clock.hpp"

@@ -1,5 +1,5 @@
 // Session files: what is exported comes back as it was, and a file that anybody may have written does no harm.
-#include "protocol/api/json_text.hpp"
+#include "protocol/api/base/json_text.hpp"
 #include "server/service/limits.hpp"
 #include "server/service/session/session_exchange.hpp"
 #include "tests/support/server/session_bench.hpp"

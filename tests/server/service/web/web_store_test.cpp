@@ -1,5 +1,5 @@
 // Stores on a real web server, a distance away.
-#include "core/surface/surface_builder.hpp"
+#include "core/surface/builder/surface_builder.hpp"
 #include "server/service/catalogue/child_process.hpp"
 #include "server/service/catalogue/open_dataset.hpp"
 #include "server/service/web/dataset_disk.hpp"

@@ -2,7 +2,7 @@
 // pass, at any time.
 #include "core/field/analytic_flow.hpp"
 #include "core/field/stored_flow.hpp"
-#include "core/surface/surface_builder.hpp"
+#include "core/surface/builder/surface_builder.hpp"
 #include "server/service/live/surface_build.hpp"
 #include "server/service/session/data/datasets.hpp"
 #include "tests/support/dequantise.hpp"

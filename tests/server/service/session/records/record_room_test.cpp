@@ -1,6 +1,6 @@
 // What the records of one session, and of all together, may take: one link cannot fill the server's memory with rakes, notes and undo steps.
 #include "core/base/memory_account.hpp"
-#include "protocol/api/json_text.hpp"
+#include "protocol/api/base/json_text.hpp"
 #include "protocol/api/session_file.hpp"
 #include "server/service/limits.hpp"
 #include "server/service/session/session_exchange.hpp"

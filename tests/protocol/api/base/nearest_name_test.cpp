@@ -1,4 +1,4 @@
-#include "protocol/api/nearest_name.hpp"
+#include "protocol/api/base/nearest_name.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/surface/vertex_attributes.hpp"
+#include "core/surface/builder/vertex_attributes.hpp"
 
 #include "core/surface/patches/side_curve.hpp"
 

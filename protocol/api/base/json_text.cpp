@@ -1,6 +1,6 @@
-#include "protocol/api/json_text.hpp"
+#include "protocol/api/base/json_text.hpp"
 
-#include "protocol/api/json_fault.hpp"
+#include "protocol/api/base/json_fault.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 #include "core/field/analytic_flow.hpp"
 #include "core/surface/budget_search.hpp"
-#include "core/surface/surface_builder.hpp"
+#include "core/surface/builder/surface_builder.hpp"
 #include "tests/support/mesh_measures.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "protocol/api/checked_json.hpp"
+#include "protocol/api/base/checked_json.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

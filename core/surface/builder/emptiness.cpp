@@ -1,4 +1,4 @@
-#include "core/surface/emptiness.hpp"
+#include "core/surface/builder/emptiness.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "protocol/api/json_members.hpp"
+#include "protocol/api/base/json_members.hpp"
 
 #include <nlohmann/json.hpp>
 

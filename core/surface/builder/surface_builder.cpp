@@ -1,13 +1,13 @@
-#include "core/surface/surface_builder.hpp"
+#include "core/surface/builder/surface_builder.hpp"
 
 #include "core/surface/budget_search.hpp"
+#include "core/surface/builder/emptiness.hpp"
+#include "core/surface/builder/vertex_attributes.hpp"
 #include "core/surface/columns/fixed_sheet.hpp"
 #include "core/surface/columns/sheet_mesh.hpp"
-#include "core/surface/emptiness.hpp"
 #include "core/surface/level/level_surface.hpp"
 #include "core/surface/moving/moving_builder.hpp"
 #include "core/surface/time_direction.hpp"
-#include "core/surface/vertex_attributes.hpp"
 
 #include <algorithm>
 #include <cassert>

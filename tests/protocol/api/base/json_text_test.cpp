@@ -1,4 +1,4 @@
-#include "protocol/api/json_text.hpp"
+#include "protocol/api/base/json_text.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-#include "protocol/api/point_json.hpp"
+#include "protocol/api/base/point_json.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,4 +1,4 @@
-#include "core/field/cells/cell_sampling.hpp"
+#include "core/field/cell_sampling.hpp"
 
 #include "core/field/advance_particles.hpp"
 #include "core/field/cells/cell_shares.hpp"

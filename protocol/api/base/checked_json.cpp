@@ -1,7 +1,7 @@
-#include "protocol/api/checked_json.hpp"
+#include "protocol/api/base/checked_json.hpp"
 
-#include "protocol/api/json_text.hpp"
-#include "protocol/api/nearest_name.hpp"
+#include "protocol/api/base/json_text.hpp"
+#include "protocol/api/base/nearest_name.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-#include "protocol/api/json_fault.hpp"
+#include "protocol/api/base/json_fault.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -2,9 +2,9 @@
 // has a cursor of its own.
 #pragma once
 
+#include "core/base/node_shares.hpp"
 #include "core/field/cells/cell_sampler.hpp"
 #include "core/field/interval.hpp"
-#include "core/field/node_shares.hpp"
 #include "core/integrate/curve.hpp"
 #include "core/integrate/particles.hpp"
 

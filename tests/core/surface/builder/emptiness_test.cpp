@@ -1,6 +1,6 @@
 #include "core/field/analytic_flow.hpp"
+#include "core/surface/builder/surface_builder.hpp"
 #include "core/surface/playback/surface_at.hpp"
-#include "core/surface/surface_builder.hpp"
 
 #include <gtest/gtest.h>
 
