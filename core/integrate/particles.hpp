@@ -42,8 +42,8 @@ struct Particles {
 struct AdvanceOptions {
     /// Is how the steps are taken.
     using Method = IntegrationMethod;
-    /// Is the method of the steps. Through stored data that are linear, Dopri5 takes one Taylor series a cell of
-    /// the same tolerance, as in TraceOptions.
+    /// Is the method of the steps. Through stored data that are linear, Dopri5 takes one Taylor series a cell
+    /// of the same tolerance, as in TraceOptions.
     Method method = Method::Rk4;
     double step = 0.0;               ///< Rk4: longest time step; > 0
     double tolerance = 1e-6;         ///< Dopri5: error allowed per unit length

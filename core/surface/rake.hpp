@@ -28,8 +28,9 @@ struct Rake {
     bool operator==(const Rake&) const = default;
 };
 
-/// Checks what every rake has to be, wherever its surfaces may lie: the one check of rakes that are asked for, kept or
-/// read from a file. Error: InvalidArgument (too few or coinciding points, non-finite coordinates, fewer than 2 seeds).
+/// Checks what every rake has to be, wherever its surfaces may lie: the one check of rakes that are asked
+/// for, kept or read from a file.
+/// Error: InvalidArgument (too few or coinciding points, non-finite coordinates, fewer than 2 seeds).
 Result<void> check_rake(const Rake& rake);
 
 /// Holds the part of a rake inside a domain.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/surface/rake.hpp"
+#include "core/surface/surface_parameters.hpp"
 #include "protocol/api/base/checked_json.hpp"
 
 #include <optional>

@@ -1,4 +1,5 @@
 """C++ of one noun: structs of records and of parameters, their readers with every check, the writers of records."""
+import re
 import textwrap
 
 from .schema import camel, either, snake
@@ -408,7 +409,7 @@ class Cpp:
         if " : InSession" in used:
             text.insert(text.index('#include "protocol/api/base/nullable.hpp"'), '#include "protocol/api/generated/shared.hpp"')
         text = [line for line in text if not (
-            ("rake.hpp" in line and "core::Rake" not in used) or ("surface_parameters" in line and "SurfaceParameters" not in used)
+            ("rake.hpp" in line and "core::Rake" not in used) or ("surface_parameters" in line and not re.search(r"core::(SurfaceParameters|SurfaceKind|Direction|Accuracy|Interpolation|Refine)", used))
             or ("nullable" in line and "Nullable<" not in used) or ("<vector>" in line and "std::vector" not in used) or ("<utility>" in line and "std::pair" not in used)
             or ("json_fwd" in line and "nlohmann" not in used) or ("<cstdint>" in line and "std::uint" not in used)
             or ("<optional>" in line and "std::optional" not in used) or ("<string>" in line and "std::string " not in used
