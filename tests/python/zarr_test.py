@@ -238,6 +238,7 @@ class ZarrTest(unittest.TestCase):
         self.addCleanup(server.stop)
         client = wakesurf.Client(server.url)
         name = client.dataset
+        client.api.dataset.open(dataset=name)  # the server answers before its data are open
         session = client.create_session("zarr")
         rake = session.rake(line=[(0.4, 0.5, 0.1), (0.6, 0.5, 0.8)], seeds=16)
         surface = session.surface(rake, "streak", dataset=name, to=float(self.times[-1]), separation=0.02)
