@@ -1,4 +1,4 @@
-// --layout of what writes stores: how their time-steps lie on the disk.
+// The option --layout of commands that write stores: how time-steps lie on the disk.
 #pragma once
 
 #include <string>

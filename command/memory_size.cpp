@@ -10,7 +10,7 @@ namespace wakesurf::command {
 
 namespace {
 
-// 0: there is no such unit.
+// Returns 0 for an unknown unit.
 double bytes_of_unit(std::string unit) {
     std::transform(unit.begin(), unit.end(), unit.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });

@@ -10,11 +10,11 @@
 
 namespace wakesurf::command {
 
-/// k, M, G and T (with or without b) count by 1000, Ki, Mi, Gi and Ti by 1024, in any case.
-/// Error: InvalidArgument for anything else, and for less than a byte or more than 64 bits hold.
+/// Returns a size in bytes. k, M, G and T (with or without b) count by 1000, Ki, Mi, Gi and Ti by 1024, in
+/// any case. Error: InvalidArgument for anything else, and for less than a byte or more than 64 bits hold.
 core::Result<std::uint64_t> parse_memory_size(std::string_view text);
 
-/// For an option that takes such a size as its number of bytes.
+/// Returns a transform of CLI11 that replaces such a size by its number of bytes.
 CLI::Validator as_memory_size();
 
 } // namespace wakesurf::command

@@ -10,7 +10,7 @@ namespace wakesurf::command {
 
 namespace {
 
-// As short as tells it from others.
+// Returns the shortest text that reads back as `value`.
 std::string number_text(double value) {
     std::array<char, 40> text{};
     const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);

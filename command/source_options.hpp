@@ -1,5 +1,5 @@
-// What a command line says about a dataset besides its name: its velocity, times that its files do not state, and how far it
-// is trusted.
+// The options of a command line about a dataset besides its name: its velocity, times that its files do not
+// state, and how far it is trusted.
 #pragma once
 
 #include <optional>
@@ -13,8 +13,8 @@ class App;
 namespace wakesurf::command {
 
 struct SourceOptions {
-    std::optional<double> dt; ///< from one numbered file to the next; 1 where only `start` is told
-    std::optional<double> start; ///< of the first; 0 where only `dt` is told
+    std::optional<double> dt;    ///< from one numbered file to the next; 1 if only `start` is given
+    std::optional<double> start; ///< of the first; 0 if only `dt` is given
     std::string velocity;  ///< a vector's name, or three scalars' with commas; empty: by its name
     bool alone = false;    ///< a file with a number in its name without the series it belongs to
     bool confined = false; ///< files that it names outside of its own folder are refused
@@ -25,7 +25,7 @@ struct SourceOptions {
 /// Declares --velocity, --alone, --dt, --start and --confined.
 void add_source_options(CLI::App& command, SourceOptions& options);
 
-/// As arguments of a command line, exactly.
+/// Returns the options as arguments that add_source_options reads back exactly.
 std::vector<std::string> arguments_of(const SourceOptions& options);
 
 } // namespace wakesurf::command

@@ -31,9 +31,9 @@ using core::Error;
 
 namespace {
 
-// How many processes convert time-steps at once, and whether they may share what is open.
+// Decides how many processes convert time-steps at once, and whether they may share open files.
 
-// MemAvailable of /proc/meminfo in bytes; 0 where it is not known.
+// Returns MemAvailable of /proc/meminfo in bytes; 0 if unknown.
 std::size_t free_memory() {
     std::ifstream in("/proc/meminfo");
     std::string name;
@@ -44,8 +44,8 @@ std::size_t free_memory() {
     return 0;
 }
 
-// Returns as many as asked for, else as there are cores; fewer where half of the free memory does not hold as
-// many time-steps.
+// Returns the number asked for, else that of cores; fewer if half of the free memory does not hold as many
+// time-steps.
 std::size_t worker_count(const ImportPlan& plan, std::size_t nodes) {
     const std::size_t wanted =
         plan.jobs > 0 ? plan.jobs : std::max(1u, std::thread::hardware_concurrency());
@@ -65,8 +65,7 @@ std::size_t worker_count(const ImportPlan& plan, std::size_t nodes) {
                : std::clamp<std::size_t>(memory / std::max<std::size_t>(a_step, 1), 1, wanted);
 }
 
-// Says whether files are open for reading, standard input aside: forked processes would move each other's
-// place in them.
+// Says whether files are open for reading, standard input aside: forked processes share the offset in them.
 bool reads_open_files() {
     DIR* list = ::opendir("/proc/self/fd");
     if (list == nullptr)
@@ -121,7 +120,7 @@ class Conversion {
             if (auto begun = go_on(*earlier); !begun)
                 return begun;
         } else {
-            // Only now: what is refused leaves the store that is there.
+            // The store is cleared only now: a refused import leaves the earlier one.
             if (auto cleared = writer_.clear(); !cleared)
                 return cleared;
             for (std::size_t i = 0; i < plan_.times.size(); ++i)
@@ -236,7 +235,7 @@ class Conversion {
             .map([](std::uint32_t) { return 1; });
     }
 
-    // This process has the first time-step already; what is left goes to others.
+    // Converts all time-steps: this process has read the first already; the others go to workers.
     core::Result<void> convert_all() {
         const bool first_here = !todo_.empty() && todo_.front() == 0;
         const auto others = std::span(todo_).subspan(first_here ? 1 : 0);
@@ -325,7 +324,7 @@ class Conversion {
     std::chrono::steady_clock::time_point begun_;
 };
 
-// The first of a few time-steps that an import will not get beyond: looking at all would cost as much as the
+// Returns the first time-step, of a few, at which an import would end: checking all would cost as much as the
 // import.
 std::string what_ends_an_import(const ImportPlan& plan, const FirstStep& first) {
     const std::size_t last = plan.times.size() - 1;

@@ -24,7 +24,7 @@ core::Result<void> find_faces_at_rest(const ImportPlan& plan, FirstStepReading& 
     auto last = first;
     if (const std::size_t index = plan.times.size() - 1; index > 0) {
         auto step = plan.read(index);
-        // A last time-step that cannot be read is reported when it is its turn.
+        // A last time-step that cannot be read is reported when the import reaches it.
         if (step && check_mesh_of(plan, reading.first, index, *step)) {
             last = velocity_of(plan, reading.first, index, *step);
             reading.last = std::move(*step);

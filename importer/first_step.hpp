@@ -1,4 +1,4 @@
-// The first time-step read whole: the grid all time-steps share, its walls and its mask.
+// The first time-step read whole: the grid that all time-steps share, its walls and its mask.
 #pragma once
 
 #include "importer/step_conversion.hpp"
@@ -12,12 +12,13 @@ struct FirstStepReading {
     FirstStep first;
     SourceStep step; ///< with its values
     core::WallGeometry walls;
-    std::optional<SourceStep>
-        last; ///< the last time-step, where it was read and has the mesh of the first
+    /// The last time-step, if it was read and has the mesh of the first.
+    std::optional<SourceStep> last;
 };
 
-/// @param with_last  reads the last time-step as well: boundary faces at rest at both are walls. Without it they are not.
-/// Error: as Source::read and assemble_grid, naming the time-step.
+/// Reads the first time-step. Error: as Source::read and assemble_grid, naming the time-step.
+/// @param with_last  reads the last time-step as well: boundary faces at rest at both are walls. Without it
+/// they are not.
 core::Result<FirstStepReading> read_first_step(const ImportPlan& plan, bool with_last);
 
 } // namespace wakesurf::importer

@@ -36,7 +36,7 @@ struct Times {
     std::string note;
 };
 
-// What the source states; or, where it states none, what the user does.
+// Returns the times that the source states, or those of the user if it states none.
 core::Result<Times> times_of(const SourceDescription& source, const command::SourceOptions& taken) {
     if (!taken.times() || source.times.empty())
         return Times{source.times, source.time_note};
@@ -74,7 +74,8 @@ core::Result<store::StoreSource> files_of(const Source& source,
     return out;
 }
 
-// A fraction of 0 and 1 at first may be between them at the last time-step. What cannot be read is told when it is its turn.
+// Returns true if a mask of 0 and 1 at first has other values at the last time-step: it is a fraction. A
+// time-step that cannot be read is reported when the import reaches it.
 bool drops_its_mask(const ImportPlan& plan, FieldWish& wish) {
     if (!plan.choice.mask)
         return false;

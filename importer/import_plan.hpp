@@ -24,11 +24,11 @@ struct ImportRequest {
     command::SourceOptions taken;
     core::Precision precision = core::Precision::Single;
     store::StepPlacement placement = store::StepPlacement::Auto;
-    std::string
-        selection; ///< all of these as the user wrote them, part of what the store was made from
+    /// These ranges as the user wrote them; the store records them.
+    std::string selection;
     std::size_t jobs = 0; ///< processes that convert time-steps; 0: as many as there are cores
-    std::uint64_t memory =
-        0; ///< bytes that all processes together may take; 0: half of what is free
+    /// The memory that all processes together may take, in bytes; 0: half of what is free.
+    std::uint64_t memory = 0;
 };
 
 struct ImportPlan {
@@ -43,7 +43,7 @@ struct ImportPlan {
     std::uint64_t memory = 0; ///< as ImportRequest
     store::StoreSource made_from;
 
-    /// For messages: "flow_3.vti (time-step 3)".
+    /// Returns a name for messages: "flow_3.vti (time-step 3)".
     std::string step_name(std::size_t index) const;
 
     core::Result<SourceStep> read(std::size_t index) const {
@@ -51,20 +51,21 @@ struct ImportPlan {
     }
 };
 
-/// Told what the velocity could be, where that is not clear: velocity_candidates.
+/// Receives the velocities to choose from (velocity_candidates), if the choice is not clear.
 using UnclearVelocity = std::function<void(std::vector<std::string>)>;
 
-/// Opens the source. Error: as open_source, choose_fields and select_times; Corrupt for times that do not rise; InvalidArgument,
-/// beginning with the option, for --dt or --start where the source states its times.
+/// Opens the source and plans its import. Error: as open_source, choose_fields and select_times; Corrupt for
+/// times that do not rise; InvalidArgument, beginning with the option, for --dt or --start if the source
+/// states its times.
 core::Result<ImportPlan> make_plan(const ImportRequest& request,
                                    const UnclearVelocity& unclear = {});
 
-/// The same of a source that is open.
+/// Plans the import of a source that is open, and fails like make_plan.
 core::Result<ImportPlan> plan_of(std::unique_ptr<Source> source,
                                  const ImportRequest& request,
                                  const UnclearVelocity& unclear = {});
 
-/// An error about a time-step that was not told which. @param error  to be read after the name
+/// Adds the name of the time-step to an error. @param error  to be read after the name
 core::Error about_step(const ImportPlan& plan, std::size_t index, core::Error error);
 
 } // namespace wakesurf::importer

@@ -13,8 +13,8 @@ std::shared_ptr<const store::StoreReader> open_store(const store::StoreManifest&
     return reader ? *reader : nullptr;
 }
 
-// Its files have their sizes, and no one has written to them since the manifest, which comes last. Where somebody has,
-// and in a store that was not finished, checksums are looked at.
+// Returns true if the files have their sizes and none was written after the manifest, which comes last; else
+// if their checksums are right. Those of an unfinished store are checked when it is resumed.
 bool whole_step(const store::StoreWriter& writer,
                 const store::StoreManifest& manifest,
                 const store::StoreReader& reader,

@@ -31,7 +31,7 @@ using core::Error;
 
 namespace {
 
-/// False at the end of what there is.
+/// Returns false at the end of the stream.
 bool read_whole(int file, void* into, std::size_t bytes) {
     for (auto* at = static_cast<std::byte*>(into); bytes > 0;) {
         const auto count = ::read(file, at, bytes);
@@ -54,7 +54,7 @@ bool write_whole(int file, const void* from, std::size_t bytes) {
     return true;
 }
 
-/// What the server shares, for as long as this process lives.
+/// Maps the server's shared memory for as long as this process lives.
 class Shared {
   public:
     static core::Result<Shared> of(int memory) {
@@ -76,7 +76,7 @@ class Shared {
 
     const LevelGrid& grid() const { return *reinterpret_cast<const LevelGrid*>(start_); }
 
-    /// VTK takes pointers to what it may change, and changes nothing of an input.
+    /// Returns a pointer to non-const, which VTK takes; it changes nothing of an input.
     template <class T>
     T* at(std::uint64_t offset) const {
         return reinterpret_cast<T*>(start_ + offset);
@@ -108,7 +108,7 @@ class Levels {
     virtual vtkPolyData* extract(const LevelRequest& request) = 0;
 };
 
-/// In places of nodes: along edges of any rectilinear grid values are linear in these too.
+/// Extracts in units of node indices: along edges of any rectilinear grid values are linear in these too.
 class StructuredLevels final : public Levels {
   public:
     explicit StructuredLevels(const Shared& shared) {
@@ -140,7 +140,7 @@ class StructuredLevels final : public Levels {
     std::uint64_t version_ = 0;
 };
 
-/// Where nodes have no value, the cells that have them are left out beforehand.
+/// Extracts from a mesh. Cells with a node without a value are left out beforehand.
 class MeshLevels final : public Levels {
   public:
     explicit MeshLevels(const Shared& shared) : shared_(shared), grid_(shared.grid()) {

@@ -36,7 +36,7 @@ namespace {
 
 using namespace wakesurf;
 
-/// What the command line says.
+/// Holds the options of the command line.
 struct Wish {
     importer::ImportRequest request;
     importer::ImportBounds bounds;
@@ -49,7 +49,7 @@ std::string name_of(const std::filesystem::path& source) {
     return (source.has_filename() ? source : source.parent_path()).filename().string();
 }
 
-// Folders that no message names: those of the source and of the store, as given and as they are.
+// Returns folders that no message may name: those of the source and of the store, as given and as resolved.
 std::vector<std::filesystem::path> folders_of(const Wish& wish) {
     std::vector<std::filesystem::path> out;
     for (const auto& path : std::array<std::filesystem::path, 2>{wish.request.source, wish.store}) {
@@ -98,7 +98,7 @@ int run(const Wish& wish, const importer::OwnOutput& out) {
     return converted ? 0 : failed(out.errors, wish, converted.error());
 }
 
-// In the process that is watched.
+// Runs in the watched process.
 int read_and_convert(const Wish& wish) {
     const auto out = importer::take_outputs(wish.show_libraries);
     if (!wish.request.taken.confined)
@@ -109,7 +109,8 @@ int read_and_convert(const Wish& wish) {
         rights.store = wish.store;
     if (auto limited = importer::limit_rights(rights); !limited)
         return failed(out.errors, wish, limited.error());
-    // Every time-step needs as much memory as the one before: what is freed is kept, not given back and cleared again.
+    // Every time-step needs as much memory as the one before: freed memory is kept, not returned and cleared
+    // again.
     ::mallopt(M_MMAP_MAX, 0);
     ::mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
     try {
@@ -135,10 +136,10 @@ void add_bounds(CLI::App& app, importer::ImportBounds& bounds) {
         ->transform(command::as_memory_size());
 }
 
-// What a server starts this program for, beside importing. The first argument says so, and people are not told.
+// The first argument of a server that wants level sets instead of an import; --help does not list it.
 constexpr std::string_view for_level_sets = "--level-sets";
 
-// In the process that is watched: requests come on standard input, answers go there too.
+// Runs in the watched process: requests come on standard input, answers go there too.
 int extract_levels(const Wish& wish) {
     const auto out = importer::take_outputs(false);
     if (auto limited = importer::limit_rights({}); !limited)
@@ -162,7 +163,7 @@ int level_sets(int argc, char** argv) {
     if (wish.bounds.memory == 0)
         wish.bounds.memory = importer::usual_import_memory();
     wish.bounds.survey = wish.bounds.stall =
-        std::chrono::seconds(0); // the server looks at the time
+        std::chrono::seconds(0); // the server measures the time
     if (wish.parent > 0 && !importer::end_with(wish.parent))
         return 1;
     const auto ended =

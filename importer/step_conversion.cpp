@@ -31,7 +31,7 @@ class StepWriting {
                 store::StoreWriter& writer)
         : plan_(plan), index_(index), layout_(layout), writer_(writer) {}
 
-    /// Of the next column.
+    /// Writes the values of the next column.
     core::Result<void> write(const std::string& field, std::span<const float> values) {
         if (layout_.precision == core::Precision::Half && std::isinf(rounding_error(values)))
             return core::fail(
@@ -72,7 +72,7 @@ std::vector<float> magnitudes(const std::vector<float>& vectors) {
     std::vector<float> out(vectors.size() / 3);
     for (std::size_t i = 0; i < out.size(); ++i) {
         const core::Vec3 v(vectors[3 * i], vectors[3 * i + 1], vectors[3 * i + 2]);
-        // Not std::hypot: of three, it loses a NaN where the others are 0 (libstdc++ 12).
+        // std::hypot of three loses a NaN if the others are 0 (libstdc++ 12).
         out[i] = static_cast<float>(glm::length(v));
     }
     return out;
@@ -96,7 +96,7 @@ void Range::include(const Range& other) {
 }
 
 Range speed_range(std::span<const float> velocity, std::span<const std::uint8_t> fluid) {
-    // Several at a time, without branches: what is not a number compares false and changes nothing.
+    // Several values are compared at a time, without branches: NaN compares false and changes nothing.
     constexpr std::size_t lanes = 8;
     std::array<double, lanes> lo;
     std::array<double, lanes> hi;

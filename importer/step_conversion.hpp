@@ -1,5 +1,5 @@
-// One time-step of a source -> its files in a store. What it needs of the first time-step is handed over and not changed,
-// so that processes forked after planning share it.
+// One time-step of a source -> its files in a store. The parts of the first time-step that it needs are
+// passed in and not changed, so that processes forked after planning share them.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -15,7 +15,7 @@
 
 namespace wakesurf::importer {
 
-/// Lowest and highest of what has been seen; empty at first.
+/// Holds the lowest and the highest value seen; empty at first.
 struct Range {
     double lo = std::numeric_limits<double>::infinity();
     double hi = -std::numeric_limits<double>::infinity();
@@ -25,23 +25,23 @@ struct Range {
     bool empty() const { return !(lo <= hi); }
 };
 
-/// What a written time-step tells besides its files.
+/// Holds the facts about a written time-step besides its files.
 struct StepRecord {
     std::vector<std::uint32_t> checksums; ///< velocity, then the scalars
     Range speed;
     std::vector<Range> scalars;
 };
 
-/// All time-steps have the mesh and the mask of the first.
+/// Holds the mesh and the mask of the first time-step, which all others must have.
 struct FirstStep {
     std::vector<vtkSmartPointer<vtkDataSet>> blocks; ///< without values
     ObstacleMask mask;
     GridAssembly assembly;
-    std::vector<std::uint32_t>
-        still; ///< nodes whose velocity is zero: no-slip walls and solid nodes
+    /// The nodes whose velocity is zero: no-slip walls and solid nodes.
+    std::vector<std::uint32_t> still;
 };
 
-/// Error: Unsupported, naming both time-steps, where the mesh or the mask is another one than at the first.
+/// Returns Unsupported, naming both time-steps, if the mesh or the mask differs from the first.
 core::Result<void> check_mesh_of(const ImportPlan& plan,
                                  const FirstStep& first,
                                  std::size_t index,
@@ -52,8 +52,9 @@ core::Result<std::vector<float>> velocity_of(const ImportPlan& plan,
                                              std::size_t index,
                                              const SourceStep& step);
 
-/// Writes the files of a time-step; the step is not ready before store::StoreWriter::finish_step. Error: NotFound, Corrupt,
-/// Unsupported (beyond half precision), Io, naming the time-step. @param layout  of the store
+/// Writes the files of a time-step; the step is not ready before store::StoreWriter::finish_step. Error:
+/// NotFound, Corrupt, Unsupported (beyond half precision), Io, naming the time-step. @param layout  of the
+/// store
 core::Result<StepRecord> write_step(const ImportPlan& plan,
                                     const FirstStep& first,
                                     std::size_t index,
@@ -62,7 +63,7 @@ core::Result<StepRecord> write_step(const ImportPlan& plan,
                                     store::StoreWriter& writer);
 
 /// Reads and writes a time-step. Error: also as Source::read and check_mesh_of.
-/// @param read  the time-step, checked, where it was read already; null else
+/// @param read  the time-step, checked, if it was read already; else null
 core::Result<StepRecord> convert_step(const ImportPlan& plan,
                                       const FirstStep& first,
                                       std::size_t index,
@@ -70,13 +71,14 @@ core::Result<StepRecord> convert_step(const ImportPlan& plan,
                                       const store::StoreLayout& layout,
                                       store::StoreWriter& writer);
 
-/// Of vectors, three numbers each; NaN where one of them is, infinite where it is too large.
+/// Returns the magnitudes of vectors of three numbers each; NaN if one of them is, infinite if it is too
+/// large.
 std::vector<float> magnitudes(const std::vector<float>& vectors);
 
-/// Largest error that half precision makes; infinite where a value is too large for it.
+/// Returns the largest error that half precision makes; infinite if a value is too large for it.
 double rounding_error(std::span<const float> values);
 
-/// Of speeds outside of the solid, and of values that are numbers.
+/// Return the range of speeds outside of the solid, and that of values that are numbers.
 Range speed_range(std::span<const float> velocity, std::span<const std::uint8_t> fluid);
 Range value_range(std::span<const float> values);
 

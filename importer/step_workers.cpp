@@ -28,7 +28,7 @@ using core::Error;
 
 namespace {
 
-// A process that converts time-steps tells the one that started it of each, as bytes in a pipe.
+// A worker process reports each time-step to the one that started it, as bytes in a pipe.
 
 struct StepMessage {
     std::size_t index = 0;
@@ -72,7 +72,7 @@ StepRecord record_of(const std::vector<double>& numbers) {
     return record;
 }
 
-// False when the other side is gone.
+// Returns false if the other end is closed.
 bool send(int pipe, const StepMessage& message) {
     Head head{message.index};
     std::vector<double> numbers;
@@ -93,7 +93,7 @@ bool send(int pipe, const StepMessage& message) {
            store::write_whole(pipe, std::as_bytes(std::span<const char>(texts)));
 }
 
-// Nothing at the end of the pipe, also when it ends within a message.
+// Returns empty at the end of the pipe, also within a message.
 std::optional<StepMessage> receive(int pipe) {
     Head head;
     if (!store::read_whole(pipe, bytes_of(head)))
@@ -116,7 +116,7 @@ std::optional<StepMessage> receive(int pipe) {
 
 constexpr std::size_t most_workers = 256;
 
-// What a signal handler may touch; 0 where there is none.
+// The process ids that a signal handler may read; 0 for a free entry.
 std::array<std::atomic<pid_t>, most_workers> running{};
 
 struct Worker {
@@ -166,7 +166,7 @@ class Workers {
             ::close(worker.tasks);
             ::close(worker.results);
         }
-        end_step_workers(); // one that has nothing to do ends with its pipe; one in the middle of a step is not needed
+        end_step_workers(); // an idle one ends with its pipe; one in the middle of a step is not needed
     }
 
     core::Result<void> start(std::size_t jobs) {
@@ -233,15 +233,16 @@ class Workers {
     }
 
     void give(Worker& worker) {
-        // What comes after a time-step that failed is not looked at.
+        // Results behind a failed time-step are ignored.
         const bool failed = std::any_of(outcomes_.begin(), outcomes_.end(),
                                         [](const auto& entry) { return !entry.second; });
         if (failed || given_ == todo_.size())
             return;
         const std::uint64_t index = todo_[given_++];
         worker.step = index;
-        store::write_whole(worker.tasks, std::as_bytes(std::span(
-                                             &index, 1))); // one that is gone shows in its results
+        store::write_whole(
+            worker.tasks,
+            std::as_bytes(std::span(&index, 1))); // a worker that has ended shows in its results
     }
 
     core::Result<void> wait() {

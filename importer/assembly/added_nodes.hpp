@@ -1,5 +1,5 @@
-// Nodes a mesh has besides the points of its source: the apex of a polyhedron, the centre of a face of five corners or
-// more. Their values are weighted means of other nodes'.
+// Nodes a mesh has besides the points of its source: the apex of a polyhedron, the centre of a face of five
+// corners or more. Their values are weighted means of other nodes'.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,8 @@
 
 namespace wakesurf::importer {
 
-/// Added node i has the number `nodes of the source` + i and the parts first[i] .. first[i + 1].
+/// Holds the added nodes: node i has the number `nodes of the source` + i and the parts first[i] .. first[i +
+/// 1].
 struct AddedNodes {
     std::vector<std::size_t> first{0};
     std::vector<std::uint32_t> node; ///< of the source

@@ -1,5 +1,5 @@
-// The three-dimensional cells of one VTK data set, whatever kind it is, in terms of its own points. First step from VTK's
-// blocks to a core::CellMesh.
+// The three-dimensional cells of one VTK data set, whatever kind it is, in terms of its own points. First
+// step from VTK's blocks to a core::CellMesh.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -17,27 +17,28 @@
 namespace wakesurf::importer {
 
 struct BlockCell {
-    enum class Form { None, Standard, Polyhedron }; ///< None: flat, empty or blanked
+    /// None stands for a flat, empty or blanked cell.
+    enum class Form { None, Standard, Polyhedron };
     Form form = Form::None;
     core::CellShape shape = core::CellShape::Hexahedron; ///< of Standard
     std::array<std::uint32_t, 8> point{};          ///< of Standard, in VTK's order for the shape
     std::vector<std::vector<std::uint32_t>> faces; ///< of Polyhedron, at least 4
 };
 
-/// Not thread-safe.
+/// Reads the cells of one data set, by their index. Not thread-safe.
 class BlockCells {
   public:
-    /// The data set must outlive this.
+    /// REQUIRES: the data set outlives this.
     explicit BlockCells(vtkDataSet& data);
 
     std::size_t size() const { return size_; }
 
-    /// Whether the block is an image, rectilinear or structured grid: hexahedra only.
+    /// Says whether the block is an image, rectilinear or structured grid, which have hexahedra only.
     bool structured() const { return grid_ == nullptr; }
 
-    /// Cells of one or two dimensions, hidden cells, duplicates of another piece's and cells with a hidden point are None.
-    /// Error: Unsupported for cells with curved edges and others that would have to be approximated; Corrupt for a cell
-    /// with points there are none of, or a polyhedron that is none.
+    /// Reads a cell. Cells of one or two dimensions, hidden cells, duplicates of another piece's and cells
+    /// with a hidden point are None. Error: Unsupported for cells with curved edges and others that would
+    /// have to be approximated; Corrupt for a cell of points that do not exist, or a polyhedron that is none.
     core::Result<void> read(std::size_t index, BlockCell& cell);
 
   private:

@@ -11,7 +11,8 @@ using core::Vec3;
 
 namespace {
 
-// Rounding of a volume relative to the cube of the cell's size: a few units of double precision.
+// The bound on rounding errors of a volume, as a part of the cube of the cell's size: some units of double
+// precision.
 constexpr double rounding = 1e-15;
 
 double size_of(const MeshCell& cell, std::span<const Vec3> points) {

@@ -1,4 +1,4 @@
-// Which numbers below a size belong together.
+// Sets of the numbers below a size, joined two at a time (union-find).
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ class DisjointSets {
 
     std::size_t size() const { return parent_.size(); }
 
-    /// Of the set that a number is in.
+    /// Returns the lowest number of the set that `i` is in.
     std::uint32_t lowest(std::uint32_t i) {
         while (parent_[i] != i)
             i = parent_[i] = parent_[parent_[i]];

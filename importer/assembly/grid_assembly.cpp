@@ -24,7 +24,7 @@ using core::Error;
 
 namespace {
 
-// One VTK image or rectilinear grid as a grid of ours.
+// Makes a core::Grid of one VTK image or rectilinear grid.
 
 core::Result<void> check_thickness(const int nodes[3]) {
     for (int axis = 0; axis < 3; ++axis)

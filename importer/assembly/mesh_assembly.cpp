@@ -26,9 +26,9 @@ using Form = BlockCell::Form;
 
 namespace {
 
-// Two points are the same place when they are closer than eight roundings of 32-bit coordinates, which many
-// files have and many programs compute with, but never farther apart than this part of the shortest edge
-// there: boundary layers are thin, and may be far from the origin.
+// Points closer than eight roundings of 32-bit coordinates are one place: many files store coordinates so.
+// But the distance is never more than this part of the shortest edge there: boundary layers are thin, and may
+// be far from the origin.
 constexpr double same_place = 0x1p-21;
 constexpr double part_of_edge = 0.1;
 
@@ -119,7 +119,7 @@ class MeshAssembly {
                 std::for_each(face.begin(), face.end(), visit);
     }
 
-    // And finds the pieces: structured blocks are one each.
+    // Marks the points that cells use, and finds the pieces: each structured block is one.
     core::Result<void> mark_used() {
         DisjointSets together(points_.at.size());
         for (std::size_t b = 0; b < cells_.size(); ++b) {
@@ -265,7 +265,7 @@ class MeshAssembly {
         points_ = {};
     }
 
-    // Of points that differ, or are of one block: files leave both to whoever reads them.
+    // Notes points that differ, or are of one block: files leave it to their reader to join either.
     void note_joined(const std::vector<std::uint32_t>& same, double slack) {
         for (std::size_t b = 0; b < cells_.size(); ++b)
             for (std::size_t i = points_.first[b]; i < points_.first[b + 1]; ++i)
@@ -305,7 +305,7 @@ class MeshAssembly {
         std::vector<std::uint32_t>& nodes = scratch_;
         nodes.clear();
         visit_points(cell, [&](std::uint32_t p) { nodes.push_back(block.node_of_point[p]); });
-        // BlockList that overlap by whole cells hold those twice.
+        // Blocks that overlap by whole cells hold those twice.
         const bool between = std::all_of(nodes.begin(), nodes.end(),
                                          [&](std::uint32_t node) { return shared_[node]; });
         if (between || request_.cell_nodes) {

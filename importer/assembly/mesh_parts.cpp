@@ -24,10 +24,10 @@ using core::Vec3;
 
 namespace {
 
-/// Of more groups of parts than this only so many are measured.
+/// The number of groups of parts that are measured at most.
 constexpr std::size_t most_measured = 16;
 
-/// The lowest cell of each cell's part.
+/// Returns for each cell the lowest cell of its part.
 std::vector<std::uint32_t> parts_of(const CellMesh& mesh) {
     DisjointSets sets(mesh.cells.size());
     for (std::uint32_t i = 0; i < mesh.cells.size(); ++i)
@@ -64,7 +64,7 @@ Face face_of(const CellMesh& mesh, const core::BoundaryFace& at) {
     return face;
 }
 
-/// Whether a place is in a cell or one beside it.
+/// Returns true if a place is in a cell or in one beside it.
 bool in_or_beside(const CellMesh& mesh, std::uint32_t number, const Vec3& place) {
     core::CellGeometry geometry;
     Vec3 local;

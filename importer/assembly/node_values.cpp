@@ -76,7 +76,7 @@ visit_components(vtkDataSet& block, const FieldParts& field, const Visit& visit)
     return {};
 }
 
-// Hexahedra of a uniform or rectilinear grid, in VTK's order.
+// Visits the hexahedra of a uniform or rectilinear grid, their nodes in VTK's order.
 template <class Visit>
 void visit_grid_cells(const std::array<std::size_t, 3>& nodes, const Visit& visit) {
     std::size_t cell = 0;
@@ -135,7 +135,7 @@ class NodeValues {
         return {};
     }
 
-    // The commonest field, one array of floats, in one pass. False where it is another.
+    // Copies the commonest kind of field, one array of floats, in one pass. Returns false for any other kind.
     core::Result<bool> copy_floats(vtkDataSet& block, std::size_t number) {
         if (field_.arrays.size() != 1 || !field_.divisor.empty())
             return false;
@@ -171,7 +171,7 @@ class NodeValues {
                 visit(i, std::size_t{nodes[i]});
     }
 
-    // One component at a time: sums in double, in the order of the cells.
+    // Averages one component at a time: sums are double, in the order of the cells.
     core::Result<void> average(BlockList blocks) {
         const std::vector<std::uint32_t> cells = cells_round_nodes();
         std::vector<std::vector<double>> sums(width_, std::vector<double>(assembly_.source_nodes));

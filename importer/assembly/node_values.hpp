@@ -1,4 +1,5 @@
-// The values of one field at the nodes of an assembled grid, at one time-step: point data as they are, cell data averaged.
+// The values of one field at the nodes of an assembled grid, at one time-step: point data as they are, cell
+// data averaged.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -12,11 +13,12 @@
 
 namespace wakesurf::importer {
 
-/// Cell data are averaged with equal weights over the cells round a node of the whole mesh, each counted once, before
-/// polyhedra are cut: within a block what vtkCellDataToPointData returns. Where blocks meet, a node has the point value of
-/// the first. Nodes in `still` (of the source) are 0; added nodes have the weighted mean of their parts. What is not
-/// finite, or not in single precision, is NaN. Values interleaved, in node order.
-/// Error, to be read after the file's name: NotFound, Corrupt.
+/// Returns values interleaved, in node order. Point data stay as they are. Cell data are averaged with equal
+/// weights over the cells round a node of the whole mesh, each counted once, before polyhedra are cut: within
+/// a block that is what vtkCellDataToPointData returns. Where blocks meet, a node has the point value of the
+/// first. Nodes in `still` (of the source) are 0; added nodes have the weighted mean of their parts. What is
+/// not finite, or not in single precision, is NaN. Error, to be read after the file's name: NotFound,
+/// Corrupt.
 core::Result<std::vector<float>> node_values(const GridAssembly& assembly,
                                              BlockList blocks,
                                              const FieldParts& field,

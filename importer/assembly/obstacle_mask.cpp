@@ -24,7 +24,7 @@ vtkDataArray* mask_array(vtkDataSet& block, const FieldInfo& field) {
                : block.GetCellData()->GetArray(field.name.c_str());
 }
 
-// One value a point or cell: whether it is solid.
+// Returns for each point or cell whether it is solid.
 core::Result<std::vector<bool>> read_array(vtkDataSet& block, const FieldChoice& choice) {
     const FieldInfo& mask = *choice.mask;
     const bool of_points = mask.source == FieldInfo::Source::Point;
@@ -46,7 +46,7 @@ core::Result<std::vector<bool>> read_array(vtkDataSet& block, const FieldChoice&
     return solid;
 }
 
-// A cell's own points, each perhaps several times.
+// Calls the condition for a cell's own points, some perhaps several times.
 template <class Condition>
 bool all_points(const BlockCell& cell, const Condition& condition) {
     if (cell.form == BlockCell::Form::Standard)

@@ -11,19 +11,20 @@
 namespace wakesurf::importer {
 
 struct ObstacleMask {
-    std::vector<std::uint8_t>
-        fluid; ///< of a grid: 1 fluid, 0 solid, one a node; empty without a mask
+    /// One value a node of a grid: 1 fluid, 0 solid. Empty without a mask, and for a mesh of cells.
+    std::vector<std::uint8_t> fluid;
     std::vector<std::vector<bool>> solid; ///< of a mesh of cells: AssemblyRequest::solid
 
     bool operator==(const ObstacleMask&) const = default;
 };
 
-/// Whether an array holds 0 and 1 only: one that does not is no mask, whatever its name. Also where a block does not have it.
+/// Says whether an array holds only 0 and 1; any other is no mask, whatever its name. Blocks without the
+/// array are ignored.
 bool is_zero_or_one(BlockList blocks, const core::FieldInfo& field);
 
-/// Of a grid a node is solid where the array is; cell values are averaged to the nodes first and count from one half. Of a
-/// mesh a cell is solid where the array is, or where all its points are.
-/// Error, to be read after the file's name: Corrupt (values other than 0 and 1), NotFound.
+/// Reads the mask. A node of a grid is solid where the array is; cell values are averaged to the nodes first
+/// and count from one half. A cell of a mesh is solid where the array is, or where all its points are. Error,
+/// to be read after the file's name: Corrupt (values other than 0 and 1), NotFound.
 core::Result<ObstacleMask> read_mask(BlockList blocks, const FieldChoice& choice);
 
 } // namespace wakesurf::importer

@@ -14,7 +14,7 @@ using core::Vec3;
 
 namespace {
 
-/// Where there are more pieces than this their boxes tell nothing cheaply: every point is looked at.
+/// With more pieces than this, comparing their boxes costs more than it saves: every point is compared.
 constexpr std::size_t most_boxes = 64;
 
 std::vector<core::Box> boxes_of(const BlockPoints& points, double margin) {
@@ -32,7 +32,7 @@ bool inside(const core::Box& box, const Vec3& p) {
     return glm::all(glm::lessThanEqual(box.lo, p)) && glm::all(glm::lessThanEqual(p, box.hi));
 }
 
-// Buckets of space a few times as wide as points reach, by a hash of where they lie.
+// Hashes points into buckets of space that are a few times as wide as points reach.
 class Buckets {
   public:
     explicit Buckets(const BlockPoints& points)
@@ -102,7 +102,8 @@ class Buckets {
     std::vector<Entry> entries_;
 };
 
-// Places with several points of one piece: their points are joined where two pieces have a face between the same places.
+// Joins points at places where one piece has several: those of two pieces that have a face between the same
+// places.
 void join_by_faces(const BlockPoints& points,
                    const FacesAt& faces_at,
                    const std::vector<bool>& marked,

@@ -28,7 +28,7 @@ Polygon sorted(Polygon face) {
     return face;
 }
 
-// The node at the other end of the edge that leaves `base` at `node`; none unless it is the only one.
+// Returns the other end of the edge that leaves `base` at `node`; empty unless there is exactly one.
 std::optional<std::uint32_t>
 opposite(std::span<const Polygon> faces, const Polygon& base, std::uint32_t node) {
     std::optional<std::uint32_t> found;
@@ -48,7 +48,7 @@ opposite(std::span<const Polygon> faces, const Polygon& base, std::uint32_t node
     return found;
 }
 
-// Whether `cell` has exactly the faces given.
+// Returns true if `cell` has exactly the faces given.
 bool has_faces(const MeshCell& cell, std::span<const Polygon> faces) {
     if (core::face_count(cell.shape) != faces.size())
         return false;
@@ -87,8 +87,8 @@ MeshCell peaked(const Polygon& base, std::uint32_t peak) {
     return cell;
 }
 
-// Six times the volume between an apex and a polygon cut round its centre; positive where the polygon, seen from the
-// apex, runs clockwise: from outside counterclockwise.
+// Returns six times the volume between an apex and a polygon cut round its centre. It is positive if the
+// polygon, seen from the apex, runs clockwise: from outside counterclockwise.
 double sixfold_volume(std::span<const Vec3> points, const Polygon& face, const Vec3& apex) {
     Vec3 centre(0.0);
     for (const std::uint32_t node : face)
@@ -182,7 +182,8 @@ PolyhedronCutter::Apex PolyhedronCutter::centre_of_volume(std::span<const Polygo
     for (const auto& face : faces) {
         const double volume = sixfold_volume(mesh_.points, face, mean.at);
         whole += volume;
-        // Tetrahedra of the apex, the face's centre and an edge: their centres are the means of their corners.
+        // Tetrahedra of the apex, the face's centre and an edge: their centres are the means of their
+        // corners.
         for (const auto& [node, share] : mean.weights)
             centre.weights[node] += volume * share / 4.0;
         Vec3 middle(0.0);
@@ -229,7 +230,8 @@ bool PolyhedronCutter::sees_all(std::span<const Polygon> faces, const Vec3& apex
     return outwards || inwards;
 }
 
-// The mean of its corners; the centre of its area where the mean does not see all its edges from inside.
+// Returns the mean of the corners, or the centre of area if not all edges are visible from the mean inside
+// the polygon.
 PolyhedronCutter::Apex PolyhedronCutter::middle_of(const Polygon& face) const {
     const Apex mean = mean_apex({&face, 1});
     const auto corner = [&](std::size_t i) {

@@ -1,7 +1,7 @@
-// Polyhedra -> cells of the four shapes of a CellMesh. A polyhedron that is one of these shapes becomes that; others are cut
-// round a node of their own into a pyramid for each face of 4 corners and a tetrahedron for each triangle of every other
-// face. Faces of 3 and 4 corners stay whole and larger ones are cut the same way from both sides: conforming, without
-// cracks where cells of two sizes meet.
+// Polyhedra -> cells of the four shapes of a CellMesh. A polyhedron that is one of these shapes becomes that;
+// others are cut round a node of their own into a pyramid for each face of 4 corners and a tetrahedron for
+// each triangle of every other face. Faces of 3 and 4 corners stay whole and larger ones are cut the same way
+// from both sides: conforming, without cracks where cells of two sizes meet.
 #pragma once
 
 #include "core/dataset/cell_mesh.hpp"
@@ -18,19 +18,20 @@ namespace wakesurf::importer {
 
 using Polygon = std::vector<std::uint32_t>; ///< node numbers in turn
 
-/// The tetrahedron, pyramid, wedge or hexahedron that has these faces, perhaps inside out; none where it is another body.
+/// Returns the tetrahedron, pyramid, wedge or hexahedron that has these faces, perhaps inside out; empty for
+/// any other body.
 std::optional<core::MeshCell> standard_cell(std::span<const Polygon> faces);
 
 class PolyhedronCutter {
   public:
-    /// Both outlive this. REQUIRES: mesh.points holds all nodes of the source and nothing else.
+    /// REQUIRES: mesh and nodes outlive this; mesh.points holds all nodes of the source and nothing else.
     PolyhedronCutter(core::CellMesh& mesh, AddedNodes& added) : mesh_(mesh), added_(added) {}
 
     /// Appends the cells of one polyhedron. The faces may be oriented any way; they come back oriented alike.
     void cut(std::vector<Polygon>& faces);
 
-    /// Polyhedra that overlap themselves however they are cut: not star-shaped, seen from the mean of their nodes and from
-    /// their centre of volume.
+    /// Counts polyhedra that overlap themselves however they are cut: they are not star-shaped, seen from the
+    /// mean of their nodes or from their centre of volume.
     std::size_t overlapping() const { return overlapping_; }
 
   private:
@@ -49,8 +50,8 @@ class PolyhedronCutter {
 
     core::CellMesh& mesh_;
     AddedNodes& added_;
-    std::map<Polygon, std::uint32_t>
-        centres_; ///< by the sorted nodes of a face, until its other side is cut
+    /// Maps the sorted nodes of a face to its centre, until its other side is cut.
+    std::map<Polygon, std::uint32_t> centres_;
     std::size_t overlapping_ = 0;
 };
 

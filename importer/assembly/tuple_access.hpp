@@ -8,8 +8,8 @@
 
 namespace wakesurf::importer {
 
-/// Calls visit(value) with a function value(tuple, component) -> double that knows the array's type where it is float or
-/// double: a virtual call a number takes ten times as long.
+/// Calls visit(value) with a function value(tuple, component) -> double. The function knows an array of float
+/// or double by its type: a virtual call a number takes ten times as long.
 template <class Visit>
 void with_tuples(vtkDataArray& array, const Visit& visit) {
     const auto components = static_cast<std::size_t>(array.GetNumberOfComponents());

@@ -30,7 +30,7 @@ struct HashOfPoint {
     }
 };
 
-// Boundary nodes by their exact coordinates: one number for both sides of a baffle.
+// Numbers boundary nodes by their exact coordinates: both sides of a baffle get one number.
 class NumberedPoints {
   public:
     explicit NumberedPoints(const CellMesh& mesh, const std::vector<BoundaryFace>& boundary) {
@@ -69,8 +69,8 @@ Polygon sorted_set(Polygon nodes) {
     return nodes;
 }
 
-// The polygons of a reader's walls by place; true: no slip. A polygon with a point no boundary node has is
-// left out.
+// Returns the polygons of a reader's walls by place, and true for no slip. A polygon with a point that is no
+// boundary node is left out.
 std::map<Polygon, bool> polygons_of(const std::vector<WallFaces>& walls,
                                     const NumberedPoints& numbered) {
     std::map<Polygon, bool> polygons;
@@ -90,7 +90,7 @@ std::map<Polygon, bool> polygons_of(const std::vector<WallFaces>& walls,
     return polygons;
 }
 
-// Connected parts of a boundary, by the lowest of the boundary nodes each contains.
+// Finds the connected parts of a boundary, each known by its lowest boundary node.
 class Components {
   public:
     Components(const CellMesh& mesh, const std::vector<BoundaryFace>& boundary)
@@ -114,7 +114,7 @@ class Components {
     std::vector<std::uint32_t> parent_;
 };
 
-// Six times the volume under a face, seen from `origin`; faces of a cell point out of it.
+// Returns six times the volume under a face, seen from `origin`; faces of a cell point out of it.
 double sixfold_volume(const CellMesh& mesh, const BoundaryFace& at, const Vec3& origin) {
     const MeshCell& cell = mesh.cells[at.cell];
     const core::CellFace face = core::face(cell.shape, at.face);
@@ -130,8 +130,8 @@ double sixfold_volume(const CellMesh& mesh, const BoundaryFace& at, const Vec3& 
     return volume;
 }
 
-// The boundary of a hole points into it: the volume it encloses is negative, that round the domain positive.
-// A baffle encloses none.
+// Makes the boundaries of holes walls. The boundary of a hole points into it: the volume that it encloses is
+// negative, that of the domain's outside positive. A baffle encloses none.
 void wall_off_holes(CellMesh& mesh, const std::vector<BoundaryFace>& boundary) {
     struct Part {
         double volume = 0.0;

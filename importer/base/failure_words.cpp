@@ -15,7 +15,8 @@ Error error_of(const std::exception& thrown, const std::string& what) {
         return {Error::Code::OverLimit, "there is not enough memory to read " + what, {}};
     if (const auto* file = dynamic_cast<const std::filesystem::filesystem_error*>(&thrown))
         return {Error::Code::Io, "cannot read " + what + ": " + file->code().message(), {}};
-    // What the standard library throws of a size or a place that no container has: its text names the container only.
+    // The standard library throws these for an index or size beyond a container: the text names the container
+    // only.
     if (dynamic_cast<const std::logic_error*>(&thrown) != nullptr)
         return {Error::Code::Corrupt, what + " contains an impossible size or number",
                 "it is probably damaged; copy or write it again"};

@@ -1,4 +1,4 @@
-// What an exception means to somebody who wants a file read.
+// Exceptions put into words for users who want a file read.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -8,7 +8,7 @@
 
 namespace wakesurf::importer {
 
-/// An error about `what`, a file or a time-step: OverLimit for memory, else Corrupt or Io.
+/// Returns an error about `what`, a file or a time-step: OverLimit for memory, else Corrupt or Io.
 core::Error error_of(const std::exception& thrown, const std::string& what);
 
 } // namespace wakesurf::importer

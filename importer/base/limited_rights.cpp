@@ -58,7 +58,7 @@ constexpr std::array denied{SCMP_SYS(socket),
                             SCMP_SYS(clock_settime),
                             SCMP_SYS(sethostname)};
 
-// Of files by their names: Landlock knows nothing of these, or only newer versions do.
+// System calls on files by name that Landlock does not cover, or only in newer versions.
 constexpr std::array denied_by_name{
     SCMP_SYS(truncate),    SCMP_SYS(chmod),        SCMP_SYS(fchmodat),  SCMP_SYS(chown),
     SCMP_SYS(lchown),      SCMP_SYS(fchownat),     SCMP_SYS(setxattr),  SCMP_SYS(lsetxattr),
@@ -90,14 +90,15 @@ core::Result<void> limit_system_calls() {
     return error == 0 ? core::Result<void>() : cannot("seccomp", error);
 }
 
-// Every way of changing a file system that the first version of Landlock knows.
+// Every right to change a file system that the first version of Landlock knows.
 constexpr std::uint64_t writing = LANDLOCK_ACCESS_FS_WRITE_FILE | LANDLOCK_ACCESS_FS_REMOVE_DIR |
                                   LANDLOCK_ACCESS_FS_REMOVE_FILE | LANDLOCK_ACCESS_FS_MAKE_CHAR |
                                   LANDLOCK_ACCESS_FS_MAKE_DIR | LANDLOCK_ACCESS_FS_MAKE_REG |
                                   LANDLOCK_ACCESS_FS_MAKE_SOCK | LANDLOCK_ACCESS_FS_MAKE_FIFO |
                                   LANDLOCK_ACCESS_FS_MAKE_BLOCK | LANDLOCK_ACCESS_FS_MAKE_SYM;
 
-// landlock_ruleset_attr of version 6 (Linux 6.12); headers may be older, and kernels take the part they know.
+// The landlock_ruleset_attr of version 6 (Linux 6.12): headers may be older, and kernels take the part they
+// know.
 struct Ruleset {
     std::uint64_t files = 0;
     std::uint64_t network = 0;
@@ -110,7 +111,7 @@ core::Result<void> limit_writing(const LimitedRights& rights) {
     const auto version =
         ::syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION);
     if (version < 0 && (errno == ENOSYS || errno == EOPNOTSUPP))
-        return {}; // this kernel has no Landlock, or it is switched off
+        return {}; // without Landlock in this kernel, or with it switched off
     if (version < 0)
         return cannot("Landlock", errno);
     const Ruleset handled{writing, 0, version >= 6 ? abstract_sockets_and_signals : 0};
@@ -124,7 +125,7 @@ core::Result<void> limit_writing(const LimitedRights& rights) {
         std::filesystem::create_directories(*rights.store, told_by_the_writer);
         const int opened = ::open(rights.store->c_str(), O_PATH | O_CLOEXEC);
         const landlock_path_beneath_attr rule{writing, opened};
-        // A store that cannot be made or opened is told by the writer, which may then write nowhere.
+        // A store that cannot be made or opened is reported by the writer, which may then write nowhere.
         if (opened >= 0 &&
             ::syscall(SYS_landlock_add_rule, rules, LANDLOCK_RULE_PATH_BENEATH, &rule, 0) != 0)
             done = cannot("Landlock", errno);

@@ -1,5 +1,6 @@
-// What a process that reads files of strangers gives up before it opens the first: the network, starting programs,
-// looking into other processes, and writing anywhere but in its store. A file that takes a reader over gets no further.
+// Rights that a process which reads untrusted files gives up before it opens the first: the network, starting
+// programs, inspecting other processes, and writing outside its store. A file that takes a reader over gets
+// no further.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -10,16 +11,16 @@
 namespace wakesurf::importer {
 
 struct LimitedRights {
-    std::optional<std::filesystem::path>
-        store; ///< the one folder to write to, made when missing; none: nowhere
+    /// The one folder to write to, made if missing; without it no folder may be written to.
+    std::optional<std::filesystem::path> store;
 };
 
-/// For this process and those it forks, for good. Call it before there are threads. A kernel without Landlock (before 5.13, or
-/// switched off) leaves writing to the rights of the user, which is no error; anything else that fails is.
-/// Error: Io, naming what could not be given up: read nothing then.
+/// Limits this process and its future children for good. Call it before there are threads. Without Landlock
+/// in the kernel (before 5.13, or switched off) the rights of the user bound writing, which is no error; any
+/// other failure is. Error: Io, naming what could not be given up; then read nothing.
 core::Result<void> limit_rights(const LimitedRights& rights);
 
-/// Whether writing is limited to the store, besides what the user may write at all.
+/// Says whether this kernel can limit writing to the store, beyond the rights of the user.
 bool kernel_has_landlock();
 
 } // namespace wakesurf::importer

@@ -3,8 +3,8 @@
 
 namespace wakesurf::importer {
 
-/// For the whole process, before VTK computes anything: processes use the cores, and in one that was forked, VTK would wait
-/// for threads that are not there.
+/// Sets VTK's threads to one, for the whole process, before VTK computes anything: processes use the cores,
+/// and in a forked one VTK would wait for threads that do not exist.
 void keep_vtk_to_one_thread();
 
 } // namespace wakesurf::importer

@@ -13,7 +13,7 @@ constexpr bool sanitized = true;
 constexpr bool sanitized = false;
 #endif
 
-// One that was closed stays so: what is said there is lost, as it would have been.
+// A descriptor that was closed stays closed: output to it is lost, as it would have been.
 std::FILE* moved(int descriptor) {
     const int copy = ::fcntl(descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
     std::FILE* const stream = copy < 0 ? nullptr : ::fdopen(copy, "w");

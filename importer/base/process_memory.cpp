@@ -20,7 +20,7 @@ fs::path shown(pid_t process, std::string_view file) {
     return fs::path("/proc") / std::to_string(process) / file;
 }
 
-// The sum of lines "Name:   123 kB" in bytes; nothing of a file that is not there: the process has ended.
+// Returns the sum of lines "Name:   123 kB" in bytes; 0 for a missing file: the process has ended.
 std::uint64_t kilobytes_in(const fs::path& file, std::initializer_list<std::string_view> names) {
     std::ifstream in(file);
     std::uint64_t sum = 0;

@@ -1,5 +1,5 @@
-// What a reader of a format offers the conversion: the time-steps of a source, each as VTK holds it. One
-// implementation a family of formats, in sources/.
+// The interface of a format's reader to the conversion: the time-steps of a source, each as VTK holds it.
+// There is one implementation for each family of formats, in sources/.
 #pragma once
 
 #include "command/source_options.hpp"
@@ -24,52 +24,53 @@ struct SourceDescription {
     std::string name;
     /// Names VTK's class and what it reads, as `info` shows it.
     std::string reader;
-    /// Are strictly increasing.
+    /// The times, strictly increasing.
     std::vector<double> times;
-    /// Says what a user should know; may be empty.
+    /// A note for the user; may be empty.
     std::string note;
     /// Says where the times come from, if that is not plain; may be empty.
     std::string time_note;
-    /// Says, where no time is stated, where each time-step stands in its series: 0, 1, 2, further apart where
-    /// numbers of files are missing. Empty where the source states its times.
+    /// The place of each time-step in its series, if the source states no times: 0, 1, 2, further apart where
+    /// numbers of files are missing. Else empty.
     std::vector<double> places;
-    /// Is true where boundary values of the velocity are not used, but for walls at rest.
+    /// True if boundary values of the velocity are not used, except on walls at rest.
     bool ignores_boundary_values = false;
-    /// Are those of the fluid, with units where the format has them, and ranges of the first time-step.
+    /// The fields of the fluid, with units if the format has them, and ranges of the first time-step.
     std::vector<core::FieldInfo> fields;
-    /// Is that of coordinates; empty where the files do not state it.
+    /// The unit of coordinates; empty if the files do not state it.
     std::string length_unit{};
-    /// Is that of times; empty where the files do not state it.
+    /// The unit of times; empty if the files do not state it.
     std::string time_unit{};
 };
 
-/// Holds faces on which the fluid ends.
+/// Holds faces at which the fluid ends.
 struct WallFaces {
-    /// Has points with exactly the coordinates they have in the blocks.
+    /// The faces; their points have exactly the coordinates that they have in the blocks.
     vtkSmartPointer<vtkPolyData> faces;
-    /// Says that the velocity is zero on them, whatever averaging says.
+    /// True if the velocity on them is zero, whatever averaging results in.
     bool no_slip = false;
 };
 
 struct SourceStep {
-    /// Hold the fluid, in the same order at every time-step. Three-dimensional cells only; point data are
-    /// values at the nodes, cell data those the file has, never averaged by the reader. Blanked points and
-    /// cells carry vtkGhostType.
+    /// The blocks of the fluid, in the same order at every time-step. They have three-dimensional cells only;
+    /// point data are values at the nodes, cell data those the file has, never averaged by the reader.
+    /// Blanked points and cells carry vtkGhostType.
     std::vector<vtkSmartPointer<vtkDataSet>> blocks;
     std::vector<WallFaces> walls;
-    /// Are surfaces of solid regions, for display only.
+    /// The surfaces of solid regions, for display only.
     std::vector<vtkSmartPointer<vtkPolyData>> solids;
 };
 
-/// Is not thread-safe. Every error names the file (without its folder) and the time-step it is about.
+/// A source of time-steps. Not thread-safe. Every error names the file (without its folder) and the
+/// time-step.
 class Source {
   public:
     virtual ~Source() = default;
 
     const SourceDescription& description() const { return description_; }
 
-    /// Returns what all time-steps share (case files, mesh), then those of one time-step: an import is
-    /// repeated when they change.
+    /// Returns the files that all time-steps share (case files, mesh), then those of one time-step. An import
+    /// is repeated when they change.
     virtual core::Result<std::vector<store::SourceFile>> shared_files() const = 0;
     virtual core::Result<std::vector<store::SourceFile>> files(std::size_t step) const = 0;
 

@@ -21,7 +21,7 @@ void erase_all(std::string& text, const std::string& part) {
         text.erase(at, part.size());
 }
 
-// A path begins where a slash follows what separates, and ends before what does.
+// A path begins at a slash behind a separator, and ends before the next separator.
 void shorten_absolute_paths(std::string& text) {
     for (std::size_t at = text.find('/'); at != std::string::npos; at = text.find('/', at + 1)) {
         const bool begins = at == 0 || separates(text[at - 1]) || text[at - 1] == ':';
@@ -39,7 +39,10 @@ void shorten_absolute_paths(std::string& text) {
     }
 }
 
-// "ERROR: In ./IO/XML/vtkXMLReader.cxx, line 501\nvtkXMLReader (0x55..): Error opening file x\n\n"
+// Turns "ERROR: In ./IO/XML/vtkXMLReader.cxx, line 501
+// vtkXMLReader (0x55..): Error opening file x
+//
+// " into the last sentence.
 std::string without_place_in_source(const std::string& text) {
     static const std::regex place(
         R"(^\s*(ERROR|Warning|Generic Warning|Error)?:?\s*In [^\n]*, line \d+\s*)");
@@ -63,7 +66,8 @@ std::string without_folders(std::string text, const std::vector<std::filesystem:
 }
 
 std::string sentence_of_library(std::string text) {
-    // "Algorithm vtkXMLImageDataReader(0x..) returned failure for request: vtkInformation (0x..) ..."
+    // VTK says "Algorithm vtkXMLImageDataReader(0x..) returned failure for request: vtkInformation (0x..)
+    // ...".
     if (text.find("returned failure for request") != std::string::npos)
         return {};
     constexpr std::size_t looked_at = 2000; // std::regex recurses over what it matches

@@ -1,4 +1,4 @@
-// The one place that cleans what people are told of libraries' messages: those name files by their whole paths, objects
+// The one place that cleans messages of libraries for users: those name files by their whole paths, objects
 // by their addresses, and lines of their own source.
 #pragma once
 
@@ -8,11 +8,12 @@
 
 namespace wakesurf::importer {
 
-/// Without folders: of each absolute path its last name stays, and of paths that begin with one of `folders` what follows.
+/// Returns the text without folders: an absolute path becomes its last name, a path below one of `folders`
+/// the rest.
 std::string without_folders(std::string text, const std::vector<std::filesystem::path>& folders);
 
-/// A library's message as one sentence of at most 200 characters: without folders, addresses, places in source files, and
-/// characters that do not print. Empty where nothing of it tells a person anything.
+/// Returns a library's message as one sentence of at most 200 characters, without folders, addresses, places
+/// in source files, and characters that do not print. Empty if nothing in it is of use to a person.
 std::string sentence_of_library(std::string text);
 
 } // namespace wakesurf::importer

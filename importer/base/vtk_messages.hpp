@@ -7,7 +7,7 @@
 
 namespace wakesurf::importer {
 
-/// While it lives, VTK prints nothing; one at a time.
+/// Keeps VTK from printing while it lives; only one may live at a time.
 class VtkMessages {
   public:
     VtkMessages();
@@ -15,7 +15,7 @@ class VtkMessages {
     VtkMessages(const VtkMessages&) = delete;
     VtkMessages& operator=(const VtkMessages&) = delete;
 
-    /// Corrupt with VTK's first error or warning, as one sentence about `file`, if there was one.
+    /// Returns Corrupt with VTK's first error or warning, as one sentence about `file`, if there was one.
     core::Result<void> verdict(const std::string& file) const;
 };
 

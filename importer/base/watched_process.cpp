@@ -28,10 +28,10 @@ using Clock = std::chrono::steady_clock;
 
 namespace {
 
-// A process fills some 2 GB/s: so much, 20 MB, may be beyond the bound before that is seen.
+// The poll interval. A process fills some 2 GB/s: memory may exceed the bound by 20 MB before that is seen.
 constexpr std::chrono::milliseconds look_every{10};
 
-// Reading so much counts as progress: values of a large first time-step are part of the survey.
+// Reading so many bytes counts as progress: values of a large first time-step are part of the survey.
 constexpr std::uint64_t reading_goes_on = std::uint64_t{16} << 20;
 
 std::string size_text(std::uint64_t bytes) {
@@ -44,8 +44,8 @@ std::string size_text(std::uint64_t bytes) {
     return text;
 }
 
-// A second bound, of each process: a size that is nonsense fails when it is asked for, before memory is filled. Twice, since
-// what is asked for need not be used.
+// Bounds the addresses of each process as well: a nonsensical size fails when it is requested, before memory
+// is filled. The bound is twice as high, since requested memory need not be used.
 void bound_addresses(std::uint64_t memory) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
     (void)memory; // the sanitizers' shadow memory takes terabytes of addresses
@@ -66,7 +66,7 @@ void tell_of_memory() {
     throw std::bad_alloc();
 }
 
-// An exception that met C code on its way ends the process here.
+// Ends the process when an exception meets C code on its way.
 void tell_why_and_abort() {
     try {
         if (std::current_exception())
@@ -106,7 +106,7 @@ class Watch {
     }
 
   private:
-    // Also those whose parent has ended, which are ours then.
+    // Reaps children, and processes whose parent has ended, which are children of this one then.
     std::optional<int> reap() {
         std::optional<int> ended;
         int status = 0;
@@ -225,7 +225,7 @@ Error with_memory_bound(Error error, std::uint64_t bound) {
     return error;
 }
 
-// The kernel tells of a parent's end only from here on: one that has ended before has left this process to another.
+// The kernel reports a parent's end only from here on: after an earlier end this process has another parent.
 bool end_with(int parent) {
     return ::prctl(PR_SET_PDEATHSIG, SIGTERM) == 0 && ::getppid() == parent;
 }

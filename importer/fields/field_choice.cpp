@@ -60,7 +60,7 @@ core::Result<void> check_wanted(const std::vector<FieldInfo>& fields,
     return {};
 }
 
-// A vertical velocity in Pa s-1 beside two in m s-1 is no part of their vector.
+// Refuses a vertical velocity in Pa s-1 beside two in m s-1: they are no vector.
 core::Result<void> check_units(const std::vector<FieldInfo>& parts) {
     std::string units;
     bool same = true;
@@ -76,7 +76,7 @@ core::Result<void> check_units(const std::vector<FieldInfo>& parts) {
                       "convert them to one unit, or choose others with --velocity");
 }
 
-// Part of file names: lower case, digits and single dashes.
+// Returns a part of file names: lower case, digits and single dashes.
 std::string slug(const std::string& name) {
     constexpr std::size_t longest = 56;
     std::string out;
@@ -95,7 +95,7 @@ std::string stored_name(const FieldInfo& field) {
     return field.components == 1 ? field.name : field.name + " magnitude";
 }
 
-// Of points before cells.
+// Returns the scalars of points before those of cells.
 std::vector<FieldInfo> possible_scalars(const std::vector<FieldInfo>& fields,
                                         const FieldParts& velocity,
                                         const std::vector<std::string>& no_masks) {
@@ -112,7 +112,7 @@ std::vector<FieldInfo> possible_scalars(const std::vector<FieldInfo>& fields,
     return out;
 }
 
-// Of those with one name the first stays; a scalar of the source goes before a magnitude.
+// Keeps the first of fields with one name; a scalar of the source goes before a magnitude.
 std::vector<FieldInfo> each_name_once(const std::vector<FieldInfo>& fields) {
     std::vector<FieldInfo> out;
     for (std::size_t i = 0; i < fields.size(); ++i) {

@@ -1,4 +1,4 @@
-// Which arrays of a source are its velocity, its scalars and its solid mask: the rules, apart from any reader.
+// The choice of velocity, scalars and solid mask among the arrays of a source, independent of any reader.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -12,22 +12,22 @@
 
 namespace wakesurf::importer {
 
-/// A 1-component array as it is, or the magnitude of a vector that is not the velocity.
+/// Holds a 1-component array as it is, or the magnitude of a vector that is not the velocity.
 struct ChosenScalar {
     core::FieldInfo field; ///< of the source
     store::StoredScalar stored;
 
     bool is_magnitude() const { return field.components > 1; }
 
-    /// As a dataset lists it.
+    /// Returns the field as a dataset lists it.
     core::FieldInfo info() const;
 };
 
 struct FieldWish {
     std::vector<std::string> kept; ///< --fields: beside the velocity; none: all
     std::string velocity;          ///< --velocity; empty: by its name
-    std::vector<std::string>
-        no_masks{}; ///< arrays with the name of a mask and other values than 0 and 1
+    /// The arrays with the name of a mask that hold other values than 0 and 1.
+    std::vector<std::string> no_masks{};
 };
 
 struct FieldChoice {
@@ -39,16 +39,17 @@ struct FieldChoice {
     bool mask_marks_solid = false; ///< 1 means solid instead of fluid
     std::string note;              ///< what is left out or stored as its magnitude; may be empty
 
-    /// Every array that has to be read, each once.
+    /// Returns every array that has to be read, each once.
     std::vector<core::FieldInfo> arrays() const;
 };
 
-/// Velocity: the array chosen by velocity_choice.hpp. Mask: the 1-component array called mask, fluid, fluid_mask or
-/// vtkValidPointMask (1 = fluid), or solid, solid_mask or obstacle (1 = solid), unless `wish.no_masks` has it. Scalars: all other 1-component arrays, and the
-/// magnitudes of other vectors as `NAME magnitude`; or those among `wish.kept` where it names some; of two of one name
-/// that of the points, but an array before a magnitude.
-/// Error: NotFound (no velocity; a wanted field is not there), InvalidArgument (several candidates), Unsupported (a
-/// momentum without its density, parts in different units), each listing what there is.
+/// Chooses the fields. Velocity: as velocity_choice.hpp does. Mask: the 1-component array called mask, fluid,
+/// fluid_mask or vtkValidPointMask (1 = fluid), or solid, solid_mask or obstacle (1 = solid), unless
+/// `wish.no_masks` has it. Scalars: all other 1-component arrays, and the magnitudes of other vectors as
+/// `NAME magnitude`, or those among `wish.kept` if it names some. Of two with one name, that of the points is
+/// chosen, but an array before a magnitude. Error: NotFound (no velocity; a wanted field is missing),
+/// InvalidArgument (several candidates), Unsupported (a momentum without its density, parts in different
+/// units), each listing what there is.
 core::Result<FieldChoice> choose_fields(const std::vector<core::FieldInfo>& fields,
                                         const FieldWish& wish = {});
 

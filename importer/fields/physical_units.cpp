@@ -21,7 +21,7 @@ struct FreeUnit {
 
 using Unit = std::unique_ptr<ut_unit, FreeUnit>;
 
-// As long as the process; null where there is no database.
+// Returns the database, which lives as long as the process; null if it is not installed.
 ut_system* database() {
     static ut_system* const read = [] {
         ut_set_error_message_handler(ut_ignore); // it would print

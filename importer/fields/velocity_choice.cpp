@@ -60,12 +60,12 @@ VelocityChoice made(Fields parts, Fields divisor, std::string why) {
 
 using Found = core::Result<std::optional<VelocityChoice>>;
 
-// The rules where nobody says which field it is.
+// Chooses by rules if no field was asked for.
 class Rules {
   public:
     explicit Rules(const Fields& fields) : fields_(fields) {}
 
-    // The outer list is empty where the rules find nothing.
+    // Returns an empty outer list if the rules find nothing.
     Found run() const {
         using Rule = Found (Rules::*)(FieldInfo::Source) const;
         constexpr std::array<Rule, 6> rules{&Rules::named,    &Rules::components, &Rules::qualified,
@@ -179,7 +179,7 @@ std::string trimmed(std::string_view text) {
     return std::string(text);
 }
 
-// What somebody asks for by name.
+// Chooses the field that was asked for by name.
 class Wish {
   public:
     Wish(const Fields& fields, const std::string& text) : fields_(fields), names_{text} {

@@ -1,4 +1,4 @@
-// Between VTK's polygonal data and ours: rakes in, surfaces out.
+// Conversions between VTK's polygonal data and ours: rakes in, surfaces out.
 #pragma once
 
 #include "core/surface/quad_complex.hpp"
@@ -9,10 +9,10 @@
 
 namespace wakesurf::importer {
 
-/// The points of the first line, in its order; all points where there is no line.
+/// Returns the points of the first line, in its order; all points if there is no line.
 std::vector<core::Vec3> rake_points(vtkPolyData& rake);
 
-/// Points as computed, polygons, arrays by the names that files have.
+/// Writes points as computed, polygons, and arrays by the names that files have.
 void fill(vtkPolyData& output, const core::QuadComplex& mesh);
 
 } // namespace wakesurf::importer

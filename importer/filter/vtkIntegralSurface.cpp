@@ -27,7 +27,7 @@ struct vtkIntegralSurface::Internals {
     std::vector<double> times; ///< of the data; {0} where they have none
     bool timed = false;
 
-    // What has been asked for, and what came of it.
+    // The times asked for, and the flow made of them.
     std::vector<double> wanted;
     std::vector<PipelineStep> steps;
     vtkMTimeType made = 0; ///< time stamp of the last of them
@@ -36,7 +36,7 @@ struct vtkIntegralSurface::Internals {
 
     double from = 0.0, to = 0.0;
 
-    /// The time-steps round what the surface needs.
+    /// Returns the times of the steps around what the surface needs.
     std::vector<double> window(bool frozen) const {
         const auto [first, last] = std::minmax(from, frozen ? from : to);
         auto lo = std::upper_bound(times.begin(), times.end(), first);
@@ -118,11 +118,12 @@ int vtkIntegralSurface::RequestUpdateExtent(vtkInformation*,
         now.steps.clear();
         now.flow.reset();
     }
-    // What is there already is asked for again: upstream has it at hand, and tells by it whether it has changed.
+    // Time-steps already held are requested again: upstream has them at hand, and the request shows whether
+    // they have changed.
     const std::size_t next = now.flow ? now.wanted.size() - 1 : now.steps.size();
     if (now.timed)
         in->Set(Pipeline::UPDATE_TIME_STEP(), now.wanted[next]);
-    // Pieces and ghosts: the whole of it.
+    // One piece without ghosts: the whole of it.
     in->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
     in->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
     in->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);

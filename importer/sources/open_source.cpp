@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A folder that is given as a source is the one dataset in it.
+// Finds the one dataset in a folder that is given as a source.
 
 bool lists_others(const fs::path& path) {
     const auto extension = lower_extension(path);
@@ -32,7 +32,8 @@ bool lists_others(const fs::path& path) {
            extension == ".foam" || extension == ".p3d";
 }
 
-// Files that are parts of others when those are there: pieces of .pvtu, blocks of .vtm, Plot3D solutions.
+// Ranks files that are parts of others when those are there: pieces of .pvtu, blocks of .vtm, Plot3D
+// solutions.
 int rank(const fs::path& path) {
     const auto extension = lower_extension(path);
     if (lists_others(path))
@@ -55,9 +56,9 @@ core::Result<std::vector<fs::path>> files_in(const fs::path& folder) {
     return out;
 }
 
-// A file that lists others (.pvd, .series, .case) goes before the files it may list; else the one file or
-// numbered series there is. Files that `readable` does not know do not count. Error: NotFound (nothing to
-// read), InvalidArgument (several datasets, listed), Io.
+// Returns a file that lists others (.pvd, .series, .case) before the files it may list; else the one file or
+// numbered series there is. Only files that `readable` accepts count. Error: NotFound (nothing to read),
+// InvalidArgument (several datasets, listed), Io.
 core::Result<fs::path> choose_in_folder(const fs::path& folder,
                                         const std::function<bool(const fs::path&)>& readable) {
     const std::string name = (folder / "").parent_path().filename().string();

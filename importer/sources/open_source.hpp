@@ -1,4 +1,4 @@
-// Which format a path is in, and that format's reader.
+// Finds the format that a path is in, and that format's reader.
 #pragma once
 
 #include "command/source_options.hpp"
@@ -10,9 +10,10 @@
 
 namespace wakesurf::importer {
 
-/// The reader of the format that `path` (a file, or any of a numbered series, or a pattern of one) is in.
-/// @param wish  the velocity somebody asks for decides which blocks are fluid, and which fields every time-step must have
-/// Error: NotFound, Io, Unsupported (the formats there are), Corrupt.
+/// Opens `path` (a file, or any of a numbered series, or a pattern of one) with the reader of its format.
+/// Error: NotFound, Io, Unsupported (listing the formats), Corrupt.
+/// @param wish  the velocity asked for decides which blocks are fluid, and which fields every time-step must
+/// have
 core::Result<std::unique_ptr<Source>> open_source(const std::filesystem::path& path,
                                                   const command::SourceOptions& wish = {});
 

@@ -1,4 +1,4 @@
-// What the blocks of a source are for: the fluid, and solids beside it that carry no velocity.
+// The roles of a source's blocks: the fluid, and solids beside it that carry no velocity.
 #pragma once
 
 #include "core/dataset/dataset_info.hpp"
@@ -10,17 +10,20 @@
 namespace wakesurf::importer {
 
 struct BlockRoles {
-    std::vector<bool> fluid; ///< of each block; those that are not are solids, for display
+    /// True for each block of the fluid; the others are solids, for display.
+    std::vector<bool> fluid;
     std::vector<core::FieldInfo> fields; ///< common_fields of the fluid
-    std::string note;                    ///< names what only some blocks have; may be empty
+    std::string note; ///< names of fields that only some blocks have; may be empty
 };
 
-/// Fluid is every block that has the velocity as choose_velocity(.., velocity) finds it among the fields of all of them. Where that finds none,
-/// or several, every block with a vector is; where none has one, all blocks are. A block that has a field of the velocity's name at
-/// another place is fluid too: that it does not fit the others is told when fields are chosen, not drawn as a solid.
+/// Finds the fluid: every block that has the velocity as choose_velocity(.., velocity) finds it among the
+/// fields of all. If that finds none, or several, every block with a vector; if none has one, all blocks. A
+/// block with a field of the velocity's name at another place (points, cells) is fluid too: choosing fields
+/// then reports that it does not fit the others.
 BlockRoles block_roles(const Blocks& blocks, const std::string& velocity);
 
-/// The note about fields that are left out: "left out, as only some parts have them: p, T". Empty without names.
+/// Returns the note about fields that are left out: "left out, as only some parts have them: p, T". Empty
+/// without names.
 std::string only_on_some_parts(const std::vector<std::string>& names);
 
 } // namespace wakesurf::importer

@@ -41,10 +41,9 @@ using core::FieldInfo;
 
 namespace {
 
-// Checks that a grid is one: VTK's readers take over much from a damaged file that its algorithms then trip
-// over.
+// Checks a grid: VTK's readers accept much of a damaged file that its algorithms then fail on.
 
-// Nodes of the cell types that have a fixed number of them.
+// Returns the number of nodes of a cell type that has a fixed one.
 int nodes_of(int type) {
     switch (type) {
     case VTK_TETRA:
@@ -70,7 +69,8 @@ int nodes_of(int type) {
     }
 }
 
-// 3 for VTK's solid cells of any order, 2 for flat ones and so on; -1 for types VTK does not have.
+// Returns 3 for VTK's solid cells of any order, 2 for flat ones and so on; -1 for types that VTK does not
+// have.
 int cell_dimension(int type) {
     static const std::array<int, VTK_NUMBER_OF_CELL_TYPES> dimensions = [] {
         std::array<int, VTK_NUMBER_OF_CELL_TYPES> out{};
@@ -115,7 +115,7 @@ core::Result<void> check_points(vtkPoints* points, vtkIdType wanted, const std::
     return {};
 }
 
-// {faces, {nodes, id, id, ...}, ...} of every polyhedron, as VTK keeps them.
+// Checks {faces, {nodes, id, id, ...}, ...} of every polyhedron, as VTK stores them.
 bool sound_faces(vtkUnstructuredGrid& grid, vtkIdType cell, vtkIdType points) {
     vtkIdTypeArray* faces = grid.GetFaces();
     vtkIdTypeArray* locations = grid.GetFaceLocations();
@@ -149,15 +149,15 @@ bool rise(Array& offsets, vtkIdType last) {
                         : *begin == 0 && *(end - 1) == last && std::is_sorted(begin, end);
 }
 
-// Offsets rise from 0 to the length of the connectivity: looking a cell up is safe.
+// Returns true if offsets rise from 0 to the length of the connectivity: looking a cell up is safe.
 bool sound_offsets(vtkCellArray& cells) {
     const vtkIdType last = cells.GetConnectivityArray()->GetNumberOfTuples();
     return cells.IsStorage64Bit() ? rise(*cells.GetOffsetsArray64(), last)
                                   : rise(*cells.GetOffsetsArray32(), last);
 }
 
-// The first cell that is none, and why. Straight through VTK's arrays: asking cell by cell costs as much as
-// reading.
+// Reports the first invalid cell, and why. It reads VTK's arrays directly: asking cell by cell costs as much
+// as reading.
 template <class Array>
 std::optional<std::string>
 fault_of_cells(vtkUnstructuredGrid& grid, Array& offsets, Array& connectivity) {
@@ -207,7 +207,7 @@ core::Result<void> check_image(vtkImageData& image, const std::string& file) {
             return core::fail(Error::Code::Unsupported,
                               file + " is rotated: its Direction is not the identity",
                               "resample it to an axis-aligned grid first");
-    constexpr double largest = 1e100; // of a length whose square is a number too
+    constexpr double largest = 1e100; // the square of such a length is finite too
     for (int axis = 0; axis < 3; ++axis)
         if (!(image.GetSpacing()[axis] >= 1.0 / largest) ||
             !(std::abs(image.GetBounds()[2 * axis]) <= largest) ||
@@ -275,7 +275,7 @@ std::optional<std::array<int, 3>> dimensions_of(vtkDataSet& data) {
     return out;
 }
 
-// Ids of the three-dimensional cells.
+// Returns the ids of the three-dimensional cells.
 vtkSmartPointer<vtkIdList> solid_cells(vtkUnstructuredGrid& grid) {
     auto ids = vtkSmartPointer<vtkIdList>::New();
     for (vtkIdType i = 0; i < grid.GetNumberOfCells(); ++i)

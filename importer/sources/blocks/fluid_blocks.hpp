@@ -1,4 +1,5 @@
-// What all readers make of the grids VTK hands them: the three-dimensional part, checked, and its fields.
+// The common treatment of grids that VTK hands to readers: their three-dimensional part, checked, and its
+// fields.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -14,20 +15,21 @@ namespace wakesurf::importer {
 
 using Blocks = std::vector<vtkSmartPointer<vtkDataSet>>;
 
-/// Whether cells of the data set are three-dimensional; of a structured one, whether it has at least two nodes along
+/// Says whether cells of the data set are three-dimensional; a structured one needs at least two nodes along
 /// every axis.
 bool has_solid_cells(vtkDataSet& data);
 
-/// Its three-dimensional cells, `data` itself where there are no others. Error (naming `file`): Corrupt (cells of
-/// nodes that are not there, coordinates that are not finite or do not rise), Unsupported (no three-dimensional cells,
-/// a rotated image).
+/// Returns the three-dimensional cells, `data` itself if it has no others. Error (naming `file`): Corrupt
+/// (nodes that do not exist, coordinates that are not finite or do not rise), Unsupported (no
+/// three-dimensional cells, a rotated image).
 core::Result<vtkSmartPointer<vtkDataSet>> fluid_part(vtkDataSet& data, const std::string& file);
 
-/// One cell along an axis, of a source that is a single structured block, is a plane, not a flow in space.
-/// Error: Unsupported, naming the axis.
+/// Returns Unsupported, naming the axis, if the source is a single structured block with one cell along an
+/// axis: that is a plane, not a flow in space.
 core::Result<void> check_thickness(const Blocks& blocks, const std::string& file);
 
-/// The arrays that all blocks have, with the same components, ranges over all; units where VTK has them.
+/// Returns the arrays that all blocks have, with the same components, and ranges over all; units if VTK has
+/// them.
 std::vector<core::FieldInfo> common_fields(const Blocks& blocks);
 
 } // namespace wakesurf::importer

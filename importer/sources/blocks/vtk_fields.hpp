@@ -1,5 +1,5 @@
-// What the readers of all formats share: the pieces of what VTK read, the fields they carry, and which of
-// them are asked for.
+// The common code of readers of all formats: the pieces of what VTK read, the fields they carry, and the
+// selection of those.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -15,13 +15,13 @@
 
 namespace wakesurf::importer {
 
-/// One data set of a composite one.
+/// Holds one data set of a composite one.
 struct Leaf {
-    std::vector<std::string>
-        path; ///< names of the blocks from the root down to it, "" where a block has none
+    /// The names of the blocks from the root down to this one, "" for a block without a name.
+    std::vector<std::string> path;
     vtkSmartPointer<vtkDataSet> data;
 
-    const std::string& name() const; ///< the last of `path`, or ""
+    const std::string& name() const; ///< Returns the last name of `path`, or "".
 };
 
 /// Returns the data sets with at least one cell in `data`, in VTK's order; a data set itself is one leaf
@@ -29,9 +29,9 @@ struct Leaf {
 std::vector<Leaf> leaves_of(vtkDataObject* data);
 
 /// Adds the fields of `data` to `fields`: point data, then cell data, with their finite ranges (of the
-/// magnitude for several components). A field that is there (same name, source and components) has its range
-/// widened instead, so that blocks add up. Ghost marks, ids VTK adds and arrays without a name or of text are
-/// no fields.
+/// magnitude for several components). If a field is there (same name, source and components), its range is
+/// widened instead, so that blocks add up. Ghost marks, ids that VTK adds, and arrays without a name or of
+/// text are no fields.
 void add_fields(vtkDataSet& data, std::vector<core::FieldInfo>& fields);
 
 struct WantedArrays {
@@ -45,13 +45,13 @@ void select_arrays(vtkDataArraySelection& offered,
                    core::FieldInfo::Source source,
                    const WantedArrays& wanted);
 
-/// Checks that they are there. Error: NotFound naming `file` and the first of `fields` that `data` does not
-/// have; Corrupt where it has another number of components, or of values than there are points or cells.
+/// Checks that `data` has all `fields`. Error: NotFound naming `file` and the first missing field; Corrupt if
+/// it has another number of components, or of values than there are points or cells.
 core::Result<void> require_fields(vtkDataSet& data,
                                   const std::vector<core::FieldInfo>& fields,
                                   const std::string& file);
 
-/// Removes all arrays but `fields` and ghost marks: what a reader returns unasked.
+/// Removes all arrays but `fields` and ghost marks: readers also return arrays that were not selected.
 void keep_only(vtkDataSet& data, const std::vector<core::FieldInfo>& fields);
 
 } // namespace wakesurf::importer

@@ -1,4 +1,4 @@
-// Surfaces for walls and solids: which flat parts of a source are walls, and what solid blocks look like.
+// Surfaces for walls and solids: the flat parts of a source that are walls, and the outside of solid blocks.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -20,7 +20,7 @@ bool is_named_wall(const std::string& patch);
 /// everywhere.
 bool is_still(vtkDataSet& patch, const std::vector<core::FieldInfo>& fields);
 
-/// Does the same of the first vector of `fields` only, the velocity.
+/// Says whether the first vector of `fields`, the velocity, is exactly zero everywhere.
 bool stands_still(vtkDataSet& faces, const std::vector<core::FieldInfo>& fields);
 
 /// Returns the two-dimensional cells of a grid that has no others, with the points and point data it has.

@@ -40,26 +40,28 @@ class CgnsFile {
     bool sound_ = false;
 };
 
-/// To be told directly after a call of the CGNS library that failed.
+/// Returns the library's error. Call it directly after a call of the CGNS library that failed.
 inline tl::unexpected<core::Error> cgns_damage(const std::string& file) {
     return core::fail(core::Error::Code::Corrupt,
                       file + " is damaged or not what it says it is (CGNS: " + cg_get_error() +
                           ")");
 }
 
-/// A zone as the file numbers it.
+/// Describes a zone, by the file's numbers.
 struct CgnsZone {
     std::string name; ///< of the file
     int file = 0;
     int base = 0;
     int zone = 0;
     bool structured = false;
-    std::array<cgsize_t, 9> size{}; ///< nodes, then cells, along each axis; or nodes and cells
+    /// Counts nodes, then cells, along each axis; or the nodes and the cells of an unstructured zone.
+    std::array<cgsize_t, 9> size{};
 };
 
 constexpr std::array<cgsize_t, 3> cgns_first{1, 1, 1};
 
-/// Elements in space, of any order; no faces, edges or points. REQUIRES: none of MIXED, NGON_n, NFACE_n.
+/// Is true of elements in space, of any order; false of faces, edges and points. REQUIRES: not MIXED, NGON_n
+/// or NFACE_n.
 inline bool is_volume(CGNS_ENUMT(ElementType_t) type) {
     const std::string_view name = cg_ElementTypeName(type);
     return name.starts_with("TETRA") || name.starts_with("PYRA") || name.starts_with("PENTA") ||

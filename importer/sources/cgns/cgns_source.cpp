@@ -108,7 +108,7 @@ class CgnsSource final : public SeriesSource<std::optional<double>> {
     }
 
     core::Result<SourceStep> read(std::size_t step, const std::vector<FieldInfo>& fields) override {
-        // What has changed since the source was opened is found before VTK reads another time-step for this
+        // Detects changes since the source was opened, before VTK reads another time-step in place of this
         // one.
         const auto survey = survey_cgns(listed(steps_[step].file));
         if (!survey)
@@ -140,7 +140,7 @@ class CgnsSource final : public SeriesSource<std::optional<double>> {
     }
 
   private:
-    // VTK looks a time up among those of the file as if they were sorted, and would read another time-step.
+    // VTK searches the times of the file as if they were sorted, and would read another time-step.
     core::Result<void> check_order(std::size_t entry, const std::vector<double>& times) const {
         const auto back = std::adjacent_find(times.begin(), times.end(),
                                              [](double a, double b) { return !(a < b); });
@@ -236,7 +236,7 @@ class CgnsSource final : public SeriesSource<std::optional<double>> {
         return zones;
     }
 
-    /// Are the places of the zones without the velocity.
+    /// The names of the zones without the velocity.
     std::set<std::string> solids_;
 };
 

@@ -36,7 +36,7 @@ struct Scope {
     std::optional<Length> length;
     bool dimensional = true;
 
-    // Of the node that cg_goto went to.
+    // Returns the scope of the node that cg_goto went to.
     Scope inside() const {
         Scope out = *this;
         CGNS_ENUMT(MassUnits_t) mass{};
@@ -135,8 +135,8 @@ class Units {
     int id_;
 };
 
-// Nothing is converted where one of the two states no unit, or both the same.
-// Error: Unsupported (zones in different units), Io. @param id  as the CGNS library opened the file
+// Returns factor 1 if one of the two states no unit, or both the same. Error: Unsupported (zones in different
+// units), Io. @param id  as the CGNS library opened the file
 core::Result<CgnsUnits> read_cgns_units(int id, const std::string& file) {
     Units found(id);
     found.look();
@@ -290,7 +290,8 @@ class Survey {
         return {};
     }
 
-    // VTK's reader takes for cells what has a number up to their count, and counts on them to begin with 1.
+    // VTK's reader takes elements for cells by their numbers, up to the count of cells, and expects cells to
+    // begin with 1.
     core::Result<void> look_at_mesh(int base, int zone) {
         CgnsName name{};
         CGNS_ENUMT(ZoneType_t) type{};
@@ -342,7 +343,7 @@ class Survey {
         return {};
     }
 
-    // How many solutions the zone's FlowSolutionPointers name; -1 where it has none.
+    // Returns the number of solutions that the zone's FlowSolutionPointers name; -1 without any.
     core::Result<int> solution_pointers(int base, int zone) {
         CgnsName name{};
         const int status = cg_ziter_read(id_, base, zone, name.data());

@@ -25,7 +25,7 @@ using core::FieldInfo;
 
 namespace {
 
-// Points and cells of a zone of a CGNS file, read with the CGNS library.
+// Reads points and cells of a zone of a CGNS file with the CGNS library.
 
 // Knows cells with straight edges; returns 0 for all others.
 int vtk_cell_of(CGNS_ENUMT(ElementType_t) type) {
@@ -146,7 +146,7 @@ class MeshReader {
         return {};
     }
 
-    // Takes its nodes from `next` on.
+    // Reads the cell's nodes from `next` on.
     core::Result<void> add_cell(CGNS_ENUMT(ElementType_t) type,
                                 const std::vector<cgsize_t>& nodes,
                                 std::size_t& next,
@@ -179,13 +179,13 @@ class MeshReader {
     const CgnsZone& at_;
 };
 
-// Cells are in the order of their numbers, without the elements of boundaries.
-// Error: Corrupt, Unsupported (curved cells, polyhedra, a mesh that moves).
+// Returns cells in the order of their numbers, without the elements of boundaries. Error: Corrupt,
+// Unsupported (curved cells, polyhedra, a mesh that moves).
 core::Result<vtkSmartPointer<vtkDataSet>> read_cgns_mesh(const CgnsZone& zone) {
     return MeshReader(zone).read();
 }
 
-// Values of a zone of a CGNS file, at nodes and in cells, read with the CGNS library.
+// Reads values of a zone of a CGNS file, at nodes and in cells, with the CGNS library.
 
 class SolutionReader {
   public:
@@ -216,7 +216,7 @@ class SolutionReader {
     }
 
   private:
-    // Those that count at this time-step.
+    // Returns the names of the solutions that count at this time-step.
     core::Result<std::set<std::string>> solutions_now() {
         std::set<std::string> out;
         CgnsName name{};
@@ -312,8 +312,8 @@ class SolutionReader {
     const WantedArrays& wanted_;
 };
 
-// Gives names as vtkCGNSReader does: VelocityX, Y and Z are Velocity. @param step  its place among the times
-// of the file; nothing where it has none. @param data  as read_cgns_mesh returned it. Error: Corrupt.
+// Names fields as vtkCGNSReader does: VelocityX, Y and Z are Velocity. @param step  its index among the times
+// of the file; empty if it has none. @param data  as read_cgns_mesh returned it. Error: Corrupt.
 core::Result<void> add_cgns_solutions(const CgnsZone& zone,
                                       std::optional<std::size_t> step,
                                       const WantedArrays& wanted,

@@ -1,6 +1,6 @@
-// The zones of a CGNS file, read with the CGNS library alone: for files whose elements are numbered as VTK's
-// reader cannot read them. (It takes for cells what has a number up to their count, boundary or not, and
-// leaves out the others without a word.)
+// The zones of a CGNS file, read with the CGNS library alone, for files whose elements are numbered as VTK's
+// reader cannot read them. (It takes for cells the elements numbered up to the count of cells, boundary or
+// not, and leaves out the others without a message.)
 #pragma once
 
 #include "core/base/result.hpp"
@@ -12,9 +12,8 @@
 
 namespace wakesurf::importer {
 
-/// Returns a leaf a zone: read_cgns_mesh with add_cgns_solutions. @param step  its place among the times of
-/// the file; nothing where it has none
-/// Error: Corrupt, Unsupported.
+/// Returns a leaf a zone: read_cgns_mesh with add_cgns_solutions. Error: Corrupt, Unsupported.
+/// @param step  its index among the times of the file; empty if it has none
 core::Result<std::vector<Leaf>> read_cgns_zones(const ListedFile& file,
                                                 std::optional<std::size_t> step,
                                                 const WantedArrays& wanted);

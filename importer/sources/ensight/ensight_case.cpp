@@ -38,7 +38,7 @@ struct Line {
     std::vector<std::string> words;
 };
 
-// Lines by section; of comments and empty lines nothing is left.
+// Returns lines by section, without comments and empty lines.
 std::map<std::string, std::vector<Line>> sections_of(std::istream& in) {
     std::map<std::string, std::vector<Line>> out;
     std::string section;
@@ -64,12 +64,12 @@ std::map<std::string, std::vector<Line>> sections_of(std::istream& in) {
     return out;
 }
 
-// How the files of a time set are numbered that does not list their numbers.
+// Describes the numbers of files in a time set that does not list them.
 struct Numbering {
     int start = 0;
     std::optional<int> increment;
 
-    // As many numbers as there are times; nothing where they are beyond those of files.
+    // Appends as many numbers as there are times. Returns false if they are beyond those of files.
     bool apply(EnsightTimeSet& set) const {
         for (std::size_t i = 0; increment && i < set.times.size(); ++i) {
             const auto number = start + static_cast<std::int64_t>(i) * *increment;
@@ -81,7 +81,7 @@ struct Numbering {
     }
 };
 
-// A restart lists times again: the files that stay are those listed last.
+// Removes times that a restart lists again: the files listed last stay.
 core::Result<void> keep_last_of_each_time(EnsightTimeSet& set) {
     std::vector<TimedEntry> entries;
     for (std::size_t i = 0; i < set.times.size(); ++i) {
@@ -160,7 +160,7 @@ core::Result<std::vector<EnsightTimeSet>> time_sets_of(const std::vector<Line>& 
     return out;
 }
 
-// "[ts] [fs] [description] file": what stands last is the file.
+// Parses "[ts] [fs] [description] file": the last word is the file.
 core::Result<EnsightFile> file_of(const Line& line, std::size_t names, const std::string& name) {
     if (line.words.size() < names)
         return core::fail(Error::Code::Corrupt,
@@ -209,7 +209,7 @@ core::Result<void> find_variables(EnsightCase& found, const std::vector<Line>& l
     return {};
 }
 
-// The times are the velocity's; what has no value at one of them is left out.
+// Takes the times of the velocity; variables without a value at one of them are left out.
 core::Result<void> find_times(EnsightCase& found, const std::string& wish) {
     const auto& all = found.variables;
     std::vector<FieldInfo> fields;
@@ -221,7 +221,7 @@ core::Result<void> find_times(EnsightCase& found, const std::string& wish) {
                       : one.field.components == 3;
     });
     if (velocity == all.end())
-        velocity = all.begin(); // what there is to choose from is told once all is read
+        velocity = all.begin(); // the error that lists the choice follows once all is read
     if (velocity == all.end())
         return core::fail(Error::Code::NotFound, found.name + " has no vector variable",
                           "write the velocity as `vector per node` or `vector per element`");

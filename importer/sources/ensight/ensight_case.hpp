@@ -1,5 +1,5 @@
-// An EnSight Gold case file: which files hold the mesh and each variable at each time-step.
-// Format: EnSight User Manual, "EnSight Gold Casefile Format".
+// An EnSight Gold case file: the files that hold the mesh and each variable at each time-step. Format:
+// EnSight User Manual, "EnSight Gold Casefile Format".
 #pragma once
 
 #include "core/base/result.hpp"
@@ -14,7 +14,7 @@
 
 namespace wakesurf::importer {
 
-/// A file name, in which asterisks stand for a number of its time set.
+/// Holds a file name, in which asterisks stand for a number of its time set.
 struct EnsightFile {
     std::string pattern;
     std::optional<int> time_set;
@@ -44,17 +44,18 @@ struct EnsightCase {
     std::string note;
 
     const EnsightVariable* find(const core::FieldInfo& field) const;
-    /// The file at a time of `times`; of the mesh, which may change more seldom, the latest one then.
-    /// Error: Unsupported, where it lies outside of the case's folder.
+    /// Returns the file at a time of `times`; for the mesh, which may change less often, the latest one at
+    /// that time. Error: Unsupported, if it lies outside of the case's folder.
     core::Result<NamedFile> file_at(const EnsightFile& file, double time) const;
 };
 
+/// Reads a case. Error: NotFound, Io, Corrupt, Unsupported (EnSight 6, several time-steps in one file, no
+/// vector).
 /// @param velocity  asked for: the times are its; may be empty
-/// Error: NotFound, Io, Corrupt, Unsupported (EnSight 6, several time-steps in one file, no vector).
 core::Result<EnsightCase> read_ensight_case(const std::filesystem::path& path,
                                             const std::string& velocity = {});
 
-/// The same of a text. @param folder  that the case's files lie in
+/// Reads a case from a text. @param folder  of the case's files
 core::Result<EnsightCase> parse_ensight_case(std::istream& in,
                                              const std::filesystem::path& folder,
                                              const std::string& name,

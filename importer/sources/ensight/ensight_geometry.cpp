@@ -29,7 +29,7 @@ using core::Error;
 
 namespace {
 
-// Structured parts of EnSight Gold geometry: curvilinear, rectilinear and uniform blocks.
+// Reads structured parts of EnSight Gold geometry: curvilinear, rectilinear and uniform blocks.
 
 vtkSmartPointer<vtkFloatArray> array_of(const std::vector<float>& values) {
     auto out = vtkSmartPointer<vtkFloatArray>::New();
@@ -323,7 +323,7 @@ class GeometryReader {
         return EnsightSection{type, *count, ghost ? 0 : kind->dimension};
     }
 
-    // Counts that are at least 1.
+    // Reads counts that are at least 1.
     core::Result<void> list(std::size_t count, std::vector<std::int32_t>& out) {
         auto found = in_.integers(count);
         if (!found)

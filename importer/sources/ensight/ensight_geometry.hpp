@@ -11,7 +11,7 @@
 
 namespace wakesurf::importer {
 
-/// Elements of one type, as they follow each other in files of the mesh and of variables.
+/// Counts elements of one type, as they follow each other in files of the mesh and of variables.
 struct EnsightSection {
     std::string type; ///< hexa8, nfaced ... ; "block" for a structured part
     std::size_t count = 0;
@@ -22,8 +22,8 @@ struct EnsightPart {
     std::string name;
     std::size_t nodes = 0;
     std::vector<EnsightSection> sections;
-    vtkSmartPointer<vtkDataSet> volume; ///< elements of dimension 3, or nothing
-    vtkSmartPointer<vtkPolyData> faces; ///< elements of dimension 2 on the same points, or nothing
+    vtkSmartPointer<vtkDataSet> volume; ///< elements of dimension 3, or null
+    vtkSmartPointer<vtkPolyData> faces; ///< elements of dimension 2 on the same points, or null
 };
 
 struct EnsightGeometry {
@@ -32,11 +32,11 @@ struct EnsightGeometry {
     std::map<std::size_t, EnsightPart> parts; ///< by number
 };
 
-/// Points are 32 bits; blanked points of blocks carry vtkGhostType. Quadratic elements are not read.
-/// Error: NotFound, Io, Corrupt, Unsupported, OverLimit.
+/// Reads the parts. Points are 32 bits; blanked points of blocks carry vtkGhostType. Quadratic elements are
+/// not read. Error: NotFound, Io, Corrupt, Unsupported, OverLimit.
 core::Result<EnsightGeometry> read_ensight_geometry(const NamedFile& file);
 
-/// The same parts, points and elements?
+/// Says whether both have the same parts, points and elements.
 bool same_geometry(const EnsightGeometry& one, const EnsightGeometry& other);
 
 } // namespace wakesurf::importer

@@ -138,7 +138,7 @@ class EnsightSource final : public Source {
     }
 
   private:
-    // One that is not there at a time: only what is there at all of them can be shown.
+    // Leaves out variables that miss at a time: only what all time-steps have can be shown.
     void leave_out_variables_without_files() {
         const auto velocity = velocity_among(found_.variables);
         std::string left_out;
@@ -165,7 +165,7 @@ class EnsightSource final : public Source {
         return possible_velocity(fields, velocity_);
     }
 
-    // Which parts are fluid, and the variables that all of them have; the others are left out.
+    // Decides which parts are fluid, and which variables all of them have; the others are left out.
     core::Result<void> describe() {
         std::map<std::size_t, vtkSmartPointer<vtkDataSet>> volumes;
         for (const auto& [number, part] : geometry_.parts)
@@ -273,7 +273,7 @@ class EnsightSource final : public Source {
         }
     }
 
-    // A flow that starts from rest is at rest everywhere at first, so that its last time-step is asked, too.
+    // Also reads the last time-step: a flow that starts from rest is at rest everywhere at first.
     void choose_walls() {
         std::vector<FieldInfo> vectors;
         for (const auto& field : description_.fields)
@@ -312,8 +312,8 @@ class EnsightSource final : public Source {
     std::string geometry_file_;
     std::set<std::size_t> on_blocks_; ///< parts with faces
     std::set<std::size_t> walls_;
-    std::map<std::size_t, vtkSmartPointer<vtkPolyData>>
-        solids_; ///< the outside of the parts without the velocity
+    /// The outside of the parts without the velocity.
+    std::map<std::size_t, vtkSmartPointer<vtkPolyData>> solids_;
 };
 
 } // namespace

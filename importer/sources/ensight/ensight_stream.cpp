@@ -130,7 +130,7 @@ core::Result<std::string_view> EnsightStream::word() {
 template <class T>
 core::Result<std::vector<T>> EnsightStream::values(std::size_t count) {
     static_assert(sizeof(T) == sizeof(std::uint32_t));
-    // Two bytes of text at least make a number: no more memory than the file can fill.
+    // A number takes at least two bytes of text: this bounds the memory by the size of the file.
     if (count > text_.size() / (encoding_ == Encoding::Text ? 2 : sizeof(T)))
         return damaged("it ends too early");
     std::vector<T> out(count);

@@ -1,5 +1,5 @@
-// One EnSight Gold file as a run of lines, whole numbers and numbers, whichever of its three encodings it is in.
-// (VTK's readers of the format do not notice where a file ends: they repeat the last number they saw.)
+// One EnSight Gold file as a run of lines, whole numbers and numbers, whichever of its three encodings it is
+// in. (VTK's readers of the format do not notice where a file ends: they repeat the last number they saw.)
 #pragma once
 
 #include "core/base/result.hpp"
@@ -17,9 +17,9 @@ class EnsightStream {
     /// Reads the whole file. Error: NotFound, Io, OverLimit (memory).
     static core::Result<EnsightStream> open(const NamedFile& file);
 
-    /// Geometry files say themselves whether they are binary; variables are as their geometry is.
+    /// Geometry files state whether they are binary; variables have the encoding of their geometry.
     enum class Encoding { Text, CBinary, FortranBinary };
-    /// Of a geometry file; its first line is taken where it names an encoding.
+    /// Detects the encoding of a geometry file, and skips the first line if that names one.
     Encoding detect();
 
     void set_encoding(Encoding encoding, bool swapped) {
@@ -31,13 +31,13 @@ class EnsightStream {
 
     std::size_t size() const { return text_.size(); } ///< of the file in bytes
 
-    /// Is nothing left but space?
+    /// Says whether only space is left.
     bool at_end();
-    /// Errors of the following: Corrupt naming the file: it ends too early, or holds something else.
+    /// The functions below return Corrupt, naming the file, if it ends too early or holds something else.
     core::Result<std::string> line();
     core::Result<std::vector<std::int32_t>> integers(std::size_t count);
     core::Result<std::vector<float>> numbers(std::size_t count);
-    /// A whole number that is at least 0. The first one in a file decides on the order of its bytes.
+    /// Reads a whole number of at least 0. The first one in a file decides on the order of its bytes.
     core::Result<std::size_t> count();
 
     /// Steps back before the line read last.

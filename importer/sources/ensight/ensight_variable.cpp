@@ -13,7 +13,7 @@ using core::FieldInfo;
 
 namespace {
 
-// Values of one section: all first components, then all second ones.
+// Reads the values of one section: all first components, then all second ones.
 core::Result<void>
 append(EnsightStream& in, std::size_t count, bool undefined, vtkFloatArray* out, int components) {
     float mark = 0.0f;

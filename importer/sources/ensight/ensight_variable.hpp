@@ -8,14 +8,15 @@
 
 namespace wakesurf::importer {
 
-/// A part's values; of elements, split by their dimension as EnsightPart is. NaN where the file says undefined.
+/// Holds a part's values; those of elements are split by their dimension like EnsightPart. NaN stands for
+/// undefined.
 struct EnsightValues {
     vtkSmartPointer<vtkFloatArray> volume; ///< also those of nodes
     vtkSmartPointer<vtkFloatArray> faces;
 };
 
-/// By number of the part; parts without values are left out.
-/// Error: NotFound, Io, Corrupt, Unsupported (partial values), OverLimit.
+/// Returns values by the number of the part, without parts that have none. Error: NotFound, Io, Corrupt,
+/// Unsupported (partial values), OverLimit.
 core::Result<std::map<std::size_t, EnsightValues>> read_ensight_variable(
     const NamedFile& file, const EnsightGeometry& geometry, const core::FieldInfo& field);
 

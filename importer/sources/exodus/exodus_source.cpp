@@ -135,14 +135,14 @@ class ExodusSource final : public Source {
         return {};
     }
 
-    // Nodes and elements, as its header counts them: VTK takes memory for all of them at once.
+    // Checks the numbers of nodes and elements in the header: VTK takes memory for all of them at once.
     core::Result<void> check_sizes() const {
         int word = 8;
         int stored = 0;
         float version = 0.0F;
         const int file = ex_open(file_.path.c_str(), EX_READ, &word, &stored, &version);
         if (file < 0)
-            return {}; // told by VTK
+            return {}; // VTK reports it
         ex_set_int64_status(file, EX_ALL_INT64_API);
         ex_init_params sizes{};
         const bool known = ex_get_init_ext(file, &sizes) >= 0;
@@ -190,7 +190,7 @@ class ExodusSource final : public Source {
                     return give_up(readable.error());
             choose_fields(fields);
             const VtkMessages messages;
-            reader_->SetTimeStep(static_cast<int>(order_[step])); // of two with one time either
+            reader_->SetTimeStep(static_cast<int>(order_[step])); // either of two with one time
             reader_->Update();
             if (auto clean = messages.verdict(what); !clean)
                 return give_up(clean.error());
@@ -257,7 +257,7 @@ bool is_exodus(const fs::path& path) {
     const std::string ending = lower_extension(path);
     if (std::find(endings.begin(), endings.end(), ending) == endings.end())
         return false;
-    // Plot3D calls its grids .g as well: there, the signature of netCDF or HDF5 tells.
+    // Plot3D calls its grids .g as well: the signature of netCDF or HDF5 tells them apart.
     std::array<char, 4> start{};
     std::ifstream(path, std::ios::binary).read(start.data(), start.size());
     const std::string_view signature(start.data(), start.size());

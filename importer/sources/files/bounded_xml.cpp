@@ -17,7 +17,8 @@ class BoundedParser final : public vtkXMLDataParser {
     bool too_deep() const { return too_deep_; }
 
   protected:
-    // What is nested deeper is left out of the tree, which is whole otherwise: VTK takes it for granted that a root was closed.
+    // Deeper elements are left out of the tree, which is complete otherwise: VTK assumes that the root was
+    // closed.
     void StartElement(const char* name, const char** attributes) override {
         if (++depth_ <= deepest)
             vtkXMLDataParser::StartElement(name, attributes);

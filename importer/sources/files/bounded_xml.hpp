@@ -13,13 +13,12 @@
 
 namespace wakesurf::importer {
 
-/// Returns what the stream holds, parsed as far as it is XML; without a root element where it is none. The
-/// parser keeps the stream.
-/// Error: Corrupt (elements nested too deeply). REQUIRES: a VtkMessages lives.
+/// Returns the content of a stream, parsed as far as it is XML; without a root element if it is none. The
+/// parser keeps the stream. Error: Corrupt (elements nested too deeply). REQUIRES: a VtkMessages lives.
 core::Result<vtkSmartPointer<vtkXMLDataParser>> parse_xml(std::istream& in,
                                                           const std::string& file);
 
-/// Returns an attribute of an element as VTK hands it out, empty where there is none.
+/// Returns an attribute of an element as VTK hands it out; empty if it is missing.
 inline std::string xml_attribute(vtkXMLDataElement& element, const char* name) {
     const char* text = element.GetAttribute(name);
     return text == nullptr ? std::string() : std::string(text);

@@ -1,4 +1,4 @@
-// What file names and texts in collections say: extensions, numbers.
+// The meaning of file names, and of texts in collections: extensions, numbers.
 #pragma once
 
 #include <filesystem>
@@ -8,13 +8,14 @@
 
 namespace wakesurf::importer {
 
-/// With its dot, in lower case: ".vtu".
+/// Returns the extension with its dot, in lower case: ".vtu".
 std::string lower_extension(const std::filesystem::path& path);
 
-/// The whole text as a finite number; spaces round it do not count.
+/// Returns the whole text as a finite number, ignoring spaces around it; empty if it is none.
 std::optional<double> finite_number(std::string_view text);
 
-/// Without the folder and the last extension, and without the _, - and dots before it: "flow" of "flow_.vtu".
+/// Returns the name without folder and last extension, and without _, - and dots before it: "flow" of
+/// "flow_.vtu".
 std::string tidy_name(std::string_view name);
 
 } // namespace wakesurf::importer

@@ -1,5 +1,5 @@
-// The path of a file that another file names. Confined, the author of that file cannot have other files of the machine read:
-// what lies outside of its folder is refused.
+// The path of a file that another file names. If confined, the author of that file cannot make the importer
+// read other files of the machine: paths outside of its folder are refused.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -9,15 +9,17 @@
 
 namespace wakesurf::importer {
 
-/// For the whole process, before its first source is opened: files may be named anywhere that the user may read, as by .., an
-/// absolute path or a link. That is for sources that the user named on a command line. Until this is called, paths are confined.
+/// Allows, for the whole process and before its first source is opened, files anywhere that the user may
+/// read, named by .., an absolute path or a link. It is for sources that the user named on a command line.
+/// Until this is called, paths are confined.
 void allow_paths_out_of_folder();
 
-/// What people are told of a name: of an absolute path, whose folders are no one else's business, the file's name only.
+/// Returns a name for messages: of an absolute path, whose folders are private, the file's name only.
 std::string told_name(const std::string& name);
 
-/// `folder` / `name`, without following it. Error, while paths are confined: Unsupported, where .., an absolute path or a symbolic
-/// link leads out of the folder. @param named_by  the file that names it, for the message
+/// Returns `folder` / `name`, without following links. Error, while paths are confined: Unsupported, if ..,
+/// an absolute path or a symbolic link leads out of the folder. @param named_by  the file that names it, for
+/// the message
 core::Result<std::filesystem::path> named_path(const std::filesystem::path& folder,
                                                const std::string& name,
                                                const std::string& named_by);

@@ -21,13 +21,13 @@ namespace {
 
 constexpr std::uint64_t largest = std::uint64_t{1} << 60; // bytes: beyond, a header is damaged
 
-// What the header says, number by number; everything is big-endian and padded to four bytes.
+// Reads the header, number by number; everything is big-endian and padded to four bytes.
 class Header {
   public:
     Header(std::istream& in, int version)
         : in_(in), count_(version == 5 ? 8 : 4), offset_(version == 1 ? 4 : 8) {}
 
-    /// The end of the last value of the last variable; nothing where the header makes no sense.
+    /// Returns the end of the last value of the last variable; empty if the header makes no sense.
     std::optional<std::uint64_t> end_of_data() {
         records_ = number(count_);
         if (!read_dimensions() || !skip_attributes())
@@ -47,7 +47,8 @@ class Header {
         return std::max(fixed_ends_, record_ends_ + (records_ - 1) * record_size());
     }
 
-    /// Streamed files do not say how many records they have. The netCDF library takes that for a count.
+    /// Says whether the number of records is that of streamed files, which do not state one. The netCDF
+    /// library takes it for a count.
     bool streamed() const {
         return records_ == (count_ == 4 ? std::numeric_limits<std::uint32_t>::max()
                                         : std::numeric_limits<std::uint64_t>::max());
@@ -71,7 +72,7 @@ class Header {
         return sound_ && in_.good();
     }
 
-    // The netCDF library copies a name of any length to where its callers have room for the longest allowed one.
+    // The netCDF library copies a name of any length into buffers for the longest allowed one.
     bool skip_name() {
         const auto bytes = number(count_);
         return bytes <= NC_MAX_NAME && skip(bytes);
@@ -166,7 +167,8 @@ class Header {
     std::uint64_t record_variables_ = 0;
 };
 
-// Of HDF5, version 0 to 3: what stands behind its signature. Format: HDF5 File Format Specification, II.A.
+// Returns the size that the superblock of HDF5, version 0 to 3, states behind its signature. Format: HDF5
+// File Format Specification, II.A.
 std::optional<std::uint64_t> size_by_superblock(std::istream& in) {
     std::array<unsigned char, 52> bytes{};
     in.read(reinterpret_cast<char*>(bytes.data()), bytes.size());

@@ -1,4 +1,4 @@
-// Is a NetCDF file as long as its header says? Asked before a library is trusted with one that was cut off.
+// Checks the length of a NetCDF file against its header, before a library reads a file that was cut off.
 // Format: NetCDF Classic Format Specification (CDF-1, CDF-2 and CDF-5); NetCDF-4 is HDF5.
 #pragma once
 
@@ -7,7 +7,8 @@
 
 namespace wakesurf::importer {
 
-/// Error: NotFound, Io, Corrupt (also what is no NetCDF at all). Cost: reads the header.
+/// Checks the length. Error: NotFound, Io, Corrupt (also for a file that is no NetCDF). Cost: reads the
+/// header.
 core::Result<void> check_netcdf_size(const NamedFile& file);
 
 } // namespace wakesurf::importer

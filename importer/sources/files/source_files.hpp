@@ -1,5 +1,5 @@
-// The files a source is made of, by what they are called for people, and their state for deciding whether an import
-// of them is still good.
+// The files of a source, by their names for people, and their state, which decides whether an import of them
+// is still good.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -16,7 +16,8 @@ struct NamedFile {
     std::string name; ///< without the folder of the source
 };
 
-/// Size and modification time of every file, in the order given. Error: NotFound naming what is missing, Io.
+/// Returns size and modification time of every file, in the order given. Error: NotFound naming the missing
+/// file, Io.
 core::Result<std::vector<store::SourceFile>> fingerprint(const std::vector<NamedFile>& files);
 
 } // namespace wakesurf::importer

@@ -32,7 +32,7 @@ AxisKind kind_of_name(const std::string& name) {
     return name == "x" ? AxisKind::X : name == "y" ? AxisKind::Y : AxisKind::Unknown;
 }
 
-// Tells a coordinate variable, which models name as they like: x, xh, x_c, zu_3d, x_position.
+// Classifies a coordinate variable by its name, which models choose freely: x, xh, x_c, zu_3d, x_position.
 AxisKind kind_of_coordinate(const std::string& name) {
     if (const auto kind = kind_of_name(name); kind != AxisKind::Unknown)
         return kind;
@@ -42,7 +42,7 @@ AxisKind kind_of_coordinate(const std::string& name) {
     return name[0] == 'x' ? AxisKind::X : name[0] == 'y' ? AxisKind::Y : AxisKind::Z;
 }
 
-// Returns what a variable says about itself.
+// Returns the kind that a variable states in its attributes.
 AxisKind stated_kind(const NetcdfFile& file, const NetcdfVariable& variable) {
     const auto axis = lower_case(file.text(variable, "axis"));
     const auto standard = lower_case(file.text(variable, "standard_name"));
@@ -91,7 +91,7 @@ class GridSearch {
   public:
     explicit GridSearch(const NetcdfFile& file) : file_(file) {}
 
-    // A grid with a velocity goes before others; of several the one of most variables.
+    // Prefers a grid with a velocity; of several, the one of most variables.
 
     core::Result<Candidate> run() {
         for (const auto& variable : file_.variables())
@@ -182,7 +182,7 @@ class GridSearch {
         return {};
     }
 
-    // u, v and w on nodes of their own are not a velocity anywhere.
+    // Refuses u, v and w on nodes of their own: together they are a velocity nowhere.
     core::Result<void> check_velocities() const {
         std::vector<std::pair<std::string, Triple>> found;
         for (const auto& [dimensions, candidate] : candidates_)
@@ -205,8 +205,8 @@ class GridSearch {
     std::optional<std::string> curvilinear_;
 };
 
-// Makes lengths metres; `units` of an axis keeps what the file said. Error: Unsupported (an axis that is no
-// length), Io.
+// Converts lengths to metres; `units` of an axis keeps what the file said. Error: Unsupported (an axis that
+// is no length), Io.
 core::Result<void> convert_axes(const NetcdfFile& file, NetcdfGrid& grid) {
     if (auto known = check_units_known(); !known)
         return known;
@@ -238,8 +238,8 @@ core::Result<void> convert_axes(const NetcdfFile& file, NetcdfGrid& grid) {
 
 } // namespace
 
-// CF names it as its dimension; other models do not. Then it is the one variable along the dimension that
-// says that it is an axis, or, where none does, the one that is named like one.
+// CF names the coordinate variable as its dimension; other models do not. Then it is the one variable along
+// the dimension that states that it is an axis, or, if none does, the one named like one.
 const NetcdfVariable* coordinates_of(const NetcdfFile& file, int dimension) {
     const auto along = [&](const NetcdfVariable& variable) {
         return variable.dimensions == std::vector<int>{dimension} && variable.type != NC_CHAR &&

@@ -1,4 +1,4 @@
-// Which dimensions of a NetCDF-CF file are x, y, z and time, and where the nodes are along them.
+// The dimensions of a NetCDF-CF file that are x, y, z and time, and the coordinates of nodes along them.
 #pragma once
 
 #include "importer/sources/netcdf/netcdf_file.hpp"
@@ -9,12 +9,14 @@ namespace wakesurf::importer {
 
 enum class AxisKind { X, Y, Z, Time, Unknown };
 
-/// The variable that has the coordinates along a dimension: of its name, or else the one along it that states that it is an axis, or is
-/// named like one (xh along ni). Null where there is none, or several.
+/// Returns the variable that has the coordinates along a dimension: the one of its name, or else the one
+/// along it that states that it is an axis, or is named like one (xh along ni). Null if there is none, or
+/// several.
 const NetcdfVariable* coordinates_of(const NetcdfFile& file, int dimension);
 
-/// By the coordinate variable's axis attribute, units ("... since ..."), standard name and positive attribute, then by the
-/// name of the dimension. Error: Unsupported (longitude and latitude, pressure or sigma levels: no lengths).
+/// Returns the kind of an axis: by the coordinate variable's axis attribute, units ("... since ..."),
+/// standard name and positive attribute, then by the name of the dimension. Error: Unsupported (longitude and
+/// latitude, pressure or sigma levels: no lengths).
 core::Result<AxisKind> axis_kind(const NetcdfFile& file, int dimension);
 
 struct NetcdfAxis {
@@ -24,22 +26,23 @@ struct NetcdfAxis {
     bool numbered = false;     ///< the file has no coordinates: 0, 1, 2, ...
     std::string units{};       ///< as the file states them
     bool known = false;        ///< a unit of length
-    double factor = 1.0;       ///< that the nodes were multiplied by, to be in metres
+    double factor = 1.0;       ///< the factor that made the nodes metres
 };
 
-/// A depth, positive downwards, becomes a height. Error: Corrupt (coordinates that are missing, not finite, neither
-/// rising nor falling).
+/// Reads an axis. A depth, positive downwards, becomes a height. Error: Corrupt (coordinates that are
+/// missing, not finite, neither rising nor falling).
 core::Result<NetcdfAxis> read_axis(const NetcdfFile& file, int dimension);
 
 struct NetcdfGrid {
     std::array<NetcdfAxis, 3> axes; ///< x, y, z
     std::optional<int> time;        ///< dimension
-    std::vector<std::string>
-        variables; ///< those on this grid: of its three dimensions, each once, in any order
+    /// The variables on this grid: each has its three dimensions, each once, in any order.
+    std::vector<std::string> variables;
 };
 
-/// The grid the variables are on, in metres where the file states a unit of length. Error: Unsupported (two-dimensional data, velocities on staggered grids, curvilinear or
-/// spherical coordinates, axes that are no lengths), Corrupt, Io.
+/// Returns the grid of the variables, in metres if the file states a unit of length. Error: Unsupported
+/// (two-dimensional data, velocities on staggered grids, curvilinear or spherical coordinates, axes that are
+/// no lengths), Corrupt, Io.
 core::Result<NetcdfGrid> find_grid(const NetcdfFile& file);
 
 } // namespace wakesurf::importer

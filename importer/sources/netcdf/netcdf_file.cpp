@@ -35,7 +35,7 @@ named_twice(const std::string& file, const char* what, const std::string& name) 
                       file + " is damaged: it has two " + what + " called " + name);
 }
 
-// What packed values are and which of them are none.
+// Holds how values are packed, and which of them are missing.
 struct Packing {
     double scale = 1.0;
     double offset = 0.0;
@@ -54,7 +54,7 @@ struct Packing {
     }
 };
 
-// What unwritten values hold where the file does not say; bytes have none.
+// Returns the value of unwritten elements if the file does not state one; bytes have none.
 std::optional<double> default_fill(nc_type type) {
     switch (type) {
     case NC_SHORT:
@@ -156,7 +156,7 @@ core::Result<void> NetcdfFile::list() {
             status != NC_NOERR)
             return damaged(name_, status);
         variable.name = text.data();
-        // A damaged file may have them; asked for by its name, the one would be taken for the other, of another size.
+        // A damaged file may have two variables of one name: one would be read as the other, of another size.
         if (has_name(variables_, variable.name))
             return named_twice(name_, "variables", variable.name);
         variable.dimensions.assign(ids.begin(), ids.begin() + count);

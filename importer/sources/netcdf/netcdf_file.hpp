@@ -1,5 +1,6 @@
-// A NetCDF file (classic, 64-bit, NetCDF-4) read with the netCDF library itself: VTK's reader turns packed fill values
-// into velocities. Packing and missing values as in the CF conventions 1.8, sections 2.5.1 and 8.1.
+// A NetCDF file (classic, 64-bit, NetCDF-4) read with the netCDF library itself: VTK's reader turns packed
+// fill values into velocities. Packing and missing values as in the CF conventions 1.8, sections 2.5.1 and
+// 8.1.
 #pragma once
 
 #include "importer/sources/series/file_series.hpp"
@@ -25,7 +26,7 @@ struct NetcdfVariable {
     std::vector<int> dimensions; ///< indices, slowest first
 };
 
-/// Not thread-safe. All errors name the file.
+/// Reads one file. Not thread-safe. All errors name the file.
 class NetcdfFile {
   public:
     /// Error: Io, Corrupt (not NetCDF, cut off).
@@ -39,19 +40,19 @@ class NetcdfFile {
 
     const std::string& name() const { return name_; }
 
-    /// "" where there is none, or it is no text.
+    /// Returns a text attribute; "" if it is missing, or no text.
     std::string text(const NetcdfVariable& variable, const char* attribute) const;
 
-    /// Empty where there is none, or it is text.
+    /// Returns a numeric attribute; empty if it is missing, or text.
     std::vector<double> numbers(const NetcdfVariable& variable, const char* attribute) const;
 
-    /// `count` values from `start` along each dimension, unpacked; NaN for fill values, missing values and those outside
-    /// the valid range. Error: Corrupt, OverLimit (memory).
+    /// Returns `count` values from `start` along each dimension, unpacked; NaN for fill values, missing
+    /// values and those outside the valid range. Error: Corrupt, OverLimit (memory).
     core::Result<std::vector<double>> read(const NetcdfVariable& variable,
                                            const std::vector<std::size_t>& start,
                                            const std::vector<std::size_t>& count) const;
 
-    /// All of a variable.
+    /// Returns all values of a variable.
     core::Result<std::vector<double>> read(const NetcdfVariable& variable) const;
 
   private:

@@ -73,7 +73,7 @@ vtkSmartPointer<vtkDataSet> make_grid(const NetcdfFile& file, const NetcdfGrid& 
     return rectilinear;
 }
 
-// One time-step of a variable, x fastest, along rising axes.
+// Reads one time-step of a variable, x fastest, along rising axes.
 template <class Array>
 core::Result<vtkSmartPointer<vtkDataArray>> read_array(const NetcdfFile& file,
                                                        const NetcdfVariable& variable,
@@ -239,7 +239,7 @@ class NetcdfSource final : public SeriesSource<std::size_t> {
         });
     }
 
-    // None where it is not clear what the velocity is.
+    // Returns an empty list if the choice of the velocity is not clear.
     std::vector<std::string> velocity_names() const {
         std::vector<std::string> out;
         if (const auto chosen = choose_velocity(description_.fields, velocity_))
@@ -248,7 +248,7 @@ class NetcdfSource final : public SeriesSource<std::size_t> {
         return out;
     }
 
-    /// Is what times are counted from.
+    /// The point in time that times are counted from.
     std::string reference_;
     std::optional<std::string> time_unit_;
 };

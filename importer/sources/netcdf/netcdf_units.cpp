@@ -23,7 +23,7 @@ std::string listed(const std::vector<std::string>& names) {
     return out;
 }
 
-// Calendars that count days as everybody does; a model year of 360 or 365 days has other dates.
+// Is true of calendars with the usual days; a model year of 360 or 365 days has other dates.
 bool is_usual_calendar(const std::string& calendar) {
     constexpr std::array<std::string_view, 4> usual{"", "standard", "gregorian",
                                                     "proleptic_gregorian"};
@@ -139,7 +139,7 @@ std::string note_on_units(const NetcdfFile& file,
     }
     for (const auto& [unit, groups] : values)
         note_converted(note, groups, unit);
-    // Where nothing states a unit, nothing can be wrong about it: numbers without dimensions.
+    // If nothing states a unit, numbers have no dimensions, and none is wrong.
     if (!stated) {
         std::erase_if(kept, [](const auto& group) { return group.first.empty(); });
         std::erase_if(velocity_kept, [](const auto& group) { return group.first.empty(); });

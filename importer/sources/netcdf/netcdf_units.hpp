@@ -1,5 +1,5 @@
-// What the units attributes of a NetCDF-CF file say, and by what its numbers are multiplied so that times,
-// lengths and velocities fit each other. (CF conventions 1.8, sections 3.1, 4.3 and 4.4)
+// The units attributes of a NetCDF-CF file, and the factors that make its times, lengths and velocities fit
+// each other. (CF conventions 1.8, sections 3.1, 4.3 and 4.4)
 #pragma once
 
 #include "importer/sources/netcdf/netcdf_axes.hpp"
@@ -7,10 +7,11 @@
 namespace wakesurf::importer {
 
 struct NetcdfTimes {
-    std::vector<double>
-        seconds; ///< since the reference; in the file's own unit where that is not known
+    /// The times in seconds since the reference; in the file's own unit if that is unknown.
+    std::vector<double> seconds;
     std::string reference;
-    std::string unit; ///< as the file states it, without the reference; empty where it does not
+    /// The unit as the file states it, without the reference; empty if it states none.
+    std::string unit;
     std::string note; ///< what was converted or kept
 };
 
@@ -24,10 +25,10 @@ struct NetcdfUnit {
     std::string unit; ///< of the values once multiplied
 };
 
-/// Velocities, momenta and densities come to m s-1, kg m-2 s-1 and kg m-3; everything else stays.
+/// Converts velocities, momenta and densities to m s-1, kg m-2 s-1 and kg m-3; everything else stays.
 NetcdfUnit unit_of(const NetcdfFile& file, const NetcdfVariable& variable);
 
-/// Returns what a person should know of the units beside those of the times; empty where all is as it seems.
+/// Returns a note for users on the units, except those of the times; empty if all are plain.
 /// @param velocity  names of the variables the velocity is made of
 /// @param times     unit of the time coordinate, if there is one
 std::string note_on_units(const NetcdfFile& file,

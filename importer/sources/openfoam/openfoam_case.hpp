@@ -1,5 +1,5 @@
-// What an OpenFOAM case is made of, found by looking at its folders: the parts it was decomposed into, its
-// regions and the times there are.
+// The parts of an OpenFOAM case, found by listing its folders: the processors it was decomposed into, its
+// regions and its times.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -22,35 +22,38 @@ struct FoamRegion {
     std::string name; ///< empty: the only one, or OpenFOAM's region0
     bool fluid = false;
     std::vector<std::string> walls; ///< its patches of a type of wall, in any part
-    /// Its patches that continue at another one, in any part, and the names of those; empty where the file
+    /// Maps its patches that continue at another one, in any part, to the names of those; empty if the file
     /// does not say.
     std::map<std::string, std::string> cyclic{};
 };
 
 struct FoamCase {
     std::filesystem::path folder;
-    std::string name;               ///< for people: of the folder
-    std::string file;               ///< what was given, for errors
-    std::string velocity;           ///< asked for; may be empty
-    std::vector<std::string> parts; ///< folders with a mesh each: "" alone, or processor0 and so on
+    std::string name;     ///< for people: of the folder
+    std::string file;     ///< the path given, for errors
+    std::string velocity; ///< asked for; may be empty
+    /// The folders with a mesh each: "" alone, or processor0 and so on.
+    std::vector<std::string> parts;
     std::vector<FoamRegion> regions;
-    std::vector<FoamTime> times; ///< where every fluid region of every part has a velocity
-    std::vector<core::FieldInfo>
-        fields; ///< which every fluid region of every part has at all of them; without ranges
-    std::vector<FoamTime>
-        mesh_times; ///< folders with a polyMesh that counts at `times`, newest first
+    /// The times at which every fluid region of every part has a velocity.
+    std::vector<FoamTime> times;
+    /// The fields that every fluid region of every part has at all of them; without ranges.
+    std::vector<core::FieldInfo> fields;
+    /// The folders with a polyMesh that counts at `times`, newest first.
+    std::vector<FoamTime> mesh_times;
     std::string note;
 
-    /// The file of a field or mesh, relative to `folder` and without .gz; `instance` is a time or "constant".
+    /// Returns the file of a field or mesh, relative to `folder` and without .gz; `instance` is a time or
+    /// "constant".
     std::string relative(const std::string& part,
                          const std::string& instance,
                          const std::string& region,
                          const std::string& file) const;
-    /// A mesh's file as it counts at `times`: that of the newest time folder with one, else that of constant;
-    /// relative as above.
+    /// Returns a mesh's file as it counts at `times`: that of the newest time folder with one, else that of
+    /// constant; relative as above.
     std::string
     mesh_file(const std::string& part, const std::string& region, const std::string& file) const;
-    /// The file as it is, plain or compressed; as named where it is not there.
+    /// Returns the file that exists, plain or compressed; as named if neither does.
     NamedFile file_at(const std::string& relative) const;
 };
 

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Words, and ( ) { } ; as tokens of their own; comments and quotes left out.
+// Splits a text into words, and ( ) { } ; as tokens of their own, without comments and quotes.
 std::vector<std::string_view> tokens_of(std::string_view text) {
     std::vector<std::string_view> out;
     const auto ends_word = [](char c) {
@@ -50,7 +50,7 @@ bool has_letter(std::string_view text) {
                        [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; });
 }
 
-// Of units with a power each, "s^-1". False where one is not known.
+// Adds the powers of units such as "s^-1". Returns false if one is not known.
 bool add_powers(const std::vector<std::string_view>& tokens,
                 const std::array<const char*, 7>& names,
                 std::array<double, 7>& powers) {
@@ -72,7 +72,7 @@ bool add_powers(const std::vector<std::string_view>& tokens,
     return true;
 }
 
-// Just behind the FoamFile { ... } of a file, or its start.
+// Returns the position just behind the FoamFile { ... } of a file, or its start.
 std::size_t behind_header(std::string_view text) {
     const auto start = text.find("FoamFile");
     const auto end = start == std::string_view::npos ? start : text.find('}', start);
@@ -93,7 +93,7 @@ std::optional<fs::path> foam_file(const fs::path& file) {
 }
 
 std::optional<std::string> foam_content(const fs::path& file, std::size_t at_most) {
-    // zlib hands plain files through.
+    // zlib passes plain files through.
     const std::unique_ptr<gzFile_s, int (*)(gzFile)> in(::gzopen(file.c_str(), "rb"), ::gzclose);
     if (!in)
         return std::nullopt;

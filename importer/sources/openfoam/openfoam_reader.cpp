@@ -35,8 +35,8 @@ using core::FieldInfo;
 namespace {
 
 // Checks that a mesh fits into memory, by the lengths of its lists, and that the files that say which cells a
-// face lies between name cells that can be there. One number too large has VTK's reader make, or search, as
-// many cells as that.
+// face lies between name cells that can exist. One number too large makes VTK's reader allocate, or search,
+// as many cells.
 
 namespace fs = std::filesystem;
 
@@ -44,7 +44,8 @@ using File = std::unique_ptr<gzFile_s, int (*)(gzFile)>;
 
 constexpr std::size_t piece_bytes = std::size_t{1} << 16;
 
-/// A list of labels as it begins: "FoamFile { ... } // comment \n 12 (".
+/// Holds the beginning of a list of labels: "FoamFile { ... } // comment
+/// 12 (".
 struct ListHead {
     std::int64_t count = 0;
     std::size_t begin = 0; ///< of the labels in the file
@@ -83,7 +84,7 @@ std::optional<ListHead> head_of(gzFile in) {
     return out;
 }
 
-// Calls `label` with each; stops where it returns false, and at what is no label.
+// Calls `label` with each; stops if it returns false, and at anything but a label.
 template <class Label>
 void each_of_text(gzFile in, std::int64_t count, const Label& label) {
     std::vector<char> piece(piece_bytes);
@@ -120,9 +121,8 @@ void each_of_binary(gzFile in, std::int64_t count, const Label& label) {
     }
 }
 
-// Reads owner and neighbour of a polyMesh folder, plain or compressed, text or binary, piece by piece. What
-// has another form is left to VTK.
-// Error: Corrupt, OverLimit. @param name  of the folder in messages
+// Reads owner and neighbour of a polyMesh folder, plain or compressed, text or binary, piece by piece. Any
+// other form is left to VTK. Error: Corrupt, OverLimit. @param name  of the folder in messages
 core::Result<void> check_foam_cells(const fs::path& mesh, const std::string& name) {
     constexpr std::array<std::pair<const char*, std::uint64_t>, 4> lists{
         {{"points", 3 * sizeof(float)}, {"faces", 4}, {"owner", 4}, {"neighbour", 4}}};
@@ -131,7 +131,7 @@ core::Result<void> check_foam_cells(const fs::path& mesh, const std::string& nam
         const File in(file ? ::gzopen(file->c_str(), "rb") : nullptr, ::gzclose);
         const auto head = in ? head_of(in.get()) : std::nullopt;
         if (!head)
-            continue; // told by VTK
+            continue; // VTK reports it
         const auto count = static_cast<std::uint64_t>(std::max<std::int64_t>(head->count, 0));
         if (auto fits = check_claim(name + "/" + list, count, bytes); !fits)
             return fits;
@@ -170,7 +170,7 @@ core::Result<void> check_foam_cells(const fs::path& mesh, const std::string& nam
     return {};
 }
 
-// Faces of a patch that states no value get one that is no number, and so none of a wall at rest.
+// Gives faces of a patch that states no value one that is no number, so that they are no wall at rest.
 core::Result<void> add_array(const Leaf& leaf,
                              const FieldInfo& field,
                              const FoamValues& values,
@@ -213,8 +213,8 @@ std::string region_of(const Leaf& leaf) {
 OpenfoamReader::OpenfoamReader(const FoamCase& found, std::string part)
     : found_(found), part_(std::move(part)) {}
 
-// VTK passes over a field that is not there, and takes a field's name from inside the file: a copy beside it
-// would be read over it.
+// VTK ignores missing fields, and takes a field's name from inside the file: a copy beside it would replace
+// it.
 core::Result<void> OpenfoamReader::check_files(const FoamTime& time,
                                                const std::vector<FieldInfo>& fields) const {
     for (const auto& region : found_.regions) {
@@ -302,7 +302,7 @@ void OpenfoamReader::choose_patches() {
     }
 }
 
-// Does VTK's reader stop at it?
+// Says whether VTK's reader fails on the units.
 bool OpenfoamReader::names_units(const FoamTime& time,
                                  const FoamRegion& region,
                                  const std::string& field) const {
@@ -311,7 +311,7 @@ bool OpenfoamReader::names_units(const FoamTime& time,
     return header && header->names_units;
 }
 
-// What VTK meets first at a later time it would read unasked, unless it is known as not wanted.
+// VTK would read fields that it first meets at a later time, unless they are known and disabled.
 void OpenfoamReader::choose_fields(const FoamTime& time, const std::vector<FieldInfo>& fields) {
     for (const auto& region : found_.regions)
         for (const auto& name :

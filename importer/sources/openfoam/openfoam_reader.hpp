@@ -1,5 +1,5 @@
-// One folder of an OpenFOAM case that holds a mesh, read by VTK, one time-step at a time. Fields whose dimensions name units are read
-// beside it (openfoam_values.hpp).
+// One folder of an OpenFOAM case that holds a mesh, read by VTK, one time-step at a time. Fields whose
+// dimensions name units are read beside it (openfoam_values.hpp).
 #pragma once
 
 #include "importer/base/source.hpp"
@@ -10,21 +10,22 @@
 
 namespace wakesurf::importer {
 
-/// Cells, not faces of a patch?
+/// Says whether a leaf holds cells, not faces of a patch.
 bool is_inside(const Leaf& leaf);
 
-/// Its name as in FoamRegion.
+/// Returns the region's name as in FoamRegion.
 std::string region_of(const Leaf& leaf);
 
-/// Not thread-safe. Keeps the mesh between time-steps.
+/// Reads time-steps and keeps the mesh between them. Not thread-safe.
 class OpenfoamReader {
   public:
-    /// `found` must outlive it.
+    /// REQUIRES: `found` outlives this.
     OpenfoamReader(const FoamCase& found, std::string part);
 
-    /// What VTK returns, copied shallowly, so that reading on does not change it: paths end in "internalMesh", or in
-    /// "boundary" and a patch's name, behind the region's where it has one. After an error nothing is kept.
-    /// Error: NotFound, Corrupt, OverLimit, Unsupported (two files of one name).
+    /// Returns VTK's output, copied shallowly, so that reading on does not change it: paths end in
+    /// "internalMesh", or in "boundary" and a patch's name, behind the name of the region if it has one.
+    /// After an error nothing is kept. Error: NotFound, Corrupt, OverLimit, Unsupported (two files of one
+    /// name).
     core::Result<std::vector<Leaf>> read(const FoamTime& time,
                                          const std::vector<core::FieldInfo>& fields);
 

@@ -65,7 +65,8 @@ bool is_wall(const std::string& type) {
     return type == "wall" || type.ends_with("Wall");
 }
 
-// One cell across, and no equation solved for that direction: OpenFOAM's way to compute in a plane.
+// Refuses a case that is one cell across without an equation for that direction: OpenFOAM's way to compute in
+// a plane.
 core::Result<void> check_directions(const std::vector<FoamPatch>& patches,
                                     const std::string& file) {
     for (const auto& patch : patches) {
@@ -87,7 +88,7 @@ core::Result<void> check_directions(const std::vector<FoamPatch>& patches,
     return {};
 }
 
-// The walls of all parts: a part lists those only that touch it in some versions of OpenFOAM.
+// Collects the walls of all parts: in some versions of OpenFOAM a part lists only those that touch it.
 core::Result<void> find_walls(const FoamCase& found, FoamRegion& region) {
     region.walls.clear();
     region.cyclic.clear();
@@ -134,7 +135,8 @@ int components_of(const FoamHeader& header) {
     return header.type == "volVectorField" ? 3 : header.type == "volScalarField" ? 1 : 0;
 }
 
-// The fields of cells that every fluid region has at all time-steps, and a note on those that only some have.
+// Finds the fields of cells that every fluid region has at all time-steps, and notes those that only some
+// have.
 void find_fields(FoamCase& found) {
     std::map<std::string, std::size_t> counts;
     std::map<std::string, std::string> first;

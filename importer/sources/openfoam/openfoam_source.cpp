@@ -35,7 +35,7 @@ class OpenfoamSource final : public Source {
         description_.note = found_.note;
         description_.ignores_boundary_values = true;
         description_.fields = found_.fields;
-        // A case without dimensions, or in units of its own, says so in its fields.
+        // A case without dimensions, or in units of its own, shows it in its fields.
         const bool metric = std::any_of(found_.fields.begin(), found_.fields.end(),
                                         [](const auto& field) { return field.unit == "m/s"; });
         if (metric) {
@@ -107,7 +107,8 @@ class OpenfoamSource final : public Source {
     }
 
   private:
-    // A solver writes numbers only, so the times behind the first one are whole without it.
+    // Leaves out a first time-step written by a person. A solver writes numbers only, so the later ones are
+    // whole.
     void leave_out_written_by_hand(const Error& why) {
         for (const auto& part : found_.parts)
             for (const auto& region : found_.regions)
@@ -159,7 +160,7 @@ class OpenfoamSource final : public Source {
         return {};
     }
 
-    // How far apart two are is told by the middles of their boxes: they have the same shape.
+    // Returns how far apart cyclic patches are, by the middles of their boxes: they have the same shape.
     std::string note_on_cyclic() const {
         std::string pairs;
         for (const auto& region : found_.regions)

@@ -55,7 +55,7 @@ core::Result<std::vector<FoamTime>> list_foam_times(const fs::path& folder,
     return out;
 }
 
-/// The mesh becomes another one at a time.
+/// Describes a mesh that becomes another one at a time.
 struct MeshChange {
     std::string before; ///< files that differ
     std::string after;
@@ -64,7 +64,7 @@ struct MeshChange {
 
 using MeshChanges = std::map<double, MeshChange>;
 
-// Looks at one part, up to the last time-step; what was there before the first is no change.
+// Compares one part's meshes, up to the last time-step; those before the first are no change.
 core::Result<void> find_changes(const FoamCase& found, const std::string& part, MeshChanges& out) {
     constexpr std::array<const char*, 4> files{"points", "faces", "owner", "neighbour"};
     const auto times = list_foam_times(found.folder / part, part);
@@ -136,8 +136,8 @@ bool is_of_something_else(const std::string& name) {
     return store::meaning_of_vector(name) == store::VectorName::Other;
 }
 
-// Returns what is asked for, U, or else the vector field that most times have and whose name does not say
-// that it is something else.
+// Returns the velocity asked for, U, or else the vector field that most times have and whose name does not
+// say that it is something else.
 std::string velocity_name(const FoamCase& found, const std::vector<NamesAtTimes>& regions) {
     std::map<std::string, std::size_t> counts;
     for (const auto& region : regions)
@@ -182,7 +182,8 @@ std::map<double, std::string> times_with(const NamesAtTimes& times, const std::s
     return out;
 }
 
-// A run that was ended, or is, while it writes leaves times on some processors only.
+// Describes times on some processors only, as a run leaves them that was ended, or is running, while it
+// writes.
 struct LeftOut {
     std::map<double, std::string> times; ///< and the name of each time's folder
     std::string part;                    ///< one that does not have the last of them
@@ -231,8 +232,8 @@ core::Result<void> keep_common_times(const FoamCase& found,
     return {};
 }
 
-// Fields are written one after the other: at the last time some processors may have files that others do not
-// have yet, and one file may be written in part.
+// Leaves out the last time if it is half written. Fields are written one after the other: some processors may
+// have files that others do not have yet, and one file may be written in part.
 void leave_out_last_time_half_written(FoamCase& found) {
     const std::string last = found.times.back().name;
     for (const auto& region : found.regions) {

@@ -7,22 +7,20 @@
 
 namespace wakesurf::importer {
 
-/// Returns the names of what may be fields in a time folder, without .gz and without copies OpenFOAM itself
-/// passes over.
+/// Returns the names of possible fields in a time folder, without .gz and without copies that OpenFOAM itself
+/// ignores.
 std::set<std::string> foam_fields(const std::filesystem::path& folder);
 
-/// Sets `times` and which regions are fluid: those with a velocity, which is U, or else the vector field of
-/// most times. Times that not all processors have are left out, with a note; so is the last one where their
-/// files differ.
-/// Error: NotFound (no velocity anywhere, or at no time on all processors), Corrupt.
+/// Sets `times` and the fluid regions: those with a velocity, which is U, or else the vector field of most
+/// times. Times that not all processors have are left out, with a note; so is the last one if their files
+/// differ. Error: NotFound (no velocity anywhere, or at no time on all processors), Corrupt.
 core::Result<void> find_foam_times(FoamCase& found);
 
 /// Sets `mesh_times`. Compares every mesh file in a time folder with the one used before; files that are
 /// equal but for their headers are no change. snappyHexMesh leaves its mesh in a time folder, and a run from
-/// there leaves the fields of the background mesh behind: of the times those stay that have the last mesh,
-/// with a note on the others.
-/// Error: Unsupported naming the first file that differs, where the mesh changes as the run goes: its points
-/// move, or it is another one at every time. Cost: reads those files.
+/// there leaves the fields of the background mesh behind: only times with the last mesh stay, with a note on
+/// the others. Error: Unsupported naming the first file that differs, if the mesh changes as the run goes:
+/// its points move, or it is another one at every time. Cost: reads those files.
 core::Result<void> keep_times_of_last_mesh(FoamCase& found);
 
 } // namespace wakesurf::importer

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::string_view blanks = " \t\r\n";
 
-/// Reads a dictionary from its beginning to its end. Nothing, or false, means: damaged.
+/// Reads a dictionary from its beginning to its end. Empty and false mean: damaged.
 class FoamDictionary {
   public:
     FoamDictionary(std::string_view text, int components)
@@ -71,7 +71,7 @@ class FoamDictionary {
     bool take_word() {
         const auto here = word();
         if (here.empty()) {
-            ++at_; // a bracket of a list that nobody asks for
+            ++at_; // a bracket of a list that is not read
             return true;
         }
         if (here == "nonuniform")
@@ -87,7 +87,7 @@ class FoamDictionary {
         return true;
     }
 
-    // Words of `format binary; arch "LSB;label=32;scalar=64";`.
+    // Reads words of `format binary; arch "LSB;label=32;scalar=64";`.
     void take_header(std::string_view word) {
         binary_ = binary_ || (key_ == "format" && word == "binary");
         of_other_machine_ = of_other_machine_ || word == "MSB";
@@ -99,14 +99,14 @@ class FoamDictionary {
 
     bool in_patch() const { return path_.size() == 2 && path_[0] == "boundaryField"; }
 
-    // Where the values of this entry go to; null: nobody asks for them.
+    // Returns the target of this entry's values; null if they are not wanted.
     std::vector<float>* values() {
         if (path_.empty() && key_ == "internalField")
             return &out_.inside;
         return in_patch() && key_ == "value" ? &out_.patches[path_[1]] : nullptr;
     }
 
-    // "List<vector> 12 ( ... )", "List<vector> 12{(0 0 0)}", "List<vector> 0;", "0()".
+    // Reads "List<vector> 12 ( ... )", "List<vector> 12{(0 0 0)}", "List<vector> 0;" or "0()".
     bool take_list() {
         pass_blanks();
         const auto type = text_.compare(at_, 5, "List<") == 0 ? word() : std::string_view();
@@ -145,7 +145,7 @@ class FoamDictionary {
         return at_ < text_.size() && text_[at_++] == bracket;
     }
 
-    // Each of `count` stands in brackets where it has several numbers.
+    // Reads `count` values; each stands in brackets if it has several numbers.
     bool take_numbers(std::size_t count, std::size_t numbers, std::vector<float>& out) {
         out.clear();
         for (std::size_t i = 0; i < count; ++i) {
@@ -189,7 +189,7 @@ class FoamDictionary {
     std::string_view text_;
     std::size_t components_;
     std::size_t at_ = 0;
-    std::vector<std::string> path_; ///< of the dictionaries that this place is in
+    std::vector<std::string> path_; ///< the names of the dictionaries around this position
     std::string key_;               ///< the first word of this entry
     bool binary_ = false;
     bool of_other_machine_ = false;

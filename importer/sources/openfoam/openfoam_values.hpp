@@ -1,5 +1,5 @@
-// The values of a field's file, read without VTK: its reader stops at dimensions that name units, "[m s^-1]", as OpenFOAM writes them
-// since version 10. Text and binary, plain and compressed.
+// The values of a field's file, read without VTK, whose reader fails on dimensions that name units, "[m
+// s^-1]", as OpenFOAM writes them since version 10. Text and binary, plain and compressed.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -12,12 +12,13 @@
 namespace wakesurf::importer {
 
 struct FoamValues {
-    std::vector<float> inside; ///< of one cell, where it counts for all, or of each
-    std::map<std::string, std::vector<float>>
-        patches; ///< likewise of their faces; without those that state no value
+    std::vector<float> inside; ///< the value of one cell, if it counts for all, or of each
+    /// The values of faces, by patch, likewise; patches without a value are left out.
+    std::map<std::string, std::vector<float>> patches;
 };
 
-/// @param name  of the file in messages. Error: Corrupt, Unsupported (numbers of another machine).
+/// Reads the values. Error: Corrupt, Unsupported (numbers of another machine). @param name  of the file in
+/// messages
 core::Result<FoamValues>
 read_foam_values(const std::filesystem::path& file, const std::string& name, int components);
 

@@ -26,7 +26,8 @@ bool write_all(int file, std::string_view text) {
     return true;
 }
 
-// Calls visit(text) with pieces of the file that begin and end between words, each with usual numbers. Stops where it returns false.
+// Calls visit(text) with pieces of the file that begin and end between words, each with usual numbers. Stops
+// if it returns false.
 template <class Visit>
 bool visit_usual(const std::string& path, const Visit& visit) {
     std::ifstream in(path, std::ios::binary);

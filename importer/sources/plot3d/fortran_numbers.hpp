@@ -6,11 +6,11 @@
 
 namespace wakesurf::importer {
 
-/// With an E before the exponent, as everyone else reads it; other words stay as they are.
+/// Inserts the E before the exponent that other readers expect; other words stay as they are.
 std::string usual_number(std::string_view word);
 
-/// The file of such numbers as one of usual ones, in memory: its path as long as this lives. The file's own path where no number differs,
-/// or there is no memory to be had.
+/// Rewrites a file of such numbers as one of usual ones, in memory: its path is valid as long as this lives.
+/// It is the file's own path if no number differs, or if there is no memory.
 class UsualNumbers {
   public:
     explicit UsualNumbers(std::string path);

@@ -22,7 +22,7 @@ namespace {
 constexpr std::int64_t most_blocks = 100'000;
 constexpr std::int64_t most_nodes = std::int64_t{1} << 40;
 
-// The numbers at the beginning of a text, and how many there are in all.
+// Holds the numbers at the beginning of a text, and counts all of them.
 struct Tokens {
     std::vector<double> first;
     std::int64_t count = 0;
@@ -59,7 +59,7 @@ Tokens tokens_of(std::ifstream& in, std::size_t wanted) {
     return out;
 }
 
-// Binary files have bytes no number is written with among their first.
+// Binary files have bytes among their first that no number is written with.
 bool is_text(std::ifstream& in) {
     std::array<char, 12> start{};
     in.seekg(0);
@@ -120,7 +120,7 @@ std::optional<std::int64_t> nodes_of(const std::array<int, 3>& block) {
     return out;
 }
 
-// Number of grids and of nodes; `axes` 2 for files of planes, whose k is 1.
+// Returns the numbers of nodes of each grid; `axes` is 2 for files of planes, whose k is 1.
 std::optional<std::vector<std::array<int, 3>>>
 read_blocks(std::ifstream& in, const Plot3dLayout& layout, int axes) {
     in.clear();
@@ -167,7 +167,7 @@ std::int64_t grid_bytes(const Plot3dLayout& layout, int axes) {
     return out;
 }
 
-// Four numbers, then density, momentum and energy, for each block.
+// Counts four numbers, then density, momentum and energy, for each block.
 std::int64_t solution_bytes(const Plot3dLayout& layout) {
     std::int64_t out = header_bytes(layout, 3);
     for (const auto& block : layout.blocks)

@@ -32,7 +32,7 @@ using core::FieldInfo;
 
 namespace {
 
-// Finds the files that a Plot3D dataset is made of; the rule is in files/formats.hpp.
+// Finds the files of a Plot3D dataset; the rule is in files/formats.hpp.
 
 struct Plot3dStep {
     ListedFile grid;
@@ -156,9 +156,9 @@ core::Result<Plot3dFiles> read_meta(const fs::path& file) {
     return out;
 }
 
-// Finds the files from one of them: the grid, a solution, a pattern of solutions, or a .p3d text.
+// Finds the files from one of them: the grid, a solution, a pattern of solutions, or a .p3d text. Error:
+// NotFound (no grid, no solutions), InvalidArgument (several grids), Corrupt, Io.
 // @param alone  takes of a numbered series only the solution that is named
-// Error: NotFound (no grid, no solutions), InvalidArgument (several grids), Corrupt, Io.
 core::Result<Plot3dFiles> find_plot3d_files(const fs::path& path, bool alone) {
     if (is_meta(path))
         return read_meta(path);

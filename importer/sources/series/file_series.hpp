@@ -1,4 +1,4 @@
-// A source that is a list of files: which belong to which time-step, and the times the list has for them.
+// A source that is a list of files: which belong to which time-step, and the times that the list states.
 #pragma once
 
 #include "importer/sources/series/listed_series.hpp"
@@ -6,8 +6,8 @@
 
 namespace wakesurf::importer {
 
-/// Finds the series that `source` is: a .pvd, a .series, any file of a numbered series or a pattern of one, a
-/// file alone. The files need not exist yet. Error: NotFound, Io, Corrupt, InvalidArgument.
+/// Finds the series of `source`: a .pvd, a .series, any file of a numbered series or a pattern of one, a file
+/// alone. The files need not exist yet. Error: NotFound, Io, Corrupt, InvalidArgument.
 /// @param alone  takes of a numbered series only the file that is named
 core::Result<FileSeries> open_file_series(const std::filesystem::path& source, bool alone);
 

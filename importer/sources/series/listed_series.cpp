@@ -46,7 +46,7 @@ read_entry(const json& element, const std::filesystem::path& folder, const std::
 struct DataSetElement {
     ListedFile file;
     std::optional<double> time;
-    std::string part;      ///< what tells it from other parts of its time-step
+    std::string part;      ///< the name that distinguishes it from other parts of its time-step
     std::size_t place = 0; ///< in the file
 };
 
@@ -115,8 +115,8 @@ core::Result<void> sort_by_time(std::vector<DataSetElement>& elements, const std
 
 using Group = std::vector<DataSetElement>;
 
-// Files for one part of one time, next to each other at every time and as many of them each, are parts
-// without a number: a restart would have written the times one after the other.
+// Returns true for parts without a number: files for one part of one time, next to each other at every time
+// and always as many. A restart would have written the times one after the other.
 bool are_parts_without_numbers(const std::vector<Group>& times) {
     return std::all_of(times.begin(), times.end(), [&](const Group& group) {
         return group.size() > 1 && group.size() == times.front().size() &&
@@ -126,7 +126,7 @@ bool are_parts_without_numbers(const std::vector<Group>& times) {
     });
 }
 
-// Takes of a part that is named twice for one time, as after a restart, the last.
+// Takes the last of a part that is named twice for one time, as after a restart.
 SeriesEntry entry_of(Group& group, std::vector<std::string>& left_out) {
     SeriesEntry out{{}, group.front().time, {}};
     std::vector<std::string> parts;

@@ -1,5 +1,5 @@
-// The files of which time-step a source is made, and the files that list such a series: ParaView's
-// collections (.pvd) and file series (flow.vtm.series, ...).
+// The files of each time-step of a source, and the files that list such a series: ParaView's collections
+// (.pvd) and file series (flow.vtm.series, ...).
 #pragma once
 
 #include "core/base/result.hpp"
@@ -13,9 +13,9 @@ namespace wakesurf::importer {
 
 struct ListedFile {
     std::filesystem::path path;
-    /// Is for people: as the series names it, without its folder.
+    /// The name for people: as the series names it, without its folder.
     std::string name;
-    /// Names the part it is, where the series has one.
+    /// Names the part, if the series has one.
     std::string block;
 };
 
@@ -23,20 +23,20 @@ struct SeriesEntry {
     /// Holds all files of one time-step, at least one.
     std::vector<ListedFile> parts;
     std::optional<double> time;
-    /// Stands in the file's name.
+    /// The number in the file's name.
     std::optional<double> number{};
 };
 
 struct FileSeries {
-    /// Names the dataset.
+    /// The name of the dataset.
     std::string name;
-    /// Is one of pvd, vtm.series, vtu series, vtu and the like.
+    /// The kind: pvd, vtm.series, vtu series, vtu and the like.
     std::string kind;
-    /// Holds the file that lists the others, if there is one.
+    /// The file that lists the others, if there is one.
     std::vector<std::filesystem::path> index;
-    /// Are in order, at least one.
+    /// The time-steps in order, at least one.
     std::vector<SeriesEntry> entries;
-    /// Names files of parts that the list names again for the same time.
+    /// The names of files of parts that the list names again for the same time.
     std::vector<std::string> left_out{};
 };
 

@@ -24,10 +24,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Where the number of a file is in its name, and whether a dot in it is that of a decimal: `flow_0.25` is at
-// a quarter, while `out2.10` is the tenth of a series called out2.
+// Finds the number of a file in its name, and decides whether a dot in it is that of a decimal: `flow_0.25`
+// is at a quarter, while `out2.10` is the tenth of a series called out2.
 
-/// A name in three parts.
+/// Splits a name into three parts.
 struct NumberInName {
     std::string prefix;
     std::string number; ///< digits, perhaps with a sign, a dot or an exponent
@@ -48,7 +48,7 @@ std::size_t first_digit(std::string_view text, std::size_t end) {
     return end;
 }
 
-// Where digits, a dot and digits begin; of 1.2.3 the last ones alone.
+// Returns the beginning of digits, a dot and digits; of 1.2.3 that of the last ones alone.
 std::size_t with_decimals(std::string_view text, std::size_t begin) {
     if (begin < 2 || text[begin - 1] != '.' || !digit_at(text, begin - 2))
         return begin;
@@ -68,7 +68,7 @@ bool is_sign(std::string_view text, std::size_t at) {
     return text[at] == '-' && (at == 0 || (!digit_at(text, at - 1) && !letter_at(text, at - 1)));
 }
 
-// Differences may be whole multiples of the smallest: files may be missing.
+// Allows differences that are whole multiples of the smallest: files may be missing.
 bool are_regular(std::vector<double> values) {
     std::sort(values.begin(), values.end());
     std::vector<double> gaps;
@@ -91,7 +91,7 @@ bool are_even(std::vector<double> values) {
     return most <= 1.5 * least;
 }
 
-// t0.5, time0.5 and flow_0.5 are times; out2.1 is no time.
+// Says whether a number behind `prefix` is a time: t0.5, time0.5 and flow_0.5 are, out2.1 is not.
 bool speaks_of_time(const std::string& prefix) {
     if (prefix.empty() || !letter_at(prefix, prefix.size() - 1))
         return true;
@@ -102,8 +102,8 @@ bool speaks_of_time(const std::string& prefix) {
     return word == "t" || word == "time";
 }
 
-// Finds the last number of a name without its extension: digits that no letter follows, with a sign where a
-// separator is before it, with what stands before a dot, and with an exponent that has a sign: a_10_b.vtk,
+// Finds the last number of a name without its extension: digits that no letter follows, with a sign if a
+// separator is before it, with the digits before a dot, and with an exponent that has a sign: a_10_b.vtk,
 // t_-3.vtk, t_0.25.vtk, t_1e-05.vtk.
 std::optional<NumberInName> number_in_name(const std::string& name) {
     const auto dot = name.rfind('.');
@@ -123,7 +123,7 @@ std::optional<NumberInName> number_in_name(const std::string& name) {
     return NumberInName{name.substr(0, begin), name.substr(begin, end - begin), name.substr(end)};
 }
 
-// Does the same where the dot separates: what is before it goes to the prefix.
+// Splits at the dot instead: the digits before it go to the prefix.
 NumberInName behind_the_dot(const NumberInName& whole) {
     const auto dot = whole.number.rfind('.');
     if (dot == std::string::npos)
@@ -132,7 +132,7 @@ NumberInName behind_the_dot(const NumberInName& whole) {
             whole.suffix};
 }
 
-// Returns the value of a name's middle between `prefix` and what follows it; nothing where it is no number.
+// Returns the value of a name's middle between `prefix` and what follows it; empty if it is no number.
 // @param decimals  dots and exponents are allowed
 std::optional<double>
 number_after(const std::string& prefix, const std::string& text, bool decimals) {
@@ -147,8 +147,8 @@ number_after(const std::string& prefix, const std::string& text, bool decimals) 
     return finite_number(text);
 }
 
-// Says whether the dots in the numbers of a series are those of decimals. Where both readings fit, what
-// stands before tells: out2.1, but t0.5.
+// Says whether the dots in the numbers of a series are those of decimals. If both readings fit, the prefix
+// decides: out2.1, but t0.5.
 // @param numbers  of all files with one prefix and suffix
 bool are_decimals(const std::string& prefix, std::span<const std::string> numbers) {
     std::map<std::string, std::vector<double>> behind; // of the digits before the dot
@@ -186,7 +186,7 @@ bool digit(char c) {
     return std::isdigit(static_cast<unsigned char>(c)) != 0;
 }
 
-// Start and length of `*`, %d, %4d or %04d.
+// Returns start and length of `*`, %d, %4d or %04d.
 std::optional<std::pair<std::size_t, std::size_t>> wildcard(const std::string& name,
                                                             std::size_t from = 0) {
     for (std::size_t i = from; i < name.size(); ++i) {
@@ -203,7 +203,7 @@ std::optional<std::pair<std::size_t, std::size_t>> wildcard(const std::string& n
     return std::nullopt;
 }
 
-// Returns what is between a prefix and a suffix; nothing of names that have not both.
+// Returns the text between a prefix and a suffix; empty for names without both.
 std::optional<std::string>
 between(const std::string& name, const std::string& prefix, const std::string& suffix) {
     if (name.size() <= prefix.size() + suffix.size() || !name.starts_with(prefix) ||
@@ -255,7 +255,7 @@ bool same_number_twice(const std::vector<Member>& members) {
            }) != members.end();
 }
 
-// flow_1, flow_2 and flow_01, flow_02 are two series.
+// Tells flow_1, flow_2 from flow_01, flow_02: they are two series.
 bool is_padded_as(const std::string& number, const std::string& given) {
     const bool filled = number.size() > 1 && number.front() == '0';
     if (given.size() > 1 && given.front() == '0')
@@ -308,7 +308,7 @@ core::Result<NumberedFiles> of_pattern(const fs::path& path, std::size_t at, std
     return series_of(path, shape.prefix, members);
 }
 
-// The files that differ from the given one by its last number alone.
+// Returns the files that differ from the given one by its last number alone.
 core::Result<NumberedFiles> of_number(const fs::path& path, const NumberInName& whole) {
     const auto names = names_beside(path);
     if (!names)

@@ -1,5 +1,5 @@
-// What readers share whose sources are files of one time-step each, or of several: which file and time each
-// step is.
+// The common part of readers whose sources are files of one time-step each, or of several: the file and time
+// of each step.
 #pragma once
 
 #include "importer/base/source.hpp"
@@ -8,7 +8,7 @@
 
 namespace wakesurf::importer {
 
-/// `Time` tells a time-step from the others of its file.
+/// Finds the file of each step; `Time` identifies a time-step within its file.
 template <class Time>
 class SeriesSource : public Source {
   public:
@@ -18,7 +18,7 @@ class SeriesSource : public Source {
         description_.name = series_.name;
     }
 
-    /// A single file is shared by all time-steps; of several, each time-step has its own.
+    /// Returns a single file, which all time-steps share; of several, each time-step has its own.
     core::Result<std::vector<store::SourceFile>> shared_files() const override {
         return several() ? core::Result<std::vector<store::SourceFile>>()
                          : fingerprint(series_.entries.front().parts);
@@ -39,8 +39,7 @@ class SeriesSource : public Source {
         return series_.entries[entry].parts.front();
     }
 
-    /// Describes the times, of which there is one for each of the steps, and keeps the steps that are left,
-    /// in their order.
+    /// Describes the times, one for each of the steps, and keeps the remaining steps, in their order.
     core::Result<void> settle_steps(std::vector<TimedEntry> times) {
         return describe_times(std::move(times), description_).map([&](const auto& order) {
             keep_in_order(steps_, order);
@@ -55,8 +54,8 @@ class SeriesSource : public Source {
     bool several() const { return series_.entries.size() > 1; }
 };
 
-/// Opens the series at `path` with a reader that takes it and the velocity asked for.
-/// Error: as open_file_series and `opened` have.
+/// Opens the series at `path` with a reader that takes it and the velocity asked for. Error: as
+/// open_file_series and `opened` have.
 template <class Reader>
 core::Result<std::unique_ptr<Source>> open_series(const std::filesystem::path& path,
                                                   const command::SourceOptions& wish) {

@@ -20,8 +20,8 @@ std::string time_text(double time) {
 
 namespace {
 
-// A time between those of the readable neighbours; at the end of the series one further step as long as the
-// last.
+// Inserts times between those of the readable neighbours; at the end of the series one further step as long
+// as the last.
 void make_up_times(std::vector<TimedEntry>& entries) {
     for (std::size_t i = 1; i < entries.size(); ++i) {
         if (!entries[i].unreadable || !entries[i - 1].time)
@@ -37,7 +37,7 @@ void make_up_times(std::vector<TimedEntry>& entries) {
     }
 }
 
-// By time; of one time the last comes last.
+// Sorts by time; entries of one time keep their order.
 std::vector<std::size_t> by_time(const std::vector<TimedEntry>& entries) {
     std::vector<std::size_t> out(entries.size());
     std::iota(out.begin(), out.end(), std::size_t{0});

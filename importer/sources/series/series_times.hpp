@@ -1,4 +1,4 @@
-// The times of a series' time-steps, once all that is known of them is together.
+// The times of a series' time-steps, once everything known about them is collected.
 #pragma once
 
 #include "importer/base/source.hpp"
@@ -9,7 +9,7 @@
 
 namespace wakesurf::importer {
 
-/// Holds what a file says about when it is.
+/// Holds the time that a file states.
 struct StatedTime {
     std::optional<double> time;
     std::optional<double> cycle; ///< of the solver, where it counts them
@@ -17,41 +17,40 @@ struct StatedTime {
 };
 
 struct TimedEntry {
-    std::string name; ///< as messages say it
+    std::string name; ///< its name in messages
     std::optional<double> time;
-    bool unreadable =
-        false; ///< whatever time it has is not known: one is made up between its neighbours'
+    /// True if its time is unknown: one is made up between its neighbours'.
+    bool unreadable = false;
     std::optional<double> number{}; ///< in the name of its file
     std::optional<double> cycle{};
-    bool in_title = false; ///< as StatedTime
+    bool in_title = false; ///< as in StatedTime
 };
 
 struct SeriesTimes {
     std::vector<double> times; ///< strictly increasing
     std::string note;
-    std::vector<double> places;     ///< as SourceDescription
+    std::vector<double> places;     ///< as in SourceDescription
     std::vector<std::size_t> order; ///< the entry of each time
 };
 
 /// Says whether two times differ by roundings of a double only.
 bool same_time(double a, double b);
 
-/// Returns the note on what a restart wrote again: "left out, as ... later ...: a.vti, b.vti". Empty without
-/// names.
+/// Returns the note on files that a restart wrote again: "left out, as ... later ...: a.vti, b.vti". Empty
+/// without names.
 std::string written_again(const std::vector<std::string>& left_out);
 
-/// Returns where each of entries without times stands: 0, 1, 2, but further apart where cycles or numbers
-/// between theirs are missing: the smallest difference counts as one.
+/// Returns the place of each entry in a series without times: 0, 1, 2, but further apart where cycles or
+/// numbers between theirs are missing: the smallest difference counts as one.
 std::vector<double> places_of(const std::vector<TimedEntry>& entries);
 
-/// Returns the entries' own times, rising; 0, 1, 2, ... with a note where no entry of several has one. Of two
+/// Returns the entries' own times, rising; 0, 1, 2, ... with a note if no entry of several has one. Of two
 /// entries for one time the later one stays, as after a restart, and a note names the other. Times of titles
-/// may be replaced by --dt.
-/// Error: Corrupt, naming two entries, where only some have a time.
+/// may be replaced by --dt. Error: Corrupt, naming two entries, if only some have a time.
 core::Result<SeriesTimes> settle_times(std::vector<TimedEntry> entries);
 
 /// Writes times, places and note, as settle_times returns them, into `description`. Returns the entry of each
-/// time, and fails as settle_times does.
+/// time. Error: as settle_times.
 core::Result<std::vector<std::size_t>> describe_times(std::vector<TimedEntry> entries,
                                                       SourceDescription& description);
 
@@ -64,7 +63,7 @@ void keep_in_order(std::vector<Item>& items, const std::vector<std::size_t>& ord
     items = std::move(kept);
 }
 
-/// Returns a time as messages show it: as short as tells it from others.
+/// Returns a time for messages: the shortest text that reads back as it.
 std::string time_text(double time);
 
 } // namespace wakesurf::importer

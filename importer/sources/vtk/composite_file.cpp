@@ -78,7 +78,8 @@ class Expansion {
                 if (auto added = add_elements(*element, file, here, depth); !added)
                     return added;
             } else if (const auto name = xml_attribute(*element, "file");
-                       kind == "DataSet" && !name.empty()) { // without: an empty block
+                       kind == "DataSet" &&
+                       !name.empty()) { // a DataSet without a file is an empty block
                 const auto path = named_path(file.path.parent_path(), name, file.name);
                 if (!path)
                     return tl::unexpected(path.error());
@@ -89,7 +90,7 @@ class Expansion {
         return {};
     }
 
-    // Pieces of unstructured files are leaves; of structured ones, VTK puts the pieces together.
+    // Pieces of unstructured files are leaves; VTK puts the pieces of structured ones together.
     core::Result<void>
     add_pieces_of(const ListedFile& file, const std::string& extension, int depth) {
         const auto header = header_of(file);

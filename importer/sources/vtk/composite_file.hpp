@@ -6,17 +6,17 @@
 namespace wakesurf::importer {
 
 struct CompositeFile {
-    std::vector<ListedFile>
-        files; ///< all: the composite ones, the leaves, the pieces that leaves are made of
-    std::vector<ListedFile>
-        leaves; ///< those that are read, in order; `block` says where they stand
+    /// All files: the composite ones, the leaves, the pieces that leaves are made of.
+    std::vector<ListedFile> files;
+    /// The files that are read, in order; `block` is their position among the blocks.
+    std::vector<ListedFile> leaves;
 };
 
-/// By extension: .vtm, .vtmb, .pvtu and the like.
+/// Decides by the extension: .vtm, .vtmb, .pvtu and the like.
 bool names_others(const std::filesystem::path& path);
 
-/// Reads the composite files, not the leaves, but all are there. Error: NotFound (naming who names the missing file),
-/// Io, Corrupt, Unsupported (nested too deeply). REQUIRES: no VtkMessages lives.
+/// Reads the composite files, not the leaves, but checks that all exist. Error: NotFound (naming the file
+/// that names the missing one), Io, Corrupt, Unsupported (nested too deeply). REQUIRES: no VtkMessages lives.
 core::Result<CompositeFile> expand(const ListedFile& file);
 
 } // namespace wakesurf::importer

@@ -23,7 +23,7 @@ using core::FieldInfo;
 
 namespace {
 
-// Closes what HDF5 has opened.
+// Closes an object that HDF5 has opened.
 class Handle {
   public:
     Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
@@ -43,8 +43,7 @@ class Handle {
     herr_t (*close_)(hid_t);
 };
 
-/// Returns what a 1-D attribute or data set holds, as far as `most` numbers; empty where it is not there or
-/// is none.
+/// Returns the numbers of a 1-D attribute or data set, `most` at most; empty if it is missing or has none.
 template <class Read>
 std::vector<long long> numbers_of(hid_t space, std::size_t most, const Read& read) {
     const auto count = H5Sget_simple_extent_npoints(space);
@@ -62,7 +61,7 @@ std::uint64_t product_of(const std::vector<std::uint64_t>& factors) {
     return out;
 }
 
-// VTK takes memory for as many nodes and cells as the file says it has, whatever its data sets hold.
+// VTK takes memory for as many nodes and cells as the file states, whatever its data sets hold.
 core::Result<void> check_sizes(hid_t group, const std::string& name) {
     constexpr std::size_t most_parts = 1 << 20;
     if (H5Aexists(group, "WholeExtent") > 0) {
@@ -145,7 +144,7 @@ add_cells_of_image(vtkImageData& image, const std::string& name, const ListedFil
     return {};
 }
 
-// The cell arrays to be read, where VTK is not to do it.
+// Returns the cell arrays that are read here, because VTK cannot.
 std::vector<std::string> take_cell_arrays(vtkHDFReader& reader) {
     std::vector<std::string> out;
     auto* selection = reader.GetCellDataArraySelection();

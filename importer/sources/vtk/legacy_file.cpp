@@ -32,9 +32,10 @@ using core::Error;
 
 namespace {
 
-// Numbers that are none, as text in legacy files: "nan" and "inf", which VTK's reader takes for damage.
+// Handles numbers that are none, as text in legacy files: "nan" and "inf", which VTK's reader takes for
+// damage.
 
-// A number that no one computes, in 32 bits too.
+// A number that no program computes, in 32 bits too, marks them.
 constexpr const char* mark_text = "-1.4703134148e+38";
 
 bool is_gap(std::string_view word) {
@@ -67,7 +68,7 @@ void visit_words(std::string_view line, const Visit& visit) {
     }
 }
 
-// A line of numbers begins with one; others name something, which may be called anything.
+// A line of numbers begins with one; others name something, by any text.
 bool has_gaps(std::string_view line) {
     bool numbers = false;
     bool first = true;
@@ -91,8 +92,8 @@ void unmark(vtkDataArray& array, double as_stored) {
                 array.SetComponent(i, c, std::numeric_limits<double>::quiet_NaN());
 }
 
-// Returns the text with a mark in place of every such word among numbers; nothing where there are none, which
-// is found without keeping the text.
+// Returns the text with a mark in place of every such word among numbers. Empty if there are none, which is
+// found without keeping the text.
 std::optional<std::string> with_marked_gaps(std::istream& in) {
     std::string line;
     bool any = false;
@@ -116,7 +117,7 @@ std::optional<std::string> with_marked_gaps(std::istream& in) {
     return out;
 }
 
-// Puts NaN where the marks are, in points and fields.
+// Replaces the marks by NaN, in points and fields.
 void unmark_gaps(vtkDataSet& data) {
     const auto each = [](vtkDataArray* array) {
         if (array != nullptr && array->GetDataType() == VTK_FLOAT)
@@ -150,7 +151,7 @@ core::Result<void> check_last_number(const ListedFile& file) {
     return {};
 }
 
-/// Numbers behind a word that stands at the beginning of a line.
+/// Returns the numbers behind a word that stands at the beginning of a line.
 std::vector<std::uint64_t> numbers_behind(const std::string& line, std::string_view word) {
     std::vector<std::uint64_t> out;
     if (!line.starts_with(word))
@@ -161,8 +162,8 @@ std::vector<std::uint64_t> numbers_behind(const std::string& line, std::string_v
     return out;
 }
 
-// VTK's reader looks for words in what is left of a file whose arrays it has no memory for, which takes hours
-// where that is long.
+// VTK's reader searches the rest of a file for words if it has no memory for the arrays, which takes hours
+// for a long file.
 core::Result<void> check_size(const ListedFile& file) {
     constexpr std::size_t header_bytes = 4096;
     constexpr std::uint64_t bytes_a_node = 12; // a velocity, or a place
@@ -185,7 +186,7 @@ core::Result<void> check_size(const ListedFile& file) {
         if (auto fits = check_claim(file.name, nodes, bytes_a_node); !fits)
             return fits;
     }
-    // As a whole, and as it is: that is what the reader does.
+    // Reads it as a whole, like the reader.
     std::error_code error;
     const auto size = std::filesystem::file_size(file.path, error);
     return binary && !error ? check_claim(file.name, size, 1) : core::Result<void>();

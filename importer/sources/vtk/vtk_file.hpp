@@ -10,7 +10,7 @@ namespace wakesurf::importer {
 
 struct VtkFile {
     vtkSmartPointer<vtkDataSet> data;
-    /// Names VTK's class.
+    /// The name of VTK's class.
     std::string reader;
 };
 

@@ -44,23 +44,22 @@ bool is_xml(const std::filesystem::path& path) {
            xml_extensions.end();
 }
 
-// By extension it is one of VTK's XML formats, legacy .vtk or VTKHDF.
+// Decides by the extension that it is one of VTK's XML formats, legacy .vtk or VTKHDF.
 bool is_vtk_file(const std::filesystem::path& path) {
     const auto extension = lower_extension(path);
     return is_xml(path) || extension == ".vtk" || extension == ".vtm" || extension == ".vtmb" ||
            is_hdf(path);
 }
 
-// Arrays that are not wanted are left out where the format allows that. Error: Io, Corrupt, Unsupported,
-// OverLimit (memory). REQUIRES: no VtkMessages lives, as of the next two.
+// Reads a file, without arrays that are not wanted if the format allows that. Error: Io, Corrupt,
+// Unsupported, OverLimit (memory). REQUIRES: no VtkMessages lives, as of the next two.
 core::Result<VtkFile> read_vtk_file(const ListedFile& file, const WantedArrays& wanted) {
     if (is_hdf(file.path))
         return read_hdf_file(file, wanted);
     return is_xml(file.path) ? read_xml_file(file, wanted) : read_legacy_file(file);
 }
 
-// The time is the one that the file itself states, if any: of a .vtm or .pvtu not those of the files it
-// names.
+// Returns the time that the file itself states, if any: for a .vtm or .pvtu not those of the files it names.
 core::Result<StatedTime> vtk_file_time(const ListedFile& file) {
     if (is_xml(file.path) || names_others(file.path))
         return xml_file_time(file);
@@ -78,8 +77,8 @@ core::Result<StatedTime> vtk_file_time(const ListedFile& file) {
     });
 }
 
-// These are the point and cell arrays that the file's header lists. Error: Unsupported, where only reading
-// all of the file would tell (legacy .vtk, VTKHDF); else as read_vtk_file.
+// Returns the point and cell arrays that the file's header lists. Error: Unsupported if only reading the
+// whole file would tell (legacy .vtk, VTKHDF); else as read_vtk_file.
 core::Result<std::set<std::pair<FieldInfo::Source, std::string>>>
 vtk_file_fields(const ListedFile& file) {
     if (is_xml(file.path))
@@ -110,8 +109,8 @@ class VtkFilesSource final : public Source {
         return find_times().and_then([&] { return describe(); });
     }
 
-    // None: what a .pvd or .series lists are the files and times of the time-steps, which tell by themselves
-    // that they changed. It grows with the series, whose old time-steps stay good.
+    // Returns none: a .pvd or .series lists files and times of the time-steps, whose own changes are seen. It
+    // grows with the series, whose old time-steps stay good.
     core::Result<std::vector<store::SourceFile>> shared_files() const override {
         return std::vector<store::SourceFile>();
     }
@@ -163,7 +162,8 @@ class VtkFilesSource final : public Source {
     }
 
   private:
-    // What was read to describe the source, once, if that is this time-step and its files are still the same.
+    // Returns what was read to describe the source, once, if it is this time-step and its files are
+    // unchanged.
     std::map<std::size_t, VtkFile> take_described(std::size_t step, const CompositeFile& all) {
         auto taken = std::exchange(described_, {});
         if (step != 0 || taken.empty())
@@ -172,7 +172,7 @@ class VtkFilesSource final : public Source {
         return now && *now == described_from_ ? std::move(taken) : std::map<std::size_t, VtkFile>();
     }
 
-    // As fluid_part; a mesh that equals one found sound is not looked through again.
+    // Returns fluid_part; a mesh that equals one found sound is not checked again.
     core::Result<vtkSmartPointer<vtkDataSet>>
     sound_part(vtkDataSet& data, const std::string& place, const std::string& file) {
         const auto known = sound_.find(place);
@@ -215,7 +215,7 @@ class VtkFilesSource final : public Source {
                                           part.name + ", which does not exist");
                 if (!size)
                     return tl::unexpected(size.error());
-                // One behind the first may be about to be written: it fails when it is its turn.
+                // A file behind the first may be about to be written: it fails when the import reaches it.
                 if (*size == 0 && &part == &series_.entries.front().parts.front())
                     return core::fail(Error::Code::Corrupt, part.name + " is empty");
                 if (!is_vtk_file(part.path))
@@ -233,7 +233,8 @@ class VtkFilesSource final : public Source {
             if (series_.entries.front().time)
                 continue;
             auto own = own_time(step);
-            // What cannot be read says so when its turn comes: the time-steps before it can.
+            // A file that cannot be read is reported when the import reaches it: the time-steps before it can
+            // be read.
             entries.back().unreadable = !own && step > 0;
             if (!own && step == 0)
                 return tl::unexpected(own.error());
@@ -249,7 +250,8 @@ class VtkFilesSource final : public Source {
         });
     }
 
-    // Of a file that names others its own; where it states none, that of the first of them that is no list.
+    // Returns the own time of a file that names others; if it states none, that of the first of them that is
+    // no list.
     core::Result<StatedTime> own_time(std::size_t step) const {
         const auto all = expand(series_.entries[step].parts.front());
         if (!all)
@@ -282,7 +284,7 @@ class VtkFilesSource final : public Source {
             auto file = read_vtk_file(leaf, {true, {}});
             if (!file)
                 return tl::unexpected(file.error());
-            // Of a parallel file its pieces are asked for the fields as well; ghosts are read only where they
+            // The pieces of a parallel file are asked for the fields as well; ghosts are read only where they
             // are wanted.
             if (before && !lower_extension(leaf.path).starts_with(".p") && !has_ghosts(*file->data))
                 described_.emplace(i, *file);
@@ -315,7 +317,8 @@ class VtkFilesSource final : public Source {
         return {};
     }
 
-    // A velocity that a time-step lacks is told when it is its turn; so is a file that cannot be read.
+    // A velocity that a time-step lacks is reported when the import reaches it; so is a file that cannot be
+    // read.
     void leave_out_what_a_step_lacks() {
         const auto velocity = possible_velocity(description_.fields, velocity_);
         std::string left_out;
@@ -333,7 +336,7 @@ class VtkFilesSource final : public Source {
             add_note(description_.note, "not at every time-step: " + left_out);
     }
 
-    // Of the described fields those that no file of the time-step has. Most often the first has them all.
+    // Returns the described fields that no file of the time-step has. Most often the first has them all.
     std::set<std::pair<FieldInfo::Source, std::string>> fields_missing_at(std::size_t step) const {
         std::set<std::pair<FieldInfo::Source, std::string>> missing;
         for (const auto& field : description_.fields)
@@ -353,12 +356,13 @@ class VtkFilesSource final : public Source {
         return missing;
     }
 
-    // A flat one among several; alone it is a source that cannot be read, and says so.
+    // Returns true for a flat leaf among several; a flat leaf alone is a source that cannot be read, with an
+    // error.
     static bool is_patch(vtkDataSet& data, std::size_t leaves) {
         return leaves > 1 && !has_solid_cells(data);
     }
 
-    // What tells a leaf from others at every time-step: the name of its block, else which it is.
+    // Identifies a leaf at every time-step: by the name of its block, else by its index.
     static std::string place_of(const CompositeFile& all, std::size_t leaf) {
         const auto& block = all.leaves[leaf].block;
         return block.empty() ? "#" + std::to_string(leaf) : block;
@@ -385,7 +389,8 @@ class VtkFilesSource final : public Source {
         });
     }
 
-    // Whether the patch at `place` is still at the first and the last time-step: an inlet may start at rest.
+    // Returns true if the patch at `place` is still at the first and the last time-step: an inlet may start
+    // at rest.
     core::Result<bool> still_throughout(const std::string& place,
                                         const std::vector<FieldInfo>& fields) {
         std::string key = place;
@@ -397,7 +402,7 @@ class VtkFilesSource final : public Source {
             const auto all = expand_step(step);
             if (!all)
                 return tl::unexpected(all.error());
-            bool still = false; // also where the patch is not there
+            bool still = false; // also if the patch is missing there
             for (std::size_t i = 0; i < all->leaves.size() && !still; ++i)
                 if (place_of(*all, i) == place) {
                     const auto file = read_vtk_file(all->leaves[i], {false, fields});

@@ -30,7 +30,7 @@ using core::FieldInfo;
 
 namespace {
 
-// Checks that the arrays of a VTK XML file are stored with as many bytes as the file says elsewhere. VTK
+// Checks that the arrays of a VTK XML file are stored with as many bytes as the file states elsewhere. VTK
 // believes either: it reads the beginning of longer arrays, and divides by a block size that a flipped bit
 // made zero.
 
@@ -60,7 +60,7 @@ std::string decoded(std::string_view base64) {
     return out;
 }
 
-// Nodes and cells of a piece, 0 where it does not say.
+// Counts nodes and cells of a piece; 0 if it does not state them.
 struct Counts {
     std::uint64_t points = 0;
     std::uint64_t cells = 0;
@@ -176,7 +176,7 @@ class ArraySizes {
         return stored && (!wanted || *stored == *wanted);
     }
 
-    // {bytes}, or {blocks, bytes of a block, bytes of the last one if it is shorter, ...}.
+    // Parses {bytes}, or {blocks, bytes of a block, bytes of the last one if it is shorter, ...}.
     std::optional<std::uint64_t> stored_bytes(const std::string& header) const {
         if (!compressed_)
             return word(header, 0);
@@ -223,8 +223,8 @@ class ArraySizes {
     bool raw_ = false;
 };
 
-// Looks at the length each array stored in binary begins with; text arrays are counted by VTK. Error:
-// Corrupt, naming the array.
+// Checks the length that each array stored in binary begins with; VTK counts text arrays. Error: Corrupt,
+// naming the array.
 core::Result<void> check_array_sizes(const ListedFile& file, const XmlHeader& header) {
     return ArraySizes(file, header).check();
 }
@@ -265,7 +265,7 @@ core::Result<XmlHeader> checked_header(const ListedFile& file) {
 
 core::Result<VtkFile> load(const ListedFile& file, const WantedArrays& wanted);
 
-// VTK's readers of parallel files leave out what they cannot read of a piece, and say nothing.
+// VTK's readers of parallel files leave out what they cannot read of a piece, without a message.
 core::Result<void>
 check_pieces(const ListedFile& file, vtkXMLDataElement& primary, const WantedArrays& wanted) {
     for (int i = 0; i < primary.GetNumberOfNestedElements(); ++i) {

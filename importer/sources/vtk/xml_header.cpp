@@ -17,7 +17,7 @@ using core::Error;
 
 namespace {
 
-// A file that was cut off parses, up to where it ends, as one that was not.
+// A file that was cut off parses, up to its end, like one that was not.
 core::Result<void> check_ending(const ListedFile& file) {
     std::ifstream in(file.path, std::ios::binary | std::ios::ate);
     if (!in)
@@ -39,7 +39,7 @@ constexpr std::int64_t most_nodes_of_piece = std::int64_t{1} << 48; // of 12 byt
 
 using Extent = std::array<std::int64_t, 6>;
 
-// Modulo 2^64: an extent for which that matters is refused as too large later.
+// Counts modulo 2^64: an extent for which that matters is refused as too large later.
 std::uint64_t cells(const Extent& e) {
     return static_cast<std::uint64_t>(e[1] - e[0]) * static_cast<std::uint64_t>(e[3] - e[2]) *
            static_cast<std::uint64_t>(e[5] - e[4]);

@@ -11,7 +11,7 @@
 
 namespace wakesurf::importer {
 
-/// Names of arrays of the field data that say when it is, those that go before others last.
+/// The names of arrays of the field data that state the time; the preferred ones stand last.
 inline constexpr std::array<std::pair<const char*, std::optional<double> StatedTime::*>, 7>
     time_arrays{{{"cycle", &StatedTime::cycle},
                  {"Cycle", &StatedTime::cycle},
@@ -21,8 +21,8 @@ inline constexpr std::array<std::pair<const char*, std::optional<double> StatedT
                  {"TIME", &StatedTime::time},
                  {"TimeValue", &StatedTime::time}}}; // ParaView
 
-/// Time and cycle of the field data, of any type of number. REQUIRES: a VtkMessages lives; what VTK says in it is an error too.
-/// Error: Corrupt (one that cannot be read).
+/// Returns time and cycle of the field data, of any type of number. REQUIRES: a VtkMessages lives; a message
+/// of VTK is an error too. Error: Corrupt (one that cannot be read).
 core::Result<StatedTime> xml_time(const ListedFile& file);
 
 } // namespace wakesurf::importer
