@@ -23,7 +23,7 @@ constexpr int position_bits = 20;
 constexpr int value_bits = 16;
 constexpr int speed = 3;
 
-/// Larger ones, and their differences, overflow in Draco's arithmetic.
+/// Larger coordinates, and their differences, overflow in Draco's arithmetic.
 constexpr float largest = 1e38F;
 
 bool usable(float value) {
@@ -34,7 +34,8 @@ bool usable(const core::Vec3f& v) {
     return usable(v.x) && usable(v.y) && usable(v.z);
 }
 
-/// Draco hangs on a NaN and aborts on an infinity.
+/// Replaces values that are not finite by the least finite one, and counts them: Draco hangs on a NaN and
+/// aborts on an infinity.
 std::size_t replace_missing(std::span<float> values) {
     float least = std::numeric_limits<float>::max();
     for (const float value : values)
@@ -106,7 +107,8 @@ struct Adder {
     }
 };
 
-/// How Draco rounds coordinates, in its own arithmetic (attribute_quantization_transform, quantization_utils).
+/// Holds how Draco rounds coordinates, in its own arithmetic (attribute_quantization_transform,
+/// quantization_utils).
 struct Rounding {
     core::Vec3f origin{largest};
     float range = 0.0F;
@@ -129,7 +131,7 @@ struct Rounding {
     }
 };
 
-/// Of the vertices that have a triangle: Draco leaves out the others.
+/// Sets the bounds of the vertices that have a triangle: Draco leaves out the others.
 void set_bounds(DracoMesh& made,
                 const std::vector<core::Vec3f>& positions,
                 const std::vector<Triangle>& triangles) {
@@ -166,7 +168,7 @@ core::Result<DracoMesh> encode(const draco::Mesh& mesh) {
     encoder.SetEncodingMethod(draco::MESH_EDGEBREAKER_ENCODING);
     encoder.SetSpeedOptions(speed, speed);
     encoder.SetTrackEncodedProperties(true);
-    // Not SetAttributeExplicitQuantization: Draco 1.5 keeps its numbers as text with six decimals.
+    // SetAttributeExplicitQuantization would store the numbers as text with six decimals (Draco 1.5).
     for (int id = 0; id < mesh.num_attributes(); ++id)
         if (mesh.attribute(id)->data_type() == draco::DT_FLOAT32)
             encoder.SetAttributeQuantization(id, id == 0 ? position_bits : value_bits);
@@ -205,7 +207,7 @@ std::vector<MeshAttribute> mesh_attributes(const core::QuadComplex& mesh,
         out.push_back(of_floats("deformation", mesh.deformation));
     out.push_back({"component", narrowed<std::uint16_t>(mesh.component), 0});
     out.push_back({"approximated", mesh.approximated, 0});
-    if (!mesh.error.empty() && !scalars.contains("error")) // a field of the data goes before it
+    if (!mesh.error.empty() && !scalars.contains("error")) // a field of the data has priority
         out.push_back(of_floats("error", mesh.error));
     for (const auto& [name, values] : scalars)
         out.push_back(of_floats(name, values));

@@ -1,5 +1,5 @@
-// Triangles with attributes -> a Draco mesh (Edgebreaker), for exports. Other programs decode it; the live wire is
-// draco_points, which keeps the order of vertices and knows quads.
+// Triangles with attributes -> a Draco mesh (Edgebreaker), for exports. Other programs decode it; the live
+// wire is draco_points, which keeps the order of vertices and knows quads.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -15,38 +15,40 @@
 
 namespace wakesurf::protocol {
 
-/// One array a vertex. Floats are kept to 16 bits over their range, positions to 20 over the longest side of the mesh.
+/// Holds one array with a value for each vertex. Floats keep 16 bits over their range, positions 20 bits over
+/// the longest side of the mesh.
 struct MeshAttribute {
-    std::string name; ///< as in .vtp
+    std::string name; ///< named as in .vtp
     std::variant<std::vector<float>,
                  std::vector<core::Vec3f>,
                  std::vector<std::uint16_t>,
                  std::vector<std::uint8_t>>
         values;
-    std::size_t missing = 0; ///< values that were not finite, and are the least finite one instead
+    /// Counts the values that were not finite, and are the least finite one instead.
+    std::size_t missing = 0;
 };
 
-/// s, t, speed, velocity, deformation where the mesh has it, component (65535: that one or a smaller part), approximated, error where the mesh has it,
-/// and then the scalars in order.
+/// Returns s, t, speed, velocity, deformation if the mesh has it, component (65535: that one or a smaller
+/// part), approximated, error if the mesh has it, and then the scalars in order.
 std::vector<MeshAttribute> mesh_attributes(const core::QuadComplex& mesh,
                                            const MeshScalars& scalars);
 
-/// As floats. Error: Corrupt for positions that are not finite or beyond 1e38.
+/// Returns the points as floats. Error: Corrupt for positions that are not finite or beyond 1e38.
 core::Result<std::vector<core::Vec3f>> narrowed_positions(std::span<const core::Vec3> points);
 
 struct DracoMesh {
     std::string bytes;
-    std::size_t points = 0;    ///< as a decoder will find them
+    std::size_t points = 0;    ///< as a decoder counts them
     std::size_t triangles = 0; ///< those with three different corners
     core::Vec3f lo{0.0F};      ///< bounds of the decoded positions, to the bit
     core::Vec3f hi{0.0F};
 };
 
-/// Attribute 0 is the positions, attribute i + 1 is `attributes[i]`, by unique id. With `metadata` the file says what
-/// it is, and each attribute its name. Same input, same bytes. Order of vertices and triangles is Draco's.
-/// REQUIRES: triangles name vertices of the mesh; attributes have a value for each.
-/// Error: Corrupt for positions that are not finite (or beyond 1e38) or for what Draco refuses, InvalidArgument for no
-/// triangles, OverLimit. Cost: about 1 microsecond a triangle.
+/// Encodes triangles. Attribute 0 is the positions, attribute i + 1 is `attributes[i]`, by unique id. With
+/// `metadata` the file holds it, and a name for each attribute. Same input, same bytes; Draco decides the
+/// order of vertices and triangles. REQUIRES: triangles name vertices of the mesh; attributes have a value
+/// for each. Error: Corrupt for positions that are not finite (or beyond 1e38) or for what Draco refuses,
+/// InvalidArgument for no triangles, OverLimit. Cost: about 1 microsecond a triangle.
 core::Result<DracoMesh> encode_triangles(const core::QuadComplex& mesh,
                                          const std::vector<Triangle>& triangles,
                                          const std::vector<MeshAttribute>& attributes,

@@ -1,4 +1,4 @@
-// The parts that every .glb file of ours is put together from: what it says of itself, arrays in its one buffer, one mesh (glTF 2.0, binary).
+// The parts of every .glb file: metadata, arrays in its one buffer, one mesh (glTF 2.0, binary).
 #pragma once
 
 #include "core/base/result.hpp"
@@ -13,24 +13,24 @@
 
 namespace wakesurf::protocol::glb {
 
-/// What the metadata says, as the extras of a scene.
+/// Returns the metadata as the extras of a scene.
 tinygltf::Value::Object extras(const MeshMetadata& metadata);
 
-/// Without a buffer view: those of compressed data have none.
+/// Returns an accessor without a buffer view, as those of compressed data are.
 tinygltf::Accessor accessor(std::size_t count, int type, int component);
 
-/// Each returns the index of what it has added.
+/// Adds a part to the model and returns its index.
 int add(tinygltf::Model& model, tinygltf::Accessor accessor);
 int add_view(tinygltf::Model& model, std::size_t offset, std::size_t length, int target = 0);
 
 void add_buffer(tinygltf::Model& model, std::vector<unsigned char> bytes);
 
-/// The file's one mesh, with a two-sided material.
+/// Adds the file's one mesh, with a two-sided material.
 void add_mesh(tinygltf::Model& model, tinygltf::Primitive primitive, int mode);
 
 void set_bounds(tinygltf::Accessor& positions, const std::vector<core::Vec3f>& values);
 
-/// Arrays one behind the other in the file's one buffer.
+/// Appends arrays to the file's one buffer.
 class PlainArrays {
   public:
     explicit PlainArrays(tinygltf::Model& model) : model_(model) {}
@@ -52,7 +52,7 @@ class PlainArrays {
                      TINYGLTF_TARGET_ARRAY_BUFFER);
     }
 
-    /// As floats: glTF has the elements of an attribute begin at multiples of 4 bytes.
+    /// Appends vectors as floats: glTF has the elements of an attribute begin at multiples of 4 bytes.
     template <class Whole>
     int vertices(const std::vector<Whole>& values) {
         return vertices(std::vector<float>(values.begin(), values.end()));
@@ -76,7 +76,7 @@ class PlainArrays {
     std::vector<unsigned char> bytes_;
 };
 
-/// The file. A model without a mesh is a scene without one. Error: Corrupt.
+/// Returns the file. A model without a mesh becomes a scene without one. Error: Corrupt.
 core::Result<std::string>
 file_of(tinygltf::Model& model, const std::string& version, tinygltf::Value::Object extras);
 

@@ -22,7 +22,7 @@ std::string_view bytes_name(bool polygons) {
     return polygons ? "Polys" : "Lines";
 }
 
-/// Lines or polygons as a .vtp has them: their vertices in order, each one's end, and its value.
+/// Holds lines or polygons as a .vtp does: their vertices in order, the end of each, and its value.
 struct Pieces {
     std::vector<core::Vec3> points;
     std::vector<std::int64_t> connectivity, offsets;
@@ -89,7 +89,8 @@ lines_obj(const Pieces& pieces, const LinesWanted& wanted, const MeshMetadata& m
         value = pieces.values[i];
         const auto end = static_cast<std::size_t>(pieces.offsets[i]);
         for (std::size_t k = at; k < end; ++k)
-            if (static_cast<std::size_t>(pieces.connectivity[k]) >= points) { // each once, in order
+            if (static_cast<std::size_t>(pieces.connectivity[k]) >=
+                points) { // each vertex once, in order
                 const core::Vec3& p = pieces.points[points++];
                 out += "v " + number_text(p.x) + " " + number_text(p.y) + " " + number_text(p.z) +
                        "\n";
@@ -155,7 +156,7 @@ lines_glb(const Pieces& pieces, const LinesWanted& wanted, const MeshMetadata& m
         const auto at = [&](std::size_t k) { return static_cast<std::uint32_t>(vertices[k]); };
         for (std::size_t k = 0; k < vertices.size(); ++k)
             values[at(k)] = static_cast<float>(value);
-        // Polygons are parts of one cell, and convex: a fan.
+        // Polygons are parts of one cell, and convex: a fan of triangles covers each.
         for (std::size_t k = pieces.polygons ? 2 : 1; k < vertices.size(); ++k) {
             if (pieces.polygons)
                 indices.push_back(at(0));

@@ -8,7 +8,8 @@
 
 namespace wakesurf::protocol {
 
-/// `kind stream`, `rake 0,0,0 1,0,0`, ...; no line has a control character in it, whatever the dataset is called.
+/// Returns `kind stream`, `rake 0,0,0 1,0,0`, ...; no line has a control character in it, for any name of the
+/// dataset.
 std::vector<std::string> mesh_comments(const MeshMetadata& metadata);
 
 } // namespace wakesurf::protocol

@@ -9,8 +9,8 @@
 
 namespace wakesurf::protocol {
 
-/// Triangles, hanging nodes included; attributes as in draco_mesh, each with its name in its metadata (`name`), and the
-/// metadata of the surface as the file's. Error: as encode_triangles.
+/// Writes triangles, hanging nodes included; attributes as in draco_mesh, each with its name in its metadata
+/// (`name`), and the metadata of the surface as the file's. Error: as encode_triangles.
 core::Result<std::string> mesh_drc(const core::QuadComplex& mesh,
                                    const MeshMetadata& metadata,
                                    const MeshScalars& scalars = {});

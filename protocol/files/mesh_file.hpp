@@ -1,4 +1,5 @@
-// The file formats a surface can be written in, by their extensions: one place for the command line and the downloads.
+// The file formats a surface can be written in, by their extensions: one place for the command line and the
+// downloads.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -18,20 +19,20 @@ enum class MeshFormat { Vtp, Glb, Ply, Obj, Drc };
 inline constexpr std::array mesh_formats{MeshFormat::Vtp, MeshFormat::Glb, MeshFormat::Ply,
                                          MeshFormat::Obj, MeshFormat::Drc};
 
-/// `vtp`, `glb`, ...
+/// Returns the extension without its dot: `vtp`, `glb`, ...
 std::string_view extension(MeshFormat format);
 
-/// The media type, as registered where there is one.
+/// Returns the media type, a registered one if there is one.
 std::string_view content_type(MeshFormat format);
 
-/// From an extension without its dot.
+/// Returns the format of an extension without its dot; empty if there is none.
 std::optional<MeshFormat> mesh_format(std::string_view extension);
 
-/// All extensions with dots, for messages: `.vtp, .glb, .ply, .obj or .drc`.
+/// Returns all extensions with dots, for messages: `.vtp, .glb, .ply, .obj or .drc`.
 std::string mesh_extensions();
 
-/// @param glb  of no other format
-/// Same input, same bytes. Error: of .glb and .drc, see encode_triangles. REQUIRES: as mesh_vtp.
+/// Returns the bytes of a file. Same input, same bytes. Error: of .glb and .drc, see encode_triangles.
+/// REQUIRES: as mesh_vtp. @param glb  is ignored for other formats
 core::Result<std::string> mesh_file(MeshFormat format,
                                     const core::QuadComplex& mesh,
                                     const MeshMetadata& metadata,

@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* draco_extension = "KHR_draco_mesh_compression";
 
-/// `_S` for `s`, and words of their own for the dataset's fields.
+/// Returns `_S` for `s`, and such words for the dataset's fields.
 std::vector<std::string> attribute_names(const std::vector<MeshAttribute>& attributes,
                                          const MeshScalars& scalars) {
     std::vector<std::string> out;

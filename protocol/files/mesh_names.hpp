@@ -9,11 +9,11 @@
 
 namespace wakesurf::protocol {
 
-/// A word for each scalar, in order: what is not an ASCII letter, a digit or `_` becomes `_`, and what is taken, or was
-/// given before, gets a number behind it.
+/// Returns a word for each scalar, in order: any character but ASCII letters, digits and `_` becomes `_`, and
+/// a word that is in `taken`, or was given before, gets a number behind it.
 std::vector<std::string> words_of(const MeshScalars& scalars, std::set<std::string> taken);
 
-/// The same in capitals behind a `_`, as glTF has the attributes of applications.
+/// Returns such words in capitals behind a `_`, which glTF prescribes for attributes of applications.
 std::vector<std::string> gltf_names(const MeshScalars& scalars, std::set<std::string> taken);
 
 } // namespace wakesurf::protocol

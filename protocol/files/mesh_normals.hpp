@@ -8,8 +8,8 @@
 
 namespace wakesurf::protocol {
 
-/// One a vertex, of length 1: the mesh's own, else the mean of its triangles' normals by their areas, (0, 0, 1) where there is none or they
-/// cancel. Same input, same bytes.
+/// Returns a normal of length 1 for each vertex: the mesh's own, else the mean of its triangles' normals by
+/// their areas, (0, 0, 1) if there is none or they cancel. Same input, same bytes.
 std::vector<core::Vec3f> vertex_normals(const core::QuadComplex& mesh,
                                         const std::vector<Triangle>& triangles);
 

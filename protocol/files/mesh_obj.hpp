@@ -8,8 +8,8 @@
 
 namespace wakesurf::protocol {
 
-/// `v x y z` as computed, `vt s t`, and faces as in mesh_ply. The format has no place for further arrays. Metadata in
-/// comments. Same input, same text. REQUIRES: as mesh_vtp.
+/// Writes `v x y z` as computed, `vt s t`, and faces as in mesh_ply. The format cannot hold further arrays.
+/// Metadata in comments. Same input, same text. REQUIRES: as mesh_vtp.
 std::string mesh_obj(const core::QuadComplex& mesh, const MeshMetadata& metadata);
 
 } // namespace wakesurf::protocol

@@ -48,7 +48,8 @@ Faces faces_of(const core::QuadComplex& mesh) {
     return faces;
 }
 
-/// The slowest and the fastest vertex, between which the colours lie; both 0 without vertices.
+/// Holds the speed of the slowest and of the fastest vertex, between which the colours lie; both 0 without
+/// vertices.
 struct SpeedRange {
     float lo = 0.0F, hi = 0.0F;
 
@@ -68,7 +69,7 @@ struct SpeedRange {
     }
 };
 
-/// A field of the data of that name goes before it.
+/// Returns true if the mesh's error is written; a field of the data with that name has priority.
 bool has_error(const core::QuadComplex& mesh, const MeshScalars& scalars) {
     return !mesh.error.empty() && !scalars.contains("error");
 }

@@ -8,11 +8,12 @@
 
 namespace wakesurf::protocol {
 
-/// Faces: a quad for each cell without hanging nodes, triangles for the others, sharing vertices. Vertex properties:
-/// double x y z s t, float speed vx vy vz, then what VTK and ParaView show of a .ply: float nx ny nz, float u v (s and t once more),
-/// uchar red green blue (speed from the slowest to the fastest vertex, viridis); float deformation (where the mesh has it), uint component, uchar
-/// approximated, float error where the mesh has it, float <scalar> for each scalar, its name as one word. Metadata in comments. Same input, same bytes.
-/// REQUIRES: as mesh_vtp.
+/// Writes a quad for each cell without hanging nodes, triangles for the others, sharing vertices. Vertex
+/// properties: double x y z s t, float speed vx vy vz, then what VTK and ParaView show of a .ply: float nx ny
+/// nz, float u v (s and t once more), uchar red green blue (speed from the slowest to the fastest vertex,
+/// viridis); float deformation (if the mesh has it), uint component, uchar approximated, float error (if the
+/// mesh has it), float <scalar> for each scalar, its name as one word. Metadata in comments. Same input, same
+/// bytes. REQUIRES: as mesh_vtp.
 std::string mesh_ply(const core::QuadComplex& mesh,
                      const MeshMetadata& metadata,
                      const MeshScalars& scalars = {});

@@ -6,7 +6,8 @@ namespace wakesurf::protocol {
 
 namespace {
 
-/// 0 for a flat triangle, 1 / (4 sqrt 3) for an equal-sided one; 0 for what is not finite.
+/// Returns 0 for a flat triangle, 1 / (4 sqrt 3) for an equilateral one; 0 for coordinates that are not
+/// finite.
 double fatness(const core::Vec3& a, const core::Vec3& b, const core::Vec3& c) {
     const core::Vec3 ab = b - a;
     const core::Vec3 bc = c - b;
@@ -16,8 +17,8 @@ double fatness(const core::Vec3& a, const core::Vec3& b, const core::Vec3& c) {
     return value > 0.0 ? value : 0.0;
 }
 
-/// The best way to cut the outline from vertex i to vertex k, closed by the edge between the two: dynamic programming
-/// over intervals (Klincsek, Minimal triangulations of polygonal domains, 1980).
+/// Holds the best way to cut the outline from vertex i to vertex k, closed by the edge between the two:
+/// dynamic programming over intervals (Klincsek, Minimal triangulations of polygonal domains, 1980).
 struct Cuts {
     static constexpr std::size_t most = 8;
     std::array<std::array<double, most>, most> worst{};

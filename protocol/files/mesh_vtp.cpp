@@ -38,7 +38,7 @@ void point_data(std::string& xml, const core::QuadComplex& mesh, const MeshScala
     xml += "<PointData Scalars=\"speed\" Vectors=\"velocity\">\n";
     each_vtk_array(
         mesh, [&]<class T>(std::string_view name, const std::vector<T>& values, int components) {
-            if (name != "error" || !scalars.contains("error")) // a field of the data goes before it
+            if (name != "error" || !scalars.contains("error")) // a field of the data has priority
                 block(xml, type_name<T>, name, values, components);
         });
     for (const auto& [name, values] : scalars) {

@@ -1,4 +1,4 @@
-// What every .ply file of ours begins with, and how its numbers are written.
+// The beginning of every .ply file, and its numbers.
 #pragma once
 
 #include "protocol/files/mesh_comments.hpp"
@@ -17,7 +17,7 @@ void put(std::string& out, T value) {
     out.append(reinterpret_cast<const char*>(&value), sizeof(value));
 }
 
-/// Up to the first element.
+/// Returns the head up to the first element.
 inline std::string ply_head(const MeshMetadata& metadata) {
     std::string text = "ply\nformat binary_little_endian 1.0\n";
     for (const std::string& line : mesh_comments(metadata))

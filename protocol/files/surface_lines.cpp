@@ -18,7 +18,8 @@ namespace {
 constexpr std::string_view timelines = "timelines";
 constexpr std::string_view arrows_name = "arrows";
 
-/// What the particles of one seed form. Empty for time surfaces, each of whose points is a particle of its own, and level surfaces.
+/// Returns the name of lines of particles of one seed. Empty for time surfaces, each of whose points is a
+/// particle of its own, and level surfaces.
 std::string_view seed_lines(SurfaceKind kind) {
     switch (kind) {
     case SurfaceKind::Stream:
@@ -34,7 +35,7 @@ std::string_view seed_lines(SurfaceKind kind) {
     return {};
 }
 
-/// How far it is across the surface, where it is the most.
+/// Returns the largest distance across the surface.
 double widest(std::span<const double> parameter, std::span<const double> unit, bool wraps) {
     if (parameter.empty())
         return 0.0;
@@ -52,7 +53,8 @@ bool read_number(std::string_view text, Number& out) {
     return read.ec == std::errc{} && read.ptr == text.data() + text.size();
 }
 
-/// `every=D,width=W` in either order, or N for the first of them. Returns false where that is none of it, or not a length.
+/// Reads `every=D,width=W` in either order, or N for the first of them. Returns false for any other text, and
+/// for a value that is no length.
 bool read_measures(std::string_view text, LinesWanted& out) {
     while (!text.empty()) {
         const std::string_view word = text.substr(0, text.find(','));

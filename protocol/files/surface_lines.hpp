@@ -1,5 +1,6 @@
-// What is on a surface, instead of its cells: timelines, the streamlines, pathlines or streaklines that the surface consists of,
-// ribbons along them, arrows (core/surface/contour_lines.hpp, even_lines.hpp, surface_cutouts.hpp).
+// Lines on a surface, instead of its cells: timelines, the streamlines, pathlines or streaklines that the
+// surface consists of, ribbons along them, arrows (core/surface/contour_lines.hpp, even_lines.hpp,
+// surface_cutouts.hpp).
 #pragma once
 
 #include "core/base/result.hpp"
@@ -15,17 +16,19 @@ namespace wakesurf::protocol {
 struct LinesWanted {
     enum class Along : std::uint8_t {
         Release, ///< timelines: particles of one age
-        Seed     ///< what particles of one seed form
+        Seed     ///< lines of the particles of one seed
     };
     enum class Form : std::uint8_t { Lines, Ribbons, Arrows };
 
     Along along = Along::Release;
-    /// So many, at values evenly spaced between the ends of the surface; 0: by the distance between them.
+    /// The number of lines, at values evenly spaced between the ends of the surface; 0: by the distance
+    /// between them.
     std::uint32_t values = 0;
     Form form = Form::Lines;
     double spacing = 0.0; ///< length on the surface from one to the next
     double width = 0.0;   ///< length: of ribbons, and of arrows' heads
-    /// What particles of one seed form are lines of the flow, as on stream and path surfaces: arrows bend with them.
+    /// True if the particles of one seed form lines of the flow, as on stream and path surfaces: arrows bend
+    /// with them.
     bool seeds_flow = true;
 
     bool operator==(const LinesWanted&) const = default;
@@ -33,24 +36,25 @@ struct LinesWanted {
 
 inline constexpr std::uint32_t most_line_values = 1000;
 
-/// `timelines:N`, or the lines that a kind of surface consists of: `streamlines:N`, `pathlines:N` or `streaklines:N`; N from 1 to
-/// most_line_values, or `every=D`, the distance between them. The same with ribbons, which take `,width=W`; and `arrows:every=D,width=W`, the only
-/// ones of time surfaces. Error: InvalidArgument, naming what the kind has.
+/// Parses `timelines:N`, or the lines that a kind of surface consists of: `streamlines:N`, `pathlines:N` or
+/// `streaklines:N`; N from 1 to most_line_values, or `every=D`, the distance between them. Ribbons take the
+/// same and `,width=W`; arrows take `arrows:every=D,width=W`, and are the only ones of time surfaces. Error:
+/// InvalidArgument, naming what the kind has.
 core::Result<LinesWanted> read_lines(std::string_view text, core::SurfaceKind kind);
 
-/// Lines, or what has been cut out of the surface.
+/// Holds lines, or the pieces cut out of the surface.
 struct SurfaceLines {
     std::vector<core::ContourLine> lines;
     core::Cutouts cutouts;
 };
 
+/// Computes the lines. Error: NotFound if the surface has none of the form, OverLimit for too many lines,
+/// InvalidArgument for ribbons that are wider than the surface.
 /// @param closed  the surface comes from a closed rake
-/// Error: NotFound where there is nothing of the kind, OverLimit where there would be too many lines, InvalidArgument for ribbons that are wider
-/// than the surface.
 core::Result<SurfaceLines>
 surface_lines(const core::QuadComplex& mesh, const LinesWanted& wanted, bool closed = false);
 
-/// `t` or `s`: what is constant along such lines.
+/// Returns `t` or `s`, the parameter that is constant along such lines.
 std::string_view parameter(const LinesWanted& wanted);
 
 } // namespace wakesurf::protocol

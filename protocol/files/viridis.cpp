@@ -7,7 +7,7 @@ namespace wakesurf::protocol {
 
 namespace {
 
-/// Matt Zucker's fit of the table (CC0), constant first.
+/// The coefficients of Matt Zucker's fit of the table (CC0), constant first.
 constexpr double coefficients[3][7] = {
     {0.2777273272234177, 0.1050930431085774, -0.3308618287255563, -4.634230498983486,
      6.228269936347081, 4.776384997670288, -5.435455855934631},

@@ -7,7 +7,8 @@
 
 namespace wakesurf::protocol {
 
-/// sRGB of a value from 0 to 1; what lies outside gets the end's, NaN the lower one's. Within 4 of 255 of the table.
+/// Returns the sRGB colour of a value from 0 to 1; other values get the colour of the nearer end, NaN the
+/// lower one's. Within 4 of 255 of the table.
 std::array<std::uint8_t, 3> viridis(double value);
 
 } // namespace wakesurf::protocol

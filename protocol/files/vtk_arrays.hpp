@@ -1,5 +1,5 @@
-// A surface as VTK's polygonal data have it: polygons one after the other, and named arrays at the vertices. For .vtp files, and for VTK itself
-// (importer/filter).
+// A surface as VTK's polygonal data have it: polygons one after the other, and named arrays at the vertices.
+// For .vtp files, and for VTK itself (importer/filter).
 #pragma once
 
 #include "core/surface/quad_complex.hpp"
@@ -12,7 +12,7 @@ namespace wakesurf::protocol {
 
 struct VtkPolygons {
     std::vector<std::int64_t> connectivity;
-    std::vector<std::int64_t> offsets; ///< where each ends
+    std::vector<std::int64_t> offsets; ///< the end of each in `connectivity`
 };
 
 inline VtkPolygons vtk_polygons(const core::QuadComplex& mesh) {
@@ -28,7 +28,8 @@ inline VtkPolygons vtk_polygons(const core::QuadComplex& mesh) {
     return out;
 }
 
-/// Calls visit(name, values, components) for each array that the mesh has, in the order of files; `values` is a vector of one type or another.
+/// Calls visit(name, values, components) for each array that the mesh has, in the order of files; `values` is
+/// a vector of one type or another.
 template <class Visit>
 void each_vtk_array(const core::QuadComplex& mesh, const Visit& visit) {
     std::vector<float> speed(mesh.vertices());

@@ -13,7 +13,7 @@ namespace wakesurf::protocol {
 namespace {
 
 constexpr std::size_t block_bytes = std::size_t{1} << 18;
-constexpr int fastest = 1; // of floats a higher level saves 3 % and takes three times as long
+constexpr int fastest = 1; // for floats a higher level saves 3 % and takes three times as long
 
 std::string_view text_of(std::span<const std::byte> bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
@@ -25,7 +25,7 @@ std::string compressed(std::span<const std::byte> block) {
     if (compress2(reinterpret_cast<Bytef*>(out.data()), &size,
                   reinterpret_cast<const Bytef*>(block.data()), static_cast<uLong>(block.size()),
                   fastest) != Z_OK)
-        throw std::bad_alloc(); // the only way it can fail: the room is enough
+        throw std::bad_alloc(); // the only possible failure: the buffer is large enough
     out.resize(size);
     return out;
 }

@@ -1,4 +1,5 @@
-// What the .vtp files of a mesh and of lines on it have in common: the head with what the file says about its surface, and arrays.
+// The common part of .vtp files of a mesh and of lines on it: the head, which describes the surface, and
+// arrays.
 #pragma once
 
 #include "protocol/files/mesh_metadata.hpp"
@@ -10,10 +11,10 @@
 
 namespace wakesurf::protocol {
 
-/// The file up to its `<Piece`.
+/// Returns the file up to its `<Piece`.
 std::string vtp_head(const MeshMetadata& metadata);
 
-/// The file after its `</Piece>`.
+/// Returns the file after its `</Piece>`.
 std::string_view vtp_tail();
 
 struct VtpCounts {
@@ -22,7 +23,9 @@ struct VtpCounts {
 
 std::string vtp_piece(const VtpCounts& counts);
 
-/// Appends an array as `<DataArray>`. @param type  `Float64`, `Int64`, ...; @param bytes  of its values, little-endian
+/// Appends an array as `<DataArray>`.
+/// @param type   `Float64`, `Int64`, ...
+/// @param bytes  of its values, little-endian
 void append_vtp_array(std::string& xml,
                       std::string_view type,
                       std::string_view name,

@@ -18,7 +18,7 @@ static_assert(std::endian::native == std::endian::little,
 
 using Bytes = std::vector<std::byte>;
 
-/// The frames of an update, which many connections send.
+/// Holds the frames of an update, which many connections send.
 using SharedFrames = std::vector<std::shared_ptr<const Bytes>>;
 
 template <class T>
@@ -30,7 +30,7 @@ void append(Bytes& bytes, T value) {
     std::memcpy(bytes.data() + at, &value, sizeof value);
 }
 
-/// REQUIRES: offset + sizeof(T) <= bytes.size().
+/// Reads a number at `offset`. REQUIRES: offset + sizeof(T) <= bytes.size().
 template <class T>
 
 requires std::is_arithmetic_v<T> T number_at(std::span<const std::byte> bytes, std::size_t offset) {
@@ -39,14 +39,14 @@ requires std::is_arithmetic_v<T> T number_at(std::span<const std::byte> bytes, s
     return value;
 }
 
-/// Seven bits a byte, lowest first, the top bit set on all but the last: 1 to 5 bytes.
+/// Appends seven bits a byte, lowest first, the top bit set on all but the last: 1 to 5 bytes.
 inline void append_varint(Bytes& bytes, std::uint32_t value) {
     for (; value >= 0x80u; value >>= 7)
         bytes.push_back(static_cast<std::byte>((value & 0x7fu) | 0x80u));
     bytes.push_back(static_cast<std::byte>(value));
 }
 
-/// Reads a varint and moves `at` behind it; nothing when it is cut off or does not fit 32 bits.
+/// Reads a varint and moves `at` behind it; empty if it is cut off or does not fit 32 bits.
 inline std::optional<std::uint32_t> take_varint(std::span<const std::byte> bytes, std::size_t& at) {
     std::uint32_t value = 0;
     for (unsigned shift = 0; shift < 35 && at < bytes.size(); shift += 7) {
@@ -60,7 +60,8 @@ inline std::optional<std::uint32_t> take_varint(std::span<const std::byte> bytes
     return std::nullopt;
 }
 
-/// Differences modulo 2^32 near zero, of either sign, become small numbers: 0, -1, 1, -2 ... -> 0, 1, 2, 3 ...
+/// Maps differences modulo 2^32 near zero, of either sign, to small numbers: 0, -1, 1, -2 ... -> 0, 1, 2, 3
+/// ...
 inline std::uint32_t zigzag(std::uint32_t difference) {
     return (difference << 1) ^ ((difference >> 31) != 0 ? 0xffffffffu : 0u);
 }

@@ -1,4 +1,4 @@
-// What is wrong with bytes that no server of ours wrote so: the error of what reads frames.
+// The error for bytes that no server of ours wrote.
 #pragma once
 
 #include "core/base/result.hpp"

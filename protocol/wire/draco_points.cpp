@@ -18,8 +18,8 @@ namespace {
 
 using core::Error;
 
-constexpr int speed =
-    5; ///< measured: other speeds change sizes by less than 1 %, times by less than 10 %
+/// Measured: other speeds change sizes by less than 1 %, times by less than 10 %.
+constexpr int speed = 5;
 
 void add_attribute(draco::PointCloud& cloud, const Channel<const std::int32_t>& channel) {
     draco::GeometryAttribute description;
@@ -31,7 +31,7 @@ void add_attribute(draco::PointCloud& cloud, const Channel<const std::int32_t>& 
                 channel.values.size_bytes());
 }
 
-/// All that Draco 2.3 says before the entropy-coded values of a cloud written by encode_points.
+/// Returns everything that Draco 2.3 writes before the entropy-coded values of a cloud of encode_points.
 template <class T>
 Bytes expected_start(std::uint32_t points, std::span<const Channel<T>> channels) {
     Bytes bytes;

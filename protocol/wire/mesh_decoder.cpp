@@ -41,7 +41,7 @@ core::Result<std::vector<AttributeRange>> read_ranges(Numbers& numbers, const Fr
     return ranges;
 }
 
-/// Of the vertices that moved, then of those that were added.
+/// Reads the points of moved vertices, then those of added ones.
 core::Result<void> read_points(Numbers& numbers,
                                std::span<const std::byte> draco,
                                const TopologyEdit& edit,
@@ -68,7 +68,7 @@ core::Result<void> read_points(Numbers& numbers,
     return {};
 }
 
-/// The state after an update of which all bytes are there.
+/// Returns the state after an update of which all bytes have arrived.
 core::Result<WireMesh>
 decoded(const FrameHeader& header, std::span<const std::byte> bytes, WireMesh before) {
     auto numbers = unpack_numbers(bytes);
@@ -110,7 +110,7 @@ decoded(const FrameHeader& header, std::span<const std::byte> bytes, WireMesh be
 
 } // namespace
 
-/// The frames of an update so far.
+/// Holds the frames of an update that have arrived.
 struct MeshDecoder::Update {
     FrameHeader header; ///< of the newest frame
     Bytes bytes;        ///< of all

@@ -1,5 +1,5 @@
-// From frames back to states: the client's half of the wire, for tests, scripts and golden files. The server itself
-// never decodes what a client sent. Twin: web-client/src/protocol/meshDecoder.ts.
+// From frames back to states: the client's half of the wire, for tests, scripts and golden files. The server
+// itself never decodes what a client sent. Twin: web-client/src/protocol/meshDecoder.ts.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -13,14 +13,14 @@
 
 namespace wakesurf::protocol {
 
-/// A whole update, decoded.
+/// Holds a whole update, decoded.
 struct DecodedState {
     FrameHeader header; ///< of its last frame: surface, epoch, seq, phase, state_sum ...
     std::shared_ptr<const WireMesh> mesh; ///< never null
 };
 
 /// Folds the frames of one surface, in order, into its states. Keeps the newest whole state through errors.
-/// Not thread safe; one decoder a surface.
+/// Not thread-safe; one decoder a surface.
 class MeshDecoder {
   public:
     MeshDecoder();
@@ -28,15 +28,15 @@ class MeshDecoder {
     MeshDecoder(MeshDecoder&&) noexcept;
     MeshDecoder& operator=(MeshDecoder&&) noexcept;
 
-    /// True when the frame made a state whole, which is then newest().
-    /// Error: Unsupported, OverLimit or Corrupt; then nothing but frame 0 of a KEY is taken (see needs_key).
-    /// Cost: of a state's last frame O(state), of the others O(frame).
+    /// Returns true if the frame completed a state, which is then newest(). Error: Unsupported, OverLimit or
+    /// Corrupt; then only frame 0 of a KEY is accepted (see needs_key). Cost: for a state's last frame
+    /// O(state), for the others O(frame).
     core::Result<bool> fold(std::span<const std::byte> frame);
 
-    /// The newest whole state, if there has been one.
+    /// Returns the newest whole state; empty before the first.
     const std::optional<DecodedState>& newest() const { return newest_; }
 
-    /// Deltas are of no use: nothing has come yet, or something went wrong.
+    /// Says that only a KEY is of use: no state has arrived, or an error occurred.
     bool needs_key() const { return !intact_; }
 
   private:

@@ -1,4 +1,4 @@
-// One whole mesh as the frames of a KEY: for what has no history, as an obstacle has none.
+// One whole mesh as the frames of a KEY, for meshes without history such as an obstacle.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -14,8 +14,8 @@ struct EncodeOptions {
     std::uint32_t epoch = 0;
     std::uint32_t seq = 0;
     bool final = false; ///< else coarse
-    bool attributes =
-        true; ///< speed, s and t, and fields; without, the mesh needs only positions and cells
+    /// Sends speed, s and t, and fields; if false, the mesh needs only positions and cells.
+    bool attributes = true;
     double time = 0.0;
 };
 

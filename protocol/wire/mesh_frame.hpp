@@ -1,4 +1,5 @@
-// The envelope of one binary message: a header, and a piece of an update. protocol/wire/FORMAT.md has the byte map. Twin: web-client/src/protocol/meshFrame.ts.
+// The envelope of one binary message: a header, and a piece of an update. protocol/wire/FORMAT.md has the
+// byte map. Twin: web-client/src/protocol/meshFrame.ts.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -13,21 +14,22 @@ inline constexpr std::uint16_t frame_magic = 0x5357; ///< "WS" as bytes
 inline constexpr std::uint8_t frame_version = 5;
 inline constexpr std::size_t frame_header_bytes = 48;
 
-// What a reader accepts; a writer keeps its frames below 512 KiB.
+// The largest frame that a reader accepts; a writer keeps its frames below 512 KiB.
 inline constexpr std::size_t max_frame_bytes = 4u << 20;
 inline constexpr std::uint32_t max_block_vertices = 1u << 16;
 inline constexpr std::uint32_t max_mesh_vertices = 1u << 24;
 inline constexpr std::uint32_t max_mesh_cells = 1u << 24;
 inline constexpr std::uint8_t max_attributes = 8; ///< as many as `gaps` has bits
 
-/// How good a state is: what the client shows, and whether more is to come.
+/// The quality of a state: how clients label it, and whether a better one follows.
 enum class Phase : std::uint8_t { Coarse, Refined, Final, Live };
 
-/// What stands in front of every frame.
+/// The header of every frame.
 struct FrameHeader {
-    static constexpr std::uint8_t key = 1; ///< starts from the empty state
-    static constexpr std::uint8_t lossless =
-        2; ///< the state is the server's surface, exact on the lattice
+    /// The update starts from the empty state.
+    static constexpr std::uint8_t key = 1;
+    /// The state is the server's surface, exact on the lattice.
+    static constexpr std::uint8_t lossless = 2;
 
     std::uint8_t flags = 0;    ///< `key` and `lossless`
     std::uint32_t surface = 0; ///< the subscription
@@ -40,35 +42,36 @@ struct FrameHeader {
     std::uint8_t attribute_count = 0; ///< of each vertex
     std::uint8_t gaps = 0;            ///< a bit an attribute: some vertices have no value of it
     std::uint32_t vertices = 0;       ///< of the state after the update
-    std::uint32_t cells = 0;          ///< the same
+    std::uint32_t cells = 0;          ///< of the state after the update
     double time = 0.0;                ///< simulation time of the state
     std::uint32_t state_sum = 0;      ///< checksum of the state
 
-    /// It needs no state before it.
+    /// Says that the update needs no state before it.
     bool is_key() const { return (flags & key) != 0; }
 
     bool operator==(const FrameHeader&) const = default;
 };
 
-/// Whether two frames can be of one update: alike but for their index.
+/// Says whether two frames can be of one update: equal but for their index.
 bool same_update(FrameHeader a, const FrameHeader& b);
 
-/// A frame taken apart; the body points into the bytes it was read from.
+/// Holds a frame taken apart; the body points into the bytes that it was read from.
 struct MeshFrame {
     FrameHeader header;              ///< read, or to be written
     std::span<const std::byte> body; ///< all behind the header
 };
 
-/// The checksum of a frame's bytes, which stands in its header: CRC-32 as in zlib and PNG.
-/// REQUIRES: at least frame_header_bytes.
+/// Returns the checksum of a frame's bytes, which stands in its header: CRC-32 as in zlib and PNG. REQUIRES:
+/// at least frame_header_bytes.
 std::uint32_t frame_crc(std::span<const std::byte> frame);
 
 inline constexpr std::size_t frame_crc_at = 44;
 
-/// Fills in the checksum.
+/// Writes a frame and fills in its checksum.
 Bytes write_frame(const MeshFrame& frame);
 
-/// Error: Unsupported for another version, OverLimit, Corrupt for anything else that is not a whole, undamaged frame.
+/// Reads a frame. Error: Unsupported for another version, OverLimit, Corrupt for anything else that is not a
+/// whole, undamaged frame.
 core::Result<MeshFrame> read_frame(std::span<const std::byte> bytes);
 
 } // namespace wakesurf::protocol

@@ -13,8 +13,8 @@ namespace {
 
 using core::Error;
 
-/// Counts the indices below `size` that `bad` finds; the error names how many and the first. All are looked at: a loop that need
-/// not be left early takes several at a time.
+/// Counts the indices below `size` that `bad` finds; the error states the count and the first. It visits all
+/// of them: a loop without an early exit is vectorized.
 template <class Bad>
 core::Result<void> refuse(std::size_t size, Error::Code code, std::string_view what, Bad bad) {
     std::size_t count = 0;
@@ -30,19 +30,19 @@ core::Result<void> refuse(std::size_t size, Error::Code code, std::string_view w
                       "this is a fault of the surface engine; please report it with the rake");
 }
 
-/// False for NaN as well.
+/// Returns false for NaN as well.
 bool narrow_finite(double value) {
     return std::abs(static_cast<float>(value)) <= std::numeric_limits<float>::max();
 }
 
-/// Without the root, which costs more than all the rest.
+/// Compares squares: the root would cost more than all the rest.
 bool speed_finite(const core::Vec3f& velocity) {
     constexpr double most = std::numeric_limits<float>::max();
     const core::Vec3 v(velocity);
     return glm::dot(v, v) <= most * most;
 }
 
-/// No vertex is one below 0, so that mids need no question of their own whether they are there.
+/// No vertex is one below 0, so that mids need no check of their own whether they exist.
 bool refers_beyond(const core::Cell& cell, core::VertexId vertices) {
     core::VertexId corner = 0;
     core::VertexId mid = 0;

@@ -19,7 +19,7 @@ namespace wakesurf::protocol {
 
 namespace {
 
-/// Vertices between two that moved which cost less when sent along than as a gap between runs.
+/// Up to so many vertices between two that moved cost less when sent along than as a gap between runs.
 constexpr std::uint32_t bridge = 12;
 /// A delta that leaves less of the mesh than this is hardly smaller than a KEY.
 constexpr double least_staying = 0.3;
@@ -34,7 +34,7 @@ core::Result<void> check_size(const core::QuadComplex& mesh) {
                             "ask for fewer quads or a larger separation");
 }
 
-/// @param before  how many there were in the last update, if there was one
+/// Checks the fields. @param before  the number of fields in the last update, if there was one
 core::Result<void> check_fields(const MeshFields& fields,
                                 const core::QuadComplex& mesh,
                                 std::optional<std::size_t> before) {
@@ -92,7 +92,7 @@ Residuals predicted(WireDraft& draft,
     return make_residuals(draft, truth, choose_predictors(draft, truth, coding, coded), coded);
 }
 
-/// Vertices first to last - 1.
+/// Returns the vertices first to last - 1.
 std::vector<std::uint32_t> numbers(std::uint32_t first, std::uint32_t last) {
     std::vector<std::uint32_t> all(last - first);
     std::iota(all.begin(), all.end(), first);
@@ -108,7 +108,7 @@ std::vector<std::uint32_t> numbers(const Runs& runs) {
     return all;
 }
 
-/// All that is particular to one update; `header` holds what stays the same from one to the next.
+/// Holds all that is particular to one update; `header` holds the constant part.
 struct Step {
     FrameHeader header;
     TopologyEdit edit;
@@ -118,7 +118,7 @@ struct Step {
     Tolerance tolerance;
 };
 
-/// As the bits of doubles, the low half first.
+/// Appends the bits of doubles, the low half first.
 void append_ranges(std::vector<std::uint32_t>& numbers, std::span<const AttributeRange> ranges) {
     for (const AttributeRange& range : ranges)
         for (const double end : {range.lo, range.hi}) {
@@ -258,7 +258,8 @@ core::Result<EncodedUpdate> MeshStream::next(const core::KeyedMesh& given,
     const AttributeValues values = held.attributes
                                        ? AttributeValues(mesh.mesh, empty ? without_values : fields)
                                        : AttributeValues();
-    // What has nothing to do with the mesh before is coded as if that had never been: the same surface leads to the same state.
+    // An update unrelated to the mesh before is coded as if there had been none: the same surface leads to
+    // the same state.
     const bool anew = !held.started || options.unrelated;
     std::vector<AttributeRange> ranges;
     if (held.attributes)

@@ -1,5 +1,5 @@
-// From a surface, state after state, to the updates that carry it: matches ids, predicts, quantises, encodes once for
-// everybody. The last stage of a datum's path before the socket.
+// From a surface, state after state, to the updates that carry it: matches ids, predicts, quantises, encodes
+// once for all clients. The last stage of a datum's path before the socket.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -16,34 +16,36 @@
 
 namespace wakesurf::protocol {
 
-/// What errors a state may keep, in lattice units and in codes. At most 32767.
+/// Bounds the errors of a state, in lattice units and in codes. At most 32767.
 struct Tolerance {
     std::uint16_t position = 0;  ///< lattice units
     std::uint16_t speed = 0;     ///< and fields
     std::uint16_t parameter = 0; ///< s and t
 
-    /// No errors at all.
+    /// Says that no errors are allowed.
     bool exact() const { return position == 0 && speed == 0 && parameter == 0; }
 };
 
 inline constexpr Tolerance exact_tolerance{};
-/// On a 16 bit lattice no more than what rounding to 14 bits makes; of the speed and of fields what rounding to 8 bits makes,
-/// of s and t what rounding to 11 bits makes.
+/// The tolerance of live updates. On a 16 bit lattice the error is that of rounding positions to 14 bits, the
+/// speed and fields to 8 bits, s and t to 11 bits.
 inline constexpr Tolerance live_tolerance{2, 128, 16};
 
-/// What encoding takes besides the mesh, a vertex.
+/// The memory that encoding takes besides the mesh, in bytes a vertex.
 inline constexpr std::size_t encoding_bytes = 400;
 
 inline constexpr std::size_t max_fields = max_attributes - surface_attributes.size();
 
-/// How good an update is.
+/// Says how good an update is.
 struct UpdateOptions {
-    Phase phase = Phase::Final;            ///< told to clients
+    Phase phase = Phase::Final;            ///< sent to clients
     Tolerance tolerance = exact_tolerance; ///< errors the state may keep
-    bool unrelated = false; ///< ids have nothing to do with those of the mesh before: a KEY
+    /// The ids have nothing to do with those of the mesh before: the update is a KEY.
+    bool unrelated = false;
 };
 
-/// One update, to be sent to everybody who has the state of `base_seq`, or to anybody if it is a key. Immutable.
+/// An update, to be sent to every client with the state of `base_seq`, or to any client if it is a key.
+/// Immutable.
 struct EncodedUpdate {
     std::uint32_t epoch = 0;               ///< of the stream
     std::uint32_t base_seq = 0;            ///< the state it starts from, unless it is a key
@@ -57,9 +59,9 @@ struct EncodedUpdate {
     std::shared_ptr<const WireMesh> state; ///< it leads to; never null
 };
 
-/// The updates of one surface in one epoch, from its first state on.
-/// Thread safety: one thread at a time. Frames are encoded in parallel in the caller's oneTBB arena; the bytes do not depend
-/// on the number of threads.
+/// Makes the updates of one surface in one epoch, from its first state on. Thread safety: one thread at a
+/// time. Frames are encoded in parallel in the caller's oneTBB arena; the bytes do not depend on the number
+/// of threads.
 class MeshStream {
   public:
     /// @param surface     number in the header of each frame: the subscription
@@ -73,19 +75,19 @@ class MeshStream {
     MeshStream(MeshStream&&) noexcept;
     MeshStream& operator=(MeshStream&&) noexcept;
 
-    /// The update from the mesh of the last call to this one. It is a KEY the first time, when little of the mesh stays and
-    /// when an attribute leaves its range. Ids may come in any order: also going back in time is a delta.
-    ///
+    /// Returns the update from the mesh of the last call to this one. It is a KEY the first time, when little
+    /// of the mesh stays and when an attribute leaves its range. Ids may come in any order: also going back
+    /// in time is a delta. Error: as guard_mesh; OverLimit for more than max_mesh_vertices vertices,
+    /// max_mesh_cells cells or max_fields fields; Corrupt for ids that do not ascend, and for other fields
+    /// than before. After an error the stream is as before.
     /// @param fields  as many in each call
-    /// Error: what guard_mesh refuses; OverLimit for more than max_mesh_vertices vertices, max_mesh_cells cells or max_fields fields;
-    /// Corrupt for ids that do not ascend, and for other fields than before. The stream is then as before.
     core::Result<EncodedUpdate>
     next(const core::KeyedMesh& mesh, const UpdateOptions& options, const MeshFields& fields = {});
 
-    /// What everybody holds after the last update; never null.
+    /// Returns the state of all clients after the last update; never null.
     std::shared_ptr<const WireMesh> state() const;
 
-    /// Of the state, and what finds its vertices and cells by their ids.
+    /// Returns the memory of the state and of its index by ids.
     std::size_t bytes() const;
 
   private:
@@ -93,13 +95,13 @@ class MeshStream {
     std::unique_ptr<Held> held_;
 };
 
-/// A KEY of a state that a stream made: for those who join late or have fallen behind. They then follow the deltas based on it like
-/// everybody else. `update` is the one that led to the state; its frames are not looked at.
-/// Error: OverLimit. Thread safety: concurrent calls are fine.
+/// Returns a KEY of a state that a stream made, for clients that join late or have fallen behind. They then
+/// follow the deltas based on it like all others. `update` is the one that led to the state; its frames are
+/// not read. Error: OverLimit. Thread safety: concurrent calls are allowed.
 core::Result<EncodedUpdate> encode_key(std::uint32_t surface, const EncodedUpdate& update);
 
-/// A mesh whose ids are its indices. Two of them continue one another (see MeshStream::next) where the second
-/// has the vertices and cells of the first, in the same order, and more.
+/// Returns a mesh whose ids are its indices. One continues another (see MeshStream::next) if it has the
+/// vertices and cells of that one, in the same order, and more.
 core::KeyedMesh with_ids(core::QuadComplex mesh, double time = 0.0);
 
 } // namespace wakesurf::protocol

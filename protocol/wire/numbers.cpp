@@ -14,14 +14,15 @@ namespace {
 using core::Error;
 
 constexpr int level = 6;
-/// Deflate makes nothing more than so many times smaller.
+/// Deflate expands by this factor at most.
 constexpr std::uint64_t most_inflation = 1032;
 
 const Bytef* zlib_in(std::span<const std::byte> bytes) {
     return reinterpret_cast<const Bytef*>(bytes.data());
 }
 
-/// With a window no larger than what there is: zlib clears its memory, which costs more than a small update.
+/// Deflates with a window no larger than the input: zlib clears its memory, which costs more than a small
+/// update.
 core::Result<Bytes> deflated(std::span<const std::byte> bytes) {
     z_stream stream{};
     const int window = std::clamp(static_cast<int>(std::bit_width(bytes.size())), 9, 15);
@@ -40,7 +41,7 @@ core::Result<Bytes> deflated(std::span<const std::byte> bytes) {
     return out;
 }
 
-/// Exactly `size` bytes, or nothing.
+/// Returns exactly `size` bytes, or empty.
 std::optional<Bytes> inflated(std::span<const std::byte> bytes, std::size_t size) {
     z_stream stream{};
     if (inflateInit2(&stream, -15) != Z_OK)

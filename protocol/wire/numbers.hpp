@@ -1,4 +1,5 @@
-// The numbers that an update begins with: varints, deflated. protocol/wire/FORMAT.md, Update. Twin: web-client/src/protocol/bytes.ts.
+// The numbers that an update begins with: varints, deflated. protocol/wire/FORMAT.md, Update. Twin:
+// web-client/src/protocol/bytes.ts.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -10,10 +11,11 @@
 
 namespace wakesurf::protocol {
 
-/// Numbers as an update has them in front. Cost: some 10 ns a number.
+/// Packs numbers for the beginning of an update. Cost: some 10 ns a number.
 core::Result<Bytes> pack_numbers(std::span<const std::uint32_t> numbers);
 
-/// Numbers to be taken one after the other. Once one is missing or too large, it has failed, and all that follow are 0.
+/// Holds numbers to be taken in order. Once one is missing or too large, it has failed, and all that follow
+/// are 0.
 class Numbers {
   public:
     explicit Numbers(std::vector<std::uint32_t> all) : all_(std::move(all)) {}
@@ -29,7 +31,7 @@ class Numbers {
 
     std::int32_t next_signed() { return static_cast<std::int32_t>(unzigzag(next())); }
 
-    /// The next `count`, or none where there are fewer.
+    /// Takes the next `count`; empty if there are fewer.
     std::span<const std::uint32_t> take(std::size_t count) {
         failed_ = failed_ || count > left();
         if (failed_)
@@ -44,8 +46,8 @@ class Numbers {
     bool failed_ = false;
 };
 
-/// Takes the numbers from the front of an update's bytes: `update` is then what follows them.
-/// Error: Corrupt. Allocates O(bytes) at most: what deflate can make of them.
+/// Unpacks the numbers at the beginning of an update's bytes: `update` is then what follows them. Error:
+/// Corrupt. Allocates O(bytes) at most, by the bound on deflate.
 core::Result<Numbers> unpack_numbers(std::span<const std::byte>& update);
 
 } // namespace wakesurf::protocol

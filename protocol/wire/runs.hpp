@@ -1,5 +1,5 @@
-// Which things of a list are meant, as runs of consecutive ones; and what becomes of a list when some go. protocol/wire/FORMAT.md,
-// Topology. Twin: web-client/src/protocol/runs.ts.
+// A selection of a list's elements, as runs of consecutive ones; and the list after some are removed.
+// protocol/wire/FORMAT.md, Topology. Twin: web-client/src/protocol/runs.ts.
 #pragma once
 
 #include "core/surface/quad_complex.hpp"
@@ -11,7 +11,7 @@
 
 namespace wakesurf::protocol {
 
-/// Things begin .. end - 1 of a list.
+/// Stands for the elements begin .. end - 1 of a list.
 struct Run {
     std::uint32_t begin = 0;
     std::uint32_t end = 0;
@@ -19,13 +19,13 @@ struct Run {
     bool operator==(const Run&) const = default;
 };
 
-/// Disjoint and ascending.
+/// Holds disjoint, ascending runs.
 class Runs {
   public:
     /// REQUIRES: `index` is above everything taken so far.
     void take(std::uint32_t index) { take({index, index + 1}); }
 
-    /// A gap of at most `bridge` things to the run before is taken as well.
+    /// Takes a run. A gap of at most `bridge` elements to the run before is taken as well.
     void take(Run run, std::uint32_t bridge = 0);
 
     std::span<const Run> all() const { return runs_; }
@@ -39,10 +39,11 @@ class Runs {
     std::uint32_t count_ = 0;
 };
 
-/// The number each of `count` things has when the removed ones are gone, `core::no_vertex` for those.
+/// Returns the number that each of `count` elements has once the removed ones are gone, `core::no_vertex` for
+/// those.
 std::vector<std::uint32_t> numbers_after(const Runs& removed, std::uint32_t count);
 
-/// Calls each(begin, end) for the runs of those of `count` things that are not taken.
+/// Calls each(begin, end) for the runs of those of `count` elements that are not taken.
 template <class Each>
 void for_each_gap(const Runs& taken, std::uint32_t count, Each each) {
     std::uint32_t at = 0;
@@ -55,7 +56,7 @@ void for_each_gap(const Runs& taken, std::uint32_t count, Each each) {
         each(at, count);
 }
 
-/// The things that stay where `removed` go, in order.
+/// Returns the elements that stay, in order.
 template <class T>
 std::vector<T> without(const Runs& removed, std::span<const T> things) {
     std::vector<T> left;

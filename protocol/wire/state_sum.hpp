@@ -1,5 +1,5 @@
-// A checksum of 32 bit words that scripts and vector units compute fast: sums, and sums of sums, in four lanes.
-// protocol/wire/FORMAT.md, State sum. Twin: web-client/src/protocol/stateSum.ts.
+// A checksum of 32 bit words that scripts and vector units compute fast: sums, and sums of sums, in four
+// lanes. protocol/wire/FORMAT.md, State sum. Twin: web-client/src/protocol/stateSum.ts.
 #pragma once
 
 #include <cstdint>
@@ -7,10 +7,10 @@
 
 namespace wakesurf::protocol {
 
-/// Finds accidents, not intent: any change of one word, and nearly all others.
+/// Returns the checksum, which finds accidents, not intent: any change of one word, and nearly all others.
 std::uint32_t word_sum(std::span<const std::uint32_t> words);
 
-/// The same of codes, each one word.
+/// Returns the checksum of codes, each one word.
 std::uint32_t word_sum(std::span<const std::uint16_t> codes);
 
 } // namespace wakesurf::protocol

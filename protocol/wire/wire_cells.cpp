@@ -25,10 +25,12 @@ std::uint32_t mids_of(const Cell& cell) {
     return mids;
 }
 
-/// Calls code(vertex, base) for each vertex in turn, which returns the vertex. Both directions go this way.
+/// Calls code(vertex, base) for each vertex in turn, which returns the vertex. Encoder and decoder use this
+/// walk.
 template <class Cells, class Code>
 void walk(const Cells& cells, const CellContext& context, Code code) {
-    /// Of each slot: the one of the same cell that a new vertex is near; corners 0 and 1 have that of the cell before.
+    /// For each slot, the one of the same cell that a new vertex is near; corners 0 and 1 have that of the
+    /// cell before.
     constexpr std::array<std::size_t, slots> near{0, 1, 1, 0, 0, 1, 2, 3};
     for (std::size_t slot = 0; slot < slots; ++slot) {
         std::uint32_t before = context.stay;

@@ -1,5 +1,6 @@
-// New cells as numbers: slot by slot, each vertex as the difference from the one it replaces, or else from one that it is near.
-// protocol/wire/FORMAT.md, Topology. Twin: readCells in web-client/src/protocol/wireEdit.ts.
+// New cells as numbers: slot by slot, each vertex as the difference from the one it replaces, or else from
+// one that it is near. protocol/wire/FORMAT.md, Topology. Twin: readCells in
+// web-client/src/protocol/wireEdit.ts.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -12,19 +13,20 @@
 
 namespace wakesurf::protocol {
 
-/// What both ends know of the new cells.
+/// Holds what both ends know of the new cells.
 struct CellContext {
-    std::span<const core::Cell> replaced; ///< as they were: of the first of the new cells, one each
-    std::uint32_t stay = 0;               ///< vertices that were there before
-    std::uint32_t vertices = 0;           ///< after the update
+    /// The old cells that the first of the new ones replace, one each.
+    std::span<const core::Cell> replaced;
+    std::uint32_t stay = 0;     ///< vertices that were there before
+    std::uint32_t vertices = 0; ///< after the update
 };
 
-/// REQUIRES: at least as many cells as are replaced.
+/// Appends new cells. REQUIRES: at least as many cells as are replaced.
 void append_cells(std::vector<std::uint32_t>& numbers,
                   std::span<const core::Cell> cells,
                   const CellContext& context);
 
-/// `count` cells. Error: Corrupt. Allocates O(numbers) at most.
+/// Reads `count` cells. Error: Corrupt. Allocates O(numbers) at most.
 core::Result<std::vector<core::Cell>>
 read_cells(Numbers& numbers, std::size_t count, const CellContext& context);
 

@@ -1,5 +1,5 @@
-// A state in the making: vertices that stay as they were, room for those that come, and what predictions need of the state
-// before. Both ends begin it alike and then fill it in, vertex by vertex.
+// An unfinished state: vertices that stay as they were, room for new ones, and what predictions need of the
+// state before. Both ends begin it alike and then fill it in, vertex by vertex.
 #pragma once
 
 #include "protocol/wire/wire_edit.hpp"
@@ -21,9 +21,9 @@ struct WireDraft {
     std::uint32_t vertices() const { return static_cast<std::uint32_t>(after.position.size()); }
 };
 
-/// @param edit      which vertices go and come; who moves does not matter yet
+/// Begins a draft. REQUIRES: the edit fits `before`.
+/// @param edit      the vertices removed and added; the moved ones do not matter yet
 /// @param topology  of the state after the edit
-/// REQUIRES: the edit fits `before`.
 WireDraft begin_draft(const WireMesh& before,
                       const TopologyEdit& edit,
                       std::shared_ptr<const WireTopology> topology);

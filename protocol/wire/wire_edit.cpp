@@ -26,7 +26,7 @@ void append_runs(std::vector<std::uint32_t>& numbers, const Runs& runs) {
     }
 }
 
-/// Where they do not fit, the numbers have failed.
+/// Reads runs. If they do not fit, the numbers have failed.
 Runs read_runs(Numbers& numbers, std::uint32_t over) {
     Runs runs;
     std::uint32_t at = 0;
@@ -43,7 +43,7 @@ Runs read_runs(Numbers& numbers, std::uint32_t over) {
     return runs;
 }
 
-/// The replaced ones of the cells that stay.
+/// Returns the replaced ones of the cells that stay.
 std::vector<Cell> replaced_of(std::span<const Cell> kept, const Runs& replaced) {
     std::vector<Cell> cells;
     cells.reserve(replaced.count());
@@ -54,7 +54,7 @@ std::vector<Cell> replaced_of(std::span<const Cell> kept, const Runs& replaced) 
     return cells;
 }
 
-/// Whether a cell that stays and is not replaced has lost a corner.
+/// Returns true if a cell that stays and is not replaced has lost a corner.
 bool corner_lost(std::span<const Cell> kept, const Runs& replaced) {
     bool lost = false;
     for_each_gap(replaced, static_cast<std::uint32_t>(kept.size()),

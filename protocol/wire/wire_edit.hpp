@@ -1,5 +1,5 @@
-// The topology of an update: which vertices and cells go, come and change. protocol/wire/FORMAT.md, Topology.
-// Twin: web-client/src/protocol/wireEdit.ts.
+// The topology of an update: the vertices and cells that are removed, added and changed.
+// protocol/wire/FORMAT.md, Topology. Twin: web-client/src/protocol/wireEdit.ts.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -21,7 +21,7 @@ struct TopologyEdit {
     std::uint32_t added_cells = 0;
     std::vector<core::Cell> cells; ///< the replaced, then the added ones
 
-    /// Vertices and cells that were there keep their numbers, and cells their vertices.
+    /// Says that old vertices and cells keep their numbers, and cells their vertices.
     bool only_adds() const {
         return removed_vertices.count() + removed_cells.count() + replaced_cells.count() == 0;
     }
@@ -31,23 +31,25 @@ struct TopologyEdit {
     bool operator==(const TopologyEdit&) const = default;
 };
 
-/// How many vertices or cells there are.
+/// Counts vertices and cells.
 struct MeshSize {
     std::uint32_t vertices = 0;
     std::uint32_t cells = 0;
 };
 
-/// The state an edit starts from.
+/// Counts the state that an edit starts from.
 struct EditedFrom {
     std::uint32_t vertices = 0;
     std::span<const core::Cell> cells;
 };
 
-/// The cells that stay, in the numbers vertices have after the update; removed vertices are `core::no_vertex`. Cost: O(before).
+/// Returns the cells that stay, in the numbers that vertices have after the update; removed vertices are
+/// `core::no_vertex`. Cost: O(before).
 std::vector<core::Cell>
 kept_cells(const Runs& removed_vertices, const Runs& removed_cells, const EditedFrom& before);
 
-/// @param kept  the cells that stay, the replaced ones as they were; not looked at where none is replaced
+/// Appends an edit.
+/// @param kept  the cells that stay, the replaced ones as they were; not read if none is replaced
 /// @param stay  vertices that stay
 void append_edit(std::vector<std::uint32_t>& numbers,
                  const TopologyEdit& edit,
@@ -59,11 +61,11 @@ struct ReadEdit {
     std::vector<core::Cell> kept; ///< the replaced ones as they were
 };
 
-/// Error: Corrupt when it is damaged, does not lead from `before` to `after`, or takes a corner from a cell that stays.
-/// Allocates O(before + numbers) at most.
+/// Reads an edit. Error: Corrupt if it is damaged, does not lead from `before` to `after`, or takes a corner
+/// from a cell that stays. Allocates O(before + numbers) at most.
 core::Result<ReadEdit> read_edit(Numbers& numbers, const EditedFrom& before, MeshSize after);
 
-/// The cells after the edit, from those that stay.
+/// Returns the cells after the edit, from those that stay.
 std::vector<core::Cell> edited_cells(std::vector<core::Cell> kept, const TopologyEdit& edit);
 
 } // namespace wakesurf::protocol

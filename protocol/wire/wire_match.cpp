@@ -18,7 +18,7 @@ struct Matched {
     Places places;
 };
 
-/// Those that stay close up in their order, new ones follow behind them in the order of their ids.
+/// Matches by ids. Elements that stay close up in their order, new ones follow in the order of their ids.
 Matched match_ids(const Places& held, std::span<const std::uint32_t> ids) {
     const std::size_t before = held.id.size();
     Matched matched;
@@ -66,7 +66,7 @@ bool identity(std::span<const std::uint32_t> place) {
     return true;
 }
 
-/// The cells of a mesh by place, with places for vertices.
+/// Returns the cells of a mesh by place, with places for vertices.
 std::vector<core::Cell> placed_cells(std::span<const core::Cell> cells,
                                      std::span<const std::uint32_t> cell_place,
                                      std::span<const std::uint32_t> vertex_place) {
@@ -78,7 +78,7 @@ std::vector<core::Cell> placed_cells(std::span<const core::Cell> cells,
     return result;
 }
 
-/// Where each of `count` things goes when they are put in order.
+/// Returns the place of each of `count` elements after sorting.
 template <class Less>
 std::vector<std::uint32_t> places_in_order(std::size_t count, Less less) {
     std::vector<std::uint32_t> order(count);
@@ -90,15 +90,17 @@ std::vector<std::uint32_t> places_in_order(std::size_t count, Less less) {
     return place;
 }
 
-/// Along the surface, column by column: what lies together is then coded together. Refined streak surfaces
-/// in the order of their ids take twice as much for a KEY (`wire/move`, key_bytes_per_vertex: 3.4 and 6.7 on the bundled flow).
+/// Orders vertices along the surface, column by column: neighbours are then coded together. Refined streak
+/// surfaces in the order of their ids take twice as much for a KEY (`wire/move`, key_bytes_per_vertex: 3.4
+/// and 6.7 on the bundled flow).
 void put_in_order(const core::QuadComplex& mesh, Places& vertices) {
     vertices.place = places_in_order(mesh.vertices(), [&](std::uint32_t a, std::uint32_t b) {
         return mesh.s[a] < mesh.s[b] || (mesh.s[a] == mesh.s[b] && mesh.t[a] < mesh.t[b]);
     });
 }
 
-/// New cells follow by their first corners: their differences are then small. By ids a playing streak surface takes 2 % more.
+/// Orders new cells by their first corners: their differences are then small. By ids a playing streak surface
+/// takes 2 % more.
 void put_in_order(const core::QuadComplex& mesh,
                   std::span<const std::uint32_t> vertex_place,
                   std::uint32_t stay,
@@ -113,8 +115,8 @@ void put_in_order(const core::QuadComplex& mesh,
         cells.place[added[k]] = stay + k;
 }
 
-/// Takes cells that stay but are not as everybody has them once the vertices have closed up. A lost corner is no vertex of the new mesh,
-/// so that such a cell differs.
+/// Replaces cells that stay but differ from the clients' once the vertices have closed up. A lost corner is
+/// no vertex of the new mesh, so that such a cell differs.
 void replace_changed(TopologyEdit& edit,
                      std::span<const core::Cell> kept,
                      std::span<const core::Cell> after) {

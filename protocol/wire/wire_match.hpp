@@ -1,5 +1,5 @@
-// What leads from the mesh that everybody holds to a new one, by the ids of vertices and cells. Only the sender knows ids: on
-// the wire vertices and cells have places, and keep their order as long as they live.
+// The edit from the clients' mesh to a new one, by the ids of vertices and cells. Only the sender knows ids:
+// on the wire vertices and cells have places, and keep their order as long as they live.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -13,7 +13,7 @@
 
 namespace wakesurf::protocol {
 
-/// Where things with ids are: id[i], ascending, is at place[i].
+/// Maps ids to places: id[i], ascending, is at place[i].
 struct Places {
     std::vector<std::uint32_t> id;
     std::vector<std::uint32_t> place;
@@ -30,25 +30,26 @@ struct MeshPlaces {
 
 struct MeshMatch {
     TopologyEdit edit; ///< but for the moved vertices
-    std::vector<core::Cell>
-        kept;          ///< that stay, the replaced ones as they were; none where no cell changes
+    /// The cells that stay, the replaced ones as they were; empty if no cell changes.
+    std::vector<core::Cell> kept;
     MeshPlaces places; ///< of the new mesh
-    /// All cells of the new mesh, by place, with places for vertices.
+    /// The cells of the new mesh, by place, with places for vertices.
     std::vector<core::Cell> cells;
     std::uint32_t vertices_stay = 0;
 };
 
+/// Matches two meshes. REQUIRES: ids ascend, as many as there are vertices and cells, and cells name vertices
+/// that exist. Cost: O(both + new log new).
 /// @param held      of the mesh before; empty for a KEY
 /// @param before    its cells
-/// @param in_order  a KEY has its vertices in order along the surface, by s and t, which are finite; else by their ids
-/// REQUIRES: ids ascend, as many as there are vertices and cells, and cells name vertices that exist.
-/// Cost: O(both + new log new).
+/// @param in_order  a KEY has its vertices in order along the surface, by s and t, which are finite; else by
+/// their ids
 MeshMatch match(const MeshPlaces& held,
                 std::span<const core::Cell> before,
                 const core::KeyedMesh& mesh,
                 bool in_order);
 
-/// Error: Corrupt for ids that do not ascend or are not one for each.
+/// Returns Corrupt for ids that do not ascend or are not one for each.
 core::Result<void> check_ids(const core::KeyedMesh& mesh);
 
 } // namespace wakesurf::protocol

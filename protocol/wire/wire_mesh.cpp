@@ -12,7 +12,7 @@ static_assert(sizeof(LatticePoint) == 12 && sizeof(core::Cell) == 32,
 
 namespace {
 
-/// Of the 32 bit words that the values consist of, which lie in memory without gaps.
+/// Returns the sum of the 32 bit words of the values, which lie in memory without gaps.
 template <class T>
 std::uint32_t sum_of(const std::vector<T>& values) {
     static_assert(sizeof(T) % sizeof(std::uint32_t) == 0);

@@ -21,7 +21,7 @@ constexpr std::uint32_t max_tolerance = 32767;
 
 using Slice = Channel<const std::int32_t>;
 
-/// The position, the attributes, and of added vertices the change.
+/// Returns the position, the attributes, and the change of added vertices.
 std::vector<Slice> slices_of(const Residuals& all, std::uint32_t begin, std::uint32_t end) {
     const auto slice = [&](const std::vector<std::int32_t>& values, std::size_t components) {
         return Slice{std::span(values).subspan(components * begin, components * (end - begin)),
@@ -44,7 +44,7 @@ std::vector<Channel<std::int32_t>> channels_of(Residuals& all) {
     return channels;
 }
 
-/// Which vertices escape, and which channels are left for Draco.
+/// Divides vertices into those that escape and the channels left for Draco.
 struct Division {
     std::vector<std::uint32_t> escaped; ///< ascending
     std::uint32_t channels = 0;
@@ -55,7 +55,7 @@ void sort_unique(std::vector<std::uint32_t>& values) {
     values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
-/// Whether no vertex escapes, by sums that need no vertex looked at: nearly always so.
+/// Says whether no vertex escapes, by sums that visit no single vertex: nearly always true.
 bool all_for_draco(const Slice& slice) {
     static_assert((draco_limit & (draco_limit - 1)) == 0);
     std::int32_t bits = 0;
@@ -131,7 +131,7 @@ draco_block(std::span<const Slice> slices, const Division& division, std::uint32
     return coded.empty() ? Bytes{} : encode_points(coded, count);
 }
 
-/// (vertex, its residuals) one after the other.
+/// Holds pairs (vertex, its residuals).
 struct Escapes {
     std::vector<std::uint32_t> vertex;
     std::vector<std::int32_t> residual;

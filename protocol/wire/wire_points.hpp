@@ -1,4 +1,4 @@
-// Blocks of residuals as bytes: what stands out as escapes, the rest by Draco. protocol/wire/FORMAT.md, Points.
+// Blocks of residuals as bytes: outliers as escapes, the rest by Draco. protocol/wire/FORMAT.md, Points.
 // Twin: web-client/src/protocol/wirePoints.ts.
 #pragma once
 
@@ -12,24 +12,26 @@
 
 namespace wakesurf::protocol {
 
-/// A block: its numbers, and what Draco makes of most residuals, empty where none is left for it.
+/// Holds a block: its numbers, and Draco's bytes for most residuals, empty if none is left for it.
 struct PointBlock {
     std::vector<std::uint32_t> numbers;
     Bytes draco;
 };
 
-/// Residuals begin .. end - 1, at least one and at most max_block_vertices. Error: what encode_points reports.
+/// Writes the residuals begin .. end - 1, at least one and at most max_block_vertices. Error: as
+/// encode_points.
 core::Result<PointBlock>
 write_block(const Residuals& residuals, std::uint32_t begin, std::uint32_t end);
 
-/// Which block is read.
+/// Describes the block to read.
 struct BlockPlace {
     PointKind kind = PointKind::Moved;
     std::uint8_t attributes = 0; ///< of the mesh
     std::uint32_t most = 0;      ///< vertices it may have
 };
 
-/// Reads a block; `draco` is then the blocks behind it. Error: Corrupt. Allocates for `most` vertices at most.
+/// Reads a block; `draco` is then the blocks behind it. Error: Corrupt. Allocates for `most` vertices at
+/// most.
 core::Result<Residuals>
 read_block(Numbers& numbers, std::span<const std::byte>& draco, const BlockPlace& place);
 

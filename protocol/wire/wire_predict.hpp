@@ -1,5 +1,5 @@
-// The predictors, in integers, the same for those who encode and those who decode. protocol/wire/FORMAT.md, Points.
-// Twin: web-client/src/protocol/wirePredict.ts.
+// The predictors, in integers, the same for encoders and decoders. protocol/wire/FORMAT.md, Points. Twin:
+// web-client/src/protocol/wirePredict.ts.
 #pragma once
 
 #include "protocol/wire/wire_draft.hpp"
@@ -11,14 +11,14 @@
 
 namespace wakesurf::protocol {
 
-/// Which vertices a block of points codes.
+/// The vertices that a block of points codes.
 enum class PointKind : std::uint8_t { Moved, Added };
 
 inline constexpr std::array<std::uint8_t, 2> predictors_of_kind{4, 6};
-/// Of the changes of added vertices: the mean of those of two neighbours.
+/// The predictor of changes of added vertices: the mean of those of two neighbours.
 inline constexpr int change_predictor = 4;
 
-/// Values with the three components of a position, or one code: what the predictors see of a draft.
+/// Holds the three components of positions, or one code: the part of a draft that predictors see.
 struct PositionSeries {
     static constexpr std::size_t components = 3;
     LatticePoint* now;          ///< x
@@ -67,7 +67,7 @@ struct CodeSeries {
     std::int32_t clamped(std::int32_t value) const { return std::clamp(value, 0, 65535); }
 };
 
-/// The changes of added vertices.
+/// Holds the changes of added vertices.
 struct ChangeSeries {
     static constexpr std::size_t components = 3;
     static constexpr std::int32_t most = 1 << 20;
@@ -114,7 +114,7 @@ predicted_move(const Series& x, const Neighbours& near, std::uint32_t v, std::si
     return x.at_before(v, k) + change;
 }
 
-/// What an added vertex is predicted from: x(p) + x(q) - x(o), or without o the mean of x(p) and x(q).
+/// Names the vertices that predict an added one: x(p) + x(q) - x(o), or without o the mean of x(p) and x(q).
 struct Corner {
     std::uint32_t p, q, o;
     bool before = false; ///< x0 in place of x
@@ -158,8 +158,8 @@ std::int32_t predicted_addition(const Series& x, const Corner& corner, std::size
     return corner.o == core::no_vertex ? sum >> 1 : sum - x.at(corner.o, k);
 }
 
-/// Calls each(index in `coded`, v, component, prediction) for one vertex after the other; `each` settles the value before the
-/// next one is asked for.
+/// Calls each(index in `coded`, v, component, prediction) for one vertex after the other; `each` sets the
+/// value before the next call.
 template <class Series, class Each>
 void predict_moved(const Series& x,
                    int predictor,

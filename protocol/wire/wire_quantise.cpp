@@ -14,7 +14,7 @@ struct Ends {
     double lo, hi;
 };
 
-/// In four lanes, because one comparison has to wait for the one before. REQUIRES: some values.
+/// Returns the ends in four lanes, because one comparison waits for the one before. REQUIRES: some values.
 Ends ends_of(std::span<const double> values) {
     std::array<double, 4> lo{}, hi{};
     lo.fill(values.front());

@@ -12,13 +12,13 @@
 
 namespace wakesurf::protocol {
 
-/// The attributes of each vertex; those the mesh holds are not copied, so it must outlive this.
+/// Holds the attributes of each vertex. It refers to those of the mesh, which must outlive it.
 class AttributeValues {
   public:
-    /// None.
+    /// Makes an empty set.
     AttributeValues() = default;
 
-    /// Speed, s and t, all finite, then the fields: NaN is no value.
+    /// Takes speed, s and t, all finite, then the fields: NaN is a missing value.
     AttributeValues(const core::QuadComplex& mesh, const MeshFields& fields);
 
     std::span<const std::span<const double>> all() const { return all_; }
@@ -28,12 +28,12 @@ class AttributeValues {
     std::vector<std::span<const double>> all_;
 };
 
-/// Ranges that hold all values: `held` as long as they do, else those widened by half, so that a growing surface does not
-/// need new ones with each update.
+/// Returns ranges that hold all values: `held` as long as they do, else those widened by half, so that a
+/// growing surface does not need new ones with each update.
 std::vector<AttributeRange> ranges_for(const AttributeValues& values,
                                        std::span<const AttributeRange> held);
 
-/// Positions and codes by place: vertex i of the surface is vertex place[i]. No topology, no changes.
+/// Returns positions and codes by place: vertex i of the surface is vertex place[i]. No topology, no changes.
 /// REQUIRES: guard_mesh passed.
 WireMesh quantise_mesh(const core::QuadComplex& mesh,
                        const Lattice& lattice,

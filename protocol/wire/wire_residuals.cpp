@@ -11,7 +11,7 @@ namespace {
 
 using Coded = std::span<const std::uint32_t>;
 
-/// In place of a channel that has a predictor and a tolerance.
+/// Stands for the change, where other channels have an index.
 constexpr std::size_t change_channel = max_attributes + 1;
 
 int predictor_of(const PointCoding& coding, std::size_t channel) {
@@ -22,7 +22,7 @@ std::uint16_t tolerance_of(const PointCoding& coding, std::size_t channel) {
     return channel == change_channel ? std::uint16_t{0} : coding.tolerance[channel];
 }
 
-/// Sums wrap, because damaged bytes may hold any residual.
+/// Adds with wrap-around, because damaged bytes may hold any residual.
 std::int32_t wrapped(std::int32_t prediction, std::int32_t residual, std::int32_t step) {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(prediction) +
                                      static_cast<std::uint32_t>(residual) *
@@ -36,7 +36,7 @@ class Steps {
 
     std::int32_t step() const { return step_; }
 
-    /// Without a branch: which way a residual goes cannot be guessed.
+    /// Has no branch: the sign of a residual is unpredictable.
     std::int32_t residual(std::int32_t difference) const {
         const double steps = difference * per_unit_;
         return static_cast<std::int32_t>(steps + std::copysign(0.5, steps));
@@ -58,7 +58,7 @@ void settle(const Series& x, bool moved, std::uint32_t v, std::size_t k, std::in
     x.add(v, k, value);
 }
 
-/// Predicts in the way of the kind.
+/// Predicts as the kind prescribes.
 template <class Series, class Each>
 void predict(const WireDraft& draft,
              const Series& x,
@@ -110,7 +110,7 @@ void decode(const WireDraft& draft,
 constexpr std::size_t trial_segments = 16;
 constexpr std::size_t trial_length = 128;
 
-/// About the bits that an entropy coder needs, for some stretches of the vertices.
+/// Estimates the bits that an entropy coder needs, for some stretches of the vertices.
 class BitEstimate {
   public:
     void count(std::int32_t residual) {
@@ -202,7 +202,7 @@ auto change_of(const WireMesh& truth) {
         [changes = truth.change.data()](std::uint32_t v, std::size_t k) { return changes[v][k]; };
 }
 
-/// Whether the vertices that stay keep all their codes: s and t of a moving surface do.
+/// Returns true if the vertices that stay keep all their codes: s and t of a moving surface do.
 bool keeps_codes(const WireDraft& draft, const WireMesh& truth, std::size_t attribute) {
     const auto& before = draft.codes_before[attribute];
     return std::equal(before.begin(), before.end(), truth.codes[attribute].begin());

@@ -1,6 +1,6 @@
-// From the true values of vertices to residuals and back: predict, take the difference in steps of the tolerance, go on from
-// what the other end will have. The choice of predictors is the sender's. protocol/wire/FORMAT.md, Points.
-// Twin of the way back: web-client/src/protocol/wirePredict.ts.
+// From the true values of vertices to residuals and back: predict, take the difference in steps of the
+// tolerance, continue from the decoder's value. The sender chooses the predictors. protocol/wire/FORMAT.md,
+// Points. Twin of the way back: web-client/src/protocol/wirePredict.ts.
 #pragma once
 
 #include "protocol/wire/mesh_frame.hpp"
@@ -14,7 +14,7 @@
 
 namespace wakesurf::protocol {
 
-/// How vertices of one kind are predicted and rounded: [0] their position, then each attribute.
+/// Describes how vertices of one kind are predicted and rounded: [0] their position, then each attribute.
 struct PointCoding {
     PointKind kind = PointKind::Moved;
     std::uint8_t attributes = 0;
@@ -29,20 +29,21 @@ struct Residuals {
     std::uint32_t count = 0;
     std::vector<std::int32_t> position; ///< three a vertex
     std::vector<std::vector<std::int32_t>> codes;
-    std::vector<std::int32_t> change; ///< of added vertices: three each
+    /// The changes of added vertices, three numbers each.
+    std::vector<std::int32_t> change;
 
     bool operator==(const Residuals&) const = default;
 };
 
-/// The predictors that seem best for vertices `coded` of the draft, tried on some of them. Leaves traces in those vertices of
-/// the draft. Tolerances are taken from `coding`.
+/// Returns the predictors that seem best for vertices `coded` of the draft, tried on some of them, whose
+/// values in the draft it overwrites. Tolerances are taken from `coding`.
 PointCoding choose_predictors(WireDraft& draft,
                               const WireMesh& truth,
                               PointCoding coding,
                               std::span<const std::uint32_t> coded);
 
-/// Fills in vertices `coded` of the draft and returns what the other end needs for the same. Added vertices of a truth without changes
-/// get what is predicted.
+/// Fills in vertices `coded` of the draft and returns the residuals from which the decoder does the same. If
+/// the truth has no changes, added vertices get the predicted ones.
 Residuals make_residuals(WireDraft& draft,
                          const WireMesh& truth,
                          const PointCoding& coding,

@@ -1,4 +1,4 @@
-// The cells of a state and what predictions need of them: for each vertex the neighbours of lower index.
+// The cells of a state, and for each vertex the neighbours of lower index, which predictions need.
 // protocol/wire/FORMAT.md, Neighbours. Twin: web-client/src/protocol/neighbours.ts.
 #pragma once
 
@@ -9,20 +9,20 @@
 
 namespace wakesurf::protocol {
 
-/// Neighbours of one vertex; `core::no_vertex` where there is none. All are below the vertex.
+/// Names the neighbours of one vertex, all below it; `core::no_vertex` for a missing one.
 struct Neighbours {
     std::uint32_t highest = core::no_vertex; ///< a
     std::uint32_t lowest = core::no_vertex;  ///< b
-    std::uint32_t beside =
-        core::no_vertex; ///< p, of the first cell whose other corners are all lower
+    /// p, of the first cell whose other corners are all lower.
+    std::uint32_t beside = core::no_vertex;
     std::uint32_t beside2 = core::no_vertex; ///< n
-    std::uint32_t opposite =
-        core::no_vertex; ///< o; none where p and n are the ends of the side the vertex hangs on
+    /// o; missing if p and n are the ends of the side that the vertex hangs on.
+    std::uint32_t opposite = core::no_vertex;
 
     bool operator==(const Neighbours&) const = default;
 };
 
-/// Immutable once made, and shared by all states with the same cells.
+/// The cells and neighbours of a mesh. Immutable, and shared by all states with the same cells.
 struct WireTopology {
     std::vector<core::Cell> cells;      ///< in the order of the wire
     std::vector<Neighbours> neighbours; ///< one a vertex
@@ -30,7 +30,8 @@ struct WireTopology {
     /// REQUIRES: every id of the cells is below `vertices`. Cost: O(vertices + cells).
     WireTopology(std::vector<core::Cell> cells, std::size_t vertices);
 
-    /// The same where those of `before` come first and have kept their vertices. Looks at the others only.
+    /// Extends `before`, whose cells come first in `cells` and have kept their vertices. Reads only the other
+    /// cells.
     WireTopology(const WireTopology& before, std::vector<core::Cell> cells, std::size_t vertices);
 
     WireTopology() = default;

@@ -20,7 +20,7 @@ struct Piece {
     std::uint32_t begin, end;
 };
 
-/// The residuals in pieces of about equal size.
+/// Cuts the residuals into pieces of about equal size.
 std::vector<Piece> cut(std::span<const Residuals> points) {
     std::vector<Piece> pieces;
     for (const Residuals& residuals : points) {
@@ -47,7 +47,7 @@ core::Result<std::vector<PointBlock>> encode_all(std::span<const Residuals> poin
     return blocks;
 }
 
-/// The bytes of an update, before they are cut into frames.
+/// Returns the bytes of an update, before they are cut into frames.
 core::Result<Bytes> whole_update(std::vector<std::uint32_t> numbers,
                                  std::span<const Residuals> points) {
     return encode_all(points).and_then([&](const std::vector<PointBlock>& blocks) {
@@ -61,7 +61,7 @@ core::Result<Bytes> whole_update(std::vector<std::uint32_t> numbers,
     });
 }
 
-/// As many as the bytes take, and as a reader wants for so many vertices.
+/// Returns the number of frames for so many bytes, but not fewer than readers demand for so many vertices.
 std::size_t frames_for(std::size_t bytes, std::span<const Residuals> points) {
     std::size_t vertices = 0;
     for (const Residuals& residuals : points)

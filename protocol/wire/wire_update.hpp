@@ -1,5 +1,5 @@
-// An update as frames: its numbers, then what Draco makes of its points, cut where that is long. Blocks of points are encoded in
-// parallel.
+// An update as frames: its numbers, then Draco's bytes of its points, cut if they are long. Blocks of points
+// are encoded in parallel.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -13,10 +13,10 @@
 
 namespace wakesurf::protocol {
 
-/// @param header   of the update; what differs from frame to frame is filled in
+/// Writes an update. Error: OverLimit, and as write_block.
+/// @param header   of the update; members that differ between frames are filled in
 /// @param numbers  the ranges of a KEY, and the topology
 /// @param points   in their order on the wire; may be empty
-/// Error: OverLimit, and what write_block reports.
 core::Result<SharedFrames> write_update(FrameHeader header,
                                         std::vector<std::uint32_t> numbers,
                                         std::span<const Residuals> points);
