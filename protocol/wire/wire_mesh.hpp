@@ -68,8 +68,10 @@ struct WireMesh {
     /// The cells and their neighbours; never null.
     std::shared_ptr<const WireTopology> topology = std::make_shared<const WireTopology>();
 
+    /// Returns the number of vertices.
     std::size_t vertices() const { return position.size(); }
 
+    /// Returns the quads.
     const std::vector<core::Cell>& cells() const { return topology->cells; }
 
     /// Returns the memory of the state.
