@@ -57,7 +57,8 @@ bool ignored(int signal) {
     return ::sigaction(signal, nullptr, &now) == 0 && now.sa_handler == SIG_IGN;
 }
 
-/// Sockets and requests of all, where there may be fewer connections: the rest is for those who have shown nothing yet.
+/// Scales the budgets of sockets and requests to a lower limit of connections: the rest is for clients that
+/// have shown no token yet.
 limits::Budget budget_for(std::size_t connections) {
     limits::Budget out = limits::all;
     out.sockets = std::min(out.sockets, connections / 2);
@@ -67,7 +68,8 @@ limits::Budget budget_for(std::size_t connections) {
 
 } // namespace
 
-/// In order of need: what goes first is declared last. Connections end with the context's handlers, jobs with the pool.
+/// Holds the parts in order of dependence: the last declared is destroyed first. Connections end with the
+/// context's handlers, jobs with the pool.
 struct Server::Parts {
     Parts(const ServerOptions& options, std::optional<KeptSessions> found)
         : memory(options.memory), kept(std::move(found)), pool(options.threads),
@@ -150,7 +152,7 @@ struct Server::Parts {
         return out;
     }
 
-    /// What no one asked the account for is noticed, and others give back.
+    /// Detects memory that was taken without the account, and makes others release some.
     void watch_memory() {
         if (memory.too_much())
             pool.run([account = memory.account()] { account.make_room(0); });
@@ -168,7 +170,7 @@ struct Server::Parts {
             [this](const core::Result<void>& turn) { tell_durability(turn); });
     }
 
-    /// The desk may be asked at once, but answers from what the journal has written.
+    /// Makes the desk, which accepts requests at once, but answers from what the journal has written.
     std::unique_ptr<StateDesk> start_desk(const ServerOptions& options) {
         if (!journal)
             return nullptr;
@@ -213,7 +215,7 @@ struct Server::Parts {
                 protocol::rpc_notification("dataset.patched", dataset_entry(*status)));
     }
 
-    /// While the same data are imported once more, those of before count.
+    /// Keeps counting the old data while they are imported once more.
     void tell_of_replaced_data(const std::string& dataset,
                                const std::shared_ptr<const store::StoreReader>& now) {
         auto& before = told[dataset];
@@ -239,7 +241,7 @@ struct Server::Parts {
                              [this, deadline] { stop_when_alone(deadline); });
     }
 
-    /// A renewed certificate is taken at SIGHUP.
+    /// Loads a renewed certificate at SIGHUP.
     void renew_tls_on(asio::signal_set& hangup) {
         hangup.async_wait([this, &hangup](boost::system::error_code error, int) {
             if (error)
@@ -283,13 +285,13 @@ struct Server::Parts {
     CacheNews news{loop, [this](const std::string& message) { connections.announce(message); }};
     StaticFiles files;
     std::uint16_t port = 0;
-    std::unique_ptr<SqliteJournal> journal = start_journal(); ///< nothing without `--state`
+    std::unique_ptr<SqliteJournal> journal = start_journal(); ///< null without `--state`
     std::unique_ptr<StateDesk> desk;                          ///< its thread asks the journal
     std::unique_ptr<DatasetCatalogue> catalogue;
     WakingClock waking;
     Grants grants{{loop, waking, entropy, unix_seconds, journal.get()}};
     std::optional<LateFile> ended_logins; ///< with `--state`
-    std::optional<KeptLogins> logins;     ///< the same
+    std::optional<KeptLogins> logins;     ///< likewise
     std::optional<Gate> gate;
     std::optional<CatalogueDatasets> datasets;
     std::optional<SessionDirectory> sessions;
@@ -388,7 +390,7 @@ void Server::run() {
     if (all.tls) {
         hangup.add(SIGHUP);
         all.renew_tls_on(hangup);
-    } else if (!ignored(SIGHUP)) // nohup wants it to go on
+    } else if (!ignored(SIGHUP)) // nohup wants it to continue
         signals.add(SIGHUP);
     signals.async_wait([&](boost::system::error_code error, int) {
         if (error)
@@ -408,7 +410,7 @@ void Server::run() {
     });
     ask_for_short_slices();
     all.context.run();
-    // The sockets' handlers hold the connections; they must run while there are sessions to leave.
+    // The sockets' handlers own the connections; they must run while there are sessions to leave.
     all.connections.abandon();
     all.run_what_is_left();
     if (all.starts)

@@ -1,4 +1,4 @@
-// The whole service: wires the catalogue, sessions, methods and the network together, and runs them on one thread.
+// The whole service: connects the catalogue, sessions, methods and the network, and runs them on one thread.
 #pragma once
 
 #include "command/source_options.hpp"
@@ -21,8 +21,8 @@ struct ServerOptions {
     std::filesystem::path store_root;
     command::SourceOptions taken; ///< how the datasets' files are taken
     std::filesystem::path state;  ///< folder sessions are kept in; empty: they end with the server
-    std::size_t memory =
-        0; ///< bytes, of the process and its importers; 0: by the machine and the control group
+    /// The memory of the process and its importers, in bytes; 0: by the machine and the control group.
+    std::size_t memory = 0;
     unsigned threads = 0; ///< that compute; 0: one a core
     std::string token;    ///< empty: no authentication
     std::vector<std::string> origins;
@@ -30,14 +30,15 @@ struct ServerOptions {
     TrustedProxies proxies;
     std::filesystem::path certificate;    ///< empty: plain HTTP
     std::filesystem::path key;            ///< the certificate's
-    std::vector<std::string> brick_words; ///< start wakesurf-bricks; empty: nobody does
-    std::size_t brick_memory = 0;         ///< of each of its ranks; 0: what it takes
+    std::vector<std::string> brick_words; ///< start wakesurf-bricks; empty: it is not started
+    std::size_t brick_memory = 0;         ///< of each of its ranks; 0: what it needs
     std::filesystem::path web; ///< the built client; empty: where it was built or installed
 };
 
 class Server {
   public:
-    /// Opens the datasets, brings sessions back and listens. Error: what they and the address report.
+    /// Opens the datasets, restores sessions and listens. Error: of the datasets, the sessions and the
+    /// address.
     static core::Result<std::unique_ptr<Server>> open(const ServerOptions& options);
     ~Server();
     Server(const Server&) = delete;
@@ -45,10 +46,11 @@ class Server {
 
     std::uint16_t port() const;
 
-    /// Ends all share links, with those who came by them; how many there were.
+    /// Ends all share links, with the clients that came by them; returns their number.
     std::size_t end_links();
 
-    /// Serves until SIGINT or SIGTERM, or SIGHUP without TLS, then says goodbye to the clients; takes at most a second for that.
+    /// Serves until SIGINT or SIGTERM, or SIGHUP without TLS, then says goodbye to the clients; this takes at
+    /// most a second.
     void run();
 
   private:

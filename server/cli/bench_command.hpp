@@ -15,15 +15,16 @@ namespace wakesurf::server {
 struct BenchOptions {
     std::vector<std::string> names; ///< benchmarks whose names contain one of these; empty: all
     std::string data;               ///< a dataset; empty: the bundled simulation
-    int seconds = 60;               ///< that an attack goes on
+    int seconds = 60;               ///< of an attack
     std::string json;               ///< file for Google Benchmark's JSON; empty: none
 };
 
 /// Declares the options, the same in both programs.
 void add_bench_options(CLI::App& command, BenchOptions& options);
 
-/// Becomes wakesurf-bench, whose exit status is then the command's. Returns only when it cannot be started: 1.
-/// @param program empty: wakesurf-bench beside our own executable
+/// Replaces this process by wakesurf-bench, whose exit status is then the command's. Returns 1 if it cannot
+/// be started.
+/// @param program  empty: wakesurf-bench beside our own executable
 int run_bench(const BenchOptions& options, std::filesystem::path program = {});
 
 } // namespace wakesurf::server

@@ -1,4 +1,5 @@
-// Progress of work that takes its time, on standard error: on a terminal a line that moves, otherwise plain lines now and then.
+// Progress of long work, on standard error: on a terminal a line that is rewritten, otherwise plain lines at
+// growing intervals.
 #pragma once
 
 #include "core/base/work_done.hpp"
@@ -9,10 +10,10 @@
 
 namespace wakesurf::server {
 
-/// The terminal's line is wiped at the end.
+/// Shows progress until destroyed, which clears the terminal's line.
 class ElapsedLine {
   public:
-    /// As those of ProgressText.
+    /// Takes the parameters of ProgressText.
     explicit ElapsedLine(std::string text,
                          const core::WorkDone* work = nullptr,
                          std::optional<double> end = std::nullopt);

@@ -1,14 +1,15 @@
-// Defaults of options from the environment: what an image or a unit file sets once and a command line overrides.
+// Defaults of options from the environment: an image or a unit file sets them, a command line overrides them.
 #pragma once
 
 #include <string>
 
 namespace wakesurf::server {
 
-/// The variable's value, or `otherwise` where it is unset or empty.
+/// Returns the variable's value, or `otherwise` if it is unset or empty.
 std::string from_environment(const char* variable, std::string otherwise = {});
 
-/// Whether this process runs in a container, by the variable `container` that systemd, podman and our image set.
+/// Says whether this process runs in a container, by the variable `container` that systemd, podman and our
+/// image set.
 bool in_container();
 
 } // namespace wakesurf::server

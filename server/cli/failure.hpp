@@ -1,4 +1,4 @@
-// How every command ends that could not do its work: one line on standard error, exit status 1, or 2 for wrong usage.
+// The end of every failed command: one line on standard error, exit status 1, or 2 for wrong usage.
 #pragma once
 
 #include "core/base/result.hpp"

@@ -12,15 +12,15 @@ class App;
 
 namespace wakesurf::server {
 
-/// The command line as given; texts are checked by run_family.
+/// Holds the options as given; run_family checks the texts.
 struct FamilyOptions {
     std::string dataset;
     std::string name;
-    std::string remove;    ///< the name of one
+    std::string remove;    ///< the name of a family
     std::string from;      ///< inflow=SCALAR
     std::string plane;     ///< point and normal
     std::string scalar;    ///< on the plane
-    std::string rake;      ///< a curve
+    std::string rake;      ///< points of a curve
     std::string rake_kind; ///< empty: by the number of its points
     std::string times;     ///< with commas; empty: the first time-step
     std::string accuracy = "balanced";

@@ -25,7 +25,7 @@ namespace {
 
 using Code = core::Error::Code;
 
-// A manifest with more would be longer than what readers take.
+// A longer manifest would be refused by readers.
 constexpr std::size_t most_times = 100'000;
 
 template <class Number>
@@ -103,7 +103,8 @@ std::string specification(const GenerateOptions& options) {
     return flow;
 }
 
-// Error: InvalidArgument for what can never be right (wrong usage), NotFound for an unknown flow with those there are.
+// Checks the options. Error: InvalidArgument for wrong usage, NotFound for an unknown flow, listing the known
+// ones.
 core::Result<store::GenerateRequest> check_generate_options(const GenerateOptions& options) {
     store::GenerateRequest request;
     request.flow = specification(options);

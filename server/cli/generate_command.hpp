@@ -9,7 +9,7 @@ class App;
 
 namespace wakesurf::server {
 
-/// The command line as given; texts are checked by run_generate.
+/// Holds the options as given; run_generate checks the texts.
 struct GenerateOptions {
     std::string flow;
     std::string folder;

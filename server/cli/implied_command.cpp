@@ -19,7 +19,7 @@ std::vector<std::string> command_names(const CLI::App& program) {
     return names;
 }
 
-/// Commands are spelt with letters and dashes; files have dots, folders slashes, flows a colon.
+/// Commands consist of letters and dashes; files have dots, folders slashes, flows a colon.
 bool looks_like_command(const std::string& word) {
     return word.find_first_of("./:") == std::string::npos;
 }
@@ -43,7 +43,7 @@ core::Result<CommandWords> with_command(const CLI::App& program, std::vector<std
         return CommandWords{std::move(words), false};
     if (const auto there = resolve_dataset(first);
         there || there.error().code != core::Error::Code::NotFound || !looks_like_command(first))
-        return as_serve(); // which says why it cannot
+        return as_serve(); // which explains the error
     const std::string meant = protocol::nearest_name(first, names);
     return core::fail(core::Error::Code::InvalidArgument,
                       "`" + first + "` is no command, and there is no file or folder of this name",

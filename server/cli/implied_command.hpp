@@ -1,4 +1,4 @@
-// `wakesurf case.foam`: what is meant where the command line begins with no command.
+// The command of a line that names none: `wakesurf case.foam`.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -14,11 +14,13 @@ namespace wakesurf::server {
 
 struct CommandWords {
     std::vector<std::string> words; ///< with the command in front
-    bool implied = false; ///< it was not there: the data are served, and the page is opened
+    /// The command was added: the data are served, and the page is opened.
+    bool implied = false;
 };
 
-/// A word that is neither a command nor there as data is taken for a command that was mistyped, unless it looks like a file's name.
-/// @param words  without the program. Error: InvalidArgument, with the command that may be meant.
+/// Adds the command if it is missing. A word that is neither a command nor existing data counts as a mistyped
+/// command, unless it looks like a file's name. Error: InvalidArgument, with the command that may be meant.
+/// @param words  without the program
 core::Result<CommandWords> with_command(const CLI::App& program, std::vector<std::string> words);
 
 } // namespace wakesurf::server

@@ -22,7 +22,7 @@ struct ImportOptions {
     std::uint64_t memory = 0; ///< bytes; 0: the importer's own bound
 };
 
-/// Exit status.
+/// Imports, and returns the exit status.
 int run_import(const ImportOptions& options);
 
 } // namespace wakesurf::server

@@ -34,7 +34,7 @@ using nlohmann::json;
 
 namespace {
 
-/// What there is to know, and what was made of it since.
+/// Holds the description of a dataset, and what was derived from it.
 struct Described {
     core::DatasetInfo info;
     std::vector<core::FamilyRecord> families;
@@ -43,7 +43,8 @@ struct Described {
     std::string served{}; ///< how a server on this machine would have them in memory, and why
 };
 
-/// With the memory that a server takes where nothing else is said. @param zarr  null where the data are a store
+/// Describes how a server with default memory would hold the dataset. @param zarr  null if the data are a
+/// store
 void say_how_served(const store::StoreReader& reader, const ZarrDisk* zarr, Described& out) {
     const std::size_t memory = default_memory();
     core::TimeStepCache::Options options;
@@ -68,7 +69,7 @@ void say_how_served(const store::StoreReader& reader, const ZarrDisk* zarr, Desc
                     !fits && !out.by_brick ? "; bricks need a store with --layout bricks" : "");
 }
 
-/// Of a store whose import did not end, or has not ended yet, the note says so.
+/// Describes a store; the note says if its import did not end, or has not ended yet.
 core::Result<Described> describe_store(const std::filesystem::path& folder) {
     const auto opened_disk = open_disk(folder, scalar_bytes(default_memory()));
     if (!opened_disk)
@@ -100,7 +101,7 @@ core::Result<Described> describe_store(const std::filesystem::path& folder) {
     return out;
 }
 
-/// Families are kept in the store that the source was imported into.
+/// Adds the families, which are in the store that the source was imported into.
 core::Result<Described> with_families_of_import(const DatasetArgument& source,
                                                 const InfoOptions& options,
                                                 core::DatasetInfo info) {

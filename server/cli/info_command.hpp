@@ -1,4 +1,4 @@
-// `wakesurf info`: what a dataset is, without importing it.
+// `wakesurf info`: describes a dataset without importing it.
 #pragma once
 
 #include "command/source_options.hpp"
@@ -12,10 +12,10 @@ struct InfoOptions {
     std::string dataset;
     bool json = false;
     command::SourceOptions taken;
-    std::uint64_t memory = 0; ///< bytes that finding out may take; 0: the importer's own bound
+    std::uint64_t memory = 0; ///< in bytes, for describing it; 0: the importer's own bound
 };
 
-/// Exit status.
+/// Prints the description, and returns the exit status.
 int run_info(const InfoOptions& options);
 
 } // namespace wakesurf::server

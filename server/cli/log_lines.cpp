@@ -18,7 +18,7 @@ namespace wakesurf::server {
 
 namespace {
 
-/// A write of one line is not waited for then: pipes have room for 4 KiB.
+/// Says whether one line can be written without waiting: pipes have room for 4 KiB.
 bool takes_lines() {
     pollfd error{STDERR_FILENO, POLLOUT, 0};
     return ::poll(&error, 1, 0) == 1 && error.revents == POLLOUT;
@@ -47,7 +47,7 @@ class ErrorLines final : public spdlog::sinks::base_sink<std::mutex> {
     std::size_t left_out_ = 0;
 };
 
-/// %@: the message on one line.
+/// Formats %@: the message on one line.
 class PrintableMessage final : public spdlog::custom_flag_formatter {
   public:
     void format(const spdlog::details::log_msg& message,

@@ -62,7 +62,7 @@ void add_import_options(CLI::App& command, ImportOptions& options) {
     wakesurf::command::add_source_options(command, options.taken);
 }
 
-/// For who makes packages: prints what it makes of the declarations, and ends.
+/// Adds an option for packagers: it prints a text made from the declarations, and exits.
 void add_hidden(CLI::App& app, const char* option, std::function<std::string()> text) {
     app.add_flag_callback(option,
                           [text = std::move(text)] { throw CLI::CallForVersion(text(), 0); })
@@ -141,7 +141,7 @@ int run(int argc, char** argv) {
                                [&] { return run_bench(bench); }),
                       bench);
 
-    // Last of all, for each command would take it from the program.
+    // Comes last: each command would take it from the program.
     app.footer("Without a subcommand, `wakesurf [DATASET ...]` serves the data, or the bundled "
                "simulation, and opens\nthe page in the browser; options are those of serve.");
     auto given = with_command(app, {argv + 1, argv + argc});
@@ -150,7 +150,7 @@ int run(int argc, char** argv) {
         return wrong_usage;
     }
     serve.open = given->implied;
-    std::reverse(given->words.begin(), given->words.end()); // as this parser takes them
+    std::reverse(given->words.begin(), given->words.end()); // in the order of this parser
     try {
         app.parse(std::move(given->words));
         serve.port_by_chance = given->implied && serve_command.count("--listen") == 0 &&

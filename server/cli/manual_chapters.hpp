@@ -1,11 +1,11 @@
-// What the manual page says besides commands and options.
+// The chapters of the manual page besides commands and options.
 #pragma once
 
 #include <string_view>
 
 namespace wakesurf::server {
 
-/// In roff: environment, files, exit status, examples.
+/// Returns environment, files, exit status and examples, in roff.
 std::string_view manual_chapters();
 
 } // namespace wakesurf::server

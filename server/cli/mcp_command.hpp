@@ -1,5 +1,5 @@
-// `wakesurf mcp`: the tools for programs that are driven by a language model, over standard input and output. They are part of the client
-// for Python (protocol/python/wakesurf/mcp), which this starts in its own place, and end with it.
+// `wakesurf mcp`: the tools for programs that are driven by a language model, over standard input and output.
+// They are part of the client for Python (protocol/python/wakesurf/mcp), which replaces this process.
 #pragma once
 
 #include <string>
@@ -20,7 +20,7 @@ struct McpOptions {
 
 void add_mcp_options(CLI::App& command, McpOptions& options);
 
-/// Does not return where it could start them. Exit status.
+/// Returns only if they cannot be started, with the exit status.
 int run_mcp(const McpOptions& options);
 
 } // namespace wakesurf::server

@@ -23,7 +23,8 @@ bool by_ssh() {
     return !from_environment("SSH_CONNECTION").empty();
 }
 
-/// A display that ssh forwards has this machine's name before the colon: `localhost:10.0`. `:0` is the machine's own screen.
+/// Says whether there is a display. One that ssh forwards has a machine's name before the colon:
+/// `localhost:10.0`. `:0` is the machine's own screen.
 bool has_display() {
     if (in_container())
         return false;
@@ -70,7 +71,7 @@ std::string page_that_leads_to(const std::string& link) {
            address + "\">\n<p><a href=\"" + address + "\">Open wakesurf</a></p>\n";
 }
 
-/// Made by this call, for this user alone. Empty: it cannot be made.
+/// Makes a folder for this user alone. Empty if it cannot be made.
 fs::path private_folder() {
     std::error_code ignored;
     const std::string of_login = from_environment("XDG_RUNTIME_DIR");
@@ -81,7 +82,8 @@ fs::path private_folder() {
     return ::mkdtemp(name.data()) == nullptr ? fs::path() : fs::path(name);
 }
 
-/// The shell ends at once, and leaves the browser to the system, in a session of its own: Ctrl-C is for the server alone.
+/// Starts a command by a shell that ends at once and leaves the browser in a session of its own: Ctrl-C is
+/// for the server alone.
 core::Result<void> start_apart(const std::vector<std::string>& command) {
     std::vector<std::string> words{"-c", "setsid \"$@\" </dev/null >/dev/null 2>&1 &", "sh"};
     words.insert(words.end(), command.begin(), command.end());

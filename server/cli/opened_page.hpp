@@ -1,4 +1,5 @@
-// The page, opened in a browser of this machine; and what to type on another one, where the person sits there.
+// Opens the page in a browser of this machine, or tells what to type on another one, for a user at that
+// machine.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -12,18 +13,19 @@
 
 namespace wakesurf::server {
 
-/// What opens a page on this display, word by word, `page` among them: $BROWSER's first program that is there, else xdg-open. Nothing where
-/// there is no display, or only that of the machine's own screen while the person came by ssh.
+/// Returns the command that opens a page on this display, word by word, with `page` among them: $BROWSER's
+/// first installed program, else xdg-open. Empty without a display, or if only the machine's own screen is
+/// there and the user came by ssh.
 std::vector<std::string> browser_command(const std::string& page);
 
-/// For who came by ssh: the line that makes the server's port one of their own machine.
+/// Returns, for a user who came by ssh, the line that forwards the server's port to their own machine.
 std::optional<std::string> tunnel_command(const std::string& host, std::uint16_t port);
 
-/// A file for this user alone, whose page leads to the link: the link has the token, and every user of a machine can read the words
-/// that a program was started with. It is there as long as this is.
+/// A file for this user alone, whose page leads to the link: the link has the token, and every user of a
+/// machine can read the arguments of a program. The file exists as long as this.
 class OpenedPage {
   public:
-    /// Error: NotFound, there is no browser to open it in; Io.
+    /// Opens the page. Error: NotFound without a browser; Io.
     static core::Result<OpenedPage> open(const std::string& link);
 
     ~OpenedPage();

@@ -26,7 +26,7 @@ constexpr std::array<CommandOfMethod, 11> known_commands{{
     {"session.restore", "wakesurf sessions restore"},
 }};
 
-/// Options that the command line has by itself, beside those that are made from the description of surface.set.
+/// Parameters whose options are declared here, beside those made from the description of surface.set.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 3> more_options{{
     {"maxQuads", "--max-quads"},
     {"fields", "--fields"},
@@ -35,7 +35,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 3> more_opti
 
 using Spelling = std::function<std::optional<std::string>(std::string_view name)>;
 
-/// Each name in backticks that `spelt` knows, backticks included, in its words.
+/// Replaces each name in backticks that `spelt` knows, backticks included.
 std::string spell(std::string_view text, const Spelling& spelt) {
     std::string out;
     while (true) {

@@ -1,5 +1,6 @@
-// What is said in the words of the API, as the command line says it. Errors and hints write names of the API in backticks, `maxQuads` and
-// `session.list`; here these are options and commands. Python has the same in wakesurf/own_words.py.
+// Translates the words of the API into those of the command line. Errors and hints write names of the API in
+// backticks, `maxQuads` and `session.list`; here these are options and commands. Python has the same in
+// wakesurf/own_words.py.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -14,13 +15,13 @@ struct CommandOfMethod {
     std::string_view command;
 };
 
-/// Methods of the API that a command does the work of.
+/// Returns the methods of the API that have a command.
 std::span<const CommandOfMethod> commands_of_methods();
 
-/// Methods are commands. A hint that names a method without a command leads nowhere here, and is left out.
+/// Replaces methods by commands. A hint that names a method without a command is left out.
 core::Error with_commands(core::Error error);
 
-/// Parameters of surface.set are options of `wakesurf surface`.
+/// Replaces parameters of surface.set by options of `wakesurf surface`.
 core::Error with_options(core::Error error);
 
 } // namespace wakesurf::server

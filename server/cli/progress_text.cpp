@@ -10,7 +10,7 @@ namespace wakesurf::server {
 
 namespace {
 
-/// Seconds from which on people ask how far it is; plain lines follow after twice as long each, and every minute at least.
+/// The time before the first line, and the longest interval of plain lines (s); each interval doubles.
 constexpr double long_work = 3.0, longest_silence = 60.0;
 
 } // namespace

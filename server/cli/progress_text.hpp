@@ -1,5 +1,5 @@
-// What a command says of work while it lasts: one line that moves on a terminal, plain lines now and then into a file. A function of the
-// seconds gone and of what the work tells.
+// The progress that a command reports: one line that is rewritten on a terminal, plain lines at intervals
+// into a file. A function of the elapsed seconds and of the work's own counts.
 #pragma once
 
 #include "core/base/work_done.hpp"
@@ -18,18 +18,18 @@ class ProgressText {
         std::size_t columns = 80; ///< of the terminal
     };
 
-    /// @param work  outlives it; null: there is nothing but the time to tell
-    /// @param end   simulation time at which a streak or time surface will be whole
+    /// @param work  outlives this; null: only the time is reported
+    /// @param end   simulation time at which a streak or time surface is complete
     ProgressText(std::string text,
                  const core::WorkDone* work,
                  std::optional<double> end,
                  Output output);
 
-    /// What to write now, with the end of the line or the return to its begin; empty: nothing.
+    /// Returns the text to write now, with the end of the line or the return to its begin; may be empty.
     /// @param seconds  since the work began; 0 in the first call
     std::string at(double seconds);
 
-    /// What to write when the work has ended.
+    /// Returns the text to write when the work has ended.
     std::string last() const;
 
   private:
@@ -40,7 +40,7 @@ class ProgressText {
     std::optional<double> end_;
     Output output_;
     Forecast forecast_;
-    double next_ = 0.0; ///< second of the next plain line
+    double next_ = 0.0; ///< time of the next plain line, in s
 };
 
 } // namespace wakesurf::server

@@ -14,7 +14,7 @@ namespace wakesurf::server {
 
 namespace {
 
-/// What lies in the folder that it is started in must not be taken for a part of it, as `python -m` would.
+/// Files in the current folder must not replace modules, as they would for `python -m`.
 constexpr const char* beginning = R"python(
 import importlib, sys
 sys.path[0] = sys.argv.pop(1)
@@ -25,7 +25,7 @@ except ImportError:
 sys.exit(importlib.import_module("wakesurf." + sys.argv.pop(1)).main())
 )python";
 
-/// The system's own, which has the packages that were installed with this program, before one that happens to come first in PATH.
+/// Prefers the system's Python, which has the packages installed with this program, to the first one in PATH.
 std::string python() {
     constexpr const char* of_the_system = "/usr/bin/python3";
     return from_environment("WAKESURF_PYTHON",

@@ -6,8 +6,8 @@
 
 namespace wakesurf::server {
 
-/// Becomes Python with `main` of a module of the client, and ends with it; $WAKESURF is this program there. Returns the exit status where
-/// it cannot be started, and says why.
+/// Replaces this process by Python with `main` of a module of the client; $WAKESURF is this program there.
+/// Returns the exit status only if it cannot be started, and says why.
 int become_python(const std::string& module, const std::vector<std::string>& arguments);
 
 } // namespace wakesurf::server

@@ -1,4 +1,4 @@
-// A rake as the command line writes it: "x,y,z x,y,z ...".
+// A rake on the command line: "x,y,z x,y,z ...".
 #pragma once
 
 #include "core/base/result.hpp"
@@ -10,14 +10,15 @@
 
 namespace wakesurf::server {
 
+/// Parses a rake. Error: InvalidArgument, naming the option and the wrong point, or the points that a rake of
+/// that kind has.
 /// @param kind  a word of rake.set; empty: two points make a line, more a polyline
-/// Error: InvalidArgument, naming the option and the point that is wrong, or what points a rake of that kind has.
 core::Result<core::Rake> parse_rake(std::string_view text,
                                     std::uint32_t seeds,
                                     const std::string& option = "--rake",
                                     std::string_view kind = {});
 
-/// x,y,z. Error: InvalidArgument for anything but three finite numbers.
+/// Parses x,y,z. Error: InvalidArgument for anything but three finite numbers.
 core::Result<core::Vec3> parse_vector(std::string_view text, const std::string& option);
 
 } // namespace wakesurf::server

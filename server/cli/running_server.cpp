@@ -1,4 +1,4 @@
-// A server that runs, asked over HTTP as any script would.
+// A running server, asked over HTTP like any script would.
 #include "server/cli/server_address.hpp"
 #include "server/cli/session_server.hpp"
 #include "server/service/limits.hpp"
@@ -66,7 +66,7 @@ tl::unexpected<Error> RunningServer::no_answer(error_code why) const {
                 "check that the server is running there");
 }
 
-/// Begins something asynchronous, whose end it waits for, because only such operations have a time limit.
+/// Starts an asynchronous operation and waits for its end, because only such operations have a time limit.
 error_code
 RunningServer::wait_for(beast::tcp_stream& stream,
                         const std::function<void(std::function<void(error_code)>)>& start) {

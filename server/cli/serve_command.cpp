@@ -57,13 +57,13 @@ core::Result<Address> parse_address(const std::string& text) {
                 "write HOST:PORT, for example 127.0.0.1:8080");
 }
 
-/// The address's port, or 0, which stands for any free one, where another program has it: of someone else on the same machine, perhaps.
+/// Returns the address's port, or 0, which stands for any free one, if another program uses it.
 std::uint16_t free_port(const Address& address) {
     boost::asio::io_context context;
     boost::system::error_code error;
     const auto host = boost::asio::ip::make_address(address.host, error);
     if (error)
-        return address.port; // a name: the server says what is wrong with it
+        return address.port; // a name: the server reports the error
     const boost::asio::ip::tcp::endpoint endpoint(host, address.port);
     boost::asio::ip::tcp::acceptor door(context);
     door.open(endpoint.protocol(), error);
@@ -76,13 +76,13 @@ std::uint16_t free_port(const Address& address) {
     return 0;
 }
 
-/// What a server is started with, and the token's file, if it has one.
+/// Holds the options of a server, and the token's file, if it has one.
 struct Prepared {
     ServerOptions server;
     std::optional<TokenFile> token_file;
 };
 
-/// The file stays as it is until the server listens.
+/// Reads the token. The file is not changed before the server listens.
 core::Result<std::string>
 choose_token(const ServeOptions& options, const Address& address, std::optional<TokenFile>& file) {
     if (options.no_auth && !is_loopback(address.host))
@@ -112,14 +112,14 @@ core::Result<void> check_origins(const std::vector<std::string>& origins,
     return {};
 }
 
-/// What a browser on this machine can open.
+/// Returns a host that a browser on this machine can open.
 std::string shown_host(const std::string& host) {
     if (host == "0.0.0.0" || host == "::")
         return "127.0.0.1";
     return host.find(':') == std::string::npos ? host : "[" + host + "]";
 }
 
-/// What was named; where nothing was, WAKESURF_DATASET, or else the bundled simulation.
+/// Returns the datasets given; if there are none, WAKESURF_DATASET, or else the bundled simulation.
 std::vector<std::string> datasets_to_serve(const ServeOptions& options) {
     if (!options.datasets.empty())
         return options.datasets;
@@ -136,7 +136,7 @@ std::vector<std::string> datasets_to_serve(const ServeOptions& options) {
     return {};
 }
 
-/// The folder of a file with a secret: no one else may put another in its place.
+/// Checks the folder of a file with a secret: no other user may replace the file.
 core::Result<void>
 check_folder_of(const std::filesystem::path& file, const char* option, bool written) {
     std::error_code ignored;
@@ -150,7 +150,7 @@ check_folder_of(const std::filesystem::path& file, const char* option, bool writ
     return check_private_folder(folder, option, true);
 }
 
-/// Data that others can replace are served all the same: a store may be a group's.
+/// Warns if others can replace the data; they are served all the same: a store may be a group's.
 void warn_of_shared_store(const std::filesystem::path& root) {
     struct stat status {};
 
@@ -164,7 +164,7 @@ void warn_of_shared_store(const std::filesystem::path& root) {
                              : fmt::format("belongs to user {}", status.st_uid));
 }
 
-/// What has to be kept must be writable, by no one else; the store need not be while all that is served is already in it.
+/// Checks that what has to be kept is writable, by this user only; the store need not be if it has all data.
 core::Result<void> check_folders(const ServeOptions& options, const ServerOptions& server) {
     std::error_code ignored;
     if (!options.token_file.empty() && !options.no_auth)
@@ -189,7 +189,8 @@ core::Result<void> check_folders(const ServeOptions& options, const ServerOption
     return {};
 }
 
-/// What starts wakesurf-bricks. Error: InvalidArgument; Unsupported where there is no such program.
+/// Returns the command that starts wakesurf-bricks. Error: InvalidArgument; Unsupported if there is no such
+/// program.
 core::Result<std::vector<std::string>> brick_words(const std::string& text) {
     std::error_code ignored;
     if (!std::filesystem::exists(this_program().parent_path() / "wakesurf-bricks", ignored))
@@ -202,7 +203,8 @@ core::Result<std::vector<std::string>> brick_words(const std::string& text) {
     });
 }
 
-/// Error: InvalidArgument, wrong usage; anything else, a file or folder that cannot be used.
+/// Checks the options. Error: InvalidArgument for wrong usage; anything else for a file or folder that cannot
+/// be used.
 core::Result<Prepared> prepare(const ServeOptions& options) {
     const auto address = parse_address(options.listen);
     if (!address)
@@ -251,7 +253,7 @@ std::string link_of(const std::string& address, const std::string& token) {
     return address + (token.empty() ? "" : "#token=" + token);
 }
 
-/// Where the link goes: to the file, if there is one, and to standard output without the token then.
+/// Writes the link to the file, if there is one, and then without the token to standard output.
 core::Result<void>
 tell_link(const std::string& address, const std::string& token, const std::filesystem::path& file) {
     const std::string link = link_of(address, token);
@@ -266,7 +268,7 @@ tell_link(const std::string& address, const std::string& token, const std::files
     return {};
 }
 
-/// Only a server that is there, and listens, changes the token.
+/// Changes the token only once the server listens.
 core::Result<void> keep_new_token(Server& server, TokenFile& file) {
     if (auto kept = file.keep(); !kept)
         return kept;
@@ -277,7 +279,8 @@ core::Result<void> keep_new_token(Server& server, TokenFile& file) {
     return {};
 }
 
-/// Opens the page, or says how to come to it. What fails here is no failure of the server: the link has been told.
+/// Opens the page, or prints how to reach it. A failure here is no failure of the server: the link has been
+/// printed.
 std::optional<OpenedPage>
 open_page(const std::string& link, const std::string& host, std::uint16_t port, bool has_page) {
     if (const auto tunnel = tunnel_command(host, port))
@@ -303,7 +306,8 @@ core::Result<void> serve(Prepared& prepared, const ServeOptions& asked) {
     const ServerOptions& options = prepared.server;
     const std::filesystem::path url_file = asked.url_file;
     std::error_code ignored;
-    if (!url_file.empty()) // one that waits for the link must not read that of an earlier server
+    if (!url_file
+             .empty()) // a reader that waits for the link must not get that of an earlier server
         std::filesystem::remove(url_file, ignored);
     auto running = Server::open(options);
     if (!running)
@@ -321,7 +325,7 @@ core::Result<void> serve(Prepared& prepared, const ServeOptions& asked) {
     const auto page =
         asked.open ? open_page(link_of(address, options.token), host, (*running)->port(), has_page)
                    : std::nullopt;
-    if (!tls && in_container()) // which cannot know where its port is published
+    if (!tls && in_container()) // the port may be published under any number
         spdlog::info("event=no_tls message=\"this port speaks plain HTTP\" hint=\"publish it on "
                      "127.0.0.1 only, or put TLS in front of it\"");
     else if (!tls && !is_loopback(options.host))
@@ -329,7 +333,7 @@ core::Result<void> serve(Prepared& prepared, const ServeOptions& asked) {
             "event=no_tls message=\"anyone on the network path can read the token and the data\" "
             "hint=\"give --tls-cert and --tls-key\"");
     (*running)->run();
-    // A second signal must not cut short what is left to clear up, the page with the token among it.
+    // A second signal must not interrupt the clean-up, which removes the page with the token.
     for (const int each : {SIGINT, SIGTERM, SIGHUP})
         std::signal(each, SIG_IGN);
     return {};
@@ -415,8 +419,8 @@ void add_serve_options(CLI::App& command, ServeOptions& options) {
 
 int run_serve(const ServeOptions& options) {
     log_to_standard_error(options.log_level);
-    std::signal(SIGXFSZ, SIG_IGN); // a limit on the size of files is an error to the writer
-    std::signal(SIGPIPE, SIG_IGN); // so is a reader that has gone
+    std::signal(SIGXFSZ, SIG_IGN); // a limit on the size of files becomes an error of the write
+    std::signal(SIGPIPE, SIG_IGN); // so does a closed reader
     auto prepared = prepare(options);
     if (!prepared) {
         const int status = report_failure(prepared.error());

@@ -21,8 +21,9 @@ struct ServeOptions {
     std::string state;
     std::uint64_t memory = 0; ///< 0: by the machine and the control group
     unsigned threads = 0;
-    std::string bricks;             ///< what starts wakesurf-bricks; empty: nobody does
-    std::uint64_t brick_memory = 0; ///< of each rank; 0: what it takes
+    /// The command that starts wakesurf-bricks; empty: it is not started.
+    std::string bricks;
+    std::uint64_t brick_memory = 0; ///< of each rank; 0: what it needs
     std::string token_file;
     bool new_token = false;
     std::string url_file;
@@ -35,12 +36,12 @@ struct ServeOptions {
     std::string web;
     std::string log_level = "info";
     bool open = false;           ///< the page, in a browser
-    bool port_by_chance = false; ///< where the one of `listen` is taken
+    bool port_by_chance = false; ///< if the one of `listen` is in use
 };
 
 void add_serve_options(CLI::App& command, ServeOptions& options);
 
-/// Exit status.
+/// Serves, and returns the exit status.
 int run_serve(const ServeOptions& options);
 
 } // namespace wakesurf::server

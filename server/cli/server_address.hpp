@@ -14,11 +14,11 @@ struct ServerAddress {
     std::string prefix; ///< of a proxy, as /flow; may be empty
     std::string token;  ///< may be empty
 
-    /// As a Host header has it.
+    /// Returns the authority as a Host header has it.
     std::string authority() const;
 };
 
-/// From http://HOST[:PORT][/PREFIX][/][#token=...]. Error: InvalidArgument.
+/// Parses http://HOST[:PORT][/PREFIX][/][#token=...]. Error: InvalidArgument.
 core::Result<ServerAddress> parse_server_address(const std::string& url);
 
 } // namespace wakesurf::server

@@ -1,5 +1,5 @@
-// Where the sessions are that `wakesurf sessions` is about: on a server that runs, or in a state folder that none uses. Both
-// answer the same requests.
+// The sessions that `wakesurf sessions` works on: of a running server, or in a state folder that no server
+// uses. Both answer the same requests.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -10,7 +10,7 @@
 
 namespace wakesurf::server {
 
-/// One thread at a time; every call waits for its answer.
+/// Answers requests. One thread at a time; every call waits for its answer.
 class SessionServer {
   public:
     struct Answer {
@@ -20,18 +20,18 @@ class SessionServer {
 
     virtual ~SessionServer() = default;
 
-    /// As over HTTP. Error: Io.
+    /// Sends a request as over HTTP. Error: Io.
     virtual core::Result<Answer>
     ask(const std::string& method, const std::string& path, const std::string& body) = 0;
 };
 
-/// A server at the address it printed, with `#token=...`. @param authority  PEM file of who signed its certificate; empty: whom the
-/// system trusts. Error: InvalidArgument.
+/// Connects to a server by the address that it printed, with `#token=...`. Error: InvalidArgument. @param
+/// authority  PEM file of the certificate's issuer; empty: those that the system trusts.
 core::Result<std::unique_ptr<SessionServer>> server_at(const std::string& url,
                                                        const std::filesystem::path& authority);
 
-/// What a server would be that is started with this state folder and no data. Its destructor waits for the disk. Error: as
-/// KeptSessions::open; OverLimit where a server uses the folder; NotFound where there are no sessions in it.
+/// Opens a state folder like a server without data. Its destructor waits for the disk. Error: as
+/// KeptSessions::open; OverLimit if a server uses the folder; NotFound if there are no sessions in it.
 /// @param changes  false: nothing is written
 core::Result<std::unique_ptr<SessionServer>> sessions_in(const std::filesystem::path& folder,
                                                          bool changes);

@@ -43,7 +43,7 @@ core::Result<std::unique_ptr<SessionServer>> find_server(const SessionsOptions& 
                 "http://HOST:PORT/#token=..., or --state with a folder that no server uses");
 }
 
-/// An error as the server words it.
+/// Returns an error with the server's words.
 tl::unexpected<Error> fault_of(const json& answer, unsigned status) {
     const auto text = [](const json& value, const char* name) {
         return value.is_object() && value.contains(name) && value[name].is_string()
@@ -75,7 +75,7 @@ core::Result<json> call(SessionServer& server, const std::string& method, const 
     });
 }
 
-/// Characters of UTF-8 count as one.
+/// Pads a text to a width; a character of UTF-8 counts as one.
 std::string padded(const std::string& given, std::size_t width) {
     std::string text = core::printable_line(given);
     std::size_t length = 0;
@@ -85,7 +85,7 @@ std::string padded(const std::string& given, std::size_t width) {
     return text;
 }
 
-/// Who was used last comes first.
+/// Prints the most recently used first.
 void print(const json& list, bool trash) {
     auto sessions = list["sessions"].get<std::vector<json>>();
     std::sort(sessions.begin(), sessions.end(),
@@ -217,7 +217,7 @@ void add_sessions_options(CLI::App& command, SessionsOptions& options) {
 }
 
 int run_sessions(const SessionsOptions& options) {
-    // On standard output is what was asked for; what a state folder's sessions log is a server's.
+    // Standard output has the answer; sessions of a state folder would log like a server.
     log_to_standard_error("warning");
     auto server = find_server(options);
     if (!server) {

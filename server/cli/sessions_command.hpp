@@ -1,4 +1,5 @@
-// `wakesurf sessions`: what is there, and what becomes of it; of a server that runs, or of a state folder that none uses.
+// `wakesurf sessions`: lists and changes sessions of a running server, or of a state folder that no server
+// uses.
 #pragma once
 
 #include <string>
@@ -25,7 +26,7 @@ struct SessionsOptions {
 
 void add_sessions_options(CLI::App& command, SessionsOptions& options);
 
-/// Exit status.
+/// Runs the command, and returns the exit status.
 int run_sessions(const SessionsOptions& options);
 
 } // namespace wakesurf::server

@@ -6,7 +6,7 @@ namespace wakesurf::server {
 
 namespace {
 
-/// The words of a check by CLI::IsMember, which names them as {a,b,c}; nothing for other checks.
+/// Returns the words of a check by CLI::IsMember, which names them as {a,b,c}; empty for other checks.
 std::string words_taken_by(const CLI::Option& option) {
     const std::string type = option.get_type_name();
     const auto open = type.find('{');
@@ -20,14 +20,14 @@ std::string words_taken_by(const CLI::Option& option) {
     return words;
 }
 
-/// Branches of the script's `case` statements; a path is the commands given so far, each after a space.
+/// Holds branches of the script's `case` statements; a path is the commands given so far, each after a space.
 struct Branches {
     std::string known;   ///< paths, with | between them
     std::string offered; ///< by path: commands and options
     std::string taken;   ///< by path and option: the words it takes
 };
 
-/// Its options, each after a space; what they take goes to the branches.
+/// Returns a command's options, each after a space; their values go to the branches.
 std::string options_of(const CLI::App& command, const std::string& path, Branches& branches) {
     std::string options;
     for (const CLI::Option* each :
@@ -43,7 +43,8 @@ std::string options_of(const CLI::App& command, const std::string& path, Branche
     return options;
 }
 
-/// @param implied  the command whose options may be given without it, or null
+/// Adds the branches of a command and its subcommands. @param implied  the command whose options may be given
+/// without it, or null
 void add_branches(const CLI::App& command,
                   const std::string& path,
                   const CLI::App* implied,

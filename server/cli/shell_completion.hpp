@@ -1,4 +1,4 @@
-// What bash completes after `wakesurf`, made from the same declarations as --help.
+// The completions of `wakesurf` in bash, made from the same declarations as --help.
 #pragma once
 
 #include <string>
@@ -9,7 +9,8 @@ class App;
 
 namespace wakesurf::server {
 
-/// A script for bash-completion's folder: commands, options, the words that an option takes, else files.
+/// Returns a script for bash-completion's folder: commands, options, the words that an option takes, else
+/// files.
 std::string bash_completion(const CLI::App& program, const CLI::App* implied = nullptr);
 
 } // namespace wakesurf::server

@@ -63,12 +63,12 @@ int check(const StateCommandOptions& options) {
     return damaged > 0 ? failed : all_sound;
 }
 
-/// As it is where it is JSON, so that it can be corrected and set again; else as text.
+/// Returns JSON as it is, so that it can be corrected and set again; anything else as text.
 json record_of(const std::string& text) {
     return protocol::parse_json(text, {text.size()}).value_or(json(text));
 }
 
-/// Also where the state is damaged: what can be read of these records is what people look for then.
+/// Lists the records set aside, also of a damaged state: that is when users look for them.
 int aside(const StateCommandOptions& options) {
     const auto verdict = check_state(options.folder);
     if (!verdict)

@@ -1,4 +1,5 @@
-// `wakesurf state aside|backup|check|restore`: the folder of `serve --state`, looked after from outside, also while the server runs.
+// `wakesurf state aside|backup|check|restore`: maintenance of the folder of `serve --state`, also while the
+// server runs.
 #pragma once
 
 #include <functional>
@@ -16,8 +17,8 @@ struct StateCommandOptions {
     bool damaged = false;
 };
 
-/// Adds the commands; the one that was given is put into `chosen`, to be run. Each returns the exit status: 0 done (check: sound),
-/// 1 failed (check: damaged).
+/// Adds the commands; the chosen one is put into `chosen`, to be run. Each returns the exit status: 0 done
+/// (check: sound), 1 failed (check: damaged).
 void add_state_commands(CLI::App& command,
                         StateCommandOptions& options,
                         std::function<int()>& chosen);

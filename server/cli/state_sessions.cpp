@@ -1,4 +1,4 @@
-// Sessions of a state folder that no server uses, by the code a server has.
+// Sessions of a state folder that no server uses, by the code of the server.
 #include "server/cli/session_server.hpp"
 #include "server/cli/tell.hpp"
 #include "server/net/io_loop.hpp"
@@ -24,7 +24,7 @@ using core::fail;
 
 namespace {
 
-/// Surfaces stay parameters: nothing is computed here.
+/// Has no data: surfaces stay parameters, and nothing is computed.
 class NoDatasets final : public Datasets {
   public:
     std::vector<std::string> ids() const override { return {}; }
@@ -87,7 +87,7 @@ class StateSessions final : public SessionServer {
     NoDatasets datasets_;
     ComputePool pool_{1};
     Prober prober_{loop_, pool_};
-    std::unique_ptr<SqliteJournal> journal_; ///< nothing: nothing is to change
+    std::unique_ptr<SqliteJournal> journal_; ///< null: read-only
     Grants grants_;
     SessionDirectory sessions_;
     Dispatcher dispatcher_;

@@ -8,8 +8,8 @@
 
 namespace wakesurf::server {
 
-/// While it lives the two signals do not end the process but fire the token. Threads started after it inherit
-/// that; start it before any other thread.
+/// Turns the two signals into a stop request while it lives. Threads started after it inherit that; start it
+/// before any other thread.
 class StopOnSignal {
   public:
     StopOnSignal();

@@ -43,8 +43,8 @@ namespace wakesurf::server {
 
 namespace {
 
-constexpr std::size_t file_bytes =
-    300; ///< a vertex, with its scalars, while its file is put together
+/// The memory for putting a file together, in bytes a vertex, scalars included.
+constexpr std::size_t file_bytes = 300;
 
 core::Result<LoadedDataset>
 open(const SurfaceOptions& options, const core::MemoryAccount& account, std::stop_token stop) {
@@ -62,7 +62,7 @@ open(const SurfaceOptions& options, const core::MemoryAccount& account, std::sto
     return open_dataset(*argument, open, show, stop);
 }
 
-/// One pass. @param dataset  its name
+/// Builds one pass. @param dataset  its name
 core::Result<BuiltSurface> build(const std::string& dataset,
                                  const core::SurfacePlan& plan,
                                  int threads,
@@ -73,7 +73,7 @@ core::Result<BuiltSurface> build(const std::string& dataset,
                                    " surface of " + dataset,
                                &work, plan.parameters.to);
     const int used = threads > 0 ? threads : static_cast<int>(std::thread::hardware_concurrency());
-    // The global limit is what lets an arena be larger than the machine, as `--threads 8` on two cores.
+    // The global limit lets an arena be larger than the machine, as `--threads 8` on two cores.
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(used));
     tbb::task_arena arena(used);
@@ -120,7 +120,7 @@ core::Result<void> write(const SurfaceOptions& options,
                                           .dataset = info.dataset,
                                           .version = WAKESURF_VERSION,
                                           .stopped = surface.statistics.stopped};
-    // Checked before the work began; the name has one of the extensions.
+    // Checked before the work began: the name has one of the extensions.
     const auto format =
         protocol::mesh_format(std::filesystem::path(options.output).extension().string().substr(1));
     auto written = file_of(*format, lines, surface, metadata, scalars, options.draco)
@@ -141,7 +141,7 @@ core::Result<void> write(const SurfaceOptions& options,
     return write_whole_file(options.stats, protocol::json_text(statistics, 2) + "\n");
 }
 
-/// Without a rake: what the data suggest, for all that the options leave open. Standard error says what that was.
+/// Uses the suggestion of the data for a rake and all open options, and prints it to standard error.
 core::Result<void> begin_with_suggestion(SurfaceRequest& request,
                                          const SurfaceOptions& options,
                                          const LoadedDataset& dataset,
@@ -172,7 +172,8 @@ core::Result<void> begin_with_suggestion(SurfaceRequest& request,
     return {};
 }
 
-/// What differs from what was asked for, on standard error. Error: there is nothing to see, for a reason that can be cured.
+/// Prints how the result differs from the request to standard error. Error: there is nothing to see, for a
+/// reason that can be cured.
 core::Result<void> tell_statistics(const core::SurfaceStatistics& statistics, bool cut_short) {
     if (statistics.empty && !statistics.empty->natural())
         return core::fail(core::Error::Code::InvalidArgument, statistics.empty->message,
@@ -180,7 +181,7 @@ core::Result<void> tell_statistics(const core::SurfaceStatistics& statistics, bo
     if (statistics.empty)
         tell(stderr, "wakesurf: the surface is empty: {}; {}\n", statistics.empty->message,
              with_options({{}, {}, statistics.empty->hint}).hint);
-    if (cut_short) { // which is why it is coarser, or lacks particles
+    if (cut_short) { // the reason why it is coarser, or lacks particles
         tell(stderr, "wakesurf: not finished: {}; raise --seconds\n", statistics.stopped);
         return {};
     }
@@ -209,7 +210,7 @@ core::Result<void> tell_statistics(const core::SurfaceStatistics& statistics, bo
     return {};
 }
 
-/// What the options leave open, from the data, and what only the data can refuse.
+/// Completes the options from the data, and makes the checks that need the data.
 core::Result<core::SurfacePlan> planned(SurfaceRequest request,
                                         const SurfaceOptions& options,
                                         const LoadedDataset& dataset,
@@ -230,8 +231,8 @@ core::Result<core::SurfacePlan> planned(SurfaceRequest request,
     return plan;
 }
 
-/// Cuts the surface's cells where that is asked for; what is said of its error is then said of what is written. Returns how many cells have
-/// a side that stayed flat.
+/// Cuts the surface's cells if asked to; its error is then that of the cut cells. Returns the number of cells
+/// with a side that stayed flat.
 core::Result<std::uint64_t> cut_cells(core::Surface& surface,
                                       std::vector<double>& times,
                                       const SurfaceOptions& options,
@@ -253,7 +254,7 @@ core::Error nothing_yet(const core::Error& error, const TimeLimit& limit) {
     return limit.over() ? nothing_within(limit) : error;
 }
 
-/// @param limit  of opening the data and building; what is there is written without one
+/// Opens the data, builds and writes. @param limit  of opening and building; writing has none
 core::Result<void> make(const SurfaceOptions& options,
                         SurfaceRequest request,
                         const TimeLimit& limit,
@@ -414,7 +415,7 @@ int run_surface(const SurfaceOptions& options) {
         make(options, *std::move(request), limit, signals.token()).map_error(with_options);
     if (made)
         return 0;
-    // Which times make sense is known only with the dataset.
+    // Only the dataset decides which times are valid.
     const bool usage = made.error().code == core::Error::Code::InvalidArgument &&
                        made.error().message.starts_with("--");
     const int status = report_failure(made.error());

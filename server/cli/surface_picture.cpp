@@ -19,7 +19,7 @@ nlohmann::json rake_json(const core::Rake& rake) {
             {"seeds", rake.seeds}};
 }
 
-/// What the server that draws it is started with.
+/// Returns the options of the server that draws it.
 std::vector<std::string> server_words(const SurfaceOptions& options) {
     std::vector<std::string> words = arguments_of(options.taken);
     if (!options.store.empty())
@@ -43,7 +43,7 @@ int draw_surface(const SurfaceOptions& options, const SurfaceRequest& request) {
         job["rake"] = rake_json(request.rake);
     if (request.parameters.rake2)
         job["rake2"] = rake_json(*request.parameters.rake2);
-    // Paths are words of their own: they need not be UTF-8, and JSON is.
+    // Paths are separate words: they need not be UTF-8, but JSON is.
     std::vector<std::string> words{
         job.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace), options.dataset,
         options.output};

@@ -22,7 +22,7 @@ namespace {
 
 using Code = core::Error::Code;
 
-/// A plus sign is no part of a number in JSON, but people write one.
+/// Accepts a leading plus sign, which JSON does not.
 std::optional<double> number_of(std::string_view text) {
     if (text.starts_with('+'))
         text.remove_prefix(1);
@@ -52,7 +52,7 @@ bool given(const SurfaceOptions& options, const char* parameter) {
     return found != options.asked.end() && !found->second.empty();
 }
 
-/// What surface.set would be asked for. Rakes have their own texts here, and a time that is left out is for the dataset to say.
+/// Returns the parameters of surface.set. Rakes are parsed elsewhere, and open times are for the dataset.
 core::Result<nlohmann::json> asked_json(const SurfaceOptions& options) {
     nlohmann::json asked{{"rake", "--rake"}, {"dataset", "DATASET"}, {"to", 0.0}};
     for (const protocol::SurfaceOption& each : protocol::surface_options) {
@@ -68,7 +68,7 @@ core::Result<nlohmann::json> asked_json(const SurfaceOptions& options) {
     return asked;
 }
 
-/// Checked by the description of surface.set.
+/// Checks the parameters by the description of surface.set.
 core::Result<protocol::SurfaceSetting> read_asked(const SurfaceOptions& options,
                                                   const nlohmann::json& asked) {
     protocol::CheckedJson in(asked);
@@ -77,8 +77,7 @@ core::Result<protocol::SurfaceSetting> read_asked(const SurfaceOptions& options,
     if (auto sound = in.verdict(); !sound)
         return core::fail(sound.error().code, sound.error().message, "see wakesurf surface --help");
     if (options.rake.empty() &&
-        setting.parameters.kind !=
-            core::SurfaceKind::Level) // what is left out is still to come from the data
+        setting.parameters.kind != core::SurfaceKind::Level) // open ones come from the data later
         return setting;
     if (auto sound = protocol::check_kind(setting); !sound)
         return tl::unexpected(sound.error());
@@ -116,7 +115,7 @@ core::Result<std::optional<protocol::LinesWanted>> read_lines(const SurfaceOptio
     return *lines;
 }
 
-// Error: InvalidArgument, an option that pictures do not take.
+// Returns InvalidArgument for an option that pictures do not take.
 core::Result<void> check_picture_options(const SurfaceOptions& options) {
     const std::pair<bool, const char*> others[] = {{!options.lines.empty(), "--lines"},
                                                    {options.tessellate > 1, "--tessellate"},

@@ -1,4 +1,5 @@
-// The one way by which text leaves a command: what names of files, fields or people have in them never acts on a terminal.
+// The one way in which a command prints text: names of files, fields or users in it have no effect on a
+// terminal.
 #pragma once
 
 #include "core/base/plain_text.hpp"

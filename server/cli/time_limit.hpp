@@ -1,4 +1,5 @@
-// A limit of the wall clock for a command: a stop_token that fires when the time is over, or when another one does.
+// A limit of the wall clock for a command: a stop_token that fires when the time is over, or when another one
+// does.
 #pragma once
 
 #include <atomic>
@@ -11,7 +12,7 @@ namespace wakesurf::server {
 class TimeLimit {
   public:
     /// @param seconds  from now on; 0: no limit
-    /// @param also     fires the token as well, and does not count as the time being over
+    /// @param also     fires the token as well, without making over() true
     TimeLimit(double seconds, std::stop_token also);
     TimeLimit(const TimeLimit&) = delete;
     TimeLimit& operator=(const TimeLimit&) = delete;
@@ -22,7 +23,7 @@ class TimeLimit {
 
     double seconds() const { return seconds_; }
 
-    /// The time is over.
+    /// Says whether the time is over.
     bool over() const { return over_; }
 
   private:
@@ -30,7 +31,7 @@ class TimeLimit {
     std::atomic<bool> over_{false};
     std::stop_source source_;
     std::stop_callback<std::function<void()>> forward_;
-    std::jthread waiter_; ///< last: it uses the others
+    std::jthread waiter_; ///< destroyed first: it uses the others
 };
 
 } // namespace wakesurf::server

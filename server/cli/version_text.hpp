@@ -1,4 +1,5 @@
-// What `wakesurf --version` prints: the program's version and those of everything it reads, writes and speaks.
+// The output of `wakesurf --version`: the program's version and those of everything it reads, writes and
+// speaks.
 #pragma once
 
 #include <string>
@@ -6,11 +7,11 @@
 
 namespace wakesurf::server {
 
-/// Of the program alone, as 0.1.0: the one that the build's CMakeLists.txt names.
+/// Returns the program's version, as 0.1.0: the one in the build's CMakeLists.txt.
 std::string_view version_number();
 
-/// One line each, the program's first, then the commit it was built from: docs/versions.md says what each number means and what
-/// happens to older ones.
+/// Returns one line each, the program's first, then the commit it was built from: docs/versions.md says what
+/// each number means and what happens to older ones.
 std::string version_text(std::string_view commit);
 
 } // namespace wakesurf::server

@@ -1,4 +1,4 @@
-// Whether a folder named on the command line is this process's to write in, said before anything depends on it.
+// Checks that this process can write in a folder of the command line, before anything depends on it.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -8,8 +8,9 @@
 
 namespace wakesurf::server {
 
-/// Nothing where files can be made in `folder`, or the folder itself can. Error: Io, naming the owner, the user of
-/// this process and the cure. `option` is what the person gave the folder with. Reads the file system, writes nothing.
+/// Checks that files can be made in `folder`, or the folder itself can. Error: Io, naming the owner, the user
+/// of this process and the cure. `option` names the option of the folder. Reads the file system, writes
+/// nothing.
 core::Result<void> check_writable(const std::filesystem::path& folder, std::string_view option);
 
 } // namespace wakesurf::server

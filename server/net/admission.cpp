@@ -48,7 +48,7 @@ std::size_t Admission::most(const Place& place) const {
     return place.proxy_ || place.address_ == loopback ? limits_.pending_loopback : limits_.pending;
 }
 
-/// The address with the most gives one up.
+/// Evicts a connection of the address with the most.
 bool Admission::make_room_in_all() {
     const auto largest =
         std::max_element(pending_.begin(), pending_.end(), [](const auto& a, const auto& b) {

@@ -1,5 +1,6 @@
-// How many connections there may be: in all, and of one address as long as they have shown no token. Such a connection may be somebody
-// who only wants to take up room: where there is none left, the one that has done nothing for longest makes room for a newer one.
+// A bound on connections: in all, and of one address as long as they have shown no token. Such a connection
+// may only want to occupy a slot: without a free one, the connection that has been idle for longest is closed
+// for a newer one.
 #pragma once
 
 #include "server/service/metrics/metrics.hpp"
@@ -16,17 +17,17 @@
 
 namespace wakesurf::server {
 
-/// Loop thread only.
+/// Bounds the number of connections. Loop thread only.
 class Admission {
   public:
     struct Limits {
         std::size_t connections;
         std::size_t pending; ///< of one address
-        std::size_t
-            pending_loopback; ///< of this machine and of trusted proxies, whence many people come
+        /// The limit for this machine and for trusted proxies, which stand for many clients.
+        std::size_t pending_loopback;
     };
 
-    /// A connection's place, given back when it goes; pending at first. The Admission outlives it.
+    /// A connection's permit, returned on destruction; pending at first. REQUIRES: the Admission outlives it.
     class Place {
       public:
         Place(Admission& owner, std::string address, bool proxy);
@@ -34,22 +35,23 @@ class Admission {
         Place(const Place&) = delete;
         Place& operator=(const Place&) = delete;
 
-        /// Called at most once: the connection is to close at once, and counts no more.
+        /// Registers what closes the connection at once; called at most once. The connection then counts no
+        /// more.
         void on_end(std::function<void()> end) { end_ = std::move(end); }
 
-        /// It has shown a token: it stays.
+        /// Marks the connection as one that has shown a token: it stays.
         void let_in();
 
-        /// It waits for its next request, or has shown nothing.
+        /// Marks the connection as idle: it waits for its next request, or has shown no token.
         void wait();
 
-        /// Who is behind it, as a trusted proxy says; perhaps another one.
+        /// Sets the client's address as a trusted proxy reports it, perhaps that of another proxy.
         void came_from(const boost::asio::ip::address& address, bool proxy);
 
-        /// Of the connection, in the log.
+        /// Returns the connection's number in the log.
         std::uint64_t number() const { return number_; }
 
-        /// Who counts as one with it.
+        /// Returns the group of addresses that is counted as one client.
         const std::string& from() const { return address_; }
 
       private:
@@ -68,8 +70,8 @@ class Admission {
 
     Admission(const Limits& limits, Metrics& metrics) : limits_(limits), metrics_(metrics) {}
 
-    /// Nothing: no room; the reason is counted.
-    /// @param proxy  it is a trusted one: behind it are many
+    /// Returns a permit; null without room, with the reason counted.
+    /// @param proxy  it is a trusted one: many clients are behind it
     std::unique_ptr<Place> admit(const boost::asio::ip::address& address, bool proxy = false);
 
     std::size_t connections() const { return connections_; }
@@ -88,14 +90,15 @@ class Admission {
     std::map<std::string, Pending> pending_; ///< by address
 };
 
-/// Who counts as one: an IPv4 address, the /64 of an IPv6 one, which is what a household or machine is given.
+/// Returns the group of addresses that is counted as one client: an IPv4 address, or the /64 of an IPv6 one,
+/// which is assigned to a household or machine.
 std::string address_group(const boost::asio::ip::address& address);
 
-/// IPv4 in IPv6 clothes is IPv4.
+/// Converts an IPv4-mapped IPv6 address to IPv4.
 boost::asio::ip::address plain_address(const boost::asio::ip::address& given);
 
-/// The limits of limits.hpp, lowered to the descriptors this process may have: some are kept back for files, so that
-/// no number of connections keeps a time-step from being read.
+/// Returns the limits of limits.hpp, lowered to the descriptors that this process may have. Some are reserved
+/// for files, so that connections never keep a time-step from being read.
 Admission::Limits limits_for_descriptors();
 
 } // namespace wakesurf::server

@@ -1,5 +1,5 @@
-// A completion handler of any type behind one: what Beast's algorithms are compiled against once, whatever carries the
-// bytes. Asio has had its own (any_completion_handler) since Boost 1.82.
+// A completion handler of any type behind one type, so that Beast's algorithms are compiled once for all
+// streams. Asio has its own (any_completion_handler) since Boost 1.82.
 #pragma once
 
 #include <boost/system/error_code.hpp>
@@ -11,7 +11,7 @@
 
 namespace wakesurf::server {
 
-/// Move-only; called once. Cost: one allocation.
+/// Holds a handler. Move-only; called once. Cost: one allocation.
 class AnyHandler {
   public:
     template <class Handler>
@@ -21,7 +21,7 @@ class AnyHandler {
         : call_(std::make_unique<Held<std::decay_t<Handler>>>(std::forward<Handler>(handler))) {}
 
     void operator()(boost::system::error_code error, std::size_t bytes = 0) {
-        const auto call = std::move(call_); // what it holds may own the stream
+        const auto call = std::move(call_); // the handler may own the stream
         call->run(error, bytes);
     }
 

@@ -24,7 +24,7 @@ namespace {
 
 constexpr unsigned char tls_handshake_record = 0x16;
 
-/// A sequence of buffers as Asio wants it.
+/// Holds a sequence of buffers as Asio wants it.
 struct Several {
     const asio::const_buffer* begin() const { return buffers.data(); }
 
@@ -61,7 +61,7 @@ struct ByteStream::State : std::enable_shared_from_this<State> {
         deadline.expires_after(delay);
         deadline.async_wait([weak = weak_from_this()](error_code error) {
             const auto self = weak.lock();
-            // One that is set again too late to be cancelled must not act.
+            // A timer that was set again too late to be cancelled must not act.
             if (error || !self || self->deadline.expiry() > asio::steady_timer::clock_type::now())
                 return;
             self->timed_out = true;
@@ -83,10 +83,10 @@ struct ByteStream::State : std::enable_shared_from_this<State> {
     asio::steady_timer deadline;
     std::optional<ssl::stream<tcp::socket&>> tls;
     std::string put_back;         ///< read already, to be read again
-    std::array<char, 512> rest{}; ///< what comes after the end, and is no one's
+    std::array<char, 512> rest{}; ///< data behind the end, discarded
     bool timed_out = false;
-    bool writing = false;               ///< something that must not be interrupted
-    std::vector<AnyHandler> next_write; ///< begin what waits for that
+    bool writing = false;               ///< a write must not be interrupted
+    std::vector<AnyHandler> next_write; ///< writes that wait for that
 };
 
 template <class Buffers>
@@ -115,7 +115,7 @@ void ByteStream::State::write_whole(const Buffers& buffers, AnyHandler handler) 
         AnyHandler(std::move(begin))({});
 }
 
-/// Looked at in place: what comes after it may be the first bytes of TLS, which must still be there.
+/// Peeks at the header: behind it may be the first bytes of TLS, which must stay in the socket.
 /// @param seen  bytes that were there the last time
 void ByteStream::State::read_proxy_header(std::size_t seen,
                                           std::function<void(error_code, ProxyHeader)> done) {
@@ -142,7 +142,7 @@ void ByteStream::State::read_proxy_header(std::size_t seen,
     });
 }
 
-/// By its first byte: a TLS record, or somebody who speaks plain HTTP.
+/// Decides by the first byte: a TLS record, or plain HTTP.
 void ByteStream::State::handshake(AnyHandler handler) {
     socket.async_wait(
         tcp::socket::wait_read,
@@ -170,7 +170,7 @@ void ByteStream::State::tell_plain(AnyHandler handler) {
                       });
 }
 
-/// A close with bytes unread would reset the connection and take what was sent last with it.
+/// Reads until the end: closing with unread bytes would reset the connection and lose what was sent last.
 void ByteStream::State::drain(AnyHandler handler) {
     socket.async_read_some(asio::buffer(rest),
                            [self = shared_from_this(),
@@ -213,7 +213,7 @@ void ByteStream::accept(AnyHandler handler) {
                [handler = std::move(handler)]() mutable { handler({}); });
 }
 
-// TLS touches its state once more before it calls a handler, even when the stream has gone meanwhile.
+// TLS touches its state once more before it calls a handler, even if the stream is destroyed meanwhile.
 void ByteStream::read(asio::mutable_buffer buffer, AnyHandler handler) {
     if (!state_->put_back.empty()) {
         const std::size_t taken = asio::buffer_copy(buffer, asio::buffer(state_->put_back));

@@ -1,5 +1,6 @@
-// The bytes of one connection, over TCP or over TLS on top of it, behind one type: HTTP and WebSockets are compiled
-// against this, so that each of Beast's algorithms exists once. Has a deadline, after which the socket is closed.
+// The bytes of one connection, over TCP or over TLS on top of it, behind one type: HTTP and WebSockets are
+// compiled against this, so that each of Beast's algorithms exists once. Has a deadline, after which the
+// socket is closed.
 #pragma once
 
 #include "server/net/any_handler.hpp"
@@ -23,14 +24,14 @@ enum class role_type;
 
 namespace wakesurf::server {
 
-/// Loop thread only. An AsyncReadStream and AsyncWriteStream as Beast wants them; handlers are called later, never from
-/// within. Movable while nothing is under way.
+/// Reads and writes a connection. Loop thread only. An AsyncReadStream and AsyncWriteStream as Beast wants
+/// them; handlers are called later, never from within. Movable while no operation is pending.
 class ByteStream {
   public:
     using executor_type = boost::asio::any_io_executor;
     using Error = boost::system::error_code;
 
-    /// @param tls  nothing: plain TCP; outlives the stream
+    /// @param tls  null: plain TCP; outlives the stream
     ByteStream(boost::asio::ip::tcp::socket socket, TlsContext* tls);
     ~ByteStream();
     ByteStream(ByteStream&&) noexcept;
@@ -38,7 +39,8 @@ class ByteStream {
 
     executor_type get_executor() noexcept;
 
-    /// The TLS handshake; over plain TCP nothing. Somebody who speaks plain HTTP to a TLS port is told so.
+    /// Does the TLS handshake; completes at once over plain TCP. A client that speaks plain HTTP to a TLS
+    /// port gets an answer that says so.
     template <class Handler>
     void async_accept(Handler&& handler) {
         accept(AnyHandler(std::forward<Handler>(handler)));
@@ -65,12 +67,12 @@ class ByteStream {
         write(gathered, AnyHandler(std::forward<Handler>(handler)));
     }
 
-    /// Sends what the socket takes at once and returns how much that was; 0 also where it must wait for another write, over TLS, and
-    /// when the connection is broken.
+    /// Sends as much as the socket takes without waiting and returns the number of bytes; 0 also if it must
+    /// wait for another write, over TLS, and if the connection is broken.
     std::size_t write_at_once(std::span<const boost::asio::const_buffer> buffers);
 
-    /// Sends all of the buffers, which stay valid until then, with nothing else in between. REQUIRES: what is written meanwhile with
-    /// async_write_some has at most `whole` bytes, as control frames have.
+    /// Sends all of the buffers, which stay valid until then, without other bytes in between. REQUIRES: what
+    /// is written meanwhile with async_write_some has at most `whole` bytes, as control frames have.
     template <class Handler>
     void async_write_whole(std::span<const boost::asio::const_buffer> buffers, Handler&& handler) {
         write_whole(buffers, AnyHandler(std::forward<Handler>(handler)));
@@ -78,37 +80,37 @@ class ByteStream {
 
     static constexpr std::size_t whole = 256;
 
-    /// Before anything else, on a connection from a proxy: what it says in the PROXY protocol, if it does. Error: what it says is
-    /// malformed.
+    /// Reads the PROXY protocol, if a connection from a proxy begins with it. Called before any other read.
+    /// Error: it is malformed.
     void async_proxy_header(std::function<void(Error, ProxyHeader)> done);
 
-    /// What comes next before anything else that is read. REQUIRES: no read is under way.
+    /// Puts bytes back, to be read before any others. REQUIRES: no read is pending.
     void put_back(std::string bytes);
 
-    /// Says that nothing more will come, waits at most `linger` for the other side to say the same, and closes.
+    /// Shuts down sending, waits at most `linger` for the peer to do the same, and closes.
     template <class Handler>
     void async_end(Handler&& handler) {
         end(AnyHandler(std::forward<Handler>(handler)));
     }
 
-    /// At once; what is under way is aborted.
+    /// Closes at once; pending operations are aborted.
     void close();
 
-    /// Closes the socket then, unless it is set again before.
+    /// Sets the deadline at which the socket is closed, in place of an earlier one.
     void expires_after(std::chrono::milliseconds delay);
     void expires_never();
 
-    /// Whether a deadline closed it.
+    /// Says whether the deadline closed the socket.
     bool timed_out() const;
 
     bool encrypted() const;
 
-    /// Whether the other side has hung up, or will send nothing more; also where what it sent before has not been read.
+    /// Says whether the peer has hung up, or will send no more; also if its earlier bytes have not been read.
     bool peer_gone() const;
 
     static constexpr std::chrono::seconds linger{2};
 
-    // How Beast's WebSocket ends the stream below it.
+    // Beast's WebSocket ends the stream below it by this.
     template <class Handler>
     friend void async_teardown(boost::beast::role_type, ByteStream& stream, Handler&& handler) {
         stream.async_end(std::forward<Handler>(handler));
@@ -119,7 +121,7 @@ class ByteStream {
   private:
     struct State;
 
-    /// The first few buffers of a sequence: a write may always send less than it was given.
+    /// Holds the first few buffers of a sequence: a write may always send less than it was given.
     struct Gathered {
         using const_iterator = const boost::asio::const_buffer*;
 

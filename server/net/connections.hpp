@@ -1,4 +1,5 @@
-// The connections that are open: counted against the limits, told what concerns all, closed when the server goes.
+// The open connections: counted against the limits, notified of events that concern all, closed when the
+// server stops.
 #pragma once
 
 #include <cstddef>
@@ -10,17 +11,17 @@ namespace wakesurf::server {
 class Connection {
   public:
     virtual ~Connection() = default;
-    /// The server is going: say so where the protocol allows it, and end.
+    /// Says goodbye if the protocol allows it, and ends: the server stops.
     virtual void go_away() = 0;
-    /// No more waiting for the other side.
+    /// Ends without waiting for the peer.
     virtual void abandon() = 0;
-    /// A message for every WebSocket; others ignore it.
+    /// Sends a message if this is a WebSocket.
     virtual void announce(const std::string& message) = 0;
-    /// A login has ended: a WebSocket that came by it goes; others ignore it.
+    /// Closes if this is a WebSocket that came by a login of `person`, which has ended.
     virtual void log_out(const std::string& person) = 0;
 };
 
-/// Loop thread only.
+/// Holds the open connections. Loop thread only.
 class Connections {
   public:
     void add(Connection& connection) { open_.insert(&connection); }
@@ -47,7 +48,7 @@ class Connections {
     }
 
   private:
-    /// A connection may end, and take others along, while the list is gone through.
+    /// A connection may end, and end others, while the list is traversed.
     template <class Act>
     void each_of(Act act) {
         for (Connection* each : std::set(open_))

@@ -1,4 +1,4 @@
-// What a download asks for, from its path and its query: /api/v1/sessions/S/surfaces/U/mesh.vtp?time=2.5
+// The parameters of a download, from its path and its query: /api/v1/sessions/S/surfaces/U/mesh.vtp?time=2.5
 #pragma once
 
 #include "core/base/result.hpp"
@@ -17,23 +17,25 @@ struct DownloadRequest {
     protocol::GlbCoding glb = protocol::GlbCoding::Draco;
     std::string lines{};          ///< which lines instead of the mesh, as text; empty: the mesh
     std::uint32_t tessellate = 1; ///< quads that each cell is cut into, each way
-    bool now = false;             ///< what is shown, also where it is not final yet
-    bool at_the_end = false;      ///< whatever the session's clock says
-    std::optional<double> time;   ///< likewise; neither: as the clock says
+    bool now = false;             ///< the newest state, also if it is not final
+    bool at_the_end = false;      ///< whatever the session's clock shows
+    std::optional<double> time;   ///< likewise; without either: as the clock shows
 };
 
+/// Parses a download. Error: NotFound for another file; InvalidArgument, naming the fault in the query.
 /// @param file  the last part of the path, `mesh.vtp`
-/// Error: NotFound for another file; InvalidArgument, naming what is wrong in the query.
 core::Result<DownloadRequest> read_download(std::string_view file,
                                             const std::map<std::string, std::string>& query);
 
-/// The time a surface is to be shown at; nothing: at its end, and where it does not move. A clock that is before or after what the
-/// surface is shown over shows it at that end. Error: OutOfTime for a time that was named and lies outside.
+/// Returns the time at which a surface is shown; empty for its end, and for a surface that does not move. A
+/// clock before or after the times of the surface shows it at the nearer end. Error: OutOfTime for an
+/// explicit time outside of them.
 core::Result<std::optional<double>> shown_at(const DownloadRequest& request,
                                              const core::SurfaceParameters& parameters,
                                              std::optional<double> clock);
 
-/// The time at which the flow along a dataset's obstacle is wanted, as in obstacle.bin?time=2.5; nothing: its shape alone. Error: InvalidArgument.
+/// Returns the time for the flow along a dataset's obstacle, as in obstacle.bin?time=2.5; empty: its shape
+/// alone. Error: InvalidArgument.
 core::Result<std::optional<double>>
 read_obstacle_time(const std::map<std::string, std::string>& query);
 

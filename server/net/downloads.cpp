@@ -41,12 +41,13 @@ std::vector<std::string> split(std::string_view path) {
     return parts;
 }
 
-/// Whose turn it is in the pool: one file of each link and session at a time, beside what is computed to be looked at.
+/// Returns the key for taking turns in the pool: one file of each link and session at a time, beside the
+/// surfaces on display.
 std::string turns_of(const std::string& session, const Identity& identity) {
-    return "\n" + session + "\n" + identity.grant; // no session is called like that
+    return "\n" + session + "\n" + identity.grant; // no session has such a name
 }
 
-/// What of a surface's file is not the mesh itself.
+/// Returns the metadata of a surface's file.
 protocol::MeshMetadata metadata_of(const SurfaceJob& job,
                                    const core::SurfaceStatistics& statistics,
                                    const LoadedDataset& dataset,
@@ -59,11 +60,11 @@ protocol::MeshMetadata metadata_of(const SurfaceJob& job,
             .time = time};
 }
 
-/// What is made on the way from a mesh to its file, a vertex: the most of all formats, Draco's, as the peak beside the mesh of
-/// 380,000 vertices.
+/// The memory for making a file from a mesh, in bytes a vertex: the most of all formats, Draco's, measured as
+/// the peak beside a mesh of 380,000 vertices.
 constexpr std::size_t vertex_file_bytes = 560;
 
-/// What a file is made from. Finished meshes are not kept: 100 MB a million quads.
+/// Holds the input of a file. Finished meshes are not kept: 100 MB a million quads.
 struct FileJob {
     SurfaceJob surface;
     std::shared_ptr<const LoadedDataset> dataset;
@@ -117,9 +118,9 @@ struct FileJob {
     }
 };
 
-/// Changes with whatever the file's bytes follow from.
-/// @param steps   time-steps of the dataset that can be read: more may come
-/// @param values  what its values are told from others by
+/// Returns a tag that changes with everything that the file's bytes depend on.
+/// @param steps   the number of readable time-steps of the dataset, which may grow
+/// @param values  identifies the values of the dataset
 std::string tag_of(const protocol::SurfaceRecord& record,
                    const SurfaceJob& job,
                    const DownloadRequest& request,
@@ -148,7 +149,7 @@ std::string tag_of(const protocol::SurfaceRecord& record,
                        request.glb == protocol::GlbCoding::Plain ? "-plain" : "");
 }
 
-/// Whether an If-None-Match names this tag; weak ones count (RFC 9110, 13.1.2).
+/// Says whether an If-None-Match names this tag; weak ones count (RFC 9110, 13.1.2).
 bool names(std::string_view if_none_match, std::string_view tag) {
     return if_none_match == "*" || if_none_match.find(tag) != std::string_view::npos;
 }
@@ -250,7 +251,7 @@ core::Result<void> Downloads::offer(const HttpRequest& request,
     const auto record = (*session)->surface(place.surface);
     if (!record)
         return tl::unexpected(record.error());
-    // What there was to say against it, as that somebody has stopped it, holds for its file as well.
+    // An error of the surface, for example that a user has stopped it, holds for its file as well.
     const auto live = (*session)->live(place.surface);
     if (!live)
         return tl::unexpected(live.error());
@@ -264,7 +265,7 @@ core::Result<void> Downloads::offer(const HttpRequest& request,
     SurfaceJob job = (*live)->wanted();
     if (early)
         job.plan = early_plan(std::move(job.plan), *early);
-    else // which a fast surface would be another one for
+    else // a fast surface would differ for it
         job.plan.parameters.deformation = true;
     job.plan.parameters.tangents =
         wanted->tessellate > 1 || std::ranges::any_of(record->fields, core::is_normal_component);

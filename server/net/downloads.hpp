@@ -12,10 +12,11 @@
 
 namespace wakesurf::server {
 
-/// Loop thread only; the work is done in the pool, in turn with what is computed to be looked at, once for all who ask for the same.
+/// Serves downloads. Loop thread only; the pool does the work, in turn with the surfaces on display, and once
+/// for all clients that ask for the same.
 class Downloads {
   public:
-    /// All outlive it.
+    /// REQUIRES: all arguments outlive this.
     Downloads(Loop& loop,
               ComputePool& pool,
               const SessionDirectory& sessions,
@@ -24,7 +25,7 @@ class Downloads {
     Downloads(const Downloads&) = delete;
     Downloads& operator=(const Downloads&) = delete;
 
-    /// A path below /api/v1/. False: no such path.
+    /// Handles a path below /api/v1/. Returns false for any other.
     bool handle(const HttpRequest& request, const Identity& identity, const Respond& respond);
 
   private:
@@ -40,7 +41,7 @@ class Downloads {
                              const Identity& identity,
                              const Place& place,
                              const Respond& respond);
-    /// The dataset's values are others by now.
+    /// Says whether the dataset was imported again and its values differ.
     bool replaced(const LoadedDataset& data) const;
     void obstacle(const HttpRequest& request,
                   const Identity& identity,

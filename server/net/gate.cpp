@@ -43,7 +43,7 @@ std::optional<std::string_view> bearer(std::string_view header) {
     return header;
 }
 
-/// What a page of an older wakesurf, which came by cookies, still has the browser send.
+/// Says whether a browser sends cookies of a page of an older wakesurf.
 bool has_old_cookie(const HttpRequest& request) {
     const auto cookies = request.all("cookie");
     return std::any_of(cookies.begin(), cookies.end(), [](std::string_view each) {
@@ -51,8 +51,9 @@ bool has_old_cookie(const HttpRequest& request) {
     });
 }
 
-/// The token, a link's key or a login that a request shows: in its header, or, as browsers can give a WebSocket no header, among its
-/// subprotocols. Cookies show nothing, because browsers send them to every port of a host, and every port can set them.
+/// Returns the token, the key of a link or the login of a request: from its header, or, since browsers can
+/// give a WebSocket no header, from its subprotocols. Cookies are ignored, because browsers send them to
+/// every port of a host, and every port can set them.
 std::optional<std::string_view> shown_secret(const HttpRequest& request) {
     const auto authorization = request.all("authorization");
     if (!authorization.empty())
@@ -207,8 +208,8 @@ std::optional<Refusal> Gate::check_origin(const HttpRequest& request) const {
                    "the address that the browser shows, up to the path"};
 }
 
-/// Through `ssh -L` browsers know the server by another port. The page's origin is then the very address that the request went to;
-/// under a name of the browser's own machine, which no foreign DNS can point here.
+/// Through `ssh -L` browsers know the server by another port. The page's origin is then the address that the
+/// request went to, under a name of the browser's own machine, which no foreign DNS can point here.
 bool Gate::tunnelled(const HttpRequest& request) const {
     const std::string_view authority = request.header("host");
     const auto name = host_name(authority);
@@ -237,7 +238,7 @@ tl::expected<Visitor, Refusal> Gate::check_token(const HttpRequest& request) {
                 "the key of a share link"});
 }
 
-/// Whatever it is: a token or a key as such, or a login made for one.
+/// Accepts a token or a key as such, or a login made for one.
 std::optional<Visitor> Gate::visitor_of(const HttpRequest& request) const {
     const auto secret = shown_secret(request);
     if (!secret)
@@ -277,7 +278,7 @@ void Gate::over_budget(Budgeted kind) const {
         metrics_->over_budget(kind);
 }
 
-/// Both are looked for whichever it is, so that the time tells nothing.
+/// Both are looked up in any case, so that the time reveals nothing.
 std::optional<Identity> Gate::holder_of(std::string_view token) const {
     const auto shared = grants_.find(token);
     return same_digest(secret_digest(token), token_) ? Identity{} : shared;

@@ -35,7 +35,7 @@ using boost::system::error_code;
 
 namespace {
 
-/// What is read while a connection has not asked for anything yet.
+/// The size of the first read, before a connection has sent a request.
 constexpr std::size_t first_bytes = 1024;
 
 HttpResponse too_long(std::size_t longest_body) {
@@ -44,7 +44,7 @@ HttpResponse too_long(std::size_t longest_body) {
                            "send less at once");
 }
 
-/// Errors of reading that deserve an answer before the connection closes.
+/// Returns the answer to a read error that deserves one before the connection closes.
 std::optional<HttpResponse> answer_to(error_code error, std::size_t longest_body) {
     if (error == http::error::body_limit)
         return too_long(longest_body);
@@ -57,7 +57,7 @@ std::optional<HttpResponse> answer_to(error_code error, std::size_t longest_body
     return std::nullopt;
 }
 
-/// Where two readings of a body's length are possible, a proxy before us may have taken the other one, and somebody's
+/// If a body's length can be read in two ways, a proxy in front may have taken the other one, and a client's
 /// body would become the next request.
 bool ambiguous(const http::request_header<>& header) {
     const auto codings = header.count(http::field::transfer_encoding);
@@ -129,18 +129,18 @@ class HttpConnection final : public Connection,
     void end();
 
     ByteStream stream_;
-    beast::flat_buffer buffer_{limits::message_bytes}; ///< chunks' extensions have no other limit
+    beast::flat_buffer buffer_{limits::message_bytes}; ///< the only limit on extensions of chunks
     NetServices services_;
     std::unique_ptr<Admission::Place> place_;
     std::optional<http::request_parser<http::string_body>> parser_;
-    boost::asio::ip::address peer_; ///< or who a trusted proxy says is behind this connection
-    HttpResponse answer_;           ///< the response under way
+    boost::asio::ip::address peer_; ///< or the client that a trusted proxy reports
+    HttpResponse answer_;           ///< the pending response
     std::optional<Response> response_;
     std::optional<http::response_serializer<http::span_body<const char>>> serializer_;
-    std::optional<std::stop_source> gone_; ///< while an answer is awaited
+    std::optional<std::stop_source> gone_; ///< fires when the client hangs up before its answer
     boost::asio::steady_timer waiting_;
     std::size_t longest_body_ = limits::message_bytes; ///< of the request being read
-    bool named_ = false; ///< came over TLS, under a name that others know this machine by
+    bool named_ = false; ///< over TLS, under a name that other machines use
 };
 
 HttpRequest plain(const http::request_header<>& request) {
@@ -190,7 +190,7 @@ void HttpConnection::accept() {
     });
 }
 
-/// Nothing has to come while a connection is kept; once something has, the whole header must follow.
+/// An idle connection may send nothing; after the first byte the whole header must follow.
 void HttpConnection::await_request(std::chrono::seconds patience) {
     if (buffer_.size() > 0)
         return read_header();
@@ -207,7 +207,7 @@ void HttpConnection::await_request(std::chrono::seconds patience) {
 void HttpConnection::read_header() {
     parser_.emplace();
     parser_->header_limit(limits::http_header_bytes);
-    parser_->body_limit(limits::session_file_bytes); // by the header it will be less
+    parser_->body_limit(limits::session_file_bytes); // the header will lower it
     stream_.expires_after(limits::handshake);
     http::async_read_header(
         stream_, buffer_, *parser_, [self = shared_from_this()](error_code error, std::size_t) {
@@ -258,7 +258,7 @@ void HttpConnection::failed(error_code error) {
 }
 
 void HttpConnection::handle(Request request) {
-    stream_.expires_never(); // an answer may take its time; writing it sets the clock again
+    stream_.expires_never(); // an answer may take a while; writing it sets the deadline again
     HttpRequest values = plain(request);
     values.body = std::move(request.body());
     if (services_.proxies.trusts(peer_)) {
@@ -285,7 +285,7 @@ void HttpConnection::handle(Request request) {
         });
 }
 
-/// While somebody waits for an answer nothing is read: only the kernel knows that they have hung up.
+/// Nothing is read while a client waits for an answer: only the kernel knows that it has hung up.
 void HttpConnection::look_whether_gone() {
     waiting_.expires_after(limits::gone_check);
     waiting_.async_wait([weak = weak_from_this()](error_code error) {
@@ -337,7 +337,7 @@ void HttpConnection::respond(const HttpResponse& response, bool keep_alive, bool
     write();
 }
 
-/// A large file may take long; only taking nothing for a while ends the connection.
+/// A large file may take long; the deadline is for a client that takes nothing.
 void HttpConnection::write() {
     stream_.expires_after(limits::stalled);
     http::async_write_some(stream_, *serializer_,
@@ -378,7 +378,7 @@ void serve_http(tcp::socket socket, NetServices services) {
     error_code error;
     const auto from = socket.remote_endpoint(error);
     if (error)
-        return; // gone already
+        return; // closed meanwhile
     const auto peer = plain_address(from.address());
     auto place = services.admission.admit(peer, services.proxies.trusts(peer));
     if (!place)

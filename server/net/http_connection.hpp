@@ -1,5 +1,5 @@
-// One accepted connection: TLS if the server speaks it, then HTTP requests, one after the other, until it closes or
-// becomes a WebSocket.
+// One accepted connection: TLS if the server speaks it, then HTTP requests, one after the other, until it
+// closes or becomes a WebSocket.
 #pragma once
 
 #include "server/net/net_services.hpp"
@@ -8,7 +8,7 @@
 
 namespace wakesurf::server {
 
-/// Serves the socket until it closes; keeps itself alive meanwhile. Closes it at once where there is no room.
+/// Serves the socket until it closes; keeps itself alive meanwhile. Closes it at once without a permit.
 void serve_http(boost::asio::ip::tcp::socket socket, NetServices services);
 
 } // namespace wakesurf::server

@@ -12,7 +12,7 @@ namespace wakesurf::server {
 
 HttpResponse http_error(unsigned status, std::string message, std::string hint);
 HttpResponse http_error(const core::Error& error);
-/// Over a limit: code -32014, whatever the status.
+/// Returns an error of an exceeded limit: code -32014, for any status.
 HttpResponse
 http_over_limit(unsigned status, std::uint64_t limit, std::string message, std::string hint);
 HttpResponse http_error(const Refusal& refusal);

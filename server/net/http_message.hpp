@@ -15,14 +15,15 @@ namespace wakesurf::server {
 struct HttpRequest {
     std::string method;
     std::string path;                                         ///< as received, without the query
-    std::string query;                                        ///< what stands behind its `?`
+    std::string query;                                        ///< the part behind its `?`
     std::vector<std::pair<std::string, std::string>> headers; ///< names in lower case
     std::string body;
     bool upgrade = false; ///< to a WebSocket
-    std::stop_token gone; ///< fires on the loop's thread when no one takes the answer any more
-    std::string from;     ///< the address group of who asks: see admission
+    /// Fires on the loop's thread when the client no longer waits for the answer.
+    std::stop_token gone;
+    std::string from; ///< the client's address group: see admission
 
-    /// The values of a header, in order.
+    /// Returns the values of a header, in order.
     std::vector<std::string_view> all(std::string_view name) const {
         std::vector<std::string_view> out;
         for (const auto& [key, value] : headers)
@@ -31,7 +32,7 @@ struct HttpRequest {
         return out;
     }
 
-    /// The first value of a header, or empty.
+    /// Returns the first value of a header, or empty.
     std::string_view header(std::string_view name) const {
         const auto values = all(name);
         return values.empty() ? std::string_view{} : values.front();

@@ -27,29 +27,30 @@ IoLoop::IoLoop(boost::asio::io_context& context)
     wait();
 }
 
-/// Each poster wakes, not only the first of several: that one may be set aside between the two steps.
+/// Each poster wakes the loop, not only the first of several: that one may be preempted between the two
+/// steps.
 void IoLoop::post(std::function<void()> task) {
     posted_.push(std::move(task));
     const std::uint64_t one = 1;
-    // Fails only where 2^64 - 2 wait to be seen.
+    // Fails only if 2^64 - 2 wake-ups are pending.
     [[maybe_unused]] const auto written = ::write(woken_.native_handle(), &one, sizeof one);
 }
 
 void IoLoop::wait() {
     woken_.async_wait(boost::asio::posix::descriptor_base::wait_read,
                       [this](boost::system::error_code error) {
-                          if (!error) // else the loop has gone
+                          if (!error) // else the loop is destroyed
                               run_posted();
                       });
 }
 
-/// What these post in turn comes after others who wait for the context.
+/// Tasks that these post run after others that wait for the context.
 void IoLoop::run_posted() {
     std::uint64_t times = 0;
     [[maybe_unused]] const auto got = ::read(woken_.native_handle(), &times, sizeof times);
     wait();
     for (auto& task : posted_.take())
-        std::exchange(task, nullptr)(); // what it holds goes before the next begins
+        std::exchange(task, nullptr)(); // a task's captures are destroyed before the next begins
 }
 
 std::shared_ptr<void> IoLoop::after(std::chrono::milliseconds delay, std::function<void()> task) {

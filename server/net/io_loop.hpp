@@ -1,6 +1,7 @@
-// The session's loop on the network's io_context. Compute threads, which run at lower priorities, post here all the time: a queue and a
-// descriptor that wakes, because asio's own queue has a lock, which it holds while it wakes the network thread. That thread then waited
-// for the poster it had just displaced: up to 114 ms on two busy cores, several times a second.
+// The session's loop on the network's io_context. Compute threads, which run at lower priorities, post here
+// all the time: a queue and a descriptor that wakes, because asio's own queue has a lock, which it holds
+// while it wakes the network thread. That thread then waited for the poster it had just displaced: up to 114
+// ms on two busy cores, several times a second.
 #pragma once
 
 #include "core/base/mpsc_queue.hpp"
@@ -11,7 +12,7 @@
 
 namespace wakesurf::server {
 
-/// The context has work as long as this lives: stop() ends its run().
+/// Keeps the context's run() from returning until stop().
 class IoLoop final : public Loop {
   public:
     explicit IoLoop(boost::asio::io_context& context);

@@ -30,7 +30,7 @@ File KeptFiles::State::drop_last() {
     return last;
 }
 
-/// A file that somebody still reads is given back by its last reader.
+/// A file that is still being read is released by its last reader.
 void KeptFiles::State::give_back(std::size_t wanted) {
     std::vector<File> gone;
     std::size_t free = 0;

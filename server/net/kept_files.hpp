@@ -1,4 +1,4 @@
-// Finished downloads, kept for the next who asks: within the account of memory, and given back before anything that people look at.
+// A cache of finished downloads, counted in the memory account, and released before anything on display.
 #pragma once
 
 #include "core/base/memory_account.hpp"
@@ -11,20 +11,21 @@
 
 namespace wakesurf::server {
 
-/// Immutable; counted until the last reader has it.
+/// An immutable file; its memory is counted until the last reader releases it.
 using File = std::shared_ptr<const std::string>;
 
-/// A file and the memory it is counted by.
+/// Makes a file with the share of memory that counts it.
 File counted_file(std::string bytes, core::MemoryAccount::Share share);
 
-/// Thread safety: all of it.
+/// Caches files. Thread-safe.
 class KeptFiles {
   public:
-    /// @param account  may be null: no one needs the memory back
-    /// @param bytes    of all files together, and how many there may be; those not used for longest go
+    /// @param account  null: memory is never reclaimed
+    /// @param bytes    the limit for all files; the least recently used go first
+    /// @param count    the same for their number
     KeptFiles(const core::MemoryAccount* account, std::size_t bytes, std::size_t count);
 
-    /// Null where it is not kept.
+    /// Returns null if there is none with this tag.
     File find(const std::string& tag);
 
     void keep(const std::string& tag, File file);
@@ -39,10 +40,10 @@ class KeptFiles {
 
     struct State {
         mutable std::mutex mutex;
-        std::list<Entry> entries; ///< last used first
+        std::list<Entry> entries; ///< most recently used first
         std::size_t bytes = 0;
 
-        /// Lets go of the oldest, and hands it out so that it ends without the lock.
+        /// Removes the oldest and returns it, so that it is destroyed outside of the lock.
         File drop_last();
         void give_back(std::size_t wanted);
     };
@@ -50,7 +51,7 @@ class KeptFiles {
     std::shared_ptr<State> state_ = std::make_shared<State>();
     std::size_t most_bytes_;
     std::size_t most_;
-    std::shared_ptr<void> asked_; ///< by those who need memory; ends first
+    std::shared_ptr<void> asked_; ///< the registration for reclaiming memory; destroyed first
 };
 
 } // namespace wakesurf::server

@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* key_name = "login-key";
 constexpr std::size_t longest_file = std::size_t{4} << 20;
-const std::string token = "-"; ///< in the place of a link
+const std::string token = "-"; ///< stands for a link
 
 } // namespace
 
@@ -40,7 +40,7 @@ core::Result<KeptLogins> KeptLogins::open(const std::filesystem::path& folder,
     return kept;
 }
 
-/// What is damaged is left out: a line each.
+/// Damaged entries are left out, with a line in the log each.
 void KeptLogins::read(const std::string& text) {
     std::istringstream in(text);
     std::string line, grant, id;
@@ -76,7 +76,7 @@ void KeptLogins::end(const std::string& grant,
     });
 }
 
-/// They are too old to let anyone in.
+/// Those are too old to be valid.
 void KeptLogins::forget_expired() {
     const std::int64_t oldest = unix_time_() - limits::login_most.count();
     for (auto& [grant, ended] : ended_)

@@ -1,5 +1,5 @@
-// What of logins a server has to know: the key that they are signed with, and which of them have ended. With --state both outlive it, in
-// files for their owner only (0600).
+// The state of logins: the key that they are signed with, and those that have ended. With --state both
+// survive restarts, in files readable by their owner only (0600).
 #pragma once
 
 #include "core/base/result.hpp"
@@ -15,37 +15,38 @@
 
 namespace wakesurf::server {
 
-/// Loop thread only.
+/// Keeps logins. Loop thread only.
 class KeptLogins {
   public:
-    /// So many that have ended are remembered. Then, of the link with the most, the one that was made first is forgotten: whoever
-    /// brings that about has the link, and needs no login of others who have it.
+    /// The number of ended logins that are remembered. Beyond it the oldest of the link with the most is
+    /// forgotten: only a holder of the link can cause that, and needs no login of others who have it.
     static constexpr std::size_t most_ended = 8192;
 
-    /// Told whether a server that starts again will know it.
+    /// Receives whether a restarted server will know it.
     using Done = std::function<void(core::Result<void>)>;
 
-    /// Puts the text of the file with ended logins onto the disk, at once or later. Where several wait, the newest says all.
+    /// Writes the text of the file with ended logins to the disk, at once or later. Of several pending texts
+    /// the newest includes the others.
     using Write = std::function<void(std::string text, Done done)>;
 
-    /// They end with this server.
+    /// Keeps them in memory: they end with this server.
     explicit KeptLogins(Entropy& entropy, UnixTime unix_time = unix_seconds);
 
-    /// Those of a folder; makes the key where there is none. REQUIRES: this server holds the folder. Error: Io; Corrupt, the key is not
-    /// one, or somebody else's file.
+    /// Reads those of a folder; makes the key if it is missing. REQUIRES: this server has locked the folder.
+    /// Error: Io; Corrupt if the key is invalid or the file is another user's.
     static core::Result<KeptLogins> open(const std::filesystem::path& folder,
                                          Entropy& entropy,
                                          Write write,
                                          UnixTime unix_time = unix_seconds);
 
-    /// Of the file, in the folder.
+    /// The name of the file of ended logins.
     static constexpr const char* ended_name = "ended-logins";
 
     const std::string& key() const { return key_; }
 
     bool ended(const std::string& grant, const std::string& id) const;
 
-    /// It has ended. @param made  when it was made: a month later no one asks
+    /// Ends a login. @param made  its time, in s since 1970: a month later the entry is obsolete
     void end(const std::string& grant, const std::string& id, std::int64_t made, Done done);
 
   private:
@@ -60,7 +61,7 @@ class KeptLogins {
     std::string text() const;
 
     std::string key_;
-    Write write_; ///< nothing: not kept
+    Write write_; ///< null: they are not written
     UnixTime unix_time_;
     std::map<std::string, Ended> ended_; ///< by grant
 };

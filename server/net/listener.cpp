@@ -57,7 +57,7 @@ void Listener::start() {
                 self->accepted_(std::move(socket));
                 return self->start();
             }
-            if (!std::exchange(self->paused_, true)) // once, not ten times a second
+            if (!std::exchange(self->paused_, true)) // logged once, not ten times a second
                 spdlog::warn("event=accept_paused reason={}", log_value(error.message()));
             self->pause_.expires_after(std::chrono::milliseconds(100));
             self->pause_.async_wait([self](boost::system::error_code stopped) {

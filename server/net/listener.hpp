@@ -1,4 +1,4 @@
-// Accepts connections until told to stop. Running out of descriptors pauses it and nothing else.
+// Accepts connections until stopped. Without free descriptors it only pauses.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -17,7 +17,7 @@ class Listener : public std::enable_shared_from_this<Listener> {
   public:
     using Accepted = std::function<void(boost::asio::ip::tcp::socket)>;
 
-    /// Error: InvalidArgument for an address, Io when it cannot be listened on.
+    /// Opens the socket. Error: InvalidArgument for an address, Io if it cannot be listened on.
     static core::Result<std::shared_ptr<Listener>> open(boost::asio::io_context& context,
                                                         const std::string& host,
                                                         std::uint16_t port,

@@ -19,7 +19,7 @@ std::optional<std::string> Logins::renew(std::string_view text) {
                       services_.secret(login->grant).value_or(SecretDigest{}));
 }
 
-/// Signed by us for a secret that is still good, whether or not it has ended or is too old.
+/// Returns a login that we signed for a secret that is still valid, even if it has ended or is too old.
 std::optional<SignedLogin> Logins::sound(std::string_view text) const {
     const auto login = read_login(text);
     const auto secret = login ? services_.secret(login->grant) : std::nullopt;

@@ -1,6 +1,6 @@
-// What browsers got for the token or the key of a share link: a text that the page keeps where only pages of its own origin can read it,
-// and shows with every request. It is signed, so that nothing has to be remembered of those that are good, however many there are:
-// no one's login can take the place of another's.
+// Logins, which browsers get for the token or the key of a share link: a text that only pages of the same
+// origin can read, shown with every request. It is signed, so that valid logins need no storage, whatever
+// their number: no login can displace another.
 #pragma once
 
 #include "server/net/kept_logins.hpp"
@@ -21,33 +21,34 @@ struct Login {
     std::string id;
 };
 
-/// Loop thread only. A login ends with logout, with the token or link that it was made for, a week after it was last renewed, or a month
-/// after it was made.
+/// Makes and checks logins. Loop thread only. A login ends with logout, with its token or link, a week after
+/// its last renewal, or a month after it was made.
 class Logins {
   public:
     struct Services {
         Entropy& entropy;
         UnixTime unix_time;
-        /// Of the token (empty) or of a share link; nothing once it has ended.
+        /// Returns the secret of the token (empty grant) or of a share link; empty once that has ended.
         std::function<std::optional<SecretDigest>(const std::string& grant)> secret;
         KeptLogins& kept;
     };
 
     explicit Logins(Services services) : services_(std::move(services)) {}
 
-    /// A fresh one. REQUIRES: the link has not ended.
+    /// Makes a login. REQUIRES: the link has not ended.
     std::string make(const std::string& grant);
 
-    /// The same login for another week. Error: nothing, as of find().
+    /// Returns the same login for another week; empty as find().
     std::optional<std::string> renew(std::string_view text);
 
-    /// Whose a text is; nothing for one that is not good. Takes the same time whatever is wrong with a signature.
+    /// Returns the login of a text; empty if it is not valid. Takes the same time for every wrong signature.
     std::optional<Login> find(std::string_view text) const;
 
-    /// Ends a login, with all texts of it; what it was, if it was one. `kept` is called once a restart will know it too.
+    /// Ends a login, with all texts of it, and returns it if it was one. `kept` is called once a restarted
+    /// server will know it.
     std::optional<Login> end(std::string_view text, KeptLogins::Done kept);
 
-    /// Whether it has not been ended.
+    /// Says whether it has not been ended.
     bool lasts(const std::string& grant, const std::string& id) const;
 
   private:

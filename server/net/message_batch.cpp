@@ -15,7 +15,7 @@ constexpr std::size_t longest_short = 125;
 constexpr std::uint8_t two_byte_length = 126;
 constexpr std::uint8_t eight_byte_length = 127;
 
-/// What a server sends is not masked. Returns the header's bytes.
+/// Writes an unmasked header, as servers do, and returns its size in bytes.
 std::size_t
 write_header(std::array<std::uint8_t, 10>& header, std::uint8_t opcode, std::size_t length) {
     header[0] = final_fragment | opcode;

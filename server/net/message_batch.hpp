@@ -1,5 +1,5 @@
-// What goes to one WebSocket in one write: messages and frames behind their headers (RFC 6455 5.2), as one list of buffers. A viewer
-// of a surface gets a frame and what is said about it in one system call.
+// A single write to one WebSocket: messages and frames behind their headers (RFC 6455 5.2), as one list of
+// buffers. A frame and the messages about it reach a viewer in one system call.
 #pragma once
 
 #include "server/net/outbox.hpp"
@@ -13,7 +13,7 @@
 
 namespace wakesurf::server {
 
-/// Holds what it sends. Neither copied nor moved: its buffers point into it.
+/// Owns what it sends. Neither copied nor moved: its buffers point into it.
 class MessageBatch {
   public:
     static constexpr std::size_t most_messages = 16;
@@ -23,22 +23,22 @@ class MessageBatch {
     MessageBatch(const MessageBatch&) = delete;
     MessageBatch& operator=(const MessageBatch&) = delete;
 
-    /// Takes messages and frames out of the outbox in their order, until it is empty or this is enough for one write.
+    /// Takes messages and frames out of the outbox in their order, until it is empty or the batch is full.
     void fill(Outbox& outbox);
 
     std::span<const Outbox::Item> items() const { return {items_.data(), count_}; }
 
     bool empty() const { return count_ == 0; }
 
-    /// The outbox may hold more.
+    /// Says that the outbox may hold more.
     bool full() const { return count_ == most_messages || bytes_ >= enough_bytes; }
 
-    /// What has not been consumed.
+    /// Returns the buffers that have not been sent.
     std::span<const boost::asio::const_buffer> buffers() const {
         return {buffers_.data() + first_, 2 * count_ - first_};
     }
 
-    /// The first `bytes` have been sent.
+    /// Removes the first `bytes`, which have been sent.
     void consume(std::size_t bytes);
 
   private:
@@ -49,13 +49,13 @@ class MessageBatch {
     std::array<boost::asio::const_buffer, 2 * most_messages> buffers_;
     std::size_t count_ = 0;
     std::size_t bytes_ = 0;
-    std::size_t first_ = 0; ///< of buffers_, that has not been consumed
+    std::size_t first_ = 0; ///< index of the first buffer that has not been sent
 };
 
-/// Bytes of a message or frame.
+/// Returns the bytes of a message or frame.
 std::span<const std::byte> bytes_of(const Outbox::Item& item);
 
-/// Whether it is a message, text on the wire.
+/// Says whether an item is a message, which is text on the wire.
 bool is_text(const Outbox::Item& item);
 
 } // namespace wakesurf::server

@@ -1,4 +1,4 @@
-// What connections, of HTTP and WebSockets, need of the server.
+// The parts of the server that connections, of HTTP and WebSockets, use.
 #pragma once
 
 #include "server/net/admission.hpp"
@@ -14,7 +14,7 @@
 
 namespace wakesurf::server {
 
-/// References to parts of the server, which outlive all connections.
+/// Refers to parts of the server, which outlive all connections.
 struct NetServices {
     Routes& routes;
     Connections& connections;
@@ -25,9 +25,9 @@ struct NetServices {
     Metrics& metrics;
     OutboxMemory& outboxes;
     WriteTurns& turns;
-    /// Goes with every answer.
+    /// Added to every answer.
     const SecurityHeaders& headers;
-    /// Null where the server speaks plain TCP.
+    /// Null without TLS.
     TlsContext* tls;
 };
 

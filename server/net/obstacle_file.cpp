@@ -18,8 +18,8 @@ using core::fail;
 
 namespace {
 
-/// What of a dataset particles stop at, to look at: the surface of the solid nodes, or the
-/// walls of the store or of a built-in flow.
+/// Returns the surface at which particles stop, for display: that of the solid nodes, or the walls of the
+/// store or of a built-in flow.
 core::Result<core::QuadComplex> obstacle_of(const LoadedDataset& dataset) {
     const auto none = fail(Error::Code::NotFound, "the dataset has no obstacle",
                            "`dataset.describe` says whether it has one");
@@ -34,9 +34,9 @@ core::Result<core::QuadComplex> obstacle_of(const LoadedDataset& dataset) {
     return core::wall_surface(*walls);
 }
 
-/// The mesh, its frames and what is made on the way to them, a vertex.
+/// The memory for the mesh, its frames and intermediate data, in bytes a vertex.
 constexpr std::size_t obstacle_bytes = 400;
-/// What its three components of the velocity, speed, s and t take more, as numbers and as codes.
+/// The additional memory for velocity, speed, s and t, as numbers and as codes, in bytes a vertex.
 constexpr std::size_t flow_bytes = core::wall_velocity_bytes + 100;
 
 } // namespace

@@ -11,13 +11,14 @@
 
 namespace wakesurf::server {
 
-/// When the data have the flow along an obstacle that is asked for at `time`: then, or in a steady flow at its one time. Error: OutOfTime.
+/// Returns the time at which the data have the flow for a request at `time`: the same, or the one time of a
+/// steady flow. Error: OutOfTime.
 core::Result<double> time_in_data(const LoadedDataset& dataset, double time);
 
-/// Frames of one KEY, each preceded by its length. protocol/wire/README.md, Obstacle file.
-/// @param time   as time_in_data says; nothing: without the flow
-/// @param share  is grown to what it takes
-/// Error: NotFound without an obstacle, OverLimit, and what sampling and encoding report.
+/// Returns the frames of one KEY, each preceded by its length. protocol/wire/README.md, Obstacle file. Error:
+/// NotFound without an obstacle, OverLimit, and as sampling and encoding.
+/// @param time   as time_in_data returns it; empty: without the flow
+/// @param share  is grown to the memory needed
 core::Result<std::string> obstacle_frames(const LoadedDataset& dataset,
                                           std::optional<double> time,
                                           const core::MemoryAccount& account,

@@ -11,7 +11,7 @@ bool Outbox::push(Message message) {
     if (messages_.size() >= limits::outbox_messages ||
         message_bytes_ + message->size() > limits::outbox_message_bytes)
         return false;
-    // Who tells holds one more; those told before have theirs counted already.
+    // The caller holds one reference; earlier clients have counted theirs already.
     const long others = std::max(1L, message.use_count() - 1);
     const std::size_t share = message->size() / static_cast<std::size_t>(others);
     if (!memory_.grow(share))
@@ -45,7 +45,7 @@ std::optional<Outbox::Item> Outbox::pop() {
         return message;
     if (Frame frame = pop_frame())
         return frame;
-    return pop_message(); // what the cursors had to say
+    return pop_message(); // messages of the cursors come first
 }
 
 std::optional<Outbox::Item> Outbox::pop_message() {

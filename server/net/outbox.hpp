@@ -1,5 +1,5 @@
-// What waits to be sent to one client. Messages are never dropped: too many of them end the connection. Frames wait at their
-// surfaces: here are only the places up to which this client has them.
+// The queue of one client. Messages are never dropped: too many of them end the connection. Frames stay at
+// their surfaces: the queue holds only cursors into those.
 #pragma once
 
 #include "server/net/outbox_memory.hpp"
@@ -17,18 +17,18 @@
 
 namespace wakesurf::server {
 
-/// Loop thread only.
+/// Queues messages and cursors. Loop thread only.
 class Outbox {
   public:
     using Frame = FrameCursor::Frame;
-    /// The same text may wait for many.
+    /// A text that several clients may share.
     using Message = std::shared_ptr<const std::string>;
     using Item = std::variant<Message, Frame>;
 
-    /// @param all  what waits for all clients; null: each is for itself
+    /// @param all  the bound for all clients; null: none
     explicit Outbox(OutboxMemory* all = nullptr) : memory_(all) {}
 
-    /// False when the client is too slow for its messages: close it.
+    /// Queues a message. Returns false if the client is too slow for its messages: close it.
     [[nodiscard]] bool push(Message message);
 
     [[nodiscard]] bool push(std::string message) {
@@ -37,20 +37,20 @@ class Outbox {
 
     bool may_follow(std::uint32_t surface);
 
-    /// Replaces the cursor of the same surface, if there is one. REQUIRES: may_follow.
+    /// Adds a cursor, or replaces the one of the same surface. REQUIRES: may_follow.
     void follow(FrameCursor cursor);
 
-    /// False when there was none.
+    /// Removes a cursor. Returns false without one.
     bool unfollow(std::uint32_t surface);
 
-    /// Null when there is none.
+    /// Returns the cursor of a surface; null without one.
     FrameCursor* cursor(std::uint32_t surface);
 
-    /// The next thing to send: messages before frames, so that no answer waits for a large mesh; surfaces take turns.
-    /// The cursors' notices may push messages meanwhile.
+    /// Returns the next item: messages before frames, so that no answer waits for a large mesh; surfaces
+    /// alternate. The cursors' notices may push messages meanwhile.
     std::optional<Item> pop();
 
-    /// All that was popped has been written.
+    /// Marks all popped items as written.
     void sent();
 
   private:
@@ -59,7 +59,7 @@ class Outbox {
 
     struct Waiting {
         Message message;
-        std::size_t share; ///< of its bytes: a text that waits for many is there once
+        std::size_t share; ///< in bytes: a text that several clients share counts once
     };
 
     std::deque<Waiting> messages_;
@@ -67,7 +67,7 @@ class Outbox {
     OutboxMemory::Share memory_;
     std::size_t popped_ = 0;                       ///< bytes of memory_ that are being written
     std::map<std::uint32_t, FrameCursor> cursors_; ///< by surface
-    std::uint32_t last_ = 0;                       ///< surface that had the last turn
+    std::uint32_t last_ = 0;                       ///< surface of the last frame
 };
 
 } // namespace wakesurf::server

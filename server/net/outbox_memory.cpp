@@ -8,7 +8,7 @@ namespace wakesurf::server {
 
 namespace {
 
-/// The account is told when as much has changed: messages come and go by the thousand.
+/// The change in bytes after which the account is updated: messages are frequent.
 constexpr std::size_t step = std::size_t{256} << 10;
 
 } // namespace

@@ -1,6 +1,6 @@
-// What waits to be sent to all clients together: at most a sixteenth of `--memory`. The less of it is left, the less each may have waiting
-// (a quarter of what is left), so that those who do not read, however many sockets they have, never take what others need. A little
-// is always for each.
+// The bound on what waits to be sent to all clients together: a sixteenth of `--memory`. Each client may have
+// a quarter of the remaining memory waiting, so that clients that do not read, with any number of sockets,
+// never exhaust it. A minimum is always available to each.
 #pragma once
 
 #include "core/base/memory_account.hpp"
@@ -10,17 +10,17 @@
 
 namespace wakesurf::server {
 
-/// Loop thread only. Outlives its shares.
+/// Bounds the memory of all outboxes. Loop thread only. REQUIRES: it outlives its shares.
 class OutboxMemory {
   public:
     explicit OutboxMemory(const core::MemoryAccount& account);
     OutboxMemory(const OutboxMemory&) = delete;
     OutboxMemory& operator=(const OutboxMemory&) = delete;
 
-    /// What one client, or one answer, has waiting.
+    /// Counts what one client, or one answer, has waiting.
     class Share {
       public:
-        /// @param all  null: everything fits
+        /// @param all  null: no bound
         explicit Share(OutboxMemory* all = nullptr) : all_(all) {}
 
         ~Share() { shrink(bytes_); }
@@ -28,7 +28,7 @@ class OutboxMemory {
         Share(const Share&) = delete;
         Share& operator=(const Share&) = delete;
 
-        /// False where it does not fit; nothing has changed then.
+        /// Returns false, and changes nothing, if it does not fit.
         [[nodiscard]] bool grow(std::size_t more);
         void shrink(std::size_t less);
 
@@ -37,10 +37,10 @@ class OutboxMemory {
         std::size_t bytes_ = 0;
     };
 
-    /// For one answer, until it has been sent; null where it does not fit.
+    /// Counts one answer until it has been sent; null if it does not fit.
     std::shared_ptr<void> hold(std::size_t bytes);
 
-    /// Of all together.
+    /// Returns the sum of all shares, in bytes.
     std::size_t bytes() const { return bytes_; }
 
   private:

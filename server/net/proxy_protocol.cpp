@@ -21,7 +21,7 @@ bool may_become(std::string_view bytes, std::string_view begin) {
     return bytes.substr(0, both) == begin.substr(0, both);
 }
 
-/// PROXY TCP4 192.0.2.1 192.0.2.9 4711 443
+/// Parses "PROXY TCP4 192.0.2.1 192.0.2.9 4711 443".
 ProxyHeader parse_text(std::string_view bytes) {
     const auto end = bytes.substr(0, longest_text).find("\r\n");
     if (end == std::string_view::npos)
@@ -69,7 +69,7 @@ ProxyHeader parse_binary(std::string_view bytes) {
     const unsigned family = byte(13) >> 4;
     constexpr std::size_t v4 = 12; // both addresses and ports
     constexpr std::size_t v6 = 36;
-    if (command == 0) // the proxy itself, looking whether we live
+    if (command == 0) // the proxy's own health check
         return out;
     if (family == 1 && length >= fixed + v4)
         out.from = address_at<boost::asio::ip::address_v4>(bytes.substr(fixed));

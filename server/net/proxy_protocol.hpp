@@ -1,5 +1,5 @@
-// The PROXY protocol of haproxy, versions 1 and 2: what a proxy says before anything else on a connection about who is behind it
-// (www.haproxy.org/download/2.8/doc/proxy-protocol.txt). Read from trusted proxies only.
+// The PROXY protocol of haproxy, versions 1 and 2: the first bytes of a proxy's connection, which name the
+// client (www.haproxy.org/download/2.8/doc/proxy-protocol.txt). Read from trusted proxies only.
 #pragma once
 
 #include <boost/asio/ip/address.hpp>
@@ -10,7 +10,7 @@
 
 namespace wakesurf::server {
 
-/// What the first bytes of a connection are.
+/// Classifies the first bytes of a connection.
 struct ProxyHeader {
     enum class Is {
         None,     ///< something else
@@ -20,11 +20,12 @@ struct ProxyHeader {
     };
     Is is = Is::None;
     std::size_t length = 0;
-    std::optional<boost::asio::ip::address>
-        from; ///< nothing: the proxy itself asks, or does not know
+    /// The client's address; empty for the proxy's own requests, or if it does not know.
+    std::optional<boost::asio::ip::address> from;
 };
 
-/// The longest that is understood; addresses take at most 52 bytes of version 2, the rest are extensions.
+/// The longest header that is understood; addresses take at most 52 bytes of version 2, the rest are
+/// extensions.
 inline constexpr std::size_t longest_proxy_header = 536;
 
 ProxyHeader parse_proxy_header(std::string_view bytes);

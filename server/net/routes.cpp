@@ -23,7 +23,7 @@ bool reads(const HttpRequest& request) {
     return request.method == "GET" || request.method == "HEAD";
 }
 
-/// As if there were something to change.
+/// Says whether a request may change something.
 bool writes(const HttpRequest& request) {
     const std::string& method = request.method;
     return method == "POST" || method == "PUT" || method == "PATCH" || method == "DELETE";
@@ -52,7 +52,7 @@ HttpResponse counted(std::string text) {
     return response;
 }
 
-/// The subprotocols a client offers; one that offers none is a script and gets ours.
+/// Says whether a client offers our subprotocol; one that offers none is a script and gets ours.
 bool speaks_our_protocol(const HttpRequest& request) {
     const auto offers = request.all("sec-websocket-protocol");
     for (const std::string_view offer : offers)
@@ -61,7 +61,7 @@ bool speaks_our_protocol(const HttpRequest& request) {
     return offers.empty();
 }
 
-/// 16 bytes in base64 (RFC 6455, 4.2.1).
+/// Says whether a key is 16 bytes in base64 (RFC 6455, 4.2.1).
 bool is_websocket_key(std::string_view key) {
     constexpr std::size_t digits = 22;
     const auto digit = [](char c) {
@@ -71,20 +71,20 @@ bool is_websocket_key(std::string_view key) {
            std::all_of(key.begin(), key.begin() + digits, digit);
 }
 
-/// Where something may be whose name is not known here.
+/// Says whether a path has files whose names are not known here.
 bool has_files(std::string_view path) {
     return path == "/openrpc.json" || path == "/metrics" || path == "/ws" ||
            path.starts_with("/api/v1/sessions/") || path.starts_with("/api/v1/datasets/");
 }
 
-/// What takes its time and memory to make.
+/// Says whether an answer takes time and memory to make.
 bool is_download(const HttpRequest& request) {
     const std::string& path = request.path;
     return path.starts_with("/api/v1/sessions/") && reads(request) &&
            (path.find("/mesh.") != std::string::npos || path.ends_with("/session.json"));
 }
 
-/// Its memory has been taken as it was made, for all who read it: net/shared_files.
+/// Says whether the memory of an answer is counted already, for all its readers: net/shared_files.
 bool is_shared_file(const std::string& path) {
     return path.find("/mesh.") != std::string::npos || path.ends_with("/obstacle.bin");
 }
@@ -99,7 +99,7 @@ HttpResponse nothing_there() {
     return http_error(404, "there is nothing at this path", "README.md lists the paths");
 }
 
-/// No path has two slashes together: an address that ends in one came before "/rpc". No token mends that.
+/// No path has two slashes together: they come from an address that ended in one. A token does not help.
 std::optional<HttpResponse> doubled_slash(const std::string& path) {
     if (!path.starts_with('/') || path.find("//") == std::string::npos)
         return std::nullopt;
@@ -112,7 +112,7 @@ std::optional<HttpResponse> doubled_slash(const std::string& path) {
                           ": leave out the slash at the end of the address before it");
 }
 
-/// Meshes of sessions a share link is not for.
+/// Says whether a path belongs to a session that the share link is not for.
 bool out_of_reach(std::string_view path, const Visitor& visitor) {
     constexpr std::string_view sessions = "/api/v1/sessions/";
     if (visitor.session.empty() || !path.starts_with(sessions))
@@ -170,7 +170,7 @@ void Routes::handle(const HttpRequest& request,
         return respond(std::move(refusal));
     }
     let_in();
-    // What took its time, a wait or a file, is not for those whose share link or login has ended meanwhile.
+    // After a wait or a file the share link or login may have ended: check again.
     serve(request, *visitor,
           [&gate = gate_, &outboxes = outboxes_, visitor = *visitor, pause,
            places = std::move(*places), shared = is_shared_file(request.path),
@@ -190,7 +190,7 @@ void Routes::handle(const HttpRequest& request,
           });
 }
 
-/// What needs no token; nothing: the path does.
+/// Answers requests that need no token; empty for all other paths.
 std::optional<HttpResponse> Routes::answer_open(const HttpRequest& request) {
     const bool file = files_.has(request.path);
     const bool in = request.path == login_path;
@@ -213,8 +213,8 @@ std::optional<HttpResponse> Routes::answer_open(const HttpRequest& request) {
     return file ? files_.respond(request) : healthy(health_());
 }
 
-/// A login that is good is none of a stranger's. Health is told however much else comes from the address, or a flood would have monitors
-/// restart a server that is well; its connection waits instead.
+/// Counts an open request. A valid login is no stranger's. /healthz is always answered, or a flood would make
+/// monitors restart a healthy server; its connection is delayed instead.
 HttpResponse Routes::counted_open(const HttpRequest& request, HttpResponse answer) {
     if (request.path == login_path && answer.status == 200)
         return answer;
@@ -227,7 +227,7 @@ HttpResponse Routes::counted_open(const HttpRequest& request, HttpResponse answe
     return answer;
 }
 
-/// Of the request, and of a download, until the response has been written.
+/// Takes the permits of a request, and of a download until the response has been written.
 core::Result<std::shared_ptr<void>> Routes::places_for(const HttpRequest& request,
                                                        const Visitor& visitor) {
     auto both = std::make_shared<std::array<Budgets::Place, 2>>();
@@ -305,7 +305,7 @@ HttpResponse Routes::login(const HttpRequest& request) {
     return http_json(protocol::json_text(answer));
 }
 
-/// A login that was there ends at once. The answer waits for the disk, and says where it could not be kept.
+/// Ends the login that is shown at once. The answer waits for the disk, and reports its error.
 void Routes::logout(const HttpRequest& request, Respond respond) {
     if (const auto refusal = gate_.count_open(request))
         return respond(http_error(*refusal));

@@ -1,5 +1,5 @@
-// Which path does what, once a connection has read a request: the gate first, then static files, JSON-RPC, login and
-// the downloads.
+// Maps paths to handlers, once a connection has read a request: the gate first, then static files, JSON-RPC,
+// login and the downloads.
 #pragma once
 
 #include "server/net/downloads.hpp"
@@ -21,18 +21,18 @@
 
 namespace wakesurf::server {
 
-/// Who may have a WebSocket, and the place of it.
+/// Holds the visitor and the permit of an admitted WebSocket.
 struct Admitted {
     Visitor visitor;
     Budgets::Place place;
 };
 
-/// Loop thread only. Everything it refers to outlives it.
+/// Routes requests. Loop thread only. REQUIRES: everything it refers to outlives it.
 class Routes {
   public:
     /// @param metrics     returns the text of /metrics
-    /// @param health      returns the text of /healthz, which anyone may read
-    /// @param logged_out  a person's login has ended: their sockets go
+    /// @param health      returns the text of /healthz, which every client may read
+    /// @param logged_out  closes the sockets of a person whose login has ended
     Routes(Gate& gate,
            Budgets& budgets,
            OutboxMemory& outboxes,
@@ -48,13 +48,14 @@ class Routes {
           metrics_(std::move(metrics)), health_(std::move(health)),
           logged_out_(std::move(logged_out)) {}
 
-    /// How long the body of a request may be, by its header: longer than messages only for what is known to be let in.
+    /// Returns the limit for a request's body, by its header: longer than messages only for authenticated
+    /// hosts.
     std::size_t longest_body(const HttpRequest& header);
 
-    /// Whose WebSocket the request may become, or why it may not.
+    /// Admits an upgrade to a WebSocket, or returns why not.
     tl::expected<Admitted, HttpResponse> admit_upgrade(const HttpRequest& request);
 
-    /// @param let_in  called, before this returns, if the request has shown a token
+    /// Handles a request. @param let_in  called, before this returns, if the request has shown a token
     void handle(const HttpRequest& request, const std::function<void()>& let_in, Respond respond);
 
     Dispatcher& dispatcher() const { return dispatcher_; }

@@ -14,7 +14,8 @@ SecurityHeaders::SecurityHeaders(const std::vector<std::string>& frame_origins)
     std::string framing;
     for (const std::string& origin : frame_origins)
         framing += " " + origin;
-    // X-Frame-Options knows no origins but our own: where there are others, it is left out, and frame-ancestors alone says who may.
+    // X-Frame-Options cannot name other origins: if there are any, it is left out, and frame-ancestors alone
+    // decides.
     if (framing.empty())
         headers_.emplace_back("X-Frame-Options", "DENY");
     headers_.emplace_back(

@@ -1,4 +1,4 @@
-// What every response says to a browser, whatever it is: errors and the 101 of a WebSocket included.
+// The security headers of every response: errors and the 101 of a WebSocket included.
 #pragma once
 
 #include <span>
@@ -11,7 +11,7 @@ namespace wakesurf::server {
 
 class SecurityHeaders {
   public:
-    /// @param frame_origins  origins whose pages may show ours in a frame; none: no page may
+    /// @param frame_origins  origins whose pages may show ours in a frame; empty: no page may
     explicit SecurityHeaders(const std::vector<std::string>& frame_origins = {});
 
     std::span<const std::pair<std::string_view, std::string>> all() const { return headers_; }
@@ -20,8 +20,8 @@ class SecurityHeaders {
     std::vector<std::pair<std::string_view, std::string>> headers_;
 };
 
-/// Strict-Transport-Security, for those who came over TLS under a name that is not this machine's own: browsers apply
-/// it to every port of a host, and other servers of localhost speak plain HTTP.
+/// The value of Strict-Transport-Security, sent over TLS under a name other than this machine's own: browsers
+/// apply it to every port of a host, and other servers of localhost speak plain HTTP.
 inline constexpr std::string_view transport_security = "max-age=86400";
 
 } // namespace wakesurf::server

@@ -41,7 +41,7 @@ std::optional<Wanted> wanted(std::string_view path) {
     return out;
 }
 
-/// In base64. Error: NotFound, for a session that is not even in the trash.
+/// Returns the picture in base64. Error: NotFound if the session is neither open nor in the trash.
 core::Result<std::string> thumbnail_of(const SessionDirectory& sessions, const std::string& id) {
     const TrashedSession* deleted = sessions.trash().find(id);
     if (deleted == nullptr)

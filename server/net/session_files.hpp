@@ -13,23 +13,24 @@
 
 namespace wakesurf::server {
 
-/// Loop thread only; JSON is written and read in the pool.
+/// Serves session files. Loop thread only; the pool writes and reads JSON.
 class SessionFiles {
   public:
-    /// All outlive it. @param journal  null: nothing is kept
+    /// REQUIRES: all arguments outlive this. @param journal  null: sessions are not kept
     SessionFiles(Loop& loop,
                  ComputePool& pool,
                  SessionDirectory& sessions,
                  const Datasets& datasets,
                  Journal* journal);
 
-    /// Where documents are posted: their bodies may be longer than messages, if they come with the server's own token.
+    /// The path that documents are posted to: their bodies may be longer than messages, if they come with the
+    /// server's own token.
     static constexpr const char* import_path = "/api/v1/sessions";
 
-    /// False: no such path.
+    /// Handles a path; returns false for any other.
     bool get(const HttpRequest& request, const Respond& respond);
 
-    /// A document, posted to import_path.
+    /// Imports a document that was posted to import_path.
     void post(const HttpRequest& request, const Identity& identity, const Respond& respond);
 
   private:

@@ -18,7 +18,7 @@ struct Waiter {
     std::optional<std::stop_callback<std::function<void()>>> gone;
 };
 
-/// A file being made.
+/// A file that is being made.
 struct Flight {
     std::stop_source stop;
     std::map<std::uint64_t, Waiter> waiters;
@@ -36,7 +36,7 @@ struct SharedFiles::State {
 
     void
     leave(const std::string& tag, const std::shared_ptr<Flight>& flight, std::uint64_t ticket) {
-        // Its stop callback, which is running, lives until the next turn of the loop.
+        // The stop callback, which is running, lives until the loop's next iteration.
         auto waiter = std::make_shared<std::map<std::uint64_t, Waiter>::node_type>(
             flight->waiters.extract(ticket));
         loop.post([waiter] {});
@@ -108,8 +108,9 @@ void SharedFiles::get(const std::string& tag,
                     *file = std::move(bytes).map([&](std::string&& made) {
                         return counted_file(std::move(made), std::move(share));
                     });
-                } catch (const std::bad_alloc&) {       // said above
-                } catch (const std::exception& error) { // what libraries throw ends this file only
+                } catch (const std::bad_alloc&) { // reported above
+                } catch (
+                    const std::exception& error) { // an exception of a library ends this file only
                     spdlog::error("making a file failed: {}", without_paths(error.what()));
                     *file = core::fail(core::Error::Code::Io,
                                        "making the file failed inside the server",
@@ -120,7 +121,7 @@ void SharedFiles::get(const std::string& tag,
                         state->made(tag, flight, *file);
                 });
             });
-    // Last: it may fire at once.
+    // Comes last: it may fire at once.
     if (gone.stop_possible())
         waiter.gone.emplace(gone, [weak = std::weak_ptr(state_), tag, flight = flight, ticket] {
             if (const auto state = weak.lock())

@@ -1,5 +1,5 @@
-// Files that many may ask for and that take long to make: made once for all who ask meanwhile, in turn with everything else that
-// computes, kept while there is memory for them.
+// Files that several clients may request and that take long to make: made once for all of them, in turn with
+// other computations, and cached while there is memory.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -16,33 +16,34 @@
 
 namespace wakesurf::server {
 
-/// Loop thread only; files are made in the pool.
+/// Makes and caches files. Loop thread only; files are made in the pool.
 class SharedFiles {
   public:
-    /// On a compute thread: the bytes, having grown `share` to what they and making them take.
+    /// Returns the bytes of a file; runs on a compute thread. It first grows `share` to the memory that they
+    /// and making them take.
     using Make = std::function<core::Result<std::string>(const std::stop_token& stop,
                                                          core::MemoryAccount::Share& share)>;
     using Done = std::function<void(const core::Result<File>&)>;
 
-    /// All outlive it. @param account  may be null
+    /// REQUIRES: all arguments outlive this. @param account  may be null
     SharedFiles(Loop& loop, ComputePool& pool, const core::MemoryAccount* account);
 
-    /// Stops what is being made; no one is told.
+    /// Stops what is being made; callbacks are not called.
     ~SharedFiles();
     SharedFiles(const SharedFiles&) = delete;
     SharedFiles& operator=(const SharedFiles&) = delete;
 
-    /// Calls `done` once, now or later, unless `gone` fires before, on this thread. When all who wait for a file are gone it is
-    /// made no further.
+    /// Calls `done` once, now or later, unless `gone` fires before, on this thread. A file is abandoned when
+    /// no client waits for it.
     /// @param tag    the same tag, the same bytes
-    /// @param asker  takes turns with others: of one asker one file is made at a time
+    /// @param asker  the key for taking turns: one file of each key is made at a time
     void get(const std::string& tag,
              const std::string& asker,
              Make make,
              const std::stop_token& gone,
              Done done);
 
-    /// How many are being made, or wait for their turn.
+    /// Returns the number of files that are being made or queued.
     std::size_t making() const;
 
   private:

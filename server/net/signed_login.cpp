@@ -27,7 +27,7 @@ std::string signature(std::string_view text, std::string_view key) {
     return digest_text(mac);
 }
 
-/// Up to the next dot, which goes as well.
+/// Removes and returns the text up to the next dot, without the dot.
 std::string_view next_part(std::string_view& text) {
     const auto end = std::min(text.find('.'), text.size());
     const std::string_view part = text.substr(0, end);

@@ -1,5 +1,5 @@
-// The built web client, read into memory at the start: a request only ever looks a path up in a map, so there is no
-// path to traverse.
+// The built web client, read into memory at the start: requests are looked up in a map, so there is no path
+// to traverse.
 #pragma once
 
 #include "server/net/http_message.hpp"
@@ -14,14 +14,14 @@ namespace wakesurf::server {
 
 class StaticFiles {
   public:
-    /// Every regular file below `folder`; none when it is not there.
+    /// Loads every regular file below `folder`; none if it does not exist.
     static StaticFiles load(const std::filesystem::path& folder);
 
     bool empty() const { return files_.empty(); }
 
     bool has(std::string_view path) const { return path == "/" || files_.contains(path); }
 
-    /// GET or HEAD of a path that has() said yes to. `/` is index.html.
+    /// Answers GET or HEAD of a path for which has() is true. `/` is index.html.
     HttpResponse respond(const HttpRequest& request) const;
 
   private:
@@ -35,10 +35,10 @@ class StaticFiles {
     std::map<std::string, File, std::less<>> files_;
 };
 
-/// MIME type by the file's extension.
+/// Returns the MIME type of the file's extension.
 std::string_view mime_type(std::string_view path);
 
-/// Where the client was built to or installed, seen from the executable; empty when in neither place.
+/// Returns the folder of the client, built or installed, relative to the executable; empty if there is none.
 std::filesystem::path find_web_client();
 
 } // namespace wakesurf::server

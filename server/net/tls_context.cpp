@@ -24,7 +24,7 @@ constexpr std::size_t longest_key = std::size_t{1} << 20;
 
 core::Result<void> readable(const std::filesystem::path& file, const std::string& option) {
     std::error_code ignored;
-    const bool plain = std::filesystem::is_regular_file(file, ignored); // a pipe would have us wait
+    const bool plain = std::filesystem::is_regular_file(file, ignored); // a pipe would block
     errno = 0;
     std::ifstream stream(plain || !std::filesystem::exists(file, ignored) ? file : "/dev/null");
     if (stream.peek() != std::ifstream::traits_type::eof())
@@ -35,7 +35,7 @@ core::Result<void> readable(const std::filesystem::path& file, const std::string
                 "give a PEM file that the user of wakesurf can read");
 }
 
-/// Forward secrecy and authenticated encryption only: no RSA key exchange, no CBC.
+/// The ciphers with forward secrecy and authenticated encryption: no RSA key exchange, no CBC.
 constexpr const char* tls_1_2_ciphers = "ECDHE+AESGCM:ECDHE+CHACHA20";
 
 /// An encrypted key would ask for its password on the terminal.
@@ -86,7 +86,7 @@ core::Result<std::unique_ptr<TlsContext>> TlsContext::load(std::filesystem::path
     return out;
 }
 
-/// OpenSSL keeps the old one for connections that were made with it.
+/// OpenSSL keeps the old context for connections that were made with it.
 core::Result<void> TlsContext::renew() {
     auto context = context_from(certificate_, key_);
     if (!context)

@@ -1,4 +1,4 @@
-// The server's certificate and what it is used with: TLS 1.2 and later, ephemeral keys and AEAD ciphers only.
+// The server's certificate and TLS settings: TLS 1.2 and later, ephemeral keys and AEAD ciphers only.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -12,20 +12,20 @@ class context;
 
 namespace wakesurf::server {
 
-/// Loop thread only.
+/// Holds the certificate and its key. Loop thread only.
 class TlsContext {
   public:
+    /// Loads the files. Error: Io for a file that cannot be read; Corrupt for an invalid certificate or key,
+    /// or if the two do not belong together. The messages name the option, not the path.
     /// @param certificate  PEM: the certificate, then any intermediate ones
     /// @param key          PEM, not encrypted
-    /// Error: Io for a file that cannot be read; Corrupt for one that is no certificate or key, or where the two do not
-    /// belong together. The messages name the option, not the path.
     static core::Result<std::unique_ptr<TlsContext>> load(std::filesystem::path certificate,
                                                           std::filesystem::path key);
     ~TlsContext();
     TlsContext(const TlsContext&) = delete;
     TlsContext& operator=(const TlsContext&) = delete;
 
-    /// Reads the files again, for connections from now on. Error: as load; then it stays as it is.
+    /// Reads the files again, for new connections. Error: as load; the old ones then stay in use.
     core::Result<void> renew();
 
     boost::asio::ssl::context& context() { return *context_; }

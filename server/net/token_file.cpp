@@ -31,7 +31,7 @@ make(const std::filesystem::path& file, Entropy& entropy, const std::string& nam
     return token;
 }
 
-/// The first line.
+/// Returns the first line.
 core::Result<std::string> secret_in(const std::string& text, const std::string& name) {
     const std::string secret = text.substr(0, text.find('\n'));
     const auto printable = [](char c) { return c > ' ' && c < 0x7f; };
@@ -78,7 +78,7 @@ core::Result<std::string> TokenFile::token(Entropy& entropy, bool change) {
 core::Result<void> TokenFile::keep() {
     if (fresh_.empty())
         return {};
-    std::error_code none; // a link to it stays one
+    std::error_code none; // a symbolic link stays one
     const auto behind = std::filesystem::canonical(file_, none);
     if (auto written = write_private_file(none ? file_ : behind, fresh_ + "\n"); !written)
         return named(token_name, written.error());
@@ -100,7 +100,7 @@ core::Result<std::string> TokenFile::read() const {
     return secret_in(secret->text, "the token in the token file");
 }
 
-/// Where the file system knows no locks, nothing is locked.
+/// Does nothing if the file system has no locks.
 core::Result<void> TokenFile::lock(bool alone) {
     OpenFile file(::open(file_.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
     if (file.get() >= 0 && ::flock(file.get(), (alone ? LOCK_EX : LOCK_SH) | LOCK_NB) != 0 &&

@@ -34,7 +34,7 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-/// As proxies write it: also in brackets or quotes, also with a port.
+/// Parses an address as proxies write it: also in brackets or quotes, also with a port.
 std::optional<address> read_hop(std::string_view text) {
     text = trimmed(text);
     if (text.size() > 1 && text.front() == '"' && text.back() == '"')

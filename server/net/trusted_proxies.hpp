@@ -1,4 +1,4 @@
-// The proxies of `--trusted-proxy`: what they say about who is behind them is believed, what anybody else says is not.
+// The proxies of `--trusted-proxy`: only they are believed about the client's address.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -15,13 +15,14 @@ class TrustedProxies {
   public:
     TrustedProxies() = default;
 
-    /// From `ADDR` or `ADDR/BITS` each. Error: InvalidArgument.
+    /// Parses `ADDR` or `ADDR/BITS` each. Error: InvalidArgument.
     static core::Result<TrustedProxies> parse(const std::vector<std::string>& texts);
 
     bool trusts(const boost::asio::ip::address& address) const;
 
-    /// Who asks, where `peer` does so on their behalf: of the addresses in X-Forwarded-For, to which each proxy has added the one it was
-    /// asked from, the last that is no trusted proxy. `peer` where it is not trusted, or where there is nothing to be read.
+    /// Returns the client's address if `peer` forwards its request. Each proxy appends the address it was
+    /// asked from to X-Forwarded-For; the client is the last that is no trusted proxy. Returns `peer` if it
+    /// is not trusted, or without valid headers.
     /// @param forwarded  the values of all such headers, in order
     boost::asio::ip::address client_of(const boost::asio::ip::address& peer,
                                        const std::vector<std::string_view>& forwarded) const;

@@ -1,4 +1,4 @@
-// What stands behind the `?` of a request's target.
+// The query of a request's target, behind its `?`.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -9,8 +9,8 @@
 
 namespace wakesurf::server {
 
-/// `time=2.5&draco=false` by name, percent signs resolved; empty for none. Error: InvalidArgument for what has no `=`, a name twice, or
-/// a percent sign without two digits.
+/// Parses `time=2.5&draco=false` into values by name, percent signs resolved; empty for an empty text. Error:
+/// InvalidArgument for a part without `=`, a name twice, or a percent sign without two digits.
 core::Result<std::map<std::string, std::string>> url_query(std::string_view text);
 
 } // namespace wakesurf::server

@@ -31,8 +31,8 @@ namespace {
 
 constexpr std::size_t small_message = 1024;
 constexpr std::size_t large_part = std::size_t{16} << 10;
-constexpr double part_of_message = 0.25; ///< what it costs to read one that comes in parts
-constexpr std::chrono::milliseconds most_debt{2000}; ///< of who pings
+constexpr double part_of_message = 0.25; ///< the cost of reading a message that comes in parts
+constexpr std::chrono::milliseconds most_debt{2000}; ///< of a client that pings
 
 class WebSocketConnection final : public Connection,
                                   public Wire,
@@ -105,12 +105,12 @@ class WebSocketConnection final : public Connection,
     NetServices services_;
     std::unique_ptr<Admission::Place> place_;
     const Admitted admitted_;
-    boost::asio::steady_timer
-        pause_; ///< runs while a client that talks too fast is not listened to
+    /// Runs while a client that sends too fast is not read.
+    boost::asio::steady_timer pause_;
     beast::flat_buffer buffer_;
     Outbox outbox_;
     bool busy_ = false;   ///< a write is under way
-    bool queued_ = false; ///< for a turn to write
+    bool queued_ = false; ///< for its turn to write
     bool open_ = false;   ///< between the handshake and the first sign of the end
     std::optional<Client> client_;
 };
@@ -138,7 +138,7 @@ void WebSocketConnection::accept(const HttpRequest& request) {
                 response.set(http::field::sec_websocket_protocol, "wakesurf.v1");
         }));
     stream_.auto_fragment(false);
-    // read() limits it, with a reason in the close frame; what announces far more need not send it.
+    // read() limits it, with a reason in the close frame; far longer messages are cut off earlier.
     stream_.read_message_max(16 * limits::message_bytes);
     stream_.control_callback([this](websocket::frame_type kind, beast::string_view) {
         if (kind == websocket::frame_type::ping)
@@ -154,7 +154,7 @@ void WebSocketConnection::accept(const HttpRequest& request) {
     });
 }
 
-/// What an idle client's buffer takes is what a thousand of them cost: it grows only while a message does.
+/// Memory of idle clients counts by the thousand: the buffer grows only while a message arrives.
 void WebSocketConnection::read() {
     const std::size_t room = buffer_.size() == 0
                                  ? small_message
@@ -206,7 +206,7 @@ void WebSocketConnection::read_after(double messages) {
     });
 }
 
-/// Called while reading, which goes on by itself: who pings more than they may talk cannot be made to wait.
+/// Called while reading, which continues: a client that pings more than it may cannot be made to wait.
 void WebSocketConnection::pinged() {
     if (!open_ || services_.budgets.read(admitted_.visitor, 1.0) < most_debt)
         return;
@@ -256,11 +256,11 @@ void WebSocketConnection::write_turn() {
     write();
 }
 
-/// One batch: a connection that has more waits for another turn.
+/// Writes one batch; a connection that has more waits for its next turn.
 void WebSocketConnection::write() {
     if (busy_ || !open_)
         return;
-    busy_ = true; // a cursor may send a message while it is asked
+    busy_ = true; // a cursor may send a message meanwhile
     auto batch = std::make_shared<MessageBatch>();
     batch->fill(outbox_);
     if (batch->empty() || !open_) {
@@ -277,7 +277,7 @@ void WebSocketConnection::write() {
         write_soon();
 }
 
-/// What the socket does not take at once.
+/// Writes the rest, which the socket did not take at once.
 void WebSocketConnection::write_rest(std::shared_ptr<MessageBatch> batch, Time begun) {
     stall_.expires_after(limits::stalled);
     stall_.async_wait([weak = weak_from_this()](error_code error) {
@@ -320,10 +320,10 @@ void WebSocketConnection::count(const MessageBatch& batch, Time begun) {
 void WebSocketConnection::close(websocket::close_code code, const char* reason) {
     if (!open_)
         return;
-    write(); // what was said before
+    write(); // the messages before it
     open_ = false;
     spdlog::debug("event=client_closed client={} code={}", place_->number(),
-                  static_cast<unsigned>(code)); // the reason may be somebody's words
+                  static_cast<unsigned>(code)); // the reason may be a user's text
     boost::asio::post(stream_.get_executor(),
                       [self = shared_from_this()] { self->client_.reset(); });
     stream_.async_close({code, reason}, [self = shared_from_this()](error_code) { self->end(); });
@@ -335,7 +335,7 @@ void WebSocketConnection::end() {
     open_ = false;
     stall_.cancel();
     pause_.cancel();
-    // A session may be telling its participants something just now; it must not lose one while it does.
+    // A session that is notifying its participants must not lose one meanwhile.
     boost::asio::post(stream_.get_executor(), [self = shared_from_this()] {
         self->client_.reset();
         beast::get_lowest_layer(self->stream_).close();

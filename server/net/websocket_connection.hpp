@@ -1,5 +1,5 @@
-// One WebSocket: text is JSON-RPC, binary is frames and goes one way only. Writes what the outbox holds, one message
-// at a time, so a slow client delays no one else.
+// One WebSocket: text is JSON-RPC, binary is frames and goes one way only. It writes from the outbox, one
+// batch at a time, so that a slow client delays no other.
 #pragma once
 
 #include "server/net/byte_stream.hpp"
@@ -10,7 +10,7 @@
 
 namespace wakesurf::server {
 
-/// Answers the upgrade request, already let in, and serves the stream until it closes.
+/// Answers the upgrade request, already admitted, and serves the stream until it closes.
 void serve_websocket(ByteStream stream,
                      const HttpRequest& upgrade,
                      const Admitted& admitted,

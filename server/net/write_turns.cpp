@@ -20,7 +20,7 @@ void WriteTurns::go_on() {
 void WriteTurns::turn() {
     const auto start = clock_.now();
     const auto share = start - since_;
-    std::size_t left = waiting_.size(); // who asks again waits for the next turn
+    std::size_t left = waiting_.size(); // a writer that asks again waits for the next post
     do {
         for (std::size_t some = std::min(at_once, left); some > 0; --some, --left) {
             const auto writer = waiting_.front().lock();

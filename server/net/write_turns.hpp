@@ -1,5 +1,6 @@
-// Connections that have something to write take turns, a few at a time: what one event tells hundreds of viewers neither holds up the
-// next event nor goes out in more writes than it must, because all of it is there by the time a connection has its turn.
+// Connections take turns at writing, a few at a time. So the messages of one event to hundreds of viewers do
+// not delay the next event, and go out in few writes, because all of them are queued by the time a connection
+// has its turn.
 #pragma once
 
 #include "core/base/clock.hpp"
@@ -13,27 +14,27 @@
 
 namespace wakesurf::server {
 
-/// Loop thread only. Outlives those who ask for turns.
+/// Distributes turns. Loop thread only. REQUIRES: it outlives its writers.
 class WriteTurns {
   public:
     class Writer {
       public:
         virtual ~Writer() = default;
-        /// Writes what there is. It may ask for a further turn.
+        /// Writes what is queued. It may ask for a further turn.
         virtual void write_turn() = 0;
     };
 
     using Post = std::function<void(std::function<void()>)>;
 
-    /// Between two posts so many writers have a turn, more only where the events in between took long: writing gets as much of the
-    /// loop's time as they do.
+    /// The number of writers between two posts. There are more only if the events in between took long:
+    /// writing gets as much of the loop's time as they do.
     static constexpr std::size_t at_once = 16;
 
-    /// @param post  runs a task later on the loop, after what is there already
-    /// @param clock  outlives it
+    /// @param post   runs a task later on the loop, after those already posted
+    /// @param clock  outlives this
     WriteTurns(Post post, const core::Clock& clock) : post_(std::move(post)), clock_(clock) {}
 
-    /// In order of asking. Who has gone meanwhile is left out.
+    /// Queues a writer, in order of asking. Destroyed writers are skipped.
     void ask(std::weak_ptr<Writer> writer);
 
   private:
@@ -43,8 +44,8 @@ class WriteTurns {
     Post post_;
     std::deque<std::weak_ptr<Writer>> waiting_;
     const core::Clock& clock_;
-    std::chrono::steady_clock::time_point
-        since_{}; ///< when somebody began to wait, or the last turn ended
+    /// The time at which the first writer queued, or the last turn ended.
+    std::chrono::steady_clock::time_point since_{};
     bool posted_ = false;
 };
 
