@@ -11,17 +11,17 @@ class Entropy {
   public:
     virtual ~Entropy() = default;
 
-    /// Throws std::runtime_error when the system has none to give.
+    /// Fills `out` with random bytes. Throws std::runtime_error if the system has none.
     virtual void fill(std::span<std::byte> out) = 0;
 };
 
-/// The kernel's generator.
+/// Reads the kernel's generator.
 class SystemEntropy final : public Entropy {
   public:
     void fill(std::span<std::byte> out) override;
 };
 
-/// A secret of 8 * `bytes` bits, as hexadecimal digits.
+/// Returns a secret of 8 * `bytes` bits, as hexadecimal digits.
 std::string random_hex(Entropy& entropy, std::size_t bytes);
 
 } // namespace wakesurf::server

@@ -7,7 +7,7 @@ namespace wakesurf::server {
 
 namespace {
 
-constexpr double too_early = 1.0; ///< seconds, within which people do not ask
+constexpr double too_early = 1.0; ///< seconds within which there is no forecast
 constexpr double too_little = 0.02;
 
 } // namespace
@@ -29,7 +29,7 @@ std::optional<double> Forecast::left() const {
     const auto half =
         std::lower_bound(seen_.begin(), seen_.end(), 0.5 * now.seconds,
                          [](const Seen& each, double seconds) { return each.seconds < seconds; });
-    // fraction = (seconds / total)^power; half the time ago tells the power.
+    // fraction = (seconds / total)^power; the fraction at half the time gives the power.
     double power = 1.0;
     if (half->fraction > 0.0 && half->seconds > 0.0 && half->seconds < now.seconds)
         power = std::log(now.fraction / half->fraction) / std::log(now.seconds / half->seconds);

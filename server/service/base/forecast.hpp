@@ -1,5 +1,5 @@
-// How long a piece of work will still take, from how the part that is done has grown: by a power of the
-// time, since some work goes evenly and other work, as on a surface that grows, slows down.
+// A forecast of the remaining time of work, from the growth of the part that is done: by a power of the time,
+// since some work is steady and other work, as on a surface that grows, slows down.
 #pragma once
 
 #include <optional>
@@ -10,11 +10,12 @@ namespace wakesurf::server {
 
 class Forecast {
   public:
-    /// @param seconds   since the work began; less than in the last call: of other work
+    /// Adds an observation.
+    /// @param seconds   since the work began; less than in the last call: other work has begun
     /// @param fraction  done by then, 0..1
     void add(double seconds, double fraction);
 
-    /// Seconds from the last call of add(). Nothing: it is too early to tell.
+    /// Returns the remaining seconds at the last add(). Empty: too early for a forecast.
     std::optional<double> left() const;
 
   private:
@@ -25,7 +26,7 @@ class Forecast {
     std::vector<Seen> seen_;
 };
 
-/// `about 40 s left`, `about 3 min left`, `about 2 h left`.
+/// Returns `about 40 s left`, `about 3 min left`, `about 2 h left`.
 std::string words_for_left(double seconds);
 
 } // namespace wakesurf::server

@@ -1,5 +1,5 @@
-// Who makes a call: the role its token has, and the session a share link is good for. Decided once, at the
-// gate; asked before every method.
+// The identity of a caller: the role of its token, and the session of its share link. Decided once, at the
+// gate; checked before every method.
 #pragma once
 
 #include <array>
@@ -10,23 +10,24 @@
 
 namespace wakesurf::server {
 
-/// Each may do what the one before it may.
+/// Names the roles; each may do what the one before it may.
 enum class Role : std::uint8_t { Viewer, Editor, Host };
 
 struct Identity {
     Role role = Role::Host; ///< the server's own token is a host's everywhere
-    std::string session;    ///< the only session a share link lets in; empty: every one
+    std::string session;    ///< the only session of a share link; empty: every one
     std::string grant;      ///< id of the share link; empty: the server's own token
-    std::string copier{};   ///< of a link into a copy: the link whose holder made that; else empty
+    /// For a link into a copy: the link of the copy's maker; else empty.
+    std::string copier{};
 
-    /// The link that all this is counted for: copies give nobody more of the server than their link does.
+    /// Returns the link whose budgets count this: copies give no client more of the server than its link
+    /// does.
     const std::string& account() const { return copier.empty() ? grant : copier; }
 
     bool operator==(const Identity&) const = default;
 };
 
-/// Returns whether it has come by the link into that session which whoever copied it got: no one else has
-/// such a link.
+/// Says whether the identity is the copier's own link into the session, which no other client has.
 inline bool is_copier_of(const std::string& session, const Identity& identity) {
     return !identity.copier.empty() && identity.session == session;
 }
@@ -37,7 +38,7 @@ constexpr std::string_view name(Role role) {
     return role_names[static_cast<std::size_t>(role)];
 }
 
-/// Returns nothing for what is no role.
+/// Returns the role of a word; empty if it names none.
 constexpr std::optional<Role> role_named(std::string_view word) {
     for (std::size_t i = 0; i < role_names.size(); ++i)
         if (role_names[i] == word)

@@ -1,5 +1,5 @@
-// Where the records of sessions are kept beyond the server's life, as sessions see it: changes go in on the
-// loop's thread and are told of once they are on the disk.
+// The interface of the journal to sessions, whose records it keeps beyond the server's life: changes go in on
+// the loop's thread and are acknowledged once they are on the disk.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -12,14 +12,15 @@
 
 namespace wakesurf::server {
 
-/// Holds one record as it is now, or gone.
+/// Holds a record as it is now, or its deletion.
 struct JournalEntry {
     std::string type; ///< `session`, `rake`, `surface`, `bookmark`, `annotation`, `grant`, ...
     std::string id;
-    std::optional<std::string> record; ///< JSON text; nothing: deleted
+    /// JSON text; empty: deleted.
+    std::optional<std::string> record;
 };
 
-/// A record that a start could not use. It is kept, where no edit reaches it.
+/// Holds a record that a start could not use. It is stored out of reach of edits.
 struct KeptAside {
     std::string type;
     std::string id;
@@ -29,27 +30,27 @@ struct KeptAside {
     bool operator==(const KeptAside&) const = default;
 };
 
-/// Loop thread only; nothing here waits.
+/// Stores changes. Loop thread only; no call blocks.
 class Journal {
   public:
     virtual ~Journal() = default;
 
-    /// Takes what one edit changed; it is kept as a whole or not at all.
+    /// Queues the changes of one edit; they are stored as a whole or not at all.
     virtual void write(const std::string& session, std::vector<JournalEntry> entries) = 0;
 
-    /// Takes records, as they are kept, out of those in use to a place of their own, where nothing
-    /// overwrites them.
+    /// Moves stored records out of use, to where nothing overwrites them.
     virtual void set_aside(const std::string& session, std::vector<KeptAside> records) {
         static_cast<void>(session), static_cast<void>(records);
     }
 
-    /// Forgets a session and all its records, those kept aside as well.
+    /// Deletes a session and all its records, those set aside as well.
     virtual void remove(const std::string& session) = 0;
 
-    /// Calls back on the loop once everything written so far is on the disk. Error: Io while that cannot be.
+    /// Calls back on the loop once everything written so far is on the disk. Error: Io while that is
+    /// impossible.
     virtual void settled(std::function<void(core::Result<void>)> done) = 0;
 
-    /// Why the disk does not take changes just now; nothing while it does.
+    /// Returns why the disk does not take changes at present; empty while it does.
     virtual std::optional<core::Error> refusal() const { return std::nullopt; }
 };
 

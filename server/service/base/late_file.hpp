@@ -16,8 +16,8 @@
 
 namespace wakesurf::server {
 
-/// A thread of its own writes it, from the first change on. Of changes that wait for the disk, the newest is
-/// written for all of them.
+/// Writes the file on a thread of its own, from the first change on. Of the changes that wait for the disk
+/// only the newest is written.
 class LateFile {
   public:
     using Done = std::function<void(core::Result<void>)>;
@@ -25,13 +25,13 @@ class LateFile {
     /// REQUIRES: the loop outlives it.
     LateFile(Loop& loop, std::filesystem::path file) : loop_(loop), file_(std::move(file)) {}
 
-    /// Writes what still waits. Waits for the disk.
+    /// Writes the pending change. Waits for the disk.
     ~LateFile() = default;
     LateFile(const LateFile&) = delete;
     LateFile& operator=(const LateFile&) = delete;
 
-    /// The whole text. `done` is posted to the loop once it, or a newer one, is on the disk. Error: as
-    /// write_private_file.
+    /// Replaces the whole text. `done` is posted to the loop once it, or a newer one, is on the disk. Error:
+    /// as write_private_file.
     void put(std::string text, Done done);
 
   private:
@@ -43,7 +43,7 @@ class LateFile {
     std::condition_variable_any wake_;
     std::optional<std::string> text_;
     std::vector<Done> waiting_;
-    std::jthread thread_; ///< last: it uses the others
+    std::jthread thread_; ///< destroyed first: it uses the others
 };
 
 } // namespace wakesurf::server

@@ -1,6 +1,5 @@
-// Lines of the log are `event=... key=value ...`. What may go into a value that we did not word ourselves:
-// everything but paths of the server, on one line, and not too much of it. Tokens, keys, cookies and
-// messages never do.
+// Values for lines of the log, `event=... key=value ...`. Foreign text may be logged without paths of the
+// server, on one line, and cut to a length. Tokens, keys, cookies and messages are never logged.
 #pragma once
 
 #include <algorithm>
@@ -9,8 +8,8 @@
 
 namespace wakesurf::server {
 
-/// A value as it stands in a line: quoted where it is more than a word, everything but printable ASCII as
-/// \xHH, at most 80 characters of it.
+/// Formats a value for a line: quoted unless it is one word, everything but printable ASCII as \xHH, at most
+/// 80 characters of it.
 inline std::string log_value(std::string_view text) {
     constexpr std::string_view digits = "0123456789abcdef";
     constexpr std::size_t most = 80;
@@ -32,7 +31,7 @@ inline std::string log_value(std::string_view text) {
     return out + (text.size() > most ? "...\"" : "\"");
 }
 
-/// Words with a slash become `(path)`.
+/// Replaces words with a slash by `(path)`.
 inline std::string without_paths(std::string_view text) {
     std::string out;
     while (!text.empty()) {

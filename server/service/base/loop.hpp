@@ -1,5 +1,5 @@
-// The one thread everything of a session happens on, as sessions see it: a place to post to and a timer.
-// Behind it is the network's io_context, or a test's own loop.
+// The one thread of all sessions, as they see it: a queue of tasks and a timer. Behind it is the network's
+// io_context, or a test's own loop.
 #pragma once
 
 #include <chrono>

@@ -1,5 +1,5 @@
-// The number in an id such as "s7" or "session-12": what a restored session counts on from, so that no id is
-// given twice.
+// The number in an id such as "s7" or "session-12": a restored session continues from it, so that no id is
+// used twice.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace wakesurf::server {
 
-/// Returns nothing unless `id` is `start` and a number as to_string() writes it, of at most 53 bits: the
-/// next one is one more.
+/// Returns empty unless `id` is `start` and a number as to_string() writes it, of at most 53 bits, so that
+/// the next one can be computed.
 std::optional<std::uint64_t> number_of(std::string_view id, std::string_view start);
 
 } // namespace wakesurf::server

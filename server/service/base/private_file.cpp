@@ -48,7 +48,7 @@ struct Looked {
     struct stat status {};
 };
 
-/// O_NONBLOCK: one that is a pipe is opened at once, and refused.
+/// O_NONBLOCK: a pipe is opened at once, and refused.
 core::Result<Looked> open_and_look(const fs::path& path, int flags) {
     Looked out{OpenFile(::open(path.c_str(), flags | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_NOCTTY,
                                0600)),
@@ -81,8 +81,8 @@ core::Result<std::string> read_all(const OpenFile& file, std::size_t most) {
     return text;
 }
 
-/// Through links, each of which is this user's or the system's. Kernels protect sticky folders alone like
-/// that.
+/// Follows links, each of which must be this user's or the system's. Kernels protect only sticky folders in
+/// this way.
 core::Result<fs::path> behind_links(fs::path path) {
     for (int i = 0; i < most_links; ++i) {
         struct stat status {};
@@ -155,7 +155,7 @@ core::Result<NamedSecret> read_named_secret(const fs::path& file, std::size_t mo
 
 core::Result<void> write_private_file(const fs::path& file, std::string_view text) {
     const std::string beside = file.string() + "." + std::to_string(::getpid()) + ".part";
-    ::unlink(beside.c_str()); // of a process of the same number that was killed
+    ::unlink(beside.c_str()); // of a killed process with the same id
     const int descriptor = ::open(beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
     if (descriptor < 0)
         return not_written(errno);

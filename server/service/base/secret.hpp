@@ -1,5 +1,5 @@
-// Secrets as the server keeps them: only their SHA-256. The secrets themselves are random, 256 bits, so that
-// no table of likely ones helps anyone who gets to see a digest.
+// Secrets as the server stores them: only their SHA-256. The secrets themselves are random, 256 bits, so that
+// a digest is of no use to a table of likely ones.
 #pragma once
 
 #include <array>
@@ -12,16 +12,16 @@ namespace wakesurf::server {
 
 using SecretDigest = std::array<std::byte, 32>;
 
-/// Throws std::runtime_error where the system has no SHA-256.
+/// Returns the digest. Throws std::runtime_error if the system has no SHA-256.
 SecretDigest secret_digest(std::string_view secret);
 
-/// Takes the same time whatever differs.
+/// Compares in constant time.
 bool same_digest(const SecretDigest& a, const SecretDigest& b);
 
-/// 64 hexadecimal digits.
+/// Returns 64 hexadecimal digits.
 std::string digest_text(const SecretDigest& digest);
 
-/// Returns nothing for what is not one.
+/// Parses a digest; empty if it is none.
 std::optional<SecretDigest> read_digest(std::string_view text);
 
 } // namespace wakesurf::server

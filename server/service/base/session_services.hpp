@@ -1,4 +1,4 @@
-// What sessions need of the server.
+// The parts of the server that sessions use.
 #pragma once
 
 #include "core/base/clock.hpp"
@@ -18,20 +18,22 @@ class Journal;
 class Loop;
 class Metrics;
 
-/// All outlive the sessions.
+/// Refers to parts of the server, which outlive all sessions.
 struct SessionServices {
     Loop& loop;
     ComputePool& pool;
     const Datasets& datasets;
     Entropy& entropy;
-    Metrics* metrics = nullptr;         ///< no one counts without
-    Journal* journal = nullptr;         ///< nothing is kept without
-    const core::Clock* clock = nullptr; ///< the machine's without
+    Metrics* metrics = nullptr;         ///< null: not counted
+    Journal* journal = nullptr;         ///< null: sessions are not stored
+    const core::Clock* clock = nullptr; ///< null: the machine's
     UnixTime unix_time = unix_seconds;
-    const core::MemoryAccount* memory = nullptr; ///< no one counts without
-    const core::Error* withheld =
-        nullptr; ///< why restored surfaces are not computed; they are without
-    const HistoryBudget* histories = nullptr; ///< each surface has its own without
+    /// Null: not counted.
+    const core::MemoryAccount* memory = nullptr;
+    /// Why restored surfaces are not computed; null: they are.
+    const core::Error* withheld = nullptr;
+    /// Null: each surface has its own.
+    const HistoryBudget* histories = nullptr;
 
     const core::Clock& wall() const {
         static const core::SteadyClock machine;

@@ -9,7 +9,7 @@ std::filesystem::path this_program() {
 
 namespace {
 
-/// The first of two places that is there, as seen from the program; empty where neither is.
+/// Returns the first of two places that exists, relative to the program; empty if neither does.
 std::filesystem::path shipped(const char* installed, const char* in_sources) {
     const std::filesystem::path bin = this_program().parent_path();
     for (const char* place : {installed, in_sources})

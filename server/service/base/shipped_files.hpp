@@ -1,4 +1,4 @@
-// Where a freshly built or installed program finds what it ships with.
+// The files shipped with a program, freshly built or installed.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -7,15 +7,15 @@
 
 namespace wakesurf::server {
 
-/// The running program's file.
+/// Returns the running program's file.
 std::filesystem::path this_program();
 
-/// The bundled simulation's .pvd: under share/wakesurf of an installation, or beside the sources of a build
-/// tree. The first wins, because what lies three folders above an installed program is not ours. Error:
+/// Returns the bundled simulation's .pvd: under share/wakesurf of an installation, or beside the sources of a
+/// build tree. The first wins, because what lies three folders above an installed program is not ours. Error:
 /// NotFound.
 core::Result<std::filesystem::path> bundled_simulation();
 
-/// The folder with the client for Python, found in the same way. Error: NotFound.
+/// Returns the folder with the client for Python, found in the same way. Error: NotFound.
 core::Result<std::filesystem::path> python_client();
 
 } // namespace wakesurf::server

@@ -1,4 +1,4 @@
-// What the values of a surface range over, attribute by attribute.
+// The ranges of a surface's values, by attribute.
 #pragma once
 
 #include "core/surface/value_range.hpp"

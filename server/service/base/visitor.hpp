@@ -1,4 +1,4 @@
-// Who asks: what the token or link lets them do, and which of those who have it they are.
+// A visitor: what the token or link allows, and which of its holders this is.
 #pragma once
 
 #include "server/service/base/identity.hpp"
@@ -12,7 +12,7 @@ struct Visitor : Identity {
     Visitor(Identity identity = {}, std::string who = {})
         : Identity(std::move(identity)), person(std::move(who)) {}
 
-    /// Names the person, as far as can be told: the login of a browser, else the address. May be empty.
+    /// The person, as far as known: the login of a browser, else the address. May be empty.
     std::string person;
 };
 

@@ -1,4 +1,4 @@
-// A clock that goes on while the machine sleeps, as a laptop does, and that no one can set.
+// A clock that continues while the machine sleeps, as a laptop does, and that cannot be set.
 #pragma once
 
 #include "core/base/clock.hpp"

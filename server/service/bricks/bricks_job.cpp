@@ -24,10 +24,11 @@ namespace {
 
 constexpr std::size_t longest_word_line = 4096;
 constexpr std::chrono::milliseconds look{10};
-constexpr int looks_alone = 100; // how often, before it is asked to end: it may do so by itself
-constexpr int looks_when_asked = 500; // then it is killed
+constexpr int looks_alone = 100;      // polls before it is asked to end: it may end by itself
+constexpr int looks_when_asked = 500; // polls before it is killed
 
-/// In a group of its own: a signal of the terminal is the server's, which ends the job in its time.
+/// Starts the job in a process group of its own: a signal of the terminal goes to the server, which then ends
+/// the job.
 int spawn_job(pid_t& child, std::vector<std::string> words, int output) {
     posix_spawn_file_actions_t actions;
     posix_spawnattr_t attributes;
@@ -86,7 +87,7 @@ core::Result<std::unique_ptr<BricksJob>> BricksJob::start(std::vector<std::strin
         return core::fail(Error::Code::Io, "there are too many open files");
     OpenFile ours(pipe[0]), theirs(pipe[1]);
     const std::string program = words.front();
-    ::fcntl(theirs.get(), F_SETFL, 0); // who writes there may wait
+    ::fcntl(theirs.get(), F_SETFL, 0); // the job's writes may block
     pid_t child = -1;
     if (const int problem = spawn_job(child, std::move(words), theirs.get()); problem != 0)
         return core::fail(Error::Code::Io, "cannot start " + program + ": " +
@@ -96,10 +97,10 @@ core::Result<std::unique_ptr<BricksJob>> BricksJob::start(std::vector<std::strin
 
 BricksJob::~BricksJob() {
     if (!ends_within(process_, looks_alone)) {
-        ::kill(process_, SIGTERM); // who starts the ranks passes it on
+        ::kill(process_, SIGTERM); // the starter of the ranks forwards it
         (void)ends_within(process_, looks_when_asked);
     }
-    ::kill(-process_, SIGKILL); // what is left
+    ::kill(-process_, SIGKILL); // the remaining processes
     while (::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
     }
 }

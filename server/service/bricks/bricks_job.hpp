@@ -1,4 +1,4 @@
-// The MPI job that holds a store's bricks, as a child of the server: begun, listened to, ended. POSIX, no shell.
+// The MPI job that holds a store's bricks, as a child of the server: started, read, ended. POSIX, no shell.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -13,26 +13,27 @@
 
 namespace wakesurf::server {
 
-/// A program with its arguments, as a person writes it: words between blanks, quotes hold some together. No variables, no patterns.
-/// Error: InvalidArgument where it has no word.
+/// Splits a command line into words at blanks; quotes keep words together. No variables, no patterns. Error:
+/// InvalidArgument without a word.
 core::Result<std::vector<std::string>> program_words(std::string_view text);
 
-/// A child and all that it starts on this machine. Ends with this: it is asked to, and killed where it does not within some seconds.
+/// A child and all processes that it starts on this machine. The destructor asks it to end, and kills it
+/// after some seconds.
 class BricksJob {
   public:
-    /// The first word is looked up in PATH. Error: Io where it cannot be started.
+    /// Starts a job; its first word is looked up in PATH. Error: Io if it cannot be started.
     static core::Result<std::unique_ptr<BricksJob>> start(std::vector<std::string> words);
     ~BricksJob();
     BricksJob(const BricksJob&) = delete;
     BricksJob& operator=(const BricksJob&) = delete;
 
-    /// Becomes readable when it says something, or has ended.
+    /// Returns a descriptor that becomes readable with output or at the end.
     int output() const { return output_.get(); }
 
-    /// Whole lines of what it said since the last time.
+    /// Returns the whole lines of output since the last call.
     std::vector<std::string> lines();
 
-    /// It says nothing any more.
+    /// Says whether its output has ended.
     bool ended() const { return ended_; }
 
   private:

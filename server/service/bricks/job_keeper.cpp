@@ -75,7 +75,7 @@ Result<bool> JobKeeper::let_in() {
 
 void JobKeeper::end() {
     guest_.reset();
-    talk_.reset(); // the job hears of it, and ends
+    talk_.reset(); // the job notices, and ends
     listen();
     job_.reset();
     door_.reset();

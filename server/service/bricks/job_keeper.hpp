@@ -1,4 +1,5 @@
-// The job from its start to its end, and then the next one after a rest, which is longer each time until one is there again.
+// Starts the job, follows it to its end, and starts the next one after a pause, which doubles until one
+// connects again.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -16,29 +17,29 @@
 
 namespace wakesurf::server {
 
-/// One thread at a time. Never waits, but for a job that is ended.
+/// Keeps a job running. One thread at a time. Never blocks, except to end a job.
 class JobKeeper {
   public:
     using Time = std::chrono::steady_clock::time_point;
 
-    /// @param options, wanted  live longer
+    /// REQUIRES: both arguments outlive this.
     JobKeeper(const RankOptions& options, const WantedJob& wanted)
         : options_(options), wanted_(wanted), rest_(options.first_rest) {}
 
-    /// Starts a job when the rest is over, writes into the log what it says, lets it in. True where it is there from now on. Error: why
-    /// it has to be ended.
+    /// Starts a job when the pause is over, logs its output, connects it. Returns true if it is connected
+    /// from now on. Error: why it has to be ended.
     core::Result<bool> tend();
 
-    /// With the job that is there; null while none is.
+    /// Returns the connected job; null without one.
     JobTalk* talk() { return talk_ ? &*talk_ : nullptr; }
 
-    /// Ends what there is, and the next one is started after a rest.
+    /// Ends the job; the next one is started after a pause.
     void end();
 
-    /// What becomes readable when there is something to tend.
+    /// Adds the descriptors that become readable when tend() has work.
     void watch(std::vector<pollfd>& files) const;
 
-    /// When there is something to tend although nothing becomes readable. Time::max(): never.
+    /// Returns the time at which tend() has work in any case. Time::max(): never.
     Time due() const;
 
   private:
@@ -49,9 +50,10 @@ class JobKeeper {
     const RankOptions& options_;
     const WantedJob& wanted_;
     std::optional<LocalDoor>
-        door_; // what comes first ends last: a job ends by itself when it hears that the talk is over
+        door_; // declared first, destroyed last: a job ends by itself when its connection closes
     std::unique_ptr<BricksJob> job_;
-    std::optional<OpenFile> guest_; ///< knocked, and has not said who it is
+    /// Has connected, but not identified itself yet.
+    std::optional<OpenFile> guest_;
     std::optional<JobTalk> talk_;
     Time started_{}, next_start_{};
     RankOptions::Duration rest_;

@@ -109,7 +109,7 @@ Result<std::vector<std::uint32_t>> JobTalk::filled() {
 JobTalk::Outcome JobTalk::take(std::uint32_t slot, std::span<float> to) {
     const auto memory = slots_.slot(slot);
     const BrickAsk asked = *std::exchange(asked_[slot], std::nullopt);
-    BrickHead head; // the job may still write to the memory: what is looked at is a copy
+    BrickHead head; // the job may still write to the memory: check a copy
     std::memcpy(&head, memory.data(), sizeof(head));
     if (head.held == job_magic)
         std::memcpy(to.data(), memory.data() + sizeof(head), to.size_bytes());

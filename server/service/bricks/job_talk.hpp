@@ -1,5 +1,5 @@
-// The server's side of the talk with a job that holds bricks. It trusts the job with nothing: who it is is checked before it is given
-// memory, and each brick after it is copied.
+// The server's side of the connection to a job that holds bricks. The job is not trusted: its identity is
+// checked before it gets memory, and each brick after it is copied.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -18,27 +18,28 @@
 
 namespace wakesurf::server {
 
-/// What a job has to be.
+/// Describes the job that is accepted.
 struct WantedJob {
     BrickShape shape;
-    /// The values are certainly others than those that the job tells of: store::StoreReader::contradicts.
+    /// Says that values certainly differ from those with the job's marks: store::StoreReader::contradicts.
     std::function<bool(std::string_view marks)> contradicts;
-    std::size_t slots = 16; ///< bricks that are on their way at a time
-    /// With a rank; then the job asks it for nothing until it has answered.
+    std::size_t slots = 16; ///< bricks that are requested at a time
+    /// The wait for a rank; after it the rank gets no requests until it has answered.
     std::chrono::milliseconds patience{1000};
 };
 
-/// One thread at a time.
+/// Talks to one job. One thread at a time.
 class JobTalk {
   public:
     enum class Outcome {
+        /// It is another brick, or differs from the file.
         Taken,
         NotHeld, ///< no rank has it, or not yet
-        Damaged, ///< it is another brick, or not as it was read from the file
+        Damaged,
     };
 
-    /// Hears who has come, and greets it. Nothing where it has not said so yet. Error: Corrupt, it is no such job; InvalidArgument, of
-    /// another store, or of what the store was before.
+    /// Reads a client's first message, and greets it. Empty if it has not come yet. Error: Corrupt for
+    /// anything but such a job; InvalidArgument for one of another store, or of older values of the store.
     static core::Result<std::optional<JobTalk>> meet(OpenFile& guest, const WantedJob& wanted);
 
     int socket() const { return socket_.get(); }
@@ -49,16 +50,16 @@ class JobTalk {
 
     std::size_t free() const { return free_.size(); }
 
-    /// Asks for bricks; the slot of each. Error: Io, the job is gone. REQUIRES: at most free().
+    /// Requests bricks, and returns the slot of each. Error: Io if the job is gone. REQUIRES: at most free().
     core::Result<std::vector<std::uint32_t>> ask(std::span<const BrickAsk> bricks);
 
-    /// Slots that the job has filled. Error: Io, it is gone; Corrupt, it says what cannot be.
+    /// Returns the slots that the job has filled. Error: Io if it is gone; Corrupt for an impossible answer.
     core::Result<std::vector<std::uint32_t>> filled();
 
-    /// Copies what is in a filled slot, which is free then. REQUIRES: as many numbers as the shape's.
+    /// Copies and frees a filled slot. REQUIRES: as many numbers as the shape's.
     Outcome take(std::uint32_t slot, std::span<float> to);
 
-    /// The same of a brick that no one waits for any more.
+    /// Frees the slot of a brick that is no longer wanted.
     void drop(std::uint32_t slot) {
         asked_[slot].reset();
         free_.push_back(slot);

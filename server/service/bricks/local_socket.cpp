@@ -28,7 +28,7 @@ bool is_ours(int socket) {
            peer.uid == ::geteuid();
 }
 
-/// Error: Io, the path is longer than the system's addresses.
+/// Error: Io if the path is longer than the system's addresses.
 core::Result<sockaddr_un> address_of(const std::filesystem::path& path) {
     sockaddr_un address{};
     address.sun_family = AF_UNIX;

@@ -1,4 +1,5 @@
-// A Unix socket between processes of one user on one machine, which keeps messages apart and passes descriptors.
+// A Unix socket between processes of one user on one machine, which preserves message boundaries and passes
+// descriptors.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -11,10 +12,10 @@
 
 namespace wakesurf::server {
 
-/// Where one program waits for another. The file (0600) lies in a folder of its own (0700); both go with it.
+/// A listening socket. Its file (0600) lies in a folder of its own (0700); both are removed with it.
 class LocalDoor {
   public:
-    /// Error: Io.
+    /// Opens it. Error: Io.
     static core::Result<LocalDoor> open();
     ~LocalDoor();
     LocalDoor(LocalDoor&& other) noexcept = default;
@@ -24,7 +25,7 @@ class LocalDoor {
 
     int file() const { return file_.get(); }
 
-    /// Whoever is there; nobody where it is another user's process.
+    /// Accepts a client; empty without one, and for another user's process.
     std::optional<OpenFile> let_in() const;
 
   private:
@@ -35,20 +36,20 @@ class LocalDoor {
     OpenFile file_;
 };
 
-/// Error: Io; Forbidden is none of its codes: another user's process counts as nobody.
+/// Connects. Error: Io; another user's process counts as none.
 core::Result<OpenFile> knock(const std::filesystem::path& door);
 
-/// A whole message, at once or not at all. @param passed  a descriptor that goes with it, or -1. False where the other has gone or does
-/// not read.
+/// Sends a whole message, at once or not at all. @param passed  a descriptor that goes with it, or -1.
+/// Returns false if the peer has closed or does not read.
 bool send_message(int socket, std::span<const std::byte> message, int passed = -1);
 
 struct Received {
     enum class State { Message, Nothing, Closed } state = State::Nothing;
-    std::size_t bytes = 0; ///< more than there was room for: it was too long
+    std::size_t bytes = 0; ///< more than fit: the message was too long
     OpenFile passed{};
 };
 
-/// What has come, without waiting.
+/// Receives a message without waiting.
 Received receive_message(int socket, std::span<std::byte> into);
 
 } // namespace wakesurf::server

@@ -33,18 +33,18 @@ struct RankBricks::State {
 
     WantedJob wanted;
     Options options;
-    OpenFile bell; ///< rung for the thread
+    OpenFile bell; ///< wakes the thread
     ReadsFromFiles files;
     std::mutex mutex;
     std::deque<WaitingRead> queue; ///< guarded by the mutex, as what follows
     Status status;
     std::condition_variable job_came;
 
-    /// The thread's own.
+    /// The members below are the thread's own.
     JobKeeper keeper{options, wanted};
     ReadsOnTheirWay on_their_way{options};
     bool damage_told = false;
-    std::jthread thread; ///< last
+    std::jthread thread; ///< destroyed first
 
     void ring() const {
         const std::uint64_t one = 1;
@@ -62,7 +62,7 @@ struct RankBricks::State {
     void end_job(const Error& why);
 };
 
-/// Of the job, which brings nothing from now on.
+/// Returns all reads of the job, which will not answer them.
 std::vector<WaitingRead> RankBricks::State::all_that_wait() {
     std::vector<WaitingRead> all = on_their_way.end();
     const std::scoped_lock lock(mutex);
@@ -149,7 +149,7 @@ Result<void> RankBricks::State::take_answers() {
 Result<void> RankBricks::State::lose_patience() {
     std::vector<WaitingRead> late = on_their_way.late();
     if (keeper.talk()->free() == 0 && on_their_way.nobody_waits()) {
-        const std::scoped_lock lock(mutex); // it brings nothing more, as it seems
+        const std::scoped_lock lock(mutex); // it will not answer any more
         std::ranges::move(queue, std::back_inserter(late));
         queue.clear();
     }
@@ -159,7 +159,7 @@ Result<void> RankBricks::State::lose_patience() {
     return {};
 }
 
-/// Until there is something to do.
+/// Waits until there is work.
 void RankBricks::State::wait() {
     constexpr Duration longest{60'000};
     std::vector<pollfd> watched{{bell.get(), POLLIN, 0}};

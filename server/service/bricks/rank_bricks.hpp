@@ -1,5 +1,5 @@
-// Bricks from the memory of an MPI job's ranks, and from files where the ranks do not have them: the source below
-// core/dataset/brick_cache.hpp where a job is started beside the server.
+// Bricks from the memory of an MPI job's ranks, and from files if the ranks do not have them: the source
+// below core/dataset/brick_cache.hpp if a job is started beside the server.
 #pragma once
 
 #include "core/dataset/brick_source.hpp"
@@ -14,26 +14,27 @@
 
 namespace wakesurf::server {
 
-/// A job that ends, hangs or is none costs no read: those that wait for it are made from files, and a new job is started after a
-/// while, each time a longer one until one is there again. Thread safety: concurrent calls are fine.
+/// Reads bricks. A job that ends, hangs or is none costs no read: pending ones are made from files, and a new
+/// job is started after a pause, which doubles until one connects again. Thread safety: concurrent calls are
+/// allowed.
 class RankBricks final : public core::BrickSource {
   public:
     using Options = RankOptions;
     using Duration = RankOptions::Duration;
 
-    /// How it stands.
+    /// Describes the job and its work.
     struct Status {
         bool there = false;         ///< a job is
         std::uint64_t ranks = 0;    ///< of it
-        std::uint64_t held = 0;     ///< bricks for which it has room
-        std::uint64_t jobs = 0;     ///< that were there so far
+        std::uint64_t held = 0;     ///< bricks for which it has memory
+        std::uint64_t jobs = 0;     ///< that have connected so far
         std::uint64_t by_ranks = 0; ///< bricks that ranks brought
         std::uint64_t by_files = 0; ///< that files did
-        std::uint64_t damaged = 0;  ///< of these: what ranks brought did not have its checksum
+        std::uint64_t damaged = 0;  ///< of these: with another checksum
     };
 
-    /// @param files   lives longer. Velocities come from ranks, scalars always from files
-    /// @param wanted  its slots are how many bricks are on their way at a time
+    /// @param files   outlives this. Velocities come from ranks, scalars always from files
+    /// @param wanted  its slots bound the bricks that are requested at a time
     RankBricks(const core::BrickSource& files, WantedJob wanted, Options options);
     ~RankBricks() override;
 
@@ -45,13 +46,13 @@ class RankBricks final : public core::BrickSource {
 
     Status status() const;
 
-    /// Waits until so many jobs were there, one after the other. False when the time is over first.
+    /// Waits until so many jobs have connected, one after the other. Returns false after `most`.
     bool wait_for_job(std::uint64_t jobs, Duration most) const;
 
-    /// What server and job share, once a job is there.
+    /// Returns the memory that server and job share, once a job has connected.
     std::size_t shared_bytes() const;
 
-    /// Starts jobs from now on. Until then all comes from files.
+    /// Starts jobs from now on. Before that all bricks come from files.
     void begin();
 
   private:

@@ -1,4 +1,4 @@
-// How a job that holds bricks is started, and how long it is waited for.
+// The start of a job that holds bricks, and the time limits for it.
 #pragma once
 
 #include "core/base/clock.hpp"
@@ -14,17 +14,18 @@ namespace wakesurf::server {
 struct RankOptions {
     using Duration = std::chrono::milliseconds;
 
-    /// Before the program: "mpirun", "-n", "4".
+    /// The words before the program: "mpirun", "-n", "4".
     std::vector<std::string> words;
     std::filesystem::path program; ///< wakesurf-bricks
     std::filesystem::path store;
-    std::uint64_t memory = 0;  ///< of each rank; 0: what the program takes
-    Duration first_rest{1000}; ///< before a job is started again; then twice as long each time
+    std::uint64_t memory = 0; ///< of each rank; 0: what the program needs
+    /// The pause before a job is started again; it doubles each time.
+    Duration first_rest{1000};
     Duration longest_rest{60'000};
-    Duration coming{120'000};           ///< for the job to say who it is
+    Duration coming{120'000};           ///< for the job to identify itself
     Duration patience{1000};            ///< for a brick; then it is read from files
     Duration hung{30'000};              ///< for a brick; then the job is ended
-    const core::Clock* clock = nullptr; ///< the machine's without; lives longer
+    const core::Clock* clock = nullptr; ///< outlives this; null: the machine's
 
     const core::Clock& wall() const {
         static const core::SteadyClock machine;

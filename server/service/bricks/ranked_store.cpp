@@ -13,7 +13,7 @@ WantedJob job_of(const store::StoreReader& reader) {
     wanted.shape = {layout.dimensions(), layout.cells(), reader.times().size(),
                     3 * layout.nodes_per_brick()};
     wanted.contradicts = [&reader](std::string_view marks) {
-        (void)reader.look_again(); // the job may know more time-steps than were there
+        (void)reader.look_again(); // the job may know more time-steps
         return reader.contradicts(marks);
     };
     return wanted;

@@ -1,4 +1,4 @@
-// A store whose bricks may come from an MPI job: all else of it is the reader's.
+// A store whose bricks may come from an MPI job: everything else is the reader's.
 #pragma once
 
 #include "core/dataset/time_step_source.hpp"
@@ -39,7 +39,7 @@ class RankedStore final : public core::TimeStepSource {
 
   private:
     std::shared_ptr<const store::StoreReader> reader_;
-    RankBricks ranks_; ///< last: it reads from the reader
+    RankBricks ranks_; ///< destroyed first: it reads from the reader
 };
 
 } // namespace wakesurf::server

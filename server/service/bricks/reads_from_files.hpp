@@ -11,20 +11,20 @@
 
 namespace wakesurf::server {
 
-/// Waits at its end for what files still read. Thread safety: concurrent calls are fine.
+/// Makes reads. The destructor waits for pending ones. Thread safety: concurrent calls are allowed.
 class ReadsFromFiles {
   public:
-    /// @param files  lives longer
+    /// REQUIRES: `files` outlives this.
     explicit ReadsFromFiles(const core::BrickSource& files) : files_(files) {}
 
     ~ReadsFromFiles();
     ReadsFromFiles(const ReadsFromFiles&) = delete;
     ReadsFromFiles& operator=(const ReadsFromFiles&) = delete;
 
-    /// By call, so that files read neighbours in one go.
+    /// Begins reads, grouped by call, so that files read neighbours in one go.
     void begin(std::vector<WaitingRead> reads);
 
-    /// That have begun so far.
+    /// Returns the number of reads begun so far.
     std::uint64_t count() const;
 
   private:

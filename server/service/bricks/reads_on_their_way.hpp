@@ -1,4 +1,4 @@
-// What a job has been asked for: which read waits for which slot, and how long it waits.
+// The pending requests of a job: which read waits for which slot, and for how long.
 #pragma once
 
 #include "server/service/bricks/rank_options.hpp"
@@ -13,38 +13,41 @@
 
 namespace wakesurf::server {
 
-/// Of one job. One thread at a time.
+/// Holds the requests of one job. One thread at a time.
 class ReadsOnTheirWay {
   public:
     using Time = std::chrono::steady_clock::time_point;
 
-    /// @param options  lives longer: patience, hung, clock
+    /// @param options  patience, hung and clock; outlives this
     explicit ReadsOnTheirWay(const RankOptions& options) : options_(options) {}
 
-    /// The job has been asked for these. REQUIRES: as many slots as reads, none of them on its way.
+    /// Adds requests. REQUIRES: as many slots as reads, none of them pending.
     void add(std::span<const std::uint32_t> slots, std::vector<WaitingRead> reads);
 
-    /// The job has filled a slot: the read that waits for it. Nothing where it was late.
+    /// Removes the request of a filled slot and returns its read; empty if it was late.
     std::optional<WaitingRead> take(std::uint32_t slot);
 
-    /// Whose patience is over, so that files read them. Their slots are taken until the job answers.
+    /// Returns the reads that have waited too long, to be made from files. Their slots stay in use until the
+    /// job answers.
     std::vector<WaitingRead> late();
 
-    /// No read waits for the job: none was asked for, or all are late.
+    /// Says whether no read waits for the job: there is none, or all are late.
     bool nobody_waits() const;
 
-    /// The job owes an answer for too long, whatever else it answers: one of its ranks may hang.
+    /// Says whether an answer is long overdue, despite other answers: a rank may hang.
     bool hung() const;
 
-    /// When one of both becomes so, if the job says nothing. Time::max(): never.
+    /// Returns the next time at which late() or hung() may change if the job does not answer. Time::max():
+    /// never.
     Time due() const;
 
-    /// Who still waits. Nothing is on its way then.
+    /// Returns the reads that still wait, and removes all requests.
     std::vector<WaitingRead> end();
 
   private:
     struct OnItsWay {
-        std::optional<WaitingRead> read; ///< none: files have it by now
+        /// The read; empty once files make it.
+        std::optional<WaitingRead> read;
         Time since;
     };
 

@@ -1,5 +1,5 @@
-// Memory that the server and a job have both: the job writes bricks there. The server makes it and seals its size, so that no job can
-// take it away while it is read.
+// Memory shared by the server and a job, which writes bricks there. The server makes it and seals its size,
+// so that no job can remove it while it is read.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -10,12 +10,12 @@
 
 namespace wakesurf::server {
 
-/// So many slots of so many bytes.
+/// Holds slots of equal size.
 class SharedSlots {
   public:
-    /// Error: Io.
+    /// Makes the memory. Error: Io.
     static core::Result<SharedSlots> make(std::size_t slots, std::size_t slot_bytes);
-    /// What another process made. Error: Io, also where it is smaller than that.
+    /// Maps memory made by another process. Error: Io, also if it is smaller than that.
     static core::Result<SharedSlots> take(OpenFile file, std::size_t slots, std::size_t slot_bytes);
     ~SharedSlots();
     SharedSlots(SharedSlots&& other) noexcept;
@@ -25,7 +25,7 @@ class SharedSlots {
 
     std::size_t count() const { return slots_; }
 
-    /// REQUIRES: which < count().
+    /// Returns a slot. REQUIRES: which < count().
     std::span<std::byte> slot(std::size_t which) const {
         return {static_cast<std::byte*>(memory_) + which * slot_bytes_, slot_bytes_};
     }

@@ -1,4 +1,4 @@
-// A read of a brick that somebody waits for, on its way between the job and the files.
+// A pending read of a brick, between the job and the files.
 #pragma once
 
 #include "core/dataset/brick_source.hpp"
@@ -11,14 +11,14 @@
 
 namespace wakesurf::server {
 
-/// What was asked for in one call.
+/// Holds the reads of one call.
 struct AskedReads {
     std::vector<core::BrickRead> reads;
     std::stop_token stop;
     core::BrickSource::Done done;
 };
 
-/// One of them.
+/// Names one of them.
 struct WaitingRead {
     std::shared_ptr<AskedReads> asked;
     std::size_t index = 0;
@@ -27,7 +27,7 @@ struct WaitingRead {
 
     void tell(core::Result<void> outcome) const { asked->done(index, std::move(outcome)); }
 
-    /// It ends without a brick.
+    /// Ends it without a brick.
     void cancel() const {
         tell(core::fail(core::Error::Code::Cancelled, "reading the brick was cancelled"));
     }

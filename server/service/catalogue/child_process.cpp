@@ -60,10 +60,10 @@ class SpawnOptions {
         ::posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
         ::posix_spawn_file_actions_adddup2(&actions_, out.writing(), STDOUT_FILENO);
         ::posix_spawn_file_actions_adddup2(&actions_, errors.writing(), STDERR_FILENO);
-        // Sockets are not closed by themselves when another program is begun. A child that outlives a killed
-        // server would keep its port taken and its clients waiting.
+        // Sockets are inherited by another program. A child that outlives a killed server would keep its port
+        // in use and its clients waiting.
         ::posix_spawn_file_actions_addclosefrom_np(&actions_, STDERR_FILENO + 1);
-        // Whatever this process ignores or blocks, the child must be endable.
+        // The child must be endable, whatever this process ignores or blocks.
         sigset_t none;
         sigset_t ending;
         ::sigemptyset(&none);
@@ -94,7 +94,7 @@ class SpawnOptions {
     posix_spawnattr_t attributes_{};
 };
 
-// Reads what is there; false at the end.
+// Reads available bytes; returns false at the end.
 bool read_some(int file, std::string& into) {
     std::array<char, 4096> buffer;
     const auto count = ::read(file, buffer.data(), buffer.size());
@@ -170,7 +170,7 @@ core::Result<ChildOutcome> run_child(const std::filesystem::path& program,
     ChildOutcome outcome;
     siginfo_t ended{};
     {
-        // Not reaped in here, so the id cannot have gone to another process.
+        // The child is not reaped in here, so its id cannot be another process's.
         const std::stop_callback end(stop, [child] { ::kill(child, SIGTERM); });
         outcome.errors = listen(out.reading(), errors.reading(), line);
         while (::waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOWAIT) != 0 &&

@@ -1,4 +1,4 @@
-// A program run to its end: output by line, last words on standard error, exit status. POSIX, no shell.
+// A program run to its end: output by line, the end of standard error, exit status. POSIX, no shell.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -16,12 +16,12 @@ namespace wakesurf::server {
 struct ChildOutcome {
     int exit_status = 0; ///< meaningful when `signal` is 0
     int signal = 0;      ///< that ended it
-    std::string errors;  ///< what it wrote to standard error, at most the last 16 KiB
+    std::string errors;  ///< from standard error, at most the last 16 KiB
 };
 
-/// Runs a program with standard input empty and `address_space` bytes at most (0: no limit). `line` is
-/// called in this thread for every line of its standard output. SIGTERM is sent to it when `stop` fires.
-/// Error: Io when it cannot be started.
+/// Runs a program with standard input empty and `address_space` bytes at most (0: no limit). `line` is called
+/// in this thread for every line of its standard output. SIGTERM is sent to it when `stop` fires. Error: Io
+/// if it cannot be started.
 core::Result<ChildOutcome> run_child(const std::filesystem::path& program,
                                      const std::vector<std::string>& arguments,
                                      std::size_t address_space,

@@ -18,7 +18,7 @@ namespace {
 constexpr std::string_view flow_prefix = "flow:";
 constexpr std::size_t longest_file_name = 255; // of a file
 
-// flow_*.vtu or flow_%04d.vtu: the importer finds the files.
+// Recognizes flow_*.vtu and flow_%04d.vtu: the importer finds the files.
 bool is_pattern(const std::string& name) {
     return name.find_first_of("*%") != std::string::npos;
 }

@@ -38,11 +38,11 @@ core::Result<std::unique_ptr<DatasetCatalogue>> DatasetCatalogue::open(
 }
 
 DatasetCatalogue::~DatasetCatalogue() {
-    for (auto& each : importers_) // all at once, then they are waited for
+    for (auto& each : importers_) // all are stopped before the first is joined
         each.request_stop();
 }
 
-/// Returns as many as are wanted, but each with the memory that an import needs at least.
+/// Returns the number wanted, but not more than have the least memory of an import each.
 std::size_t DatasetCatalogue::wanted_lanes() const {
     const auto sources = std::count_if(entries_.begin(), entries_.end(), [](const auto& entry) {
         return entry->argument.kind != DatasetArgument::Kind::Flow;
@@ -84,8 +84,8 @@ core::Result<void> DatasetCatalogue::add(const std::string& text) {
     return {};
 }
 
-/// Names the file that says which velocity was chosen for a source in which it is not clear: beside the
-/// store that it has without that.
+/// Returns the file that records the velocity chosen for a source with several: beside the store that it has
+/// without the choice.
 std::filesystem::path DatasetCatalogue::choice_file(const Entry& entry) const {
     return store_folder(options_.store_root, entry.argument, options_.taken).string() + ".velocity";
 }
@@ -114,8 +114,8 @@ void DatasetCatalogue::work(const std::stop_token& stop) {
         attend(*entry, stop);
 }
 
-/// Waits for one that no other thread has: not looked at yet, to be imported again, or with its rest over.
-/// Null at the end.
+/// Waits for a dataset that no other thread handles: not checked yet, to be imported again, or with its pause
+/// over. Null at the end.
 DatasetCatalogue::Entry* DatasetCatalogue::take_next(const std::stop_token& stop) {
     using Clock = std::chrono::steady_clock;
     std::unique_lock lock(mutex_);
@@ -151,7 +151,7 @@ DatasetCatalogue::Entry* DatasetCatalogue::take_next(const std::stop_token& stop
     return nullptr;
 }
 
-// Where nothing new was found, looking and importing take a twentieth of the time at most, else half of it.
+// If a check found nothing new, checking and importing take a twentieth of the time at most, else half of it.
 void DatasetCatalogue::attend(Entry& entry, const std::stop_token& stop) {
     using Clock = std::chrono::steady_clock;
     const auto started = Clock::now();
@@ -169,7 +169,7 @@ void DatasetCatalogue::attend(Entry& entry, const std::stop_token& stop) {
     else
         looked_only = true;
     if (!looked_only)
-        entry.look_for_families(); // one may have been made since this began to read
+        entry.look_for_families(); // one may have been made since reading began
     const auto ended = Clock::now();
     const auto took = ended - started;
     const bool news = entry.status.values != before;
@@ -185,8 +185,8 @@ void DatasetCatalogue::attend(Entry& entry, const std::stop_token& stop) {
         listener_(entry.status.dataset);
 }
 
-// Changed since the last import began; or that one failed, perhaps at a file that was being written: then
-// again, less and less often.
+// Returns true if the source changed since the last import began, or if that failed, perhaps at a file that
+// was being written: then at growing intervals.
 bool DatasetCatalogue::due(Entry& entry) const {
     if (entry.watch->changed()) {
         entry.failures = 0;
@@ -222,7 +222,7 @@ void DatasetCatalogue::import_one(Entry& entry, const std::stop_token& stop) {
     entry.finish(std::move(opened));
 }
 
-// One that cannot be read just now may be being written: what is open of it stays.
+// A store that cannot be read just now may be being written: the open one stays.
 void DatasetCatalogue::look_at_store(Entry& entry) {
     auto opened = entry.reopened(entry.argument.path);
     entry.failed = !opened;

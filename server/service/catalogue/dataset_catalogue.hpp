@@ -1,5 +1,5 @@
-// The datasets a server offers: a fixed list from the command line, imported in the background where needed.
-// A client names them by id and never sees a path.
+// The datasets of a server: a fixed list from the command line, imported in the background if needed. Clients
+// name them by id and never see a path.
 #pragma once
 
 #include "server/service/catalogue/import_lanes.hpp"
@@ -19,18 +19,17 @@
 
 namespace wakesurf::server {
 
-/// Thread safety: every call may come from any thread.
+/// Serves the datasets. Thread-safe.
 class DatasetCatalogue {
   public:
-    /// Is told that a dataset's status changed, without the catalogue's lock: from an import thread, or the
+    /// Called when a dataset's status changes, without the catalogue's lock: from an import thread, or the
     /// thread that stops or starts it.
     using Listener = std::function<void(const std::string& dataset)>;
 
-    /// Resolves the arguments and starts to import what needs it, `options.lanes` sources at a time; after
-    /// that sources and stores are looked at every `options.watch_period`: time-steps a running simulation
-    /// has written since are imported, and what was computed again, or replaced, is opened again.
-    /// `options.cache`'s budget is for all datasets together. Error: what resolve_dataset and open_flow
-    /// report.
+    /// Resolves the arguments and starts imports, `options.lanes` sources at a time. After that it checks
+    /// sources and stores every `options.watch_period`: time-steps that a running simulation has written
+    /// since are imported, and recomputed or replaced data are opened again. `options.cache`'s budget is for
+    /// all datasets together. Error: as resolve_dataset and open_flow.
     static core::Result<std::unique_ptr<DatasetCatalogue>>
     open(const std::vector<std::string>& arguments, OpenOptions options, Listener listener);
     /// Ends a running import; its store stays usable.
@@ -40,29 +39,28 @@ class DatasetCatalogue {
 
     std::vector<DatasetStatus> list() const;
 
-    /// Error: NotFound.
+    /// Returns the status. Error: NotFound for an unknown id.
     core::Result<DatasetStatus> status(std::string_view dataset) const;
 
-    /// Usable from its first time-step on. Error: NotFound for an unknown id and while nothing is imported
-    /// yet, else what made the import fail.
+    /// Returns a dataset, usable from its first time-step on. Error: NotFound for an unknown id and before
+    /// the first time-step, else that of the import.
     core::Result<std::shared_ptr<const LoadedDataset>> find(std::string_view dataset) const;
 
-    /// Ends the import of a dataset that is not ready yet, under way or in turn; the store stays usable.
-    /// False when there is none, as of one that only grows.
+    /// Ends the import of a dataset that is not ready yet, running or queued; the store stays usable. Returns
+    /// false without one, and for a dataset that only grows.
     bool stop_import(std::string_view dataset);
 
-    /// Begins an import that was stopped again, where it ended. False when it was not stopped.
+    /// Resumes an import that was stopped. Returns false if it was not stopped.
     bool start_import(std::string_view dataset);
 
-    /// The families in its store are others than they were: find() and status() have them from now on. Reads
-    /// a small file.
+    /// Reads the families in its store again, for find() and status(). Reads a small file.
     void look_for_families(std::string_view dataset);
 
-    /// Imports a dataset of which nothing is there, as its velocity was not clear, with this one. Once that
-    /// has worked, later servers take it as well, as long as they have the same folder of stores and no
-    /// --velocity. Does nothing where it is shown with that velocity already. Error: NotFound;
-    /// InvalidArgument for a store or a built-in flow, and where the dataset is shown with another velocity:
-    /// nobody's flow changes under their surfaces.
+    /// Imports, with this velocity, a dataset of which nothing is imported because its velocity was not
+    /// clear. After a success later servers take it as well, as long as they have the same folder of stores
+    /// and no --velocity. Does nothing if it has that velocity already. Error: NotFound; InvalidArgument for
+    /// a store or a built-in flow, and if the dataset has another velocity: the flow under existing surfaces
+    /// never changes.
     core::Result<void> choose_velocity(std::string_view dataset, const std::string& velocity);
 
   private:
@@ -92,13 +90,14 @@ class DatasetCatalogue {
 
     OpenOptions options_;
     Listener listener_;
-    mutable std::mutex
-        mutex_; ///< guards the entries but for what a thread has of one; their number is fixed
-    std::condition_variable_any again_; ///< there may be something to do
-    std::uint64_t news_ = 0;            ///< reasons to look whether there is
+    /// Guards the entries, except for the part of one that a thread owns; their number is fixed.
+    mutable std::mutex mutex_;
+    std::condition_variable_any again_; ///< notified when there may be work
+    std::uint64_t news_ = 0;            ///< counts the reasons to check for work
     std::vector<std::unique_ptr<Entry>> entries_;
     std::optional<ImportLanes> lanes_;
-    std::vector<std::jthread> importers_; ///< last: stopped and joined before anything else goes
+    /// Declared last: stopped and joined before anything else is destroyed.
+    std::vector<std::jthread> importers_;
 };
 
 } // namespace wakesurf::server

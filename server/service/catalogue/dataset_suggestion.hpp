@@ -1,5 +1,5 @@
-// What to begin with in a dataset: the one answer of `wakesurf surface` without a rake, of dataset.suggest,
-// and so of the page.
+// The suggested beginning for a dataset: the one answer of `wakesurf surface` without a rake, of
+// dataset.suggest, and so of the page.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -11,8 +11,8 @@
 
 namespace wakesurf::server {
 
-/// Suggests it from the time-steps that are there now. @param store  null for a built-in flow
-/// Cost: as core::suggest_scene, and the walls are read. Error: as that; what reading the walls reports.
+/// Suggests a scene from the present time-steps. @param store  null for a built-in flow
+/// Cost: as core::suggest_scene, and the walls are read. Error: as that, and as reading the walls.
 core::Result<core::SceneSuggestion> suggest_for(const core::DatasetInfo& info,
                                                 const core::Flow& flow,
                                                 const store::StoreReader* store,

@@ -23,7 +23,7 @@ namespace {
 constexpr std::size_t longest_name = 64;
 constexpr std::size_t most_steps = 64;
 
-/// Returns what a field of that name would hide, or be hidden by.
+/// Returns true if a field of that name would hide another, or be hidden by it.
 bool taken(const LoadedDataset& dataset, const std::string& name) {
     constexpr std::array<std::string_view, 6> ours{"speed", "s", "t", "x", "y", "z"};
     const auto& components = core::velocity_component_names;
@@ -56,7 +56,7 @@ Result<void> check_name(const LoadedDataset& dataset, const std::string& name) {
     return {};
 }
 
-/// No one has made it meanwhile.
+/// Checks that no family of the name was made meanwhile.
 Result<void> check_unmade(const std::vector<store::StoredFamily>& all, const std::string& name) {
     if (std::ranges::any_of(all, [&](const auto& each) { return each.record.name == name; }))
         return tl::unexpected(name_taken(name));
@@ -103,12 +103,12 @@ Result<core::SourceScalar> scalar_of(const LoadedDataset& dataset,
     return core::SourceScalar{dataset.scalars.get(), *found};
 }
 
-/// Nodes all over the grid, by which it is told how fast the flow is.
+/// Returns nodes all over the grid, for an estimate of the speed.
 std::vector<core::Vec3> some_nodes(const core::Grid& grid) {
     constexpr std::size_t most = 4096;
     const std::size_t all = core::node_count(grid);
     std::vector<core::Vec3> out;
-    // Odd: nodes of an even row are not all in the same place of it.
+    // An odd stride: nodes of an even row are not all in the same place of it.
     const std::size_t stride = std::max<std::size_t>(1, all / most) | 1u;
     for (std::size_t i = 0; i < all; i += stride)
         out.push_back(core::node_position(grid, i));
@@ -152,7 +152,7 @@ Result<core::FamilyRecord> make_family(const LoadedDataset& dataset,
     const store::StoreReader& store = *dataset.store;
     const auto steps = *steps_of(dataset, wish.times);
     const auto scalar = *scalar_of(dataset, wish.request);
-    const auto marks = store.marks(); // of the velocities that are traced through
+    const auto marks = store.marks(); // of the velocities that are traced
     core::FamilyRecord record{wish.name, wish.request, WAKESURF_VERSION, {}};
     std::vector<std::vector<float>> values;
     std::size_t held = 0;

@@ -1,5 +1,5 @@
-// A family of stream surfaces of a dataset: its scalar is traced, and kept in the dataset's store as a field
-// like any other. What `family.make` and `wakesurf family` share.
+// A family of stream surfaces of a dataset: its scalar is traced, and stored as a field like any other.
+// Shared by `family.make` and `wakesurf family`.
 #pragma once
 
 #include "core/base/work_done.hpp"
@@ -18,19 +18,19 @@ struct FamilyWish {
     std::vector<double> times; ///< the nearest time-steps; empty: the first one
 };
 
-/// Checks what can be told without tracing. Loads no data.
-/// Error: Unsupported (a built-in flow), InvalidArgument (a name that is taken or none, a scalar that is not
-/// there), OutOfTime, OverLimit, and what check_room_for_family reports.
+/// Checks a wish as far as possible without tracing. Loads no data. Error: Unsupported (a built-in flow),
+/// InvalidArgument (an invalid or used name, a missing scalar), OutOfTime, OverLimit, and as
+/// check_room_for_family.
 core::Result<void> check_family(const LoadedDataset& dataset, const FamilyWish& wish);
 
-/// Traces and keeps it. Runs in the caller's arena. Nothing is left of it where it ends early.
-/// Error: as check_family, plan_family and trace_family; Io.
+/// Traces and stores it, in the caller's arena. If it ends early nothing is stored. Error: as check_family,
+/// plan_family and trace_family; Io.
 core::Result<core::FamilyRecord> make_family(const LoadedDataset& dataset,
                                              const FamilyWish& wish,
                                              const std::stop_token& stop,
                                              const core::WorkPart& work = {});
 
-/// Error: Unsupported (a built-in flow), NotFound, Io.
+/// Removes a family. Error: Unsupported (a built-in flow), NotFound, Io.
 core::Result<void> remove_family(const LoadedDataset& dataset, const std::string& name);
 
 } // namespace wakesurf::server

@@ -1,4 +1,4 @@
-// Which file of a source someone is still writing: what cannot be read of it is not damage.
+// Finds files of a source that are still being written: their errors are no damage.
 #pragma once
 
 #include <chrono>
@@ -8,11 +8,12 @@
 
 namespace wakesurf::server {
 
-/// A file that was changed so recently may still grow.
+/// The age below which a file may still grow.
 inline constexpr std::chrono::seconds still_written{5};
 
-/// The name of a file in the source's folder, or three folders below, that `words` (of a reader) speak of
-/// and that was changed within the last `still_written`. A time folder of a case stands for the files in it.
+/// Returns the name of a file in the source's folder, or up to three folders below, that `words` (of a
+/// reader) mention and that was changed within the last `still_written`. A time folder of a case stands for
+/// the files in it. Empty if there is none.
 std::optional<std::string> file_being_written(const std::filesystem::path& source,
                                               const std::string& words);
 

@@ -1,5 +1,5 @@
-// How many imports run at a time, and the memory that each may take: an equal part of what there is for all.
-// One that does not fit into its part runs again alone, with all of it.
+// The number of imports at a time, and the memory for each: an equal part of the total. One that does not fit
+// into its part runs again alone, with all of it.
 #pragma once
 
 #include <condition_variable>
@@ -9,7 +9,7 @@
 
 namespace wakesurf::server {
 
-/// Thread safety: every call may come from any thread.
+/// Bounds concurrent imports. Thread-safe.
 class ImportLanes {
   public:
     explicit ImportLanes(std::size_t lanes) : lanes_(lanes) {}
@@ -19,7 +19,7 @@ class ImportLanes {
 
     std::size_t lanes() const { return lanes_; }
 
-    /// A lane, or all of them, until it goes.
+    /// Holds a slot, or all of them, until destroyed.
     class Taken {
       public:
         Taken(ImportLanes& of, std::size_t lanes) : of_(of), lanes_(lanes) {}
@@ -34,7 +34,7 @@ class ImportLanes {
         std::size_t lanes_;
     };
 
-    /// Waits for its turn: those who want all lanes go first. When `stop` fires it does not wait.
+    /// Waits for a slot: imports that want all slots go first. It stops waiting when `stop` fires.
     Taken one(const std::stop_token& stop) {
         std::unique_lock lock(mutex_);
         left_.wait(lock, stop, [this] { return taken_ < lanes_ && alone_ == 0; });
@@ -64,7 +64,7 @@ class ImportLanes {
     std::mutex mutex_;
     std::condition_variable_any left_;
     std::size_t taken_ = 0;
-    std::size_t alone_ = 0; ///< who wait for all lanes
+    std::size_t alone_ = 0; ///< waiting for all slots
 };
 
 } // namespace wakesurf::server

@@ -1,4 +1,4 @@
-// What imports may take of the account of memory: they are other processes of the same machine.
+// The share of imports in the account of memory: they are other processes of the same machine.
 #pragma once
 
 #include "server/service/catalogue/open_dataset.hpp"
@@ -9,18 +9,18 @@
 
 namespace wakesurf::server {
 
-// What the importer is told at least: with less, none could begin.
+// The least memory for the importer: with less, none could begin.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 inline constexpr std::size_t smallest_import = std::size_t{1} << 30;
 #else
 inline constexpr std::size_t smallest_import = std::size_t{64} << 20;
 #endif
 
-inline constexpr std::size_t import_part = 4; // of all memory all imports take one part in so many
+inline constexpr std::size_t import_part =
+    4; // the divisor: imports take one part in four of all memory
 
-/// What an import under way takes of the account: it is another process of the same machine. Waits until
-/// others have given it back.
-/// @param nth  part of what there is for imports
+/// Takes the memory of a running import from the account. Waits until others have released it.
+/// @param nth  part of the memory for imports
 inline core::Result<core::MemoryAccount::Share>
 import_memory(const OpenOptions& options, std::size_t nth, const std::stop_token& stop) {
     constexpr std::chrono::seconds patience{30};

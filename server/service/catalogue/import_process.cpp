@@ -51,7 +51,8 @@ std::vector<std::string> arguments_of(const ImportCommand& command) {
     return arguments;
 }
 
-// All the machine has, so that a file which claims to be enormous fails instead of swapping everything out.
+// Returns the machine's memory, so that a file which claims to be enormous fails instead of swapping
+// everything out.
 std::size_t address_space() {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
     return 0; // the sanitizers' shadow memory takes terabytes of addresses
@@ -62,7 +63,7 @@ std::size_t address_space() {
 #endif
 }
 
-// The importer's own sentence; whatever libraries print besides is none.
+// Returns the importer's own sentence, without output of libraries.
 std::string own_words(const std::string& errors) {
     constexpr std::string_view prefix = "wakesurf-import: ";
     std::string words;

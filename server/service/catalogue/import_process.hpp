@@ -1,5 +1,5 @@
-// Starts wakesurf-import beside our own executable and listens to it. A crash of it, or a hostile file,
-// stays in its process; it gets no shell, no standard input and a bounded address space.
+// Starts wakesurf-import beside our own executable and reads its output. A crash, or a hostile file, stays in
+// its process; it gets no shell, no standard input and a bounded address space.
 #pragma once
 
 #include "command/source_options.hpp"
@@ -28,10 +28,10 @@ struct ImportCommand {
     std::string layout{};            ///< --layout; empty: auto
 };
 
-/// Runs an import to its end in the calling thread; `listener` hears of every step, in this thread. When
-/// `stop` fires the importer is ended; the store stays usable and a later import goes on there. Error: the
-/// importer's own sentence (Corrupt), also where it is about a file that is being written; Cancelled, Io
-/// when it cannot be started or crashed.
+/// Runs an import to its end in the calling thread, which calls `listener` for every step. When `stop` fires
+/// the importer is ended; the store stays usable and a later import resumes there. Error: the importer's own
+/// sentence (Corrupt), also about a file that is being written; Cancelled; Io if it cannot be started or
+/// crashed.
 core::Result<void>
 run_import_process(const ImportCommand& command,
                    const std::function<void(const store::ImportProgress&)>& listener,

@@ -20,8 +20,8 @@ namespace wakesurf::server {
 
 namespace {
 
-/// WAKESURF_SIMD=off: to tell a fault of the processor's vectors from one of ours; avx2: for processors that
-/// slow down for wider ones.
+/// Reads WAKESURF_SIMD: off, to tell a fault of the processor's vectors from one of ours; avx2, for
+/// processors that slow down for wider ones.
 core::Simd simd_wanted() {
     const char* text = std::getenv("WAKESURF_SIMD");
     const std::string_view value = text != nullptr ? text : "";
@@ -32,19 +32,19 @@ core::Simd simd_wanted() {
 
 constexpr double mebi = 1024.0 * 1024.0;
 
-// What a first surface takes beside the dataset, so that the memory that is asked for is enough for one.
+// The memory of a first surface beside the dataset, so that the least memory is enough for one.
 constexpr std::size_t first_surface = std::size_t{32} << 20;
 
-/// Bounds what chunks of a Zarr may take beyond the least, of memory that is left: they are read again and
-/// again where they are larger than bricks.
+/// Bounds the memory for chunks of a Zarr beyond the least: chunks larger than bricks are read again and
+/// again.
 std::size_t more_chunks(std::size_t left) {
     constexpr std::size_t most = std::size_t{512} << 20;
     return std::min(left / 4, most);
 }
 
-/// Counts what stays in memory beside the velocity's time-steps: the grid, what finds cells in a mesh, the
-/// solid mask by node, by cell and by round cells (CellMask); and what sampling a scalar takes, which comes
-/// from the memory of the bricks where those are read one by one.
+/// Counts the memory beside the velocity's time-steps: the grid, the search structures of a mesh, the solid
+/// mask by node, by cell and by round cells (CellMask); and that of sampling a scalar, which comes from the
+/// memory of bricks if those are read one by one.
 std::size_t fixed_bytes(const store::StoreReader& reader, bool by_brick) {
     const auto* mesh = std::get_if<core::CellMesh>(&reader.grid());
     constexpr std::size_t locator_bytes =
@@ -62,8 +62,8 @@ std::string least_words(const store::StoreReader& reader, std::size_t bytes) {
                        static_cast<double>(reader.bytes_per_step()) / mebi);
 }
 
-/// Returns how much of the budget is left for time-steps. Error: OverLimit where that is too little to
-/// follow a particle.
+/// Returns the part of the budget left for time-steps. Error: OverLimit if it is too small to follow a
+/// particle.
 core::Result<std::size_t>
 cache_budget(const store::StoreReader& reader, std::size_t fixed, std::size_t budget) {
     const std::size_t steps = core::TimeStepCache::smallest_budget(reader);
@@ -81,7 +81,7 @@ cache_budget(const store::StoreReader& reader, std::size_t fixed, std::size_t bu
                     up(fixed + steps)));
 }
 
-/// Takes the same from the account, which then counts the grid, and has room for the time-steps.
+/// Takes the memory of the grid from the account, and checks that the time-steps fit into the rest.
 core::Result<std::shared_ptr<core::MemoryAccount::Share>>
 counted(const store::StoreReader& reader, std::size_t fixed, const core::MemoryAccount& account) {
     const std::size_t steps = core::TimeStepCache::smallest_budget(reader);
@@ -104,14 +104,14 @@ counted(const store::StoreReader& reader, std::size_t fixed, const core::MemoryA
         fmt::format("start with --memory {:.0f}MiB or more, or with fewer datasets",
                     up((account.budget() - std::min(account.budget(), free) + fixed + steps +
                         first_surface) *
-                       8 / 7))); // an eighth is kept for small work
+                       8 / 7))); // an eighth is reserved for small work
 }
 
 } // namespace
 
 namespace {
 
-/// Returns null where no job is wanted, or the store is none of bricks.
+/// Returns null without a job, or for a store without bricks.
 std::shared_ptr<RankedStore> with_ranks(const std::shared_ptr<const store::StoreReader>& reader,
                                         const std::filesystem::path& folder,
                                         const StoreOptions& options) {
@@ -249,7 +249,7 @@ LoadedDataset with_families(LoadedDataset open, const core::TimeStepCache::Optio
 
 namespace {
 
-/// The store in the place of what is open has all its values, and perhaps more.
+/// Says whether the store on the disk has all values of the open one, and perhaps more.
 bool has_all_of(const store::StoreManifest& now, const store::StoreReader& open) {
     const auto marks =
         store::ValueMarks::read(store::store_layout(now, open.layout().folder), core::PosixDisk());
@@ -282,7 +282,7 @@ bool still_there(const LoadedDataset& open) {
 std::size_t steps_ready(const LoadedDataset& open) {
     if (!open.store)
         return open.info.times.size();
-    (void)open.store->look_again(); // what cannot be read has no more of them
+    (void)open.store->look_again(); // one that cannot be read has no more of them
     return open.store->marks().steps();
 }
 

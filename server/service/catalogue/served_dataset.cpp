@@ -12,8 +12,8 @@ using core::Error;
 
 namespace {
 
-// What an import under way does not change: one that is ready grows and is told when it has. One that failed
-// is imported again.
+// Says whether a running import leaves the state alone: a ready dataset grows, and changes when it has grown.
+// A failed one is imported again.
 bool settled(DatasetState state) {
     return state == DatasetState::Ready || state == DatasetState::Stopped ||
            state == DatasetState::Incomplete;
@@ -50,7 +50,7 @@ command::SourceOptions ServedDataset::taken_now() const {
     return taken;
 }
 
-// What is open stays open as long as it is the same series, of the same values. What took its place may need
+// An open dataset stays open as long as it is the same series, of the same values. Its replacement may need
 // its memory.
 core::Result<LoadedDataset> ServedDataset::reopened(const std::filesystem::path& folder) {
     if (!open)
@@ -65,8 +65,8 @@ core::Result<LoadedDataset> ServedDataset::reopened(const std::filesystem::path&
     return open_store(folder, options_);
 }
 
-// The log has each once, for a source that failed is looked at again and again; and none where the server
-// ends, or someone stopped it.
+// Logs each error once, since a failed source is checked again and again; none when the server ends, or a
+// client stopped the import.
 void ServedDataset::keep_error(const core::Error& error) {
     const bool told = status.error && status.error->message == error.message;
     if (!told && error.code != Error::Code::Cancelled)
@@ -89,8 +89,7 @@ void ServedDataset::give_up(const std::filesystem::path& folder, const core::Err
                              "import resumes by itself";
 }
 
-/// Data in use were computed again: what is open of them is there no more, and their import counts as one
-/// from the beginning.
+/// Data in use were recomputed: the open ones no longer exist, and their import begins at zero.
 void ServedDataset::notice_replacement() {
     if (!open || std::exchange(compared, true) || still_there(*open))
         return;
@@ -101,8 +100,7 @@ void ServedDataset::notice_replacement() {
     status.error.reset();
 }
 
-// Who is told of ready time-steps asks for them at once: they are counted once find() has them, and not
-// before.
+// Listeners use ready time-steps at once: they are counted once find() has them, and not before.
 bool ServedDataset::show(const store::ImportProgress& progress,
                          const std::filesystem::path& folder) {
     if (!progress.velocities.empty()) {
@@ -188,7 +186,7 @@ void ServedDataset::look_for_families() {
     }
 }
 
-// Of an import that was stopped, or of an earlier one; by now it may be wanted again.
+// Opens the result of a stopped or earlier import; it may be wanted again meanwhile.
 void ServedDataset::show_what_is_there(const std::filesystem::path& folder) {
     auto opened = reopened(folder);
     if (!opened || (!open && steps_ready(*opened) == 0))

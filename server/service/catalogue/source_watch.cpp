@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Time-steps that are looked at every time: a solver that runs again begins at the first ones, one that
-/// goes on writes the last ones.
+/// The time-steps that are checked every time: a solver that runs again begins with the first, one that
+/// continues writes the last.
 constexpr std::size_t first_steps = 4, newest_steps = 16;
 
 constexpr std::uint64_t with(std::uint64_t so_far, std::uint64_t number) {
@@ -49,12 +49,12 @@ SourceWatch::Stamp SourceWatch::stamp(const fs::path& path) {
         return {};
     const std::int64_t modified =
         std::int64_t{found.st_mtim.tv_sec} * 1'000'000'000 + std::int64_t{found.st_mtim.tv_nsec};
-    // The size of a folder says nothing.
+    // The size of a folder means nothing.
     return {S_ISDIR(found.st_mode) ? 0 : static_cast<std::uint64_t>(found.st_size),
             std::max<std::int64_t>(1, modified)};
 }
 
-/// Everything in the folder and in the folders there, in any order.
+/// Returns a sum over everything in the folder and its folders, in any order.
 std::uint64_t SourceWatch::listing() {
     std::uint64_t sum = 0;
     const auto add = [&](const fs::path& path) {
@@ -78,7 +78,7 @@ std::uint64_t SourceWatch::listing() {
     return sum;
 }
 
-/// A file that is written in place changes no folder.
+/// Finds files that list others: writing them in place changes no folder.
 void SourceWatch::find_indices() {
     constexpr std::array<std::string_view, 6> endings{".pvd",   ".series", ".case",
                                                       ".encas", ".foam",   ".vtm"};
@@ -108,12 +108,11 @@ void SourceWatch::begin() {
             known_[path] = stamp(path);
 }
 
-/// Lists the folders from the source's down to the file: what appears there is a time-step, or a part of
-/// one.
+/// Adds the folders from the source's down to the file: what appears there is a time-step, or a part of one.
 void SourceWatch::take_folders(const fs::path& file, std::map<fs::path, Stamp>& into) {
     const auto below = file.lexically_relative(folder_);
     if (below.empty() || *below.begin() == "..")
-        return; // somewhere else
+        return; // outside of the source
     for (auto folder = file.parent_path(); !into.contains(folder); folder = folder.parent_path()) {
         const auto known = known_.find(folder);
         unsure_ = unsure_ || known == known_.end();
@@ -154,7 +153,7 @@ void SourceWatch::made_from(const store::StoreSource& files) {
     const auto missing = [this](const fs::path& path) {
         return !known_.contains(path) && stamp(path) == Stamp();
     };
-    // Named from another folder than this one.
+    // The manifest names files relative to another folder.
     if ((always.empty() && others.empty()) || std::any_of(always.begin(), always.end(), missing))
         return;
     for (const auto& [folder, now] : folders) {

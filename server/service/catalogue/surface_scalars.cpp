@@ -15,20 +15,20 @@ bool stored(const LoadedDataset& dataset, const std::string& name) {
     return dataset.scalars != nullptr && dataset.scalars->find(name);
 }
 
-/// Every export has it anyhow, unless the dataset has a field of that name.
+/// Says whether every export has it, unless the dataset has a field of that name.
 bool written_anyhow(const LoadedDataset& dataset, const std::string& name) {
     const bool derived = name == core::deformation_name || name == core::approximated_name ||
                          name == core::error_name;
     return name == dataset.info.velocity || (derived && !stored(dataset, name));
 }
 
-/// A stored field of that name goes before it.
+/// Derives a gradient field; a stored field of that name goes before it.
 std::optional<core::GradientField> derived_here(const LoadedDataset& dataset,
                                                 const std::string& name) {
     return stored(dataset, name) ? std::nullopt : core::find_gradient_field(name);
 }
 
-/// Derives from the velocity and the normal: a stored field of that name goes before it.
+/// Says whether to derive a component of the velocity; a stored field of that name goes before it.
 bool component_here(const LoadedDataset& dataset, const std::string& name) {
     return core::is_vertex_component(name) && !stored(dataset, name);
 }

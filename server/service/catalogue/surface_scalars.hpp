@@ -12,12 +12,13 @@
 
 namespace wakesurf::server {
 
-/// Error: NotFound for fields that are neither stored nor derived, saying what there is.
+/// Checks the fields. Error: NotFound for fields that are neither stored nor derived, listing those that are.
 core::Result<void> check_fields(const LoadedDataset& dataset,
                                 const std::vector<std::string>& fields);
 
-/// Each named field, with a value a vertex, at the time in `times`. The velocity, deformation, approximated
-/// and error may be named too: every export has them. Error: as check_fields, and what reading reports.
+/// Returns each named field, with a value a vertex, at the time in `times`. Names of the velocity,
+/// deformation, approximated and error are accepted: every export has them. Error: as check_fields and
+/// reading.
 core::Result<protocol::MeshScalars> surface_scalars(const LoadedDataset& dataset,
                                                     const core::QuadComplex& mesh,
                                                     const std::vector<double>& times,

@@ -25,7 +25,7 @@ std::optional<CommitMark::Value> CommitMark::read() const {
 void CommitMark::write(const Value& value) {
     if (file_.get() < 0)
         file_ = open_private_file(path_, O_WRONLY | O_CREAT).value_or(OpenFile());
-    // Always as long, so that the file never grows: a full disk takes it too.
+    // The length is constant, so that the file never grows: a full disk takes it too.
     char text[64];
     const int size =
         std::snprintf(text, sizeof text, "%020lld %020lld\n", static_cast<long long>(value.id),

@@ -1,5 +1,5 @@
-// How many changes a server has acknowledged, beside the file that holds them: a log that was damaged or
-// taken away looks to SQLite like one of fewer changes, and would do so to us.
+// The number of changes that a server has acknowledged, in a file beside the database: SQLite takes a damaged
+// or missing log for one of fewer changes, and so would we.
 #pragma once
 
 #include "server/service/base/private_file.hpp"
@@ -11,23 +11,23 @@
 
 namespace wakesurf::server {
 
-/// Written without waiting for the disk: it survives the process, and after a power cut it is at most
-/// behind. Where it cannot be written nothing is noticed, and nothing else is lost.
+/// Keeps the mark. Writing does not wait for the disk: it survives the process, and after a power cut it is
+/// at most too low. If it cannot be written, damage is not noticed, but nothing else is lost.
 class CommitMark {
   public:
     struct Value {
-        std::int64_t id = 0; ///< of the file meant
+        std::int64_t id = 0; ///< of the database
         std::int64_t commits = 0;
     };
 
     explicit CommitMark(std::string path) : path_(std::move(path)) {}
 
-    /// Returns nothing where there is none.
+    /// Returns the mark; empty if there is none.
     std::optional<Value> read() const;
 
     void write(const Value& value);
 
-    /// Opens the file again before the next write: it may have been taken away.
+    /// Opens the file again before the next write: it may have been removed.
     void close();
 
   private:

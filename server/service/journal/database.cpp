@@ -17,7 +17,7 @@ const char* const Database::way_out =
 
 namespace {
 
-/// In our words: SQLite's may name files.
+/// Returns an error in our words: SQLite's may name files.
 tl::unexpected<Error> failure(int code) {
     switch (code & 0xff) {
     case SQLITE_FULL:
@@ -36,7 +36,7 @@ tl::unexpected<Error> failure(int code) {
                     "close it, or give this server another folder with --state");
     case SQLITE_NOTADB:
     case SQLITE_CORRUPT:
-    case SQLITE_ERROR: // our statements are sound, so the tables are not those we made
+    case SQLITE_ERROR: // our statements are correct, so the tables are not ours
         return fail(Error::Code::Corrupt,
                     std::string("sessions.sqlite in the state folder is damaged: ") +
                         sqlite3_errstr(code & 0xff),
@@ -121,7 +121,7 @@ core::Result<void> Database::copy_to(const std::string& file, const char* vfs) {
     const int finished = sqlite3_backup_finish(backup);
     if (stepped != SQLITE_DONE)
         return failure(finished == SQLITE_OK ? stepped : finished);
-    // One file, not a file and a log; this is also what syncs it.
+    // Makes one file, without a log; this also syncs it.
     return copy->run("PRAGMA journal_mode=DELETE");
 }
 

@@ -1,4 +1,4 @@
-// SQLite as the rest of this room sees it: handles that close themselves, errors as values.
+// SQLite for this room: handles that close themselves, errors as values.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -13,21 +13,21 @@ struct sqlite3_stmt;
 
 namespace wakesurf::server {
 
-/// Holds one statement, to be bound and stepped any number of times. Must not outlive its database.
+/// Holds one statement, to be bound and stepped any number of times. REQUIRES: its database outlives it.
 class Statement {
   public:
-    /// The `at`-th parameter, from 1. REQUIRES: the text stays until the next reset().
+    /// Binds the `at`-th parameter, from 1. REQUIRES: the text stays until the next reset().
     void bind(int at, std::string_view text);
     void bind(int at, std::int64_t number);
 
-    /// True: there is a row. Error: as Database::run.
+    /// Returns true with a row. Error: as Database::run.
     core::Result<bool> step();
 
-    /// The `at`-th column of the row, from 0.
+    /// Returns the `at`-th column of the row, from 0.
     std::string text(int at) const;
     std::int64_t number(int at) const;
 
-    /// Ready for the next values.
+    /// Resets it for the next values.
     void reset();
 
   private:
@@ -45,26 +45,25 @@ class Statement {
 /// Holds one connection; one thread at a time.
 class Database {
   public:
-    /// Says what to do about a damaged file.
+    /// The advice for a damaged file.
     static const char* const way_out;
 
-    /// Makes the file where there is none. `vfs`: SQLite's name of the file system to use; null: the usual
-    /// one. Error: Io; Corrupt where the file is no database.
+    /// Opens the file, and makes it if it is missing. `vfs`: SQLite's name of the file system to use; null:
+    /// the usual one. Error: Io; Corrupt if the file is no database.
     static core::Result<Database> open(const std::string& file, const char* vfs);
 
-    /// Sets whether closing it moves the log into the file and removes it: so from the start on. Off,
-    /// closing leaves a damaged log to be looked at.
+    /// Sets whether closing moves the log into the file and removes it, the default. Without it, closing
+    /// leaves a damaged log for inspection.
     void fold_log_on_close(bool fold);
 
-    /// A copy of all of it, with what the log holds, as a file of its own that must not be there. Error: as
-    /// run().
+    /// Copies all of it, the log included, to a new file. Error: as run().
     core::Result<void> copy_to(const std::string& file, const char* vfs);
 
-    /// Error: Io (full, read-only, failing disk; locked), Corrupt.
+    /// Runs statements. Error: Io (full, read-only, failing disk; locked), Corrupt.
     core::Result<void> run(const char* statements);
     core::Result<Statement> prepare(const char* statement);
 
-    /// The first column of the first row. Error: as run(); Corrupt where there is no row.
+    /// Returns the first column of the first row. Error: as run(); Corrupt without a row.
     core::Result<std::int64_t> number(const char* query);
     core::Result<std::string> text(const char* query);
 

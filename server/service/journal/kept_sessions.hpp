@@ -1,4 +1,4 @@
-// What a server that ended has left in the folder of `--state`, ready to be gone on with.
+// The sessions that an earlier server has left in the folder of `--state`.
 #pragma once
 
 #include "server/service/journal/state_folder.hpp"
@@ -13,12 +13,12 @@ namespace wakesurf::server {
 struct KeptSessions {
     StateFolder folder;
     StateStore store;
-    std::map<std::string, std::vector<JournalEntry>>
-        sessions; ///< also those of which nothing can be used
+    /// All sessions, also those without a usable record.
+    std::map<std::string, std::vector<JournalEntry>> sessions;
     std::map<std::string, std::vector<KeptAside>> aside;   ///< by earlier starts
-    std::map<std::string, std::vector<KeptAside>> damaged; ///< since this one
+    std::map<std::string, std::vector<KeptAside>> damaged; ///< since this start
 
-    /// Waits for the disk. Error: as StateFolder::hold and StateStore::open.
+    /// Opens the folder; waits for the disk. Error: as StateFolder::hold and StateStore::open.
     static core::Result<KeptSessions> open(const std::filesystem::path& folder);
 };
 

@@ -40,7 +40,7 @@ void PendingWrites::follow(PendingWrites older) {
         erase_session(older.records, session);
         erase_session(older.aside, session);
     }
-    records.merge(older.records); // what is here already is newer
+    records.merge(older.records); // present records are newer
     aside.merge(older.aside);
     removed.merge(older.removed);
 }

@@ -1,5 +1,4 @@
-// What has changed since the last commit: of every record the newest state only, however often it was
-// edited.
+// The changes since the last commit: only the newest state of every record, however often it was edited.
 #pragma once
 
 #include "server/service/base/journal.hpp"
@@ -22,11 +21,12 @@ struct StoredKey {
     auto operator<=>(const StoredKey&) const = default;
 };
 
-/// A value; as large as the records it names, so that it stays bounded however long nothing can be written.
+/// Holds changes. Its size is bounded by that of the records, however long writing fails.
 struct PendingWrites {
     std::set<std::string> removed;        ///< sessions to forget, before all else
     std::map<StoredKey, KeptAside> aside; ///< records to move, before `records` are written
-    std::map<StoredKey, std::optional<std::string>> records; ///< JSON text; nothing: deleted
+    /// JSON text; empty: deleted.
+    std::map<StoredKey, std::optional<std::string>> records;
 
     bool empty() const { return removed.empty() && aside.empty() && records.empty(); }
 
@@ -34,7 +34,7 @@ struct PendingWrites {
     void set_aside(const std::string& session, std::vector<KeptAside> records);
     void remove(const std::string& session);
 
-    /// Takes up changes that were made before these and are not on the disk yet.
+    /// Adds changes that were made before these and are not on the disk yet.
     void follow(PendingWrites older);
 
     /// Drops the deletions of records that `stored` does not have.

@@ -1,5 +1,4 @@
-// What is kept beside the rows of the state's file, so that one that was altered, and one that is gone, are
-// noticed.
+// Checksums of the rows of the state's file, which reveal altered and missing rows.
 #pragma once
 
 #include "server/service/journal/pending_writes.hpp"
@@ -9,10 +8,10 @@
 
 namespace wakesurf::server {
 
-/// The first 64 bits of SHA-256 over a row's columns with their lengths. Pure.
+/// Returns the first 64 bits of SHA-256 over a row's columns with their lengths.
 std::uint64_t row_digest(const StoredKey& key, std::string_view json);
 
-/// Of a set of rows, whatever their order: how many, and all their digests in one.
+/// Sums up a set of rows in any order: their number, and all their digests in one.
 struct RowSum {
     std::int64_t records = 0;
     std::uint64_t digest = 0;

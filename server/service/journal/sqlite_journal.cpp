@@ -8,7 +8,7 @@ namespace wakesurf::server {
 
 namespace {
 
-/// Is the interval at which the file is checked while nothing is written.
+/// The interval at which the file is checked while nothing is written.
 constexpr std::chrono::seconds look{2};
 
 } // namespace
@@ -73,7 +73,7 @@ std::optional<core::Error> SqliteJournal::refusal() const {
     return refusal_;
 }
 
-/// False where the thread has ended.
+/// Returns false if the thread has ended.
 bool SqliteJournal::run(Errand errand) {
     const auto done = std::make_shared<std::promise<void>>();
     std::future<void> ended = done->get_future();
@@ -126,7 +126,7 @@ void SqliteJournal::work(const std::stop_token& stop) {
         core::Result<void> outcome;
         if (refused || !changes.empty() || !store_.in_place())
             outcome = store_.apply(changes);
-        if (last && !outcome && !store_.in_place()) // there is no later try to put it back
+        if (last && !outcome && !store_.in_place()) // no later try can restore it
             outcome = store_.apply(changes);
         for (const Errand& each : errands)
             each(store_);
@@ -136,10 +136,9 @@ void SqliteJournal::work(const std::stop_token& stop) {
     }
 }
 
-// With the lock held, so that no one is told of a later state before an earlier one.
+// Holds the lock, so that clients never hear of a later state before an earlier one.
 void SqliteJournal::tell(PendingWrites tried, const core::Result<void>& outcome, Waiting waited) {
-    // The disk takes writes again, but edits came meanwhile that were answered as not durable: they go
-    // first.
+    // The disk takes writes again, but edits in between were answered as not durable: they go first.
     const bool behind = outcome && refusal_ && !changes_.empty();
     const bool changed = !behind && refusal_.has_value() == outcome.has_value();
     if (outcome) {
@@ -148,7 +147,7 @@ void SqliteJournal::tell(PendingWrites tried, const core::Result<void>& outcome,
     } else {
         refusal_ = outcome.error();
         changes_.follow(std::move(tried));
-        // Their edits came while this try was on its way: none is made for them before the next.
+        // Their edits came during this try: the next one writes them.
         std::move(waiting_.begin(), waiting_.end(), std::back_inserter(waited));
         waiting_.clear();
     }

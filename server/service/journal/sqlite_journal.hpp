@@ -1,5 +1,5 @@
-// The journal on SQLite: a thread of its own writes what the loop's thread hands over. All that waits goes
-// into one transaction, so that a burst of edits costs one sync of the disk.
+// The journal on SQLite: a thread of its own writes what the loop's thread queues. All queued changes go into
+// one transaction, so that a burst of edits costs one sync of the disk.
 #pragma once
 
 #include "server/service/base/journal.hpp"
@@ -19,11 +19,11 @@
 
 namespace wakesurf::server {
 
-/// While the disk refuses (full, read-only, failing), changes stay in memory, everybody who asks is told so
-/// at once, and a try is made every `retry`; the one that succeeds writes all of them.
+/// Writes changes. While the disk refuses (full, read-only, failing), changes stay in memory, callers are
+/// told at once, and a try is made every `retry`; the one that succeeds writes all of them.
 class SqliteJournal final : public Journal {
   public:
-    /// Told on the loop when the disk starts to refuse (an error) and when it takes changes again.
+    /// Called on the loop when the disk starts to refuse (an error) and when it takes changes again.
     using OnDurability = std::function<void(core::Result<void>)>;
 
     /// REQUIRES: the loop outlives it.
@@ -32,7 +32,7 @@ class SqliteJournal final : public Journal {
                   OnDurability changed,
                   std::chrono::milliseconds retry = std::chrono::seconds(1));
 
-    /// Works like finish().
+    /// Does what finish() does.
     ~SqliteJournal() override;
     SqliteJournal(const SqliteJournal&) = delete;
     SqliteJournal& operator=(const SqliteJournal&) = delete;
@@ -43,16 +43,16 @@ class SqliteJournal final : public Journal {
     void settled(std::function<void(core::Result<void>)> done) override;
     std::optional<core::Error> refusal() const override;
 
-    /// Has the file left alone, with all in it that has been written, while edits go on: until release().
-    /// Any thread but the loop's; waits for the disk. Error: Io while it refuses, and once the journal has
-    /// finished.
+    /// Keeps the file unchanged, with all written changes in it, while edits continue: until release(). For
+    /// any thread but the loop's; waits for the disk. Error: Io while the disk refuses, and once the journal
+    /// has finished.
     core::Result<void> hold();
 
-    /// Returns whether the file was left alone all the time.
+    /// Returns whether the file was unchanged all the time.
     bool release();
 
-    /// Writes what is still to be written, if the disk takes it, and posts the last callbacks. Waits for the
-    /// disk. What comes after it is not kept.
+    /// Writes the remaining changes, if the disk takes them, and posts the last callbacks. Waits for the
+    /// disk. Later changes are not kept.
     void finish();
 
   private:
@@ -80,7 +80,7 @@ class SqliteJournal final : public Journal {
     std::optional<core::Error> refusal_; ///< of the last try
     bool writing_ = false;
 
-    std::jthread thread_; ///< last: it uses the others
+    std::jthread thread_; ///< destroyed first: it uses the others
 };
 
 } // namespace wakesurf::server

@@ -1,27 +1,27 @@
-// Notices a server that dies again and again while it starts, so that the next start can leave out what may
-// be killing it.
+// Detects a server that crashes repeatedly while it starts, so that the next start can leave out the likely
+// cause.
 #pragma once
 
 #include <filesystem>
 
 namespace wakesurf::server {
 
-/// The number of starts that have not come to a good end is a file in the folder of `--state`. A folder that
-/// cannot be written to counts nothing. Loop thread only.
+/// Counts failed starts in a file in the folder of `--state`; in a read-only folder they are not counted.
+/// Loop thread only.
 class StartGuard {
   public:
-    /// After so many deaths the next start is a careful one.
+    /// The number of crashes after which the next start is a careful one.
     static constexpr unsigned most = 3;
 
-    /// Begins a start. @param folder  held by this process
+    /// Begins a start. @param folder  locked by this process
     explicit StartGuard(const std::filesystem::path& folder);
 
-    /// Returns how many starts before this one died, in a row.
+    /// Returns the number of crashed starts in a row before this one.
     unsigned died() const { return died_; }
 
     bool careful() const { return died_ >= most; }
 
-    /// Forgets them: the server has served for a while, or ends as it should. Waits for the disk.
+    /// Resets the count: the server has served for a while, or ends normally. Waits for the disk.
     void good();
 
   private:

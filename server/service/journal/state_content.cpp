@@ -20,7 +20,7 @@ std::string count_text(std::int64_t count, const char* what) {
     return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
-/// Sums up what was found in both ways: an altered digest is not a missing row, nor is an altered record.
+/// Sums up the findings in both ways: an altered digest is not a missing row, nor is an altered record.
 struct Found {
     std::map<std::string, RowSum> as_written;
     std::map<std::string, RowSum> as_read;
@@ -50,7 +50,7 @@ void take_row(
     into.damaged.push_back({key.session, {key.type, key.id, why, now}, std::move(json)});
 }
 
-/// Of the file's layout, and nothing of it read yet.
+/// Returns an empty content of the file's layout.
 core::Result<StateContent> of_layout(Database& database) {
     return layout_of(database).map([](int layout) {
         StateContent out;
@@ -171,8 +171,8 @@ Error damage_error(const StateContent& content) {
     return {Error::Code::Corrupt, std::move(text), Database::way_out};
 }
 
-// A row by its number needs only the pages on the way to it, so that those behind a broken page are reached
-// all the same.
+// Reads rows by their numbers: this needs only the pages on the way to a row, so that those behind a broken
+// page are reached.
 core::Result<StateContent> salvage_content(Database& database, std::int64_t now) {
     auto begun = of_layout(database);
     if (!begun || begun->layout == 0)
@@ -182,8 +182,7 @@ core::Result<StateContent> salvage_content(Database& database, std::int64_t now)
     for (const char* query : {"SELECT max(rowid) FROM records", "SELECT sum(records) FROM sums"})
         if (const auto number = database.number(query))
             last = std::max(last, *number);
-    constexpr std::int64_t beyond =
-        100'000; // where the last page is gone, so is the largest number
+    constexpr std::int64_t beyond = 100'000; // without the last page the largest number is unknown
     constexpr std::int64_t most = 100'000'000;
     last = std::min(last + beyond, most);
     Found found;

@@ -28,7 +28,7 @@ fs::path with(const fs::path& path, const char* end) {
     return path.string() + end;
 }
 
-/// A folder for this user alone that goes with everything in it.
+/// A folder for this user alone, removed with everything in it.
 class ScratchFolder {
   public:
     static core::Result<ScratchFolder> make(const fs::path& in) {
@@ -70,7 +70,7 @@ core::Result<void> copy_one(const fs::path& from, const fs::path& to) {
                 "check that this user can read it, and that there is space for a copy");
 }
 
-/// The file, and its log where it has one.
+/// Copies the file, and its log if there is one.
 core::Result<void> copy_with_log(const fs::path& from, const fs::path& to) {
     std::error_code error;
     if (!fs::exists(from, error))
@@ -106,7 +106,7 @@ core::Result<void> copy_of(const fs::path& folder, const fs::path& to) {
     return copy_of_running(folder, to);
 }
 
-/// Of a copy no one else has open. What is in its log becomes part of it.
+/// Opens a private copy. Its log becomes part of it.
 core::Result<Database> open_copy(const fs::path& copy) {
     return Database::open(copy.string(), nullptr).and_then([](Database&& database) {
         return database.run("PRAGMA locking_mode=EXCLUSIVE; PRAGMA journal_mode=DELETE").map([&] {
@@ -115,7 +115,7 @@ core::Result<Database> open_copy(const fs::path& copy) {
     });
 }
 
-/// Whatever can be read, and what is wrong with it.
+/// Returns everything readable, and what is wrong with it.
 core::Result<StateVerdict> verdict_of(const fs::path& copy,
                                       const std::optional<CommitMark::Value>& marked) {
     auto database = Database::open(copy.string(), nullptr);
@@ -157,14 +157,14 @@ core::Result<void> write_content(const fs::path& file, StateContent& content) {
             if (done)
                 done = put_aside(*database, each);
     auto sums = content.sums();
-    sums[{}]; // also of nothing
+    sums[{}]; // also without records
     for (const auto& [name, sum] : sums)
         if (done)
             done = put_sum(*database, name, sum);
     return done.and_then([&] { return database->run("COMMIT"); });
 }
 
-/// Puts a new file in the place of what is there, which gets another name; that name, or nothing.
+/// Replaces the file by a new one and renames the old one; returns its new name, or empty.
 core::Result<std::string> exchange(const fs::path& folder, const fs::path& fresh) {
     const fs::path file = folder / "sessions.sqlite";
     const std::string name = "sessions-replaced-" + time_in_name(unix_seconds()) + ".sqlite";
@@ -219,7 +219,7 @@ core::Result<StateContent> back_up_state(const fs::path& folder, const fs::path&
         return tl::unexpected(verdict.error());
     if (verdict->fault)
         return tl::unexpected(*verdict->fault);
-    // One file without a log, on the disk before it gets its name.
+    // A single file without a log, on the disk before it gets its name.
     auto whole = open_copy(copy).map([](Database&&) {});
     if (!whole)
         return tl::unexpected(whole.error());
@@ -227,7 +227,7 @@ core::Result<StateContent> back_up_state(const fs::path& folder, const fs::path&
     ::fsync(written);
     ::close(written);
     fs::permissions(copy, fs::perms::owner_read | fs::perms::owner_write, error);
-    if (::link(copy.c_str(), file.c_str()) != 0) // unlike renaming, never over another file
+    if (::link(copy.c_str(), file.c_str()) != 0) // unlike rename, never replaces a file
         return fail(Error::Code::Io,
                     "the backup cannot be named: " + std::generic_category().message(errno),
                     "name another file");

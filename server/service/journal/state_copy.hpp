@@ -1,4 +1,4 @@
-// The state's file as others than the server need it: checked, copied while the server runs, put back.
+// The state's file for programs other than the server: checked, copied while the server runs, restored.
 #pragma once
 
 #include "server/service/journal/state_content.hpp"
@@ -10,30 +10,30 @@
 namespace wakesurf::server {
 
 struct StateVerdict {
-    StateContent content;             ///< what can be read
-    std::optional<core::Error> fault; ///< why a server would not start with it
+    StateContent content; ///< the readable part
+    /// Why a server would not start with it.
+    std::optional<core::Error> fault;
 };
 
-/// Reads what is kept in a state folder, whether a server runs there or not; changes nothing there. Takes
-/// room for a copy among the temporary files. Error: NotFound, Io, Unsupported.
+/// Reads the sessions of a state folder, whether a server runs there or not; changes nothing there. Makes a
+/// temporary copy. Error: NotFound, Io, Unsupported.
 core::Result<StateVerdict> check_state(const std::filesystem::path& folder);
 
-/// Copies a state folder's sessions into one file that is not there yet (0600), and checks the copy. Edits
-/// go on meanwhile. Returns what is in it. Error: NotFound, Io; Corrupt where it is not sound; the file is
-/// not made then.
+/// Copies a state folder's sessions into one new file (0600), and checks the copy. Edits continue meanwhile.
+/// Returns its content. Error: NotFound, Io; Corrupt if it is not sound; the file is not made then.
 core::Result<StateContent> back_up_state(const std::filesystem::path& folder,
                                          const std::filesystem::path& file);
 
 struct RestoredState {
     StateContent content; ///< of the new file
-    std::string
-        replaced; ///< name of the file, in the folder, that has what was there before; empty: nothing was
-    bool made_folder = false; ///< the folder was not there
+    /// The name of the file, in the folder, that has the earlier content; empty without one.
+    std::string replaced;
+    bool made_folder = false; ///< the folder was missing
 };
 
-/// Puts the sessions of a file, a backup or any state's file, into a folder no server runs in. What was
-/// there stays beside it under another name. `damaged`: of a damaged file what can be read. Error: NotFound,
-/// Io, OverLimit (a server runs); Corrupt.
+/// Restores the sessions of a file, a backup or any state's file, into a folder that no server uses. The
+/// earlier content stays beside it under another name. `damaged`: restores the readable part of a damaged
+/// file. Error: NotFound, Io, OverLimit (a server runs); Corrupt.
 core::Result<RestoredState>
 restore_state(const std::filesystem::path& folder, const std::filesystem::path& file, bool damaged);
 

@@ -21,12 +21,12 @@ using core::fail;
 
 namespace {
 
-constexpr int socket_look = 2000; ///< ms between two looks whether the socket is still there
+constexpr int socket_look = 2000; ///< the poll interval for the socket's existence, in ms
 constexpr int patience = 5000;
 constexpr int longest_hold = 60'000;
 constexpr const char* socket_name = "serving.sock";
 
-/// Closed when it goes.
+/// Closes a descriptor.
 class Descriptor {
   public:
     explicit Descriptor(int number) : number_(number) {}
@@ -53,8 +53,7 @@ class Descriptor {
     int number_;
 };
 
-/// A socket's address has room for 107 bytes, a folder's path may be longer: it is named by the folder's
-/// descriptor.
+/// A socket's address holds 107 bytes, a folder's path may be longer: the folder's descriptor names it.
 sockaddr_un address_in(int folder) {
     sockaddr_un address{};
     address.sun_family = AF_UNIX;
@@ -67,15 +66,15 @@ int open_folder(const std::filesystem::path& folder) {
     return ::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC);
 }
 
-/// Negative where it cannot be.
+/// Returns a negative number on failure.
 int listen_in(const std::filesystem::path& folder) {
     const Descriptor place(open_folder(folder));
     Descriptor socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
     if (place.get() < 0 || socket.get() < 0)
         return -1;
-    ::unlinkat(place.get(), socket_name, 0); // of a server that was killed: the folder is ours
+    ::unlinkat(place.get(), socket_name, 0); // of a killed server: the folder is ours
     const sockaddr_un address = address_in(place.get());
-    ::fchmod(socket.get(), 0600); // what the file gets
+    ::fchmod(socket.get(), 0600); // the mode of the file
     if (::bind(socket.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 ||
         ::fchmodat(place.get(), socket_name, 0600, 0) != 0 || ::listen(socket.get(), 4) != 0)
         return -1;
@@ -107,7 +106,7 @@ StateDesk::~StateDesk() {
     std::filesystem::remove(folder_ / socket_name, ignored);
 }
 
-/// False when it is time to end; `descriptor` may be -1, and may not be ready.
+/// Returns false at the end; `descriptor` may be -1, and may not be ready.
 bool StateDesk::wait_for(int descriptor, int milliseconds) const {
     std::array<pollfd, 2> wanted{pollfd{ended_, POLLIN, 0}, pollfd{descriptor, POLLIN, 0}};
     ::poll(wanted.data(), wanted.size(), milliseconds);

@@ -1,5 +1,5 @@
-// The place in the state folder where other programs of the same user reach a server that runs: a
-// Unix-domain socket (0600). It grants one thing, that the file is left alone while somebody copies it.
+// A Unix-domain socket (0600) in the state folder, by which other programs of the same user reach a running
+// server. It grants one request: the file stays unchanged while it is copied.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -10,18 +10,21 @@
 
 namespace wakesurf::server {
 
-/// `hold\n` is answered by `ok\n`, or `error REASON\n`; what the asker sends then, or its leaving, ends it,
-/// answered by `whole\n` where the file was left alone all the time, else `changed\n`. One asker at a time,
-/// each for a minute at most.
+/// Answers `hold
+/// ` by `ok
+/// `, or `error REASON
+/// `. The client's next bytes, or its leaving, end the hold, answered by `whole
+/// ` if the file was unchanged all the time, else `changed
+/// `. One client at a time, each for a minute at most.
 class StateDesk {
   public:
     struct Services {
         std::function<core::Result<void>()> hold;
-        std::function<bool()> release; ///< whether the file was left alone
+        std::function<bool()> release; ///< returns whether the file was unchanged
     };
 
-    /// Called by a thread of its own. A folder that takes no socket is done without: copies need a server
-    /// that has ended then.
+    /// The services are called by a thread of its own. Without a socket, in a folder that takes none, copies
+    /// need a server that has ended.
     StateDesk(std::filesystem::path folder, Services services);
     ~StateDesk();
     StateDesk(const StateDesk&) = delete;
@@ -38,17 +41,17 @@ class StateDesk {
     std::thread thread_;
 };
 
-/// A server's file left alone, as long as this lives.
+/// Keeps a server's file unchanged as long as this lives.
 class StateHold {
   public:
-    /// Error: NotFound where no server answers; Io with its reason.
+    /// Asks for it. Error: NotFound without a server; Io with its reason.
     static core::Result<StateHold> ask(const std::filesystem::path& folder);
 
     ~StateHold();
     StateHold(StateHold&& other) noexcept;
     StateHold& operator=(StateHold&&) = delete;
 
-    /// Lets go of it; whether it was left alone until now.
+    /// Ends it; returns whether the file was unchanged until now.
     bool finish();
 
   private:

@@ -24,7 +24,7 @@ tl::unexpected<Error> unusable(int error) {
                 "name one that this user can create or write to");
 }
 
-/// Lists the names that a server, or SQLite for it, opens there.
+/// The names that a server, or SQLite for it, opens there.
 constexpr std::array<const char*, 7> own_files{"sessions.sqlite",
                                                "sessions.sqlite-wal",
                                                "sessions.sqlite-shm",
@@ -33,7 +33,7 @@ constexpr std::array<const char*, 7> own_files{"sessions.sqlite",
                                                "starts",
                                                "ended-logins"};
 
-/// Checks that it is this user's, with nothing in it that somebody else could have led elsewhere.
+/// Checks that the folder is this user's, without links that another user could have made.
 core::Result<void> look_through(const std::filesystem::path& folder) {
     if (auto ours = check_private_folder(folder, "--state", false); !ours)
         return ours;
@@ -60,7 +60,7 @@ core::Result<void> make_private_file(const std::string& path) {
 }
 
 core::Result<StateFolder> StateFolder::lock(const std::filesystem::path& folder) {
-    // A lock on the folder itself needs no file, so that a full disk cannot refuse it.
+    // A lock on the folder itself needs no file, so that it works on a full disk.
     const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor < 0)
         return unusable(errno);

@@ -1,4 +1,4 @@
-// The folder of `--state`: one server at a time, and no one else's business.
+// The folder of `--state`: used by one server at a time, readable by its user only.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -8,17 +8,17 @@
 
 namespace wakesurf::server {
 
-/// An empty file (0600) where there is none of this name. Error: Io, also where there is one.
+/// Makes an empty file (0600). Error: Io, also if the name exists.
 core::Result<void> make_private_file(const std::string& path);
 
-/// Held until it is destroyed, and until the process ends at the latest.
+/// Locks the folder until destroyed, and until the process ends at the latest.
 class StateFolder {
   public:
-    /// Makes the folder (0700) and an empty database file (0600) where there is none. Error: Io; OverLimit
-    /// where another server holds the folder.
+    /// Locks the folder; makes it (0700) and an empty database file (0600) if missing. Error: Io; OverLimit
+    /// if another server uses the folder.
     static core::Result<StateFolder> hold(const std::filesystem::path& folder);
 
-    /// Does the same, making nothing. Error: NotFound where there is no folder; Io; OverLimit.
+    /// Locks an existing folder, and makes nothing. Error: NotFound without a folder; Io; OverLimit.
     static core::Result<StateFolder> hold_existing(const std::filesystem::path& folder);
 
     ~StateFolder();
@@ -27,7 +27,7 @@ class StateFolder {
 
     const std::filesystem::path& path() const { return folder_; }
 
-    /// Path of the database.
+    /// Returns the path of the database.
     std::string file() const { return (folder_ / "sessions.sqlite").string(); }
 
   private:

@@ -26,7 +26,8 @@ begin_file(Database& database, const StateOptions& options, StateContent& conten
     return make_tables(database, content.head);
 }
 
-/// Beside the file, named with the version that wrote it and the time; never overwritten, never deleted.
+/// Makes a copy beside the file, named with the version that wrote it and the time; never overwritten, never
+/// deleted.
 core::Result<void>
 keep_copy(Database& database, const StateOptions& options, const StateContent& content) {
     const std::string from = content.layout == state_layout
@@ -79,7 +80,7 @@ core::Result<void> keep_damaged_aside(Database& database, StateContent& content)
     }
     forget->reset();
     auto sums = content.sums();
-    sums[{}]; // also where no record is left
+    sums[{}]; // also without records
     for (const AsideRow& each : content.damaged)
         sums[each.session];
     for (const auto& [name, sum] : sums)
@@ -114,16 +115,16 @@ core::Result<OpenedState> open_state(const StateOptions& options, const CommitMa
     if (!database)
         return tl::unexpected(database.error());
     database->fold_log_on_close(false);
-    // Exclusive before the first access: the log's index is then kept in memory, not in a mapped file, where
-    // a write is a signal when the disk is full.
+    // Exclusive before the first access: the log's index is then in memory, not in a mapped file, where a
+    // write is a signal when the disk is full.
     if (auto alone = database->run("PRAGMA locking_mode=EXCLUSIVE; PRAGMA synchronous=FULL");
         !alone)
         return tl::unexpected(alone.error());
     auto content = take_over(*database, options, mark);
     if (!content)
         return tl::unexpected(content.error());
-    // The log is opened by reading: a checkpoint before that is SQLITE_LOCKED after an integrity check
-    // (SQLite 3.40).
+    // Reading opens the log: a checkpoint before that is SQLITE_LOCKED after an integrity check (SQLite
+    // 3.40).
     if (auto logs = database->run("PRAGMA journal_mode=WAL").and_then([&] {
             return database->number("SELECT commits FROM head");
         });

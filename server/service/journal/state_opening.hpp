@@ -1,5 +1,4 @@
-// The state's file at a start: is it sound, is it of this version? Nothing of it is changed before that is
-// known.
+// The state's file at a start: its soundness and version are checked before anything of it is changed.
 #pragma once
 
 #include "server/service/base/unix_time.hpp"
@@ -20,23 +19,23 @@ struct StateOptions {
 
 struct OpenedState {
     Database database;
-    StateContent content; ///< without faults; what is damaged is among what is kept aside
+    StateContent content; ///< without faults; damaged rows have been set aside
 };
 
-/// Makes the file where there is none. One of another version is copied, beside it, before anything of it is
-/// changed. Error: Io; Corrupt, where records are gone or cannot be read, and Unsupported, for a file of a
-/// newer program or of another one: the file and its log are then left as they are.
+/// Opens the file, and makes it if it is missing. One of another version is copied, beside it, before it is
+/// changed. Error: Io; Corrupt, if records are missing or unreadable, and Unsupported, for a file of a newer
+/// program or of another one: the file and its log are then left unchanged.
 core::Result<OpenedState> open_state(const StateOptions& options, const CommitMark& mark);
 
-/// What the log held is in the content, unless the log was damaged or taken away. Error: Corrupt.
-/// `marked`: as it was before the content was read.
+/// Checks that the content includes the log, unless that was damaged or removed. Error: Corrupt. `marked`:
+/// the mark before the content was read.
 core::Result<void> check_mark(const StateContent& content,
                               const std::optional<CommitMark::Value>& marked);
 
-/// 20261122T105500Z
+/// Returns a time as 20261122T105500Z.
 std::string time_in_name(std::int64_t unix_time);
 
-/// Returns 63 bits at random, never 0.
+/// Returns 63 random bits, never 0.
 std::int64_t fresh_state_id();
 
 } // namespace wakesurf::server

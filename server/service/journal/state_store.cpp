@@ -78,7 +78,7 @@ core::Result<void> StateStore::apply(PendingWrites& changes) {
     return done;
 }
 
-// The file is still there for us, without a name, and whole: it gets one again.
+// Restores the name of the file, which is still open and complete.
 core::Result<void> StateStore::put_back() {
     namespace fs = std::filesystem;
     const fs::path path(options_.file);
@@ -117,8 +117,8 @@ core::Result<void> StateStore::put_back() {
     return connect().map([](const Loaded&) {});
 }
 
-// After a sync that failed, or was never made, what the log shows may not be on the disk, nor what is
-// appended to it be found there: everything moves to the file itself, and the log starts again.
+// After a sync that failed, or was never made, the log may not be on the disk, nor what is appended to it:
+// everything moves to the file itself, and the log starts again.
 core::Result<void> StateStore::begin_log() {
     auto begun = database_->run("PRAGMA wal_checkpoint(TRUNCATE)");
     log_is_new_ = begun.has_value();
@@ -140,7 +140,7 @@ bool StateStore::release() {
     return std::exchange(held_, false);
 }
 
-/// Takes one row more, or less, into the sum.
+/// Adds a row to the sum, or removes it.
 void StateStore::count(const StoredKey& key, std::optional<std::uint64_t> digest) {
     const auto before = stored_.find(key);
     for (RowSum* sum : {&sums_[key.session], &sums_[{}]}) {
@@ -217,7 +217,7 @@ core::Result<void> StateStore::write_sums(const std::set<std::string>& sessions)
     return done;
 }
 
-// Where this fails, what is counted here is read again from the file.
+// After a failure these counts are read again from the file.
 core::Result<void> StateStore::write(const PendingWrites& changes) {
     if (changes.empty())
         return {};

@@ -1,5 +1,5 @@
-// The records of all sessions in one SQLite file: read whole at the start, then changed by transactions,
-// each of which is on the disk before it counts (write-ahead log, synchronous=FULL).
+// The records of all sessions in one SQLite file: read whole at the start, then changed by transactions, each
+// of which is on the disk before it counts (write-ahead log, synchronous=FULL).
 #pragma once
 
 #include "server/service/journal/commit_mark.hpp"
@@ -15,17 +15,17 @@
 
 namespace wakesurf::server {
 
-/// Is used by one thread at a time; everything here waits for the disk.
+/// Stores records. One thread at a time; every call waits for the disk.
 class StateStore {
   public:
-    /// Holds what a start found.
+    /// Holds the findings of a start.
     struct Loaded {
         std::map<std::string, std::vector<JournalEntry>> sessions;
         std::vector<AsideRow> aside;   ///< kept aside by earlier starts
-        std::vector<AsideRow> damaged; ///< kept aside since this one
+        std::vector<AsideRow> damaged; ///< set aside since this start
     };
 
-    /// Error: as open_state.
+    /// Opens the file. Error: as open_state.
     static core::Result<StateStore> open(StateOptions options);
 
     static core::Result<StateStore> open(std::string file, const char* vfs = nullptr) {
@@ -35,27 +35,27 @@ class StateStore {
     /// Returns what open() has read; once.
     Loaded take_loaded() { return std::move(loaded_); }
 
-    /// All of it or, with an error (Io, Corrupt), none. After an error the next call opens the file again;
-    /// deletions that are needless have been dropped from `changes` then. A change reported as failed may be
-    /// found on the disk all the same.
+    /// Applies all changes or, with an error (Io, Corrupt), none. After an error the next call opens the file
+    /// again; needless deletions have been dropped from `changes` then. A change reported as failed may still
+    /// be found on the disk.
     core::Result<void> apply(PendingWrites& changes);
 
-    /// False once the file was deleted or replaced behind our back. The next apply() fails and says so, the
-    /// one after it puts all there was in its place, where nothing else is there by then.
+    /// Returns false once the file was deleted or replaced. The next apply() fails with that error; the one
+    /// after it writes everything to its place, if that is free.
     bool in_place() const;
 
-    /// Until release() the file alone, without its log, is all there is now, and it is not written to.
-    /// Error: as apply().
+    /// Keeps the file unchanged until release(): alone, without its log, it has everything. Error: as
+    /// apply().
     core::Result<void> hold();
 
-    /// Returns whether the file was left alone all the time.
+    /// Returns whether the file was unchanged all the time.
     bool release();
 
   private:
     explicit StateStore(StateOptions options)
         : options_(std::move(options)), mark_(options_.file + ".commits") {}
 
-    /// Says which file it is, whatever its name.
+    /// Identifies a file, whatever its name.
     struct Identity {
         std::uint64_t device = 0;
         std::uint64_t inode = 0;
@@ -77,17 +77,19 @@ class StateStore {
 
     StateOptions options_;
     CommitMark mark_;
-    std::optional<Database> database_;  ///< nothing after a failure
+    /// Empty after a failure.
+    std::optional<Database> database_;
     std::optional<StateFolder> folder_; ///< made in place of one that was deleted
-    std::optional<Identity> identity_;  ///< of the file that is open; nothing where it has none
+    /// The open file's identity; empty if it has none.
+    std::optional<Identity> identity_;
     std::optional<Identity> log_identity_;
-    bool lost_ = false;       ///< it has been told that the file is not in its place
+    bool lost_ = false;       ///< a caller has been told that the file is not in its place
     bool log_is_new_ = false; ///< since the file was opened
     bool held_ = false;
     Loaded loaded_;
     StateHead head_;
     std::map<StoredKey, std::uint64_t> stored_; ///< digests of all that may be on the disk
-    std::map<StoredKey, std::uint64_t> going_;  ///< erased by the transaction under way
+    std::map<StoredKey, std::uint64_t> going_;  ///< erased by the pending transaction
     std::map<std::string, RowSum> sums_;        ///< of them; of all under an empty name
 };
 

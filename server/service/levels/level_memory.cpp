@@ -22,7 +22,7 @@ std::uint64_t mesh_corners(const core::CellMesh& mesh) {
     return corners;
 }
 
-/// Where everything lies.
+/// Returns the offsets of all parts.
 importer::LevelGrid memory_layout(const core::Grid& grid) {
     importer::LevelGrid head;
     head.nodes = core::node_count(grid);
@@ -52,7 +52,7 @@ importer::LevelGrid memory_layout(const core::Grid& grid) {
     return head;
 }
 
-/// VTK's cell types: it reads the shapes with the nodes in our order.
+/// Returns VTK's cell type: VTK numbers the nodes of these shapes like us.
 std::uint8_t vtk_shape(core::CellShape shape) {
     switch (shape) {
     case core::CellShape::Tetrahedron:

@@ -1,4 +1,5 @@
-// Memory that this process and the one that extracts level sets share: a dataset's grid, and room for the values of one field.
+// Memory shared with the process that extracts level sets: a dataset's grid, and room for the values of one
+// field.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -10,10 +11,10 @@
 
 namespace wakesurf::server {
 
-/// Bytes that sharing a grid takes. Error: OverLimit for a mesh with more corners than can be numbered.
+/// Returns the bytes for sharing a grid. Error: OverLimit for a mesh with more corners than can be numbered.
 core::Result<std::size_t> level_memory_bytes(const core::Grid& grid);
 
-/// Nobody but a process that is given its descriptor sees it, and it cannot grow or shrink.
+/// Holds the memory. Only a process that is given its descriptor can map it, and its size is sealed.
 class LevelMemory {
   public:
     /// Copies the grid. Error: as level_memory_bytes; Io.
@@ -26,7 +27,7 @@ class LevelMemory {
 
     std::size_t bytes() const { return bytes_; }
 
-    /// One a node.
+    /// Returns the values, one a node.
     std::span<float> values() const;
 
   private:

@@ -29,12 +29,13 @@ namespace {
 constexpr std::chrono::milliseconds answer_look{20};
 constexpr std::size_t most_words = 4096;
 
-/// Of an answer that is complete: points are shared by at least two triangles, or lie at a border.
+/// Returns the bound on points of a complete answer: a point is shared by at least two triangles, or lies at
+/// a border.
 constexpr std::uint64_t most_points_of(std::uint64_t triangles) {
     return 3 * triangles;
 }
 
-/// One descriptor for both ways, and one for what it says when it fails.
+/// Holds one descriptor for both directions, and one for standard error.
 struct LevelEnds {
     int ours = -1, theirs = -1, errors = -1, their_errors = -1;
 
@@ -127,7 +128,7 @@ core::Result<std::unique_ptr<LevelProcess>> LevelProcess::start(const LevelMemor
                                                           std::exchange(ends.errors, -1), options));
 }
 
-/// What it started ends with it.
+/// Processes started by it end with it.
 LevelProcess::~LevelProcess() {
     ::kill(process_, SIGKILL);
     ::close(talk_);
@@ -158,7 +159,7 @@ core::Result<void> LevelProcess::send(const importer::LevelRequest& request) {
                                                          : tl::unexpected(ended());
 }
 
-/// What has come stays in `part_`, whatever happens. @param bytes  that `part_` is to have
+/// Received bytes stay in `part_`, also after an error. @param bytes  that `part_` is to have
 core::Result<void> LevelProcess::read(std::size_t bytes, const std::stop_token& stop) {
     const auto until = ProcessTime::now() + options_.patience;
     while (part_.size() < bytes) {

@@ -1,5 +1,5 @@
-// The process that extracts level sets, as the server sees it: a library that crashes, hangs or is taken over hurts no one else. What it
-// answers is bounded before memory is taken for it.
+// The process that extracts level sets, from the server's side: a library that crashes, hangs or is taken
+// over harms nothing else. Sizes in its answers are checked before memory is allocated.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -22,32 +22,35 @@
 namespace wakesurf::server {
 
 struct LevelMesh {
-    std::vector<core::Vec3> points; ///< of a uniform or rectilinear grid: in places of nodes
+    /// In units of node indices for a uniform or rectilinear grid.
+    std::vector<core::Vec3> points;
     std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-/// One thread at a time. The destructor ends the process.
+/// Runs the process, and ends it on destruction. One thread at a time.
 class LevelProcess {
   public:
     struct Options {
         std::filesystem::path program{}; ///< empty: wakesurf-import beside our own executable
-        std::uint64_t memory = 0; ///< bytes it may take, with what is shared; 0: its own bound
+        /// The bound on its memory, shared memory included, in bytes; 0: its own.
+        std::uint64_t memory = 0;
         std::chrono::milliseconds patience{60'000}; ///< for an answer
     };
 
-    /// Error: Io where it cannot be started.
+    /// Starts the process. Error: Io if it cannot be started.
     static core::Result<std::unique_ptr<LevelProcess>> start(const LevelMemory& memory,
                                                              const Options& options);
     ~LevelProcess();
     LevelProcess(const LevelProcess&) = delete;
     LevelProcess& operator=(const LevelProcess&) = delete;
 
-    /// Waits until the process does not look at the memory any more, so that values may be written.
-    /// Error: as extract().
+    /// Waits until the process does not read the memory any more, so that values may be written. Error: as
+    /// extract().
     core::Result<void> rest(const std::stop_token& stop);
 
-    /// Error: Cancelled within 50 ms of `stop`, and the process goes on; OverLimit, where there are more triangles or it ran out of memory;
-    /// Io (it ended, hung, or answered what cannot be), after which it is of no use.
+    /// Extracts a level set. Error: Cancelled within 50 ms of `stop`, and the process continues; OverLimit
+    /// for more triangles, or without memory; Io if it ended, hung, or answered nonsense, after which it is
+    /// of no use.
     core::Result<LevelMesh> extract(importer::LevelRequest request, const std::stop_token& stop);
 
     bool usable() const { return usable_; }
@@ -70,8 +73,8 @@ class LevelProcess {
     Options options_;
     std::uint64_t number_ = 0;
     std::uint64_t most_ = 0;      ///< triangles, of the request that is not answered yet
-    bool asked_ = false;          ///< there is one
-    std::vector<std::byte> part_; ///< what has come of its answer
+    bool asked_ = false;          ///< a request is pending
+    std::vector<std::byte> part_; ///< the received part of its answer
     bool usable_ = true;
 };
 

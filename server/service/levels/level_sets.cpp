@@ -13,9 +13,11 @@ using core::Error;
 namespace {
 
 constexpr std::chrono::milliseconds turn_look{20};
-constexpr std::chrono::milliseconds memory_patience{1000}; ///< until others have given memory back
+constexpr std::chrono::milliseconds memory_patience{
+    1000}; ///< the wait for others to release memory
 
-/// What the process takes beside what is shared: the program with its libraries, and a level set of many triangles.
+/// The memory of the process besides shared memory: the program with its libraries, and a level set of many
+/// triangles.
 constexpr std::size_t process_bytes = std::size_t{160} << 20;
 
 const core::Clock& machine_clock() {
@@ -77,7 +79,7 @@ LevelSets::LevelSets(std::shared_ptr<const core::Flow> flow,
 }
 
 LevelSets::~LevelSets() {
-    ticket_.reset(); // waits for a call under way
+    ticket_.reset(); // waits for a running call
 }
 
 std::shared_ptr<LevelSets::Loaded> LevelSets::take() const {

@@ -1,5 +1,6 @@
-// The level sets of a dataset's scalar fields. The field asked for last stays loaded in a process that extracts them, so that a level that
-// is dragged costs its extraction alone; that process ends when no one has asked for a while, or when its memory is needed.
+// The level sets of a dataset's scalar fields. The last field stays loaded in a process that extracts them,
+// so that dragging a level costs the extraction alone; the process ends after some idle time, or when its
+// memory is needed.
 #pragma once
 
 #include "core/base/clock.hpp"
@@ -20,16 +21,16 @@ namespace wakesurf::server {
 class LevelSets final : public core::LevelSource {
   public:
     struct Options {
-        std::optional<core::MemoryAccount> account{}; ///< no one counts without
-        const core::Clock* clock = nullptr;           ///< outlives it; the machine's without
+        std::optional<core::MemoryAccount> account{}; ///< empty: not counted
+        const core::Clock* clock = nullptr;           ///< outlives this; null: the machine's
         LevelProcess::Options process{};
-        std::vector<core::FieldInfo>
-            of_files{};                ///< the fields of the dataset's files, stored or not
+        /// The fields of the dataset's files, stored or not.
+        std::vector<core::FieldInfo> of_files{};
         std::chrono::seconds idle{30}; ///< after which end_idle() ends the process
     };
 
     /// @param velocity  the name of the dataset's
-    /// @param scalars   of the store; null: those that it has now
+    /// @param scalars   of the store; null: its present ones
     LevelSets(std::shared_ptr<const core::Flow> flow,
               std::shared_ptr<const store::StoreReader> store,
               std::string velocity,
@@ -41,26 +42,29 @@ class LevelSets final : public core::LevelSource {
                                                const std::stop_token& stop) const override;
     core::Result<void> check_field(const std::string& name) const override;
 
-    /// What a process that no one has asked for a while holds; null: there is none. Ended where that is freed, which waits for it.
+    /// Releases the process if it is idle; null without one. Destroying the result ends the process, and
+    /// waits for that.
     std::shared_ptr<void> take_idle() const;
 
-    /// Of the process, for tests; nothing while there is none.
+    /// Returns the process for tests; empty without one.
     std::optional<pid_t> process() const;
 
   private:
-    /// What is loaded.
+    /// Describes the loaded field.
     struct Loaded {
         core::MemoryAccount::Share share;
         std::optional<LevelMemory> memory;
         std::unique_ptr<LevelProcess> process;
-        std::optional<NodeField> field; ///< whose values are there
+        /// The field whose values are loaded.
+        std::optional<NodeField> field;
         double time = 0.0;
         std::uint64_t version = 0; ///< of the values
         bool gaps = false;
-        std::optional<std::array<double, 2>> range; ///< nothing: no values
+        /// The range of the values; empty without values.
+        std::optional<std::array<double, 2>> range;
     };
 
-    /// One thread at a time has what is loaded.
+    /// Gives one thread at a time access to what is loaded.
     class OneAtATime;
 
     core::Result<core::LevelTriangles>
@@ -79,7 +83,7 @@ class LevelSets final : public core::LevelSource {
     mutable std::mutex mutex_; ///< guards what follows
     mutable std::condition_variable free_;
     mutable bool busy_ = false;
-    mutable std::shared_ptr<Loaded> loaded_; ///< while not busy; null: nothing is
+    mutable std::shared_ptr<Loaded> loaded_; ///< while not busy; null: nothing is loaded
     mutable std::chrono::steady_clock::time_point asked_{};
     std::shared_ptr<void> ticket_;
 };

@@ -15,9 +15,9 @@ namespace wakesurf::server {
 namespace {
 
 constexpr std::size_t nodes_at_once = std::size_t{1}
-                                      << 16; ///< nodes whose places and samples are held
+                                      << 16; ///< nodes whose places and samples are in memory
 
-/// The time-step at or before a time, and the part of the way to the next.
+/// Returns the time-step at or before a time, and the part of the way to the next.
 std::pair<std::size_t, double> moment_in(const std::vector<double>& times, double time) {
     const auto after = std::ranges::upper_bound(times, time);
     if (after == times.begin())
@@ -28,7 +28,7 @@ std::pair<std::size_t, double> moment_in(const std::vector<double>& times, doubl
     return {step, (time - times[step]) / (times[step + 1] - times[step])};
 }
 
-/// The first, where `part` is 0, to the bit.
+/// Returns exactly `from` if `part` is 0.
 float between(float from, float to, double part) {
     return part == 0.0 ? from : static_cast<float>(from + part * (double(to) - from));
 }
@@ -55,7 +55,7 @@ core::Result<void> stored_values(const core::ScalarSource& scalars,
     return {};
 }
 
-/// The same where the values come brick by brick.
+/// Reads values that are stored brick by brick.
 core::Result<void> stored_bricks(const std::shared_ptr<core::BrickCache>& cache,
                                  std::size_t brick_field,
                                  const std::vector<double>& times,

@@ -24,16 +24,16 @@ struct NodeField {
     bool operator==(const NodeField&) const = default;
 };
 
-/// A stored field goes before a derived one. @param velocity  the name of the dataset's. @param of_files  as no_such_field() has it.
-/// Error: NotFound, naming those there are.
+/// Finds a field; a stored one goes before a derived one. @param velocity  the name of the dataset's. @param
+/// of_files  as no_such_field() has it. Error: NotFound, listing the fields.
 core::Result<NodeField> find_node_field(const store::StoreScalars& scalars,
                                         const std::string& velocity,
                                         const std::string& name,
                                         std::span<const core::FieldInfo> of_files = {});
 
-/// One a node at a time, linear between time-steps; NaN where there is none: in obstacles too.
+/// Computes one value a node at a time, linear between time-steps; NaN for missing values, also in obstacles.
+/// Error: Cancelled, as reading and sampling.
 /// @param out  as many as there are nodes
-/// Error: Cancelled, what reading and sampling report.
 core::Result<void> node_values(const NodeField& field,
                                const core::Flow& flow,
                                const store::StoreReader& store,

@@ -8,7 +8,7 @@ namespace wakesurf::server {
 
 namespace {
 
-/// A uniform or rectilinear grid along its axes.
+/// Holds a uniform or rectilinear grid along its axes.
 struct GridAxes {
     std::array<std::size_t, 3> nodes{};
     const core::UniformGrid* uniform = nullptr;
@@ -23,7 +23,7 @@ struct GridAxes {
                                                 : 0;
     }
 
-    /// The cell's first node along an axis. @param at  in places of nodes
+    /// Returns the cell's first node along an axis. @param at  in units of node indices
     std::size_t cell(std::size_t axis, double at) const {
         return std::min(static_cast<std::size_t>(std::max(at, 0.0)), nodes[axis] - 2);
     }
@@ -37,7 +37,7 @@ struct GridAxes {
         return along[i] + (along[i + 1] - along[i]) * (at - static_cast<double>(i));
     }
 
-    /// The cell round a point has a value at each of its nodes.
+    /// Says whether the cell round a point has a value at each of its nodes.
     bool whole(std::span<const float> values, const core::Vec3& at) const {
         const std::size_t i = cell(0, at.x), j = cell(1, at.y), k = cell(2, at.z);
         for (std::size_t corner = 0; corner < 8; ++corner) {
@@ -57,7 +57,7 @@ core::Result<LevelMesh> not_of_the_grid() {
                       "this is a fault of wakesurf or of a library");
 }
 
-/// Rounding: a point on a border comes a little beyond it.
+/// Allows for rounding: a point on a border comes a little beyond it.
 bool in_box(const core::Vec3& point, const core::Box& box) {
     const core::Vec3 slack = 1e-5 * box.extent();
     for (int k = 0; k < 3; ++k)
@@ -66,7 +66,7 @@ bool in_box(const core::Vec3& point, const core::Box& box) {
     return true;
 }
 
-/// Triangles that repeat a point have no area, and a quad none of them.
+/// Says whether a triangle repeats a point; such triangles have no area.
 bool repeats_point(const std::array<std::uint32_t, 3>& t) {
     return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
 }
@@ -98,7 +98,7 @@ placed_triangles(const core::Grid& grid, std::span<const float> values, bool gap
     const auto gone = [&](const std::array<std::uint32_t, 3>& triangle) {
         if (repeats_point(triangle))
             return true;
-        if (!gaps || !in_places) // of a mesh of cells they were never looked at
+        if (!gaps || !in_places) // in a mesh such cells were left out beforehand
             return false;
         const core::Vec3 middle =
             (mesh.points[triangle[0]] + mesh.points[triangle[1]] + mesh.points[triangle[2]]) / 3.0;

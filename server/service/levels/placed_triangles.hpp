@@ -1,5 +1,5 @@
-// From what the process that extracts level sets answers to triangles of the dataset: checked, in its coordinates, and without those in cells of
-// which a node has no value.
+// From the answer of the process that extracts level sets to triangles of the dataset: checked, in its
+// coordinates, and without those in cells of which a node has no value.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -10,9 +10,8 @@
 
 namespace wakesurf::server {
 
-/// Points that no triangle has are left out.
-/// @param values  one a node. @param gaps  some are none
-/// Error: Io for points that are not of the grid.
+/// Returns the triangles, without unused points. Error: Io for points outside of the grid.
+/// @param values  one a node. @param gaps  some are missing
 core::Result<LevelMesh>
 placed_triangles(const core::Grid& grid, std::span<const float> values, bool gaps, LevelMesh mesh);
 

@@ -9,7 +9,7 @@ namespace {
 
 using protocol::Phase;
 
-// Of the way: after a coarse pass, and after a refined one.
+// The part of the way that is done after a coarse pass, and after a refined one.
 constexpr double coarse_part = 0.05, early_part = 0.2;
 
 } // namespace

@@ -1,5 +1,5 @@
-// How far a surface on its way to what was asked for is: over its passes, over jobs that are given up for another time of the clock, and
-// until it is there. The part that is done never shrinks on one way.
+// The progress of a surface towards its complete state: over its passes, also over jobs that are cancelled
+// for another time of the clock. It never decreases on one way.
 #pragma once
 
 #include "core/base/work_done.hpp"
@@ -13,27 +13,28 @@
 namespace wakesurf::server {
 
 struct BuildStanding {
-    double fraction = 0.0;        ///< of the way; early passes are a little of it
-    double seconds = 0.0;         ///< since the way began
-    std::optional<double> time{}; ///< simulation time that a streak or time surface has come to
-    std::uint64_t quads = 0;      ///< that the pass of full quality has so far
+    double fraction = 0.0; ///< of the way, 0..1; early passes are a small part of it
+    double seconds = 0.0;  ///< since the beginning of the way
+    /// The simulation time that a streak or time surface has reached.
+    std::optional<double> time{};
+    std::uint64_t quads = 0; ///< of the present pass of full quality
 };
 
-/// Loop thread only; those who work tell of it through the WorkDone.
+/// Tracks the progress. Loop thread only; compute threads report through the WorkDone.
 class BuildProgress {
   public:
     using Time = std::chrono::steady_clock::time_point;
 
-    /// An edit: another way.
+    /// Begins another way, after an edit.
     void begin(Time now);
 
-    /// A pass starts. Where what was asked for was there, this is the beginning of another way.
+    /// Starts a pass. If the surface was complete, this begins another way.
     void start(protocol::Phase phase, std::shared_ptr<const core::WorkDone> work, Time now);
 
-    /// The pass has ended, whatever came of it.
+    /// Ends the pass, with any result.
     void end();
 
-    /// All is there that was asked for.
+    /// Marks the surface as complete.
     void arrive();
 
     BuildStanding standing(Time now) const;
@@ -42,8 +43,8 @@ class BuildProgress {
     double fraction() const;
 
     Time began_{};
-    double from_ = 0.0;                          ///< of the way, when the pass started
-    double to_ = 0.0;                            ///< when it will have ended
+    double from_ = 0.0;                          ///< of the way, at the start of the pass
+    double to_ = 0.0;                            ///< at the end of the pass
     std::shared_ptr<const core::WorkDone> work_; ///< of the pass that runs
     std::shared_ptr<const core::WorkDone> full_; ///< of the newest one of full quality
     bool there_ = false;

@@ -1,4 +1,4 @@
-// What an early pass of a surface asks the engine for: the same surface, coarser, so that there is something to see at once.
+// The plan of an early pass: the same surface, coarser, so that there is something to see at once.
 #pragma once
 
 #include "core/surface/request/surface_plan.hpp"
@@ -6,9 +6,9 @@
 
 namespace wakesurf::server {
 
-/// The engine's quad budget bounds the work whatever the separation asked for. Of a path surface all of it, whatever the pass's time; the
-/// others end at that time.
-/// REQUIRES: the pass is coarse or refined.
+/// Returns the plan of an early pass. The engine's quad budget bounds the work for any separation. A path
+/// surface is built whole, for any time of the pass; the others end at that time. REQUIRES: the pass is
+/// coarse or refined.
 core::SurfacePlan early_plan(core::SurfacePlan plan, const SurfacePass& pass);
 
 } // namespace wakesurf::server

@@ -24,7 +24,7 @@ FrameCursor::FrameCursor(std::shared_ptr<UpdateRing> ring,
 
 FrameCursor::Frame FrameCursor::next() {
     if (sending_ && (sending_->wire.epoch != ring_->epoch() || ring_->newest() == nullptr))
-        stop(); // no one wants the rest of another epoch's, or of a surface that has gone
+        stop(); // frames of another epoch, or of a deleted surface, are obsolete
     if (!sending_)
         start(choose());
     if (!sending_)
@@ -50,7 +50,7 @@ void FrameCursor::start(SharedUpdate update) {
         return;
     const std::uint32_t seq = sending_->wire.seq;
     const std::uint64_t through = ring_->frames_before(seq + 1);
-    // A key made on request comes instead of the update to its state as well.
+    // A key made on request also replaces the update to its state.
     const std::uint64_t before = ring_->holds(sending_) ? ring_->frames_before(seq) : through;
     if (passed_ && before > *passed_)
         leave_out(before - *passed_);
@@ -67,7 +67,7 @@ void FrameCursor::leave_out(std::uint64_t frames) const {
         left_out_(frames);
 }
 
-/// What to send after a whole update.
+/// Returns the update to send after a whole one.
 SharedUpdate FrameCursor::choose() {
     const SharedUpdate newest = ring_->newest();
     if (!newest)
@@ -85,7 +85,7 @@ SharedUpdate FrameCursor::choose() {
             return following;
         fall_behind();
     }
-    // A new epoch begins with what is soonest there: a line too slow for the final state shows the coarse one.
+    // A new epoch begins with its earliest update: a line too slow for the final state shows the coarse one.
     if (!here && met_)
         if (SharedUpdate first = ring_->first())
             return first;
@@ -97,7 +97,7 @@ void FrameCursor::fall_behind() {
         notice_(true);
 }
 
-/// @param half  a keyframe is due: worth it only where the client has caught its breath
+/// @param half  a keyframe is due, which is only worth its size once half of the window is free
 bool FrameCursor::window_open(bool half) const {
     return !acknowledges_ || unacknowledged_.size() < limits::window / (half ? 2 : 1);
 }

@@ -1,5 +1,6 @@
-// One subscriber's place among the updates of a surface: which frame its connection sends next, decided when its socket can
-// take one. It holds no frames, so a slow client costs nothing; one that falls behind goes on with a keyframe.
+// A subscriber's position among the updates of a surface: which frame its connection sends next, decided when
+// its socket can take one. It holds no frames, so a slow client costs no memory; one that falls behind
+// continues with a keyframe.
 #pragma once
 
 #include "server/service/live/update_ring.hpp"
@@ -13,7 +14,7 @@
 
 namespace wakesurf::server {
 
-/// A state of a surface: update `seq` of an epoch.
+/// Identifies a state of a surface: update `seq` of an epoch.
 struct UpdatePosition {
     std::uint32_t epoch = 0;
     std::uint32_t seq = 0;
@@ -21,13 +22,14 @@ struct UpdatePosition {
     auto operator<=>(const UpdatePosition&) const = default;
 };
 
-/// Loop thread only.
+/// Chooses the frames for one subscriber. Loop thread only.
 class FrameCursor {
   public:
     using Frame = std::shared_ptr<const std::vector<std::byte>>;
-    /// true: it has fallen behind and stale updates are left out; false: it has caught up.
+    /// Receives true when the client has fallen behind and stale updates are left out, false when it has
+    /// caught up.
     using Notice = std::function<void(bool behind)>;
-    /// So many stale frames have not been sent, and will not be.
+    /// Receives the number of stale frames that are skipped.
     using LeftOut = std::function<void(std::uint64_t frames)>;
 
     /// @param from  the state the client has, from an earlier connection
@@ -36,21 +38,22 @@ class FrameCursor {
                 Notice notice,
                 LeftOut left_out = {});
 
-    /// True when what follows `from` is still there.
+    /// Says whether the updates after `from` are still available.
     bool resumed() const { return resumed_; }
 
-    /// The next frame to send, or nothing now. May call the notice.
+    /// Returns the next frame to send; empty if there is none now. May call the notice.
     Frame next();
 
-    /// The client has folded everything up to here. Positions it was not sent are as good as the newest before them.
+    /// Records that the client has folded everything up to `position`. A position that was not sent stands
+    /// for the newest before it.
     void acknowledge(UpdatePosition position);
 
     const UpdateRing& ring() const { return *ring_; }
 
-    /// Calls `wake` whenever next() may have something, as long as the cursor lives.
+    /// Calls `wake` whenever next() may have a frame, as long as the cursor lives.
     void wake_by(std::function<void()> wake) { news_ = ring_->listen(std::move(wake)); }
 
-    /// True while updates are left out.
+    /// Says whether updates are being left out.
     bool behind() const { return behind_; }
 
   private:
@@ -67,7 +70,7 @@ class FrameCursor {
     LeftOut left_out_;
     bool resumed_ = false;
     bool behind_ = false;
-    bool met_ = false;                    ///< the client has a state, of whichever epoch
+    bool met_ = false;                    ///< the client has a state, of any epoch
     std::optional<UpdatePosition> state_; ///< of the newest whole update sent
     SharedUpdate sending_;
     std::size_t frame_ = 0;               ///< of `sending_`

@@ -10,7 +10,7 @@ struct GivingBack::State : std::enable_shared_from_this<State> {
     State(Loop& on, const core::MemoryAccount& of, Surfaces all)
         : loop(on), account(of), surfaces(std::move(all)) {}
 
-    /// From any thread. @param more  bytes than are free now
+    /// Asks for memory, from any thread. @param more  bytes beyond those that are free
     void ask(std::size_t more) {
         const std::size_t bytes = account.free() + more;
         std::size_t before = wanted.load();

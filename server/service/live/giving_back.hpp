@@ -1,5 +1,5 @@
-// What surfaces give back when others need memory: first the updates that only those who have fallen behind would read, then whole
-// surfaces no one looks at, which rest as parameters until somebody does.
+// Surfaces release memory when others need it: first the updates that only clients behind the newest would
+// read, then whole surfaces without viewers, which are suspended as parameters until a client asks for them.
 #pragma once
 
 #include "core/base/memory_account.hpp"
@@ -12,12 +12,12 @@
 
 namespace wakesurf::server {
 
-/// Loop thread only; it is asked from any thread.
+/// Releases memory of surfaces. Loop thread only; the account asks from any thread.
 class GivingBack {
   public:
     using Surfaces = std::function<std::vector<std::shared_ptr<LiveSurface>>()>;
 
-    /// @param surfaces  all there are; called from the loop
+    /// @param surfaces  returns all surfaces; called from the loop
     GivingBack(Loop& loop, const core::MemoryAccount& account, Surfaces surfaces);
     ~GivingBack();
     GivingBack(const GivingBack&) = delete;
@@ -26,7 +26,7 @@ class GivingBack {
   private:
     struct State;
     std::shared_ptr<State> state_;
-    std::shared_ptr<void> ticket_; ///< asked through it
+    std::shared_ptr<void> ticket_; ///< the registration with the account
 };
 
 } // namespace wakesurf::server

@@ -13,12 +13,13 @@ namespace wakesurf::server {
 
 namespace {
 
-/// A job for a time that no one wants any more may be this long at work before it is given up: scrubbing shows something on the way.
+/// A job for an obsolete time is cancelled only after this time of work: scrubbing shows intermediate states.
 constexpr std::chrono::milliseconds patience_with_stale{150};
-constexpr std::chrono::milliseconds patience_for_key{100}; ///< until others have given memory back
-constexpr std::size_t quick_key = 30'000;                  ///< vertices encoded within some 15 ms
+constexpr std::chrono::milliseconds patience_for_key{
+    100};                                 ///< the wait for others to release memory
+constexpr std::size_t quick_key = 30'000; ///< vertices that are encoded within some 15 ms
 
-/// @param whole  its statistics are of this pass alone, not of all since the surface was released
+/// @param whole  its statistics are of this pass alone, not of all since the release of the surface
 void count(Metrics& metrics,
            std::chrono::duration<double> queued,
            const core::Result<Update>& result,
@@ -60,7 +61,7 @@ LiveSurface::~LiveSurface() {
     let_go_of_build();
 }
 
-/// What it keeps may be hundreds of megabytes, or be in use by another thread that wants memory.
+/// A build may hold hundreds of megabytes, or be in use by another thread that wants memory.
 void LiveSurface::let_go_of_build() {
     services_.pool.let_go(std::exchange(build_, nullptr));
 }
@@ -80,7 +81,8 @@ void LiveSurface::begin_epoch() {
     next_seq_ = 0;
 }
 
-/// Of the epoch: from its first pass on. Updates that were given out are forgotten, and those to come are above them.
+/// Begins the epoch's build with its first pass. Published updates are forgotten, and later ones have higher
+/// numbers.
 void LiveSurface::begin_build() {
     if (const SharedUpdate newest = ring_->newest())
         next_seq_ = newest->wire.seq + 1;
@@ -166,7 +168,7 @@ std::uint32_t LiveSurface::refuse(core::SurfaceKind kind, core::Error error, boo
     begin_epoch();
     stage_ = rest ? SurfaceStage::Withheld : SurfaceStage::Refused;
     wanted_.plan.parameters.kind = kind;
-    renew_data({}); // of data that may be no more
+    renew_data({}); // of data that may be replaced
     error_ = std::move(error);
     services_.loop.post([weak = weak_from_this(), epoch = epoch_] {
         const auto self = weak.lock();
@@ -180,7 +182,7 @@ bool LiveSurface::stop(core::Error reason) {
     if (error_ || !busy())
         return false;
     stop_jobs();
-    stage_ = SurfaceStage::Refused; // what the running jobs still return is dropped
+    stage_ = SurfaceStage::Refused; // results of running jobs are dropped
     error_ = std::move(reason);
     conclude();
     return true;
@@ -204,7 +206,8 @@ void LiveSurface::show(std::optional<double> time, bool playing, bool jumped) {
     advance();
 }
 
-/// Of the current epoch, for another time. What has been stepped so far is not lost; path surfaces are built once for all times.
+/// Cancels jobs of the current epoch for another time. Steps already computed are kept; path surfaces are
+/// built once for all times.
 void LiveSurface::give_up_stale() {
     if (wanted_.plan.parameters.kind == core::SurfaceKind::Path)
         return;
@@ -212,7 +215,7 @@ void LiveSurface::give_up_stale() {
     for (auto& lane : lanes_) {
         if (!lane || is_early(lane->pass) || lane->epoch != epoch_ || lane->pass.time == time_)
             continue;
-        if (lane->since >= jumped_) // of the time jumped to, or the clock has run on since
+        if (lane->since >= jumped_) // of the time jumped to, or the clock has advanced since
             continue;
         if (now - lane->since >= patience_with_stale) {
             lane->stop.request_stop();
@@ -239,7 +242,7 @@ std::optional<SurfacePass> LiveSurface::early() const {
     return shown_ && is_early(*shown_) ? shown_ : std::nullopt;
 }
 
-/// Nothing once all is there that can be.
+/// Returns the next pass; empty once all are done.
 std::optional<SurfacePass> LiveSurface::next_pass() const {
     if (stage_ <= SurfaceStage::Failed)
         return std::nullopt;
@@ -250,7 +253,7 @@ std::optional<SurfacePass> LiveSurface::next_pass() const {
         return SurfacePass{phase, budgets_.quads(phase), time, budgets_.separation(phase)};
     };
     const auto age = [&](std::optional<double> at) { return core::age_at(p, at); };
-    // At the release there is little to build, and a level set has no coarser one.
+    // Near the release there is little to build, and a level set has no coarser one.
     const bool begun = age(time) > 0.0 && p.kind != core::SurfaceKind::Level;
     if (begun && stage_ < SurfaceStage::Coarse && budgets_.coarse_first())
         return early(Phase::Coarse);
@@ -270,14 +273,14 @@ Pace LiveSurface::pace(const SurfacePass& pass) const {
 }
 
 void LiveSurface::advance() {
-    // The end of a running job comes here again.
+    // The end of a running job leads here again.
     if (resting() || unseen() || running())
         return;
     const auto pass = next_pass();
     if (!pass)
         return;
     const Pace at = pace(*pass);
-    if (!lanes_[index(at)]) // else a stopped job's end comes here
+    if (!lanes_[index(at)]) // else the end of a stopped job leads here
         start(at, *pass);
 }
 
@@ -361,7 +364,7 @@ void LiveSurface::publish(const SurfacePass& pass, Update update) {
     }
     const bool more = next_pass().has_value();
     if (!more && !core::moves(wanted_.plan.parameters))
-        let_go_of_build(); // nothing will follow from it
+        let_go_of_build(); // nothing will continue it
     if (pass.phase != Phase::Final || !more)
         events_.progress({id_, epoch_, pass.phase, ring_->newest()->took});
     if (!more)
@@ -369,7 +372,7 @@ void LiveSurface::publish(const SurfacePass& pass, Update update) {
 }
 
 void LiveSurface::failed(const SurfacePass& pass, core::Error error, double seconds) {
-    if (is_early(pass)) { // the final pass reports what is wrong for all
+    if (is_early(pass)) { // the final pass reports the error for all
         stage_ = std::max(stage_, stage_after(pass.phase));
     } else if (error.code == core::Error::Code::Cancelled) {
         budgets_.cut_short(pass.phase, seconds); // for another time of the clock
@@ -380,7 +383,7 @@ void LiveSurface::failed(const SurfacePass& pass, core::Error error, double seco
     }
 }
 
-/// The epoch has ended, as things are.
+/// Ends the epoch in its present state.
 void LiveSurface::conclude() {
     if (!error_)
         progress_.arrive();
@@ -406,7 +409,7 @@ SurfaceOutcome LiveSurface::outcome() const {
         out.complete = stage_ == SurfaceStage::Full && (playing || !next_pass());
         out.state_sum = state->wire.state_sum;
         out.statistics = state->statistics;
-        out.statistics.requested_separation = finest(); // an early pass is asked for less
+        out.statistics.requested_separation = finest(); // an early pass has a lower request
         out.took = state->took;
     }
     return out;
@@ -419,7 +422,7 @@ BuildStanding LiveSurface::standing() const {
 void LiveSurface::retire() {
     stop_jobs();
     stage_ = SurfaceStage::Refused;
-    ++epoch_; // what the running jobs still give is no one's
+    ++epoch_; // results of running jobs are dropped
     ring_->close();
     waiters_->answer(std::numeric_limits<std::uint32_t>::max(),
                      core::fail(core::Error::Code::NotFound, "surface " + id_ + " was deleted",
@@ -450,7 +453,7 @@ void LiveSurface::forget(std::uint64_t ticket) {
     waiters_->forget(ticket);
 }
 
-/// For those who have fallen behind or come late; once for all of them.
+/// Encodes a key for clients that have fallen behind or come late; once for all of them.
 void LiveSurface::encode_key() {
     const SharedUpdate newest = ring_->newest();
     if (!ring_->state()) // it is a key itself
@@ -477,8 +480,7 @@ void LiveSurface::encode_key() {
                 if (metrics != nullptr)
                     metrics->keyframe();
             }
-        } catch (const std::
-                     bad_alloc&) { // asked for again when there is news, as where there is no room
+        } catch (const std::bad_alloc&) { // requested again with the next update, as without memory
         }
         loop.post([weak, key] {
             if (const auto ring = weak.lock())
@@ -488,7 +490,8 @@ void LiveSurface::encode_key() {
     if (newest->statistics.vertices < quick_key)
         services_.pool.run(session_, Pace::Quick, job);
     else
-        services_.pool.run(session_ + "\nkeys", Pace::Long, job); // not behind the session's own
+        services_.pool.run(session_ + "\nkeys", Pace::Long,
+                           job); // not behind the session's own work
 }
 
 } // namespace wakesurf::server

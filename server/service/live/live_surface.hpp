@@ -1,6 +1,6 @@
-// A surface that is kept up to date: the newest edit wins. An edit raises the epoch, stops the running job and leaves at
-// most one next job; what passes return goes into a ring that subscribers read. A moving surface follows the session's
-// clock: when computing is slower than the clock, times are left out, never queued.
+// A surface that is kept up to date: the newest edit wins. An edit raises the epoch, stops the running job
+// and leaves at most one next job; results of passes go into a ring that subscribers read. A moving surface
+// follows the session's clock: when computing is slower than the clock, times are left out, never queued.
 #pragma once
 
 #include "server/service/base/loop.hpp"
@@ -29,7 +29,8 @@ namespace wakesurf::server {
 
 class Metrics;
 
-/// Loop thread only. Held by shared_ptr because a job's result finds its way back through a weak one.
+/// Computes one surface. Loop thread only. Owned by shared_ptr because a job's result is delivered through a
+/// weak one.
 class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
   public:
     struct Events {
@@ -38,7 +39,7 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
         std::function<void(const SurfaceRanges&)> ranges; ///< may be empty
     };
 
-    /// What it runs on. All outlive it.
+    /// Refers to the parts of the server that it uses, which outlive it.
     struct Services {
         Loop& loop;
         ComputePool& pool;
@@ -49,7 +50,7 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
 
     using Waiter = SurfaceWaiters::Waiter;
 
-    /// @param session  takes turns with others in the pool
+    /// @param session  the key for taking turns in the pool
     LiveSurface(std::string id,
                 std::uint32_t number,
                 std::string session,
@@ -60,54 +61,56 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
     LiveSurface& operator=(const LiveSurface&) = delete;
 
     /// Makes `wanted` (whose number and epoch are filled in here) the surface to build; returns its epoch.
-    /// @param rest  nothing is built until somebody looks at it or waits
+    /// @param rest  suspended until a client shows it or waits for it
     std::uint32_t rebuild(SurfaceJob wanted, bool rest = false);
 
-    /// Somebody looks at it: if it rests, or there was no memory for it the last time, it is built.
+    /// Builds it for a client that shows it, if it is suspended or had no memory the last time.
     void begin_now();
 
-    /// Falls back to its parameters, and rests: what it takes is free once the running job has ended. What it was is still told. Built
-    /// again, it is the same, bit by bit.
+    /// Suspends it to its parameters: its memory is free once the running job has ended. Its outcome is still
+    /// reported. Built again, it has the same bits.
     void fall_back();
 
-    /// No one is there: falls back, and stops what is being computed; unless somebody looks at it after all.
+    /// Suspends it and stops its computation, for an empty session; does nothing if it is still shown.
     void put_to_rest();
 
-    /// Somebody is there again: what put_to_rest() stopped is computed again.
+    /// Continues the computation that put_to_rest() stopped.
     void resume();
 
-    /// Somebody does not show it any more. If no one else does either, it is not computed for as long as that lasts, neither for edits nor
-    /// for the clock; what is there stays. Whoever subscribes or waits has it computed. One that no one ever showed is computed always.
+    /// Records that a client has stopped showing it. If no client shows it, it is computed neither for edits
+    /// nor for the clock; its state stays. A client that subscribes or waits restarts it. A surface that was
+    /// never shown is always computed.
     void turned_away();
 
-    /// Nothing of it is built or being built.
+    /// Says that it is suspended: neither built nor being built.
     bool resting() const { return rests(stage_); }
 
-    /// Somebody has it on the screen, or waits for it.
+    /// Says whether a client shows it or waits for it.
     bool looked_at() const { return ring_->read() || !waiters_->empty(); }
 
-    /// When somebody last asked for it.
+    /// Returns the time of the last request for it.
     std::chrono::steady_clock::time_point asked_for() const { return asked_for_; }
 
-    /// There is nothing to build just now: an epoch whose outcome is `error`, told from the loop. Returns the epoch.
-    /// @param rest  no one has asked for it yet
+    /// Begins an epoch that cannot be built now: its outcome is `error`, reported from the loop. Returns the
+    /// epoch.
+    /// @param rest  no client has asked for it yet
     std::uint32_t refuse(core::SurfaceKind kind, core::Error error, bool rest = false);
 
-    /// Computes no further; what is there by now stays, and `reason` (Cancelled) is the outcome until it is rebuilt. False when
-    /// nothing was under way.
+    /// Stops computing; the present state stays, and `reason` (Cancelled) is the outcome until it is rebuilt.
+    /// Returns false if nothing was being computed.
     bool stop(core::Error reason);
 
-    /// Epochs will be above `epoch`, for a surface that has been before. Call it before the first is built.
+    /// Makes epochs begin above `epoch`, for a restored surface. Call it before the first build.
     void continue_after(std::uint32_t epoch) { epoch_ = epoch; }
 
-    /// The time of the session's clock; nothing: never set. Surfaces that do not move ignore it.
-    /// @param jumped  somebody chose this time: a job for another one that is long at work is given up
+    /// Sets the time of the session's clock; empty: never set. Surfaces that do not move ignore it.
+    /// @param jumped  a user chose this time: a long job for another time is cancelled
     void show(std::optional<double> time, bool playing, bool jumped);
 
-    /// True while the wanted surface is not built yet.
+    /// Says whether the wanted surface is not complete yet.
     bool busy() const;
 
-    /// The same data, opened again: lets go of the old one's time-steps.
+    /// Takes the same data, opened again, and releases the time-steps of the old.
     void renew_data(const OpenDataset& data) {
         wanted_.plan.flow = data.flow;
         wanted_.plan.levels = data.levels;
@@ -115,7 +118,7 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
         wanted_.scalars = data.scalars;
     }
 
-    /// Stops computing and answers everybody who waits with NotFound.
+    /// Stops computing and answers all waiters with NotFound.
     void retire();
 
     std::uint32_t number() const { return number_; }
@@ -126,25 +129,25 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
 
     SurfaceOutcome outcome() const;
 
-    /// How far it is on the way to being complete.
+    /// Returns the progress towards the complete state.
     BuildStanding standing() const;
 
-    /// The pass that the newest state comes from, if that is an early one: what was asked for is not there yet.
+    /// Returns the pass of the newest state if that is an early one.
     std::optional<SurfacePass> early() const;
 
-    /// What its values range over since it began to play, as last told.
+    /// Returns the ranges of its values since it began to play, as last reported.
     const ValueRanges& ranges() const { return ranges_.told(); }
 
-    /// The newest state, if there is one of the current epoch.
+    /// Returns the newest state of the current epoch; null without one.
     SharedUpdate newest() const { return ring_->newest(); }
 
-    /// What subscribers read.
+    /// Returns the ring that subscribers read.
     const std::shared_ptr<UpdateRing>& ring() const { return ring_; }
 
-    /// Calls back once `epoch` or a later one is final at the clock's time, or has failed, or with complete == false after
-    /// `patience`. While the clock runs the first state of full quality will do.
-    /// Error: OverLimit for too many waiters; what the computation failed with; NotFound when the surface goes.
-    /// Returns a ticket for forget(), which lets go of the waiter without calling it.
+    /// Calls back once `epoch` or a later one is final at the clock's time, or has failed, or with complete
+    /// == false after `patience`. While the clock runs the first state of full quality suffices. Error:
+    /// OverLimit for too many waiters; that of the computation; NotFound when the surface is deleted. Returns
+    /// a ticket for forget(), which releases the waiter without calling it.
     std::uint64_t wait(std::uint32_t epoch, std::chrono::milliseconds patience, Waiter waiter);
     void forget(std::uint64_t ticket);
 
@@ -154,18 +157,18 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
         SurfacePass pass;
         std::stop_source stop;
         std::chrono::steady_clock::time_point since;
-        std::chrono::steady_clock::time_point wanted; ///< before it could be given to the pool
+        std::chrono::steady_clock::time_point wanted; ///< before the pool accepted it
         std::shared_ptr<core::WorkDone> work;
         std::weak_ptr<SurfaceBuild> build;
     };
 
-    /// What it was before it fell back, told until it is built again or its time changes.
+    /// Holds its outcome before it was suspended, reported until it is built again or its time changes.
     struct Fallen {
         SurfaceOutcome outcome;
         std::optional<double> time; ///< of the session's clock
     };
 
-    /// One a pace: the coarse pass of an edit does not wait for the long one that it ends.
+    /// The running jobs, one a pace: the coarse pass of an edit does not wait for the long one that it ends.
     std::array<std::optional<Running>, 2> lanes_;
 
     bool running() const; ///< a job of the current epoch
@@ -198,23 +201,26 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
     std::uint32_t epoch_ = 0;
     SurfaceStage stage_ = SurfaceStage::Refused;
     std::optional<Fallen> fallen_;
-    std::uint32_t next_seq_ = 0; ///< of the epoch: above all updates that were given out
+    std::uint32_t next_seq_ = 0; ///< of the epoch: above all published updates
     std::chrono::steady_clock::time_point asked_for_{};
-    std::optional<std::chrono::steady_clock::time_point> turned_away_; ///< by the last one who did
+    /// The time at which the last client stopped showing it.
+    std::optional<std::chrono::steady_clock::time_point> turned_away_;
     SurfaceJob wanted_;
     std::optional<core::Error> error_;
     std::optional<double> time_; ///< of the session's clock
     bool playing_ = false;
-    std::chrono::steady_clock::time_point jumped_{}; ///< when somebody chose the time
+    /// The time at which a user chose the clock's time.
+    std::chrono::steady_clock::time_point jumped_{};
 
-    // Of the current epoch.
+    // The members below are of the current epoch.
     std::chrono::steady_clock::time_point began_{};
-    std::chrono::steady_clock::time_point pass_wanted_{}; ///< the one that is next or runs
+    std::chrono::steady_clock::time_point pass_wanted_{}; ///< of the pass that is next or runs
     std::shared_ptr<SurfaceBuild> build_;
-    std::optional<SurfacePass> shown_; ///< the pass that the newest state comes from
+    /// The pass of the newest state.
+    std::optional<SurfacePass> shown_;
 
     BuildProgress progress_;
-    ToldRanges ranges_; ///< of this epoch and those before that it plays on from
+    ToldRanges ranges_; ///< of this epoch and those before that it continues
 
     PassBudgets budgets_{true};
     std::shared_ptr<void> trim_, overtake_, hide_; ///< timers

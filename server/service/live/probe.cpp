@@ -97,7 +97,7 @@ probe(const OpenDataset& dataset, const ProbeRequest& asked, const std::stop_tok
     for (std::size_t i = 0; i < gap.size(); ++i)
         result.inside.push_back(gap[i] == 0 && dataset.flow->status(request.points[i]) ==
                                                    core::PointStatus::Inside);
-    // A flow answers everywhere, outside with what it has at the nearest place; that is no one's measurement.
+    // A flow answers everywhere, outside with the value at the nearest place, which is no measurement.
     constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
     for (ProbeField& field : result.fields)
         for (std::size_t i = 0; i < gap.size(); ++i) {

@@ -1,4 +1,4 @@
-// A dataset's fields at points and one time: what probe.sample answers with.
+// A dataset's fields at points and one time: the answer of probe.sample.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -32,8 +32,8 @@ struct ProbeResult {
     std::vector<ProbeField> fields;
 };
 
-/// Interpolated as the engine does, linear in time. Blocks while time-steps load.
-/// Error: OutOfTime, NotFound (a field), what reading reports.
+/// Interpolates like the engine, linear in time. Blocks while time-steps load. Error: OutOfTime, NotFound (a
+/// field), that of reading.
 core::Result<ProbeResult>
 probe(const OpenDataset& dataset, const ProbeRequest& request, const std::stop_token& stop);
 
@@ -42,22 +42,22 @@ class Prober {
   public:
     Prober(Loop& loop, ComputePool& pool) : loop_(loop), pool_(pool) {}
 
-    /// Stops what is running; its answers are still given as long as the loop runs.
+    /// Stops running probes; their answers are still delivered as long as the loop runs.
     ~Prober() { stop_.request_stop(); }
 
     Prober(const Prober&) = delete;
     Prober& operator=(const Prober&) = delete;
 
     /// Calls `answer` on the loop. Error: as probe.
-    /// @param line      whose turn it is in the pool
-    /// @param unwanted  stops this one
+    /// @param line      the key for taking turns in the pool
+    /// @param unwanted  stops this probe
     void ask(OpenDataset dataset,
              ProbeRequest request,
              const std::string& line,
              const std::stop_token& unwanted,
              std::function<void(core::Result<ProbeResult>)> answer);
 
-    /// What to begin with in a dataset; otherwise as ask(). Error: as suggest_for.
+    /// Suggests a beginning for a dataset; otherwise as ask(). Error: as suggest_for.
     void suggest(OpenDataset dataset,
                  const std::string& line,
                  const std::stop_token& unwanted,

@@ -22,12 +22,13 @@ namespace wakesurf::server {
 
 namespace {
 
-// Of a vertex and field, while a mesh is encoded.
+// The memory for encoding a mesh, in bytes a vertex and field.
 constexpr std::size_t encoding_field_bytes = 40;
-// Of a vertex while fields are sampled: its place and time, the gradients there, and each field.
+// The memory for sampling fields, in bytes a vertex: its place and time, the gradients there, and each field.
 constexpr std::size_t sampling_bytes = 40, gradient_bytes = 160, sample_bytes = 8;
 
-// For memory that others give back. Early passes run on threads that others wait for, and a whole one follows.
+// The wait for others to release memory. Early passes block threads that others wait for, and a whole pass
+// follows.
 constexpr std::chrono::milliseconds patience{1000};
 constexpr std::chrono::milliseconds little_patience{20};
 
@@ -61,7 +62,7 @@ void SurfaceBuild::renew_data(const SurfaceJob& job) {
     job_.plan.levels = job.plan.levels;
     if (job_.plan.flow == job.plan.flow)
         return;
-    if (place_) // it follows the old one
+    if (place_) // a second build follows the first
         place_->clear();
     played_.reset();
     grown_.reset();
@@ -117,7 +118,7 @@ core::Result<Update> SurfaceBuild::run(const SurfacePass& pass,
         return core::fail(core::Error::Code::OverLimit,
                           "there is not enough memory for this surface",
                           "use a larger separation, fewer seeds or a lower `maxQuads`");
-    } catch (const std::exception& error) { // what libraries throw ends this surface only
+    } catch (const std::exception& error) { // an exception of a library ends this surface only
         spdlog::error("building surface {} failed: {}", job_.number, without_paths(error.what()));
         return core::fail(core::Error::Code::Io, "building the surface failed inside the server",
                           "the server's log has the details");

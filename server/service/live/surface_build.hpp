@@ -1,5 +1,5 @@
-// One epoch of a surface being built, on compute threads: its passes, and what they keep between them so that a moving
-// surface goes on from where it is. Touches nothing shared.
+// One epoch of a surface being built, on compute threads: its passes, and the state kept between them so that
+// a moving surface continues from where it is. Touches nothing shared.
 #pragma once
 
 #include "core/base/clock.hpp"
@@ -20,13 +20,13 @@
 
 namespace wakesurf::server {
 
-/// What a build's memory is counted by. Both outlive it; without, no one counts.
+/// Refers to the accounts of a build's memory, which outlive it; null: not counted.
 struct BuildMemory {
     const core::MemoryAccount* account = nullptr;
     const HistoryBudget* histories = nullptr; ///< to step back; of its own without
 };
 
-/// One pass at a time, on any thread.
+/// Builds a surface. One pass at a time, on any thread.
 class SurfaceBuild {
   public:
     using Memory = BuildMemory;
@@ -38,21 +38,22 @@ class SurfaceBuild {
                  const Memory& memory = {},
                  std::uint32_t first_seq = 0);
 
-    /// Builds and encodes. Never throws. Once it has begun to encode it returns the update even if `stop` has fired: the next
-    /// one is based on it. Error: Cancelled; OverLimit out of memory; what the engine and the encoder report.
-    /// @param work  told how far the pass is; null: no one waits
+    /// Builds and encodes. Never throws. Once it has begun to encode it returns the update even if `stop` has
+    /// fired: the next one is based on it. Error: Cancelled; OverLimit out of memory; as the engine and the
+    /// encoder.
+    /// @param work  receives the progress of the pass; may be null
     core::Result<Update> run(const SurfacePass& pass,
                              const std::stop_token& stop,
                              core::WorkDone* work = nullptr) noexcept;
 
     const SurfaceJob& job() const { return job_; }
 
-    /// The flow and the store of a job of the same data, which were perhaps opened again. Frees what was made from others: not for
-    /// the network thread.
+    /// Takes the flow and the store of a job of the same data, perhaps opened again. Frees what was made from
+    /// others: not for the network thread.
     void renew_data(const SurfaceJob& job);
 
   private:
-    /// Where a mesh comes from: ids last within one source.
+    /// Names the origin of a mesh: ids are stable within one.
     enum class Source { Nothing, Whole, Grown, Played };
 
     struct Shown {
@@ -60,7 +61,7 @@ class SurfaceBuild {
         core::SurfaceStatistics statistics;
         Source source;
         protocol::MeshFields fields;
-        double load; ///< s that this pass waited for time-steps
+        double load; ///< the time this pass waited for time-steps, in s
     };
 
     using Work = core::WorkPart;
@@ -94,8 +95,8 @@ class SurfaceBuild {
     Source last_ = Source::Nothing;
     std::optional<core::GrowingMesh> grown_;
     core::SurfaceStatistics grown_statistics_;
-    std::optional<core::PlayedSurface> played_;   ///< while not in use, others may shrink or end it
-    double played_load_ = 0.0;                    ///< s it has waited for time-steps so far
+    std::optional<core::PlayedSurface> played_; ///< while not in use, others may shrink or end it
+    double played_load_ = 0.0; ///< the time it has waited for time-steps so far, in s
     std::unique_ptr<HistoryBudget::Place> place_; ///< of `played_`, once there was one
 };
 

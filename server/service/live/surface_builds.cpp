@@ -126,7 +126,7 @@ void SurfaceBuilds::built(const SurfaceOutcome& outcome) {
     const auto found = entries_.find(outcome.surface);
     if (found == entries_.end() || !std::exchange(found->second.data_came, false))
         return;
-    // Not from within the event: the surface is still telling others of it.
+    // Deferred: within the event the surface is still notifying others of it.
     services_.loop.post(
         [weak = std::weak_ptr(found->second.live), this, alive = alive_, id = outcome.surface] {
             const auto live = weak.lock();
@@ -192,8 +192,8 @@ bool SurfaceBuilds::dataset_changed(const std::string& dataset) {
     return replaced;
 }
 
-/// What a surface was built from, and what is there now. Coming again: the same as far as it goes, as when the same data are imported once
-/// more; what is there of the surface stays until that is known.
+/// Compares the data a surface was built from with the present ones. `Coming again`: the same as far as they
+/// go, as when the same data are imported once more; the present surface stays until that is known.
 SurfaceBuilds::Data SurfaceBuilds::compare_data(const std::string& dataset,
                                                 const LiveSurface& live) const {
     const auto& before = live.wanted().store;
@@ -222,7 +222,7 @@ void SurfaceBuilds::build_anew(const protocol::SurfaceRecord& record, Entry& ent
     events_.rebuilt(record.surface, epoch);
 }
 
-// Where nothing was missing the surface stays what it is.
+// A surface that missed nothing stays as it is.
 void SurfaceBuilds::try_again(const std::string& surface, LiveSurface& live) {
     const auto* record = records_.find<protocol::SurfaceRecord>(surface);
     const SurfaceOutcome outcome = live.outcome();

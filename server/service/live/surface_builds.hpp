@@ -1,5 +1,5 @@
-// The surfaces of a session as they are computed: one live surface for each surface record, built against the rakes and
-// datasets as they are now.
+// The computed surfaces of a session: one live surface for each surface record, built against the present
+// rakes and datasets.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -17,14 +17,14 @@
 
 namespace wakesurf::server {
 
-/// Loop thread only.
+/// Builds the surfaces. Loop thread only.
 class SurfaceBuilds {
   public:
     struct Events {
         std::function<void(const SurfaceProgress&)> progress;
         std::function<void(const SurfaceOutcome&)> done;
         std::function<void(const SurfaceRanges&)> ranges;
-        /// Begun without an edit, because data came.
+        /// Called for a build without an edit, because data came.
         std::function<void(const std::string& surface, std::uint32_t epoch)> rebuilt;
     };
 
@@ -34,25 +34,25 @@ class SurfaceBuilds {
                   const SessionRecords& records,
                   std::uint32_t& next_number,
                   Events events);
-    /// Retires them all.
+    /// Retires all surfaces.
     ~SurfaceBuilds();
     SurfaceBuilds(const SurfaceBuilds&) = delete;
     SurfaceBuilds& operator=(const SurfaceBuilds&) = delete;
 
-    /// What building a surface of these parameters is; its rakes are among the records. Error: of the dataset, and as
-    /// core::plan_surface.
+    /// Returns the job for a surface of these parameters; its rakes are among the records. Error: of the
+    /// dataset, and as core::plan_surface.
     core::Result<SurfaceJob> job_for(const protocol::SurfaceRecord& record) const;
 
     /// Begins a build and returns its epoch, which is above the record's.
     /// @param job  of the record
     std::uint32_t build(const protocol::SurfaceRecord& record, SurfaceJob job);
 
-    /// The same of a record that nothing is known of yet. Where there is nothing to build now, the outcome
-    /// says why, and it is tried again when data come.
+    /// Begins a build of a new record. If it cannot be built now, the outcome says why, and it is tried again
+    /// when data come.
     /// @param rest  it is restored: see LiveSurface::rebuild
     std::uint32_t build(const protocol::SurfaceRecord& record, bool rest = false);
 
-    /// The same for a surface whose rake moved; nothing where it cannot be built any more: it stays what it is.
+    /// Begins a build of a surface whose rake moved; empty if it cannot be built any more: it stays as it is.
     std::optional<std::uint32_t> rebuild(const protocol::SurfaceRecord& record);
 
     void retire(const std::string& surface);
@@ -64,29 +64,30 @@ class SurfaceBuilds {
             visit(*entry.live);
     }
 
-    /// Null where there is none.
+    /// Returns null if there is none.
     std::shared_ptr<LiveSurface> find(const std::string& surface) const;
 
-    /// The session's clock: moving surfaces are shown as they are then. See LiveSurface::show.
+    /// Shows moving surfaces at a time of the session's clock. See LiveSurface::show.
     void show(std::optional<double> time, bool playing, bool jumped);
 
-    /// From the first time at which one of the moving surfaces is shown to the last; nothing without any.
+    /// Returns the first and the last time at which a moving surface is shown; empty without any.
     std::optional<std::array<double, 2>> moving_range() const;
 
-    /// Whether the clock may show `time`: within the times of the data of the surfaces, or of a surface, which may reach further. Any where
-    /// there is no surface, or one of data that are there at all times. Error: OutOfTime, with `name` for the time.
+    /// Checks that the clock may show `time`: within the times of the data of the surfaces, or of a surface,
+    /// which may reach further. Any time is valid without surfaces, or with data at all times. Error:
+    /// OutOfTime, with `name` for the time.
     core::Result<void> check_time(const char* name, double time) const;
 
-    /// Builds what ended early for want of time-steps again, as soon as it is not being built already; lets go of a
-    /// dataset that has become a longer one. Where its values are others now, everything of it is built anew at once, also what is being
-    /// built or rests: then true.
+    /// Rebuilds, unless they are being built, the surfaces that ended early for missing time-steps, and
+    /// releases a dataset that has been replaced by a longer one. If its values have changed, rebuilds all
+    /// its surfaces at once, suspended ones and those being built included, and returns true.
     bool dataset_changed(const std::string& dataset);
 
   private:
     struct Entry {
         std::shared_ptr<LiveSurface> live;
         bool data_came = false; ///< since the present build began
-        bool withheld = false;  ///< it is not computed until somebody sets it
+        bool withheld = false;  ///< it is not computed until a user sets it
     };
 
     LiveSurface& live_for(const protocol::SurfaceRecord& record);

@@ -1,4 +1,4 @@
-// What a surface is built from, as values: a compute thread needs nothing else.
+// The input of a surface's build, as values: a compute thread needs nothing else.
 #pragma once
 
 #include "core/surface/request/surface_plan.hpp"

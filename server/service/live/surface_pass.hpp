@@ -1,4 +1,4 @@
-// One pass over a surface: how good it is to be, and of which time.
+// One pass over a surface: its quality and its time.
 #pragma once
 
 #include "protocol/wire/mesh_frame.hpp"
@@ -12,9 +12,9 @@ using protocol::Phase;
 
 struct SurfacePass {
     Phase phase = Phase::Final;
-    std::uint64_t quads = 0;    ///< most of a coarse or refined pass
-    std::optional<double> time; ///< of the session's clock; nothing: at the end
-    double separation = 0.0;    ///< of such a pass, at least
+    std::uint64_t quads = 0;    ///< the budget of a coarse or refined pass
+    std::optional<double> time; ///< of the session's clock; empty: at the end
+    double separation = 0.0;    ///< the least of such a pass
 };
 
 } // namespace wakesurf::server

@@ -1,24 +1,24 @@
-// The stage that a live surface is in, and the events that lead from one to another. An event that is not in the table
-// leaves the stage as it is.
+// The stage that a live surface is in, and the events that lead from one to another. An event that is not in
+// the table leaves the stage as it is.
 //
-// | event                      | in                              | leads to                                      |
-// |----------------------------|---------------------------------|-----------------------------------------------|
-// | rebuild                    | any                             | Begun, or Resting until a client asks for it  |
-// | refuse                     | any                             | Refused, or Withheld until a client asks      |
-// | begin_now                  | Resting, Interrupted            | Begun                                         |
-// | begin_now                  | Failed, for want of memory      | Begun                                         |
-// | begin_now                  | Withheld                        | Refused: data, or an edit, will come          |
-// | resume                     | Interrupted                     | Begun                                         |
-// | fall_back                  | Begun, Coarse, Refined, Full    | Resting                                       |
-// | put_to_rest, if not busy   | Begun, Coarse, Refined, Full    | Resting                                       |
-// | put_to_rest, if busy       | Begun, Coarse, Refined, Full    | Interrupted                                   |
-// | a pass ends, well or not   | Begun, Coarse                   | Coarse, Refined: the pass that ended          |
-// | a pass of full quality     | Begun, Coarse, Refined, Full    | Full; there it follows the clock              |
-// | the last pass fails        | Begun, Coarse, Refined, Full    | Failed                                        |
-// | stop, if busy              | any but Failed                  | Refused                                       |
-// | retire                     | any                             | Refused                                       |
+// | event                    | in                           | leads to                                     |
+// | ------------------------ | ---------------------------- | -------------------------------------------- |
+// | rebuild                  | any                          | Begun, or Resting until a client asks for it |
+// | refuse                   | any                          | Refused, or Withheld until a client asks     |
+// | begin_now                | Resting, Interrupted         | Begun                                        |
+// | begin_now                | Failed, for want of memory   | Begun                                        |
+// | begin_now                | Withheld                     | Refused: data, or an edit, will come         |
+// | resume                   | Interrupted                  | Begun                                        |
+// | fall_back                | Begun, Coarse, Refined, Full | Resting                                      |
+// | put_to_rest, if not busy | Begun, Coarse, Refined, Full | Resting                                      |
+// | put_to_rest, if busy     | Begun, Coarse, Refined, Full | Interrupted                                  |
+// | a pass ends, well or not | Begun, Coarse                | Coarse, Refined: the pass that ended         |
+// | a pass of full quality   | Begun, Coarse, Refined, Full | Full; there it follows the clock             |
+// | the last pass fails      | Begun, Coarse, Refined, Full | Failed                                       |
+// | stop, if busy            | any but Failed               | Refused                                      |
+// | retire                   | any                          | Refused                                      |
 //
-// In Begun to Full it is computed on, unless every client that showed it has turned away.
+// In Begun to Full it is computed, unless every client that showed it has stopped doing so.
 #pragma once
 
 #include "server/service/live/surface_pass.hpp"

@@ -31,7 +31,7 @@ void SurfaceWaiters::forget(std::uint64_t ticket) {
                                     [&](const Waiting& each) { return each.id == ticket; });
     if (found == waiting_.end())
         return;
-    const Waiting ended = std::move(*found); // destroyed last: it may look at the surface
+    const Waiting ended = std::move(*found); // destroyed last: it may use the surface
     waiting_.erase(found);
 }
 
@@ -53,7 +53,7 @@ void SurfaceWaiters::give_up(std::uint64_t id) {
     const Waiting waiting = std::move(*found);
     waiting_.erase(found);
     SurfaceOutcome so_far = waiting.give_up();
-    so_far.complete = false; // the epoch asked for is not there
+    so_far.complete = false; // the epoch asked for is not complete
     waiting.waiter(std::move(so_far));
 }
 

@@ -1,4 +1,4 @@
-// Those who wait until a surface is complete: unanswered surface.wait calls.
+// The callers that wait until a surface is complete: unanswered surface.wait calls.
 #pragma once
 
 #include "server/service/base/loop.hpp"
@@ -12,24 +12,24 @@
 
 namespace wakesurf::server {
 
-/// Loop thread only. Held by shared_ptr, for its timers.
+/// Holds the waiters. Loop thread only. Owned by shared_ptr, for its timers.
 class SurfaceWaiters : public std::enable_shared_from_this<SurfaceWaiters> {
   public:
     using Waiter = std::function<void(core::Result<SurfaceOutcome>)>;
 
     explicit SurfaceWaiters(Loop& loop) : loop_(loop) {}
 
-    /// `give_up` is called after `patience` and says what there is then. Error, by the waiter: OverLimit.
-    /// Returns a ticket for forget(); 0 once the waiter has been called.
+    /// Adds a waiter. `give_up` is called after `patience` and returns the state at that time. Error, by the
+    /// waiter: OverLimit. Returns a ticket for forget(); 0 once the waiter has been called.
     std::uint64_t add(std::uint32_t epoch,
                       std::chrono::milliseconds patience,
                       std::function<SurfaceOutcome()> give_up,
                       Waiter waiter);
 
-    /// Answers all who wait for this epoch or an earlier one.
+    /// Answers all that wait for this epoch or an earlier one.
     void answer(std::uint32_t epoch, const core::Result<SurfaceOutcome>& outcome);
 
-    /// Lets go of a waiter without calling it.
+    /// Releases a waiter without calling it.
     void forget(std::uint64_t ticket);
 
     bool empty() const { return waiting_.empty(); }

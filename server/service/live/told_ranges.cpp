@@ -8,7 +8,7 @@ namespace wakesurf::server {
 
 namespace {
 
-constexpr double same_length = 1e-6; ///< relative: ends of time are added up and rounded
+constexpr double same_length = 1e-6; ///< relative: ends of time are sums and rounded
 
 void append(ValueRanges& to,
             std::string_view attribute,

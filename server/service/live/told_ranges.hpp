@@ -1,5 +1,5 @@
-// What the values of a surface range over, told to everybody who looks at it, so that colours mean the same to all of them. While it
-// plays, ranges only grow: a colour that has been seen keeps its meaning until somebody makes it another surface.
+// The ranges of a surface's values, the same for all its viewers, so that colours mean the same to all of
+// them. While it plays, ranges only grow: a colour keeps its meaning until a user makes it another surface.
 #pragma once
 
 #include "core/surface/quad_complex.hpp"
@@ -9,25 +9,25 @@
 
 namespace wakesurf::server {
 
-/// Of speed, t and the fields of one state; s is from 0 to 1 always. What is told of t is the age: of a streak surface what has passed
-/// since the release. Of it nothing is left out.
+/// Returns the ranges of speed, t and the fields of one state; s is always from 0 to 1. The range of t is
+/// that of the age, for a streak surface the time since the release; it is never clipped.
 /// @param time  simulation time of the state
 ValueRanges ranges_of(const SurfaceJob& job,
                       const core::QuadComplex& mesh,
                       const protocol::MeshFields& fields,
                       double time);
 
-/// Whether both are one surface whose playing shows: the same data, rake and parameters. The field of a stream surface plays by being frozen
-/// at one time after the other; other fields may be asked for.
+/// Says whether both are one surface that is playing: the same data, rake and parameters. A stream surface
+/// plays by being frozen at successive times; other fields may be requested.
 bool plays_on(const SurfaceJob& before, const SurfaceJob& now);
 
 class ToldRanges {
   public:
-    /// Another surface.
+    /// Begins another surface.
     void begin();
 
-    /// Of a further state. One of less than full quality has ranges of its own, which hold until there is one of full quality.
-    /// Returns whether told() is another now.
+    /// Adds a state. One of less than full quality has ranges of its own, until there is one of full quality.
+    /// Returns whether told() has changed.
     bool add(const ValueRanges& ranges, bool early);
 
     const ValueRanges& told() const { return told_; }

@@ -65,7 +65,7 @@ void UpdateRing::trim() {
         updates_.pop_front();
         since_.pop_front();
     }
-    // A key is of use while the updates after it are there.
+    // A key is of use while the updates after it are held.
     if (key_ && !updates_.empty() && key_->wire.seq + 1 < updates_.front()->wire.seq)
         key_.reset();
 }
@@ -133,7 +133,8 @@ SharedUpdate UpdateRing::key(std::optional<std::uint32_t> after_seq) {
     if (key_ && of_use(key_)) {
         const std::uint32_t seq = key_->wire.seq;
         const bool leads_on = seq == newest || after(seq) != nullptr;
-        // One that has just been made serves, or it would be out of date for ever while a large surface plays.
+        // A key that has just been made is good enough, or it would be obsolete for ever while a large
+        // surface plays.
         if (leads_on && (near(seq) || clock_.now() - key_since_ < limits::key_age))
             return key_;
     }

@@ -1,5 +1,6 @@
-// The updates of a surface's newest epoch, encoded once for everybody who looks at it: each subscription reads on from where it
-// is. Bounded in bytes and age; who falls behind gets a keyframe of the newest state, made once for all who need one then.
+// The updates of a surface's newest epoch, encoded once for all viewers: each subscription reads on from its
+// own position. Bounded in bytes and age; a subscription that falls behind gets a keyframe of the newest
+// state, made once for all that need one at that time.
 #pragma once
 
 #include "core/base/clock.hpp"
@@ -22,7 +23,7 @@ namespace wakesurf::server {
 
 using protocol::Phase;
 
-/// A state of a surface, and the frames that lead to it. Immutable once published.
+/// Holds a state of a surface, and the frames that lead to it. Immutable once published.
 struct Update {
     protocol::EncodedUpdate wire;
     core::SurfaceStatistics statistics;
@@ -30,80 +31,83 @@ struct Update {
     double seconds = 0.0; ///< to build and encode
     PassSeconds took;
     ValueRanges ranges;
-    std::shared_ptr<core::MemoryAccount::Share>
-        memory{}; ///< of the frames, while somebody holds them
+    /// Counts the frames as long as they are in use.
+    std::shared_ptr<core::MemoryAccount::Share> memory{};
 };
 
 using SharedUpdate = std::shared_ptr<const Update>;
 
-/// The share of an update's frames. @param account  null: no one counts
+/// Returns the share of an update's frames. @param account  null: not counted
 std::shared_ptr<core::MemoryAccount::Share> counted(const core::MemoryAccount* account,
                                                     std::size_t bytes);
 
-/// Loop thread only. Held by shared_ptr: by its surface and by those who read.
+/// Holds the updates. Loop thread only. Owned by shared_ptr: by its surface and by its readers.
 class UpdateRing {
   public:
     UpdateRing(std::uint32_t number, const core::Clock& clock, std::function<void()> want_key);
     UpdateRing(const UpdateRing&) = delete;
     UpdateRing& operator=(const UpdateRing&) = delete;
 
-    /// Of the surface on the wire.
+    /// Returns the surface's number on the wire.
     std::uint32_t number() const { return number_; }
 
     std::uint32_t epoch() const { return epoch_; }
 
     bool closed() const { return closed_; }
 
-    /// Forgets every update.
+    /// Forgets every update and begins an epoch.
     void begin(std::uint32_t epoch);
 
-    /// The next update, based on the newest or a key. Others than of this epoch are forgotten.
-    /// @param state  that it leads to: a key can be made of it; needed where the update is none
+    /// Adds the next update, based on the newest or a key. Updates of another epoch are ignored.
+    /// @param state  the state that it leads to: a key can be made of it; required unless the update is one
     void add(SharedUpdate update, std::shared_ptr<const protocol::WireMesh> state = nullptr);
 
-    /// What want_key asked for; null: it could not be made, ask again.
+    /// Adds the key that want_key asked for; null: it could not be made, ask again.
     void add_key(SharedUpdate key);
 
-    /// Drops what is too old or too much; the newest stays.
+    /// Drops updates beyond the bounds on age and bytes; the newest stays.
     void trim();
 
-    /// Drops all but the newest: those who are not there yet get a key.
+    /// Drops all but the newest: readers behind it get a key.
     void keep_newest();
 
-    /// No one will add anything more; readers have nothing to read.
+    /// Ends the ring: readers have nothing to read.
     void close();
 
-    /// Null before the epoch's first.
+    /// Returns the newest update; null before the epoch's first.
     SharedUpdate newest() const { return updates_.empty() ? nullptr : updates_.back(); }
 
-    /// What the newest leads to; null where the newest is a key itself.
+    /// Returns the newest state; null if its update is a key itself.
     const std::shared_ptr<const protocol::WireMesh>& state() const { return state_; }
 
-    /// Somebody reads, or may go on reading at any moment.
+    /// Says whether there are readers, or may be at any moment.
     bool read() const;
 
-    /// The oldest update held if it is a key: where those who have just come to the epoch begin.
+    /// Returns the oldest update if it is a key: new readers of the epoch begin there.
     SharedUpdate first() const;
 
-    /// What the holder of the state `seq` reads next: the newest key after it, else the update based on it. Null: not held.
+    /// Returns the update to read after the state `seq`: the newest key after it, else the update based on
+    /// it. Null: not held.
     SharedUpdate after(std::uint32_t seq) const;
 
-    /// Whether a reader that holds the state `seq` is better served by a keyframe than by all that came since.
+    /// Says whether a reader with the state `seq` is better served by a keyframe than by all later updates.
     bool far_behind(std::uint32_t seq) const;
 
-    /// A key from which it is not far to the newest state, for who holds the state `after_seq` or none. Null: one is asked for
-    /// (once) and news follow.
+    /// Returns a key close to the newest state, for a reader with the state `after_seq` or none. Null: one is
+    /// requested (once), and the listeners are notified.
     SharedUpdate key(std::optional<std::uint32_t> after_seq);
 
-    /// Calls `news` whenever there is something new to read, until the ticket is dropped. `news` must not change the ring.
+    /// Calls `news` whenever there is something new to read, until the ticket is dropped. `news` must not
+    /// change the ring.
     [[nodiscard]] std::shared_ptr<void> listen(std::function<void()> news);
 
     std::size_t bytes() const { return bytes_; }
 
-    /// Whether it is one of the updates in a row, and no key made of one on request.
+    /// Says whether this is one of the consecutive updates, and not a key made of one on request.
     bool holds(const SharedUpdate& update) const;
 
-    /// How many frames there have been, of all epochs, before the update `seq` of this one: the difference of two is what lies between them.
+    /// Returns the number of frames, of all epochs, before the update `seq` of this one: the difference of
+    /// two is what lies between them.
     std::uint64_t frames_before(std::uint32_t seq) const;
 
   private:

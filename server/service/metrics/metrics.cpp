@@ -18,7 +18,7 @@ using prometheus::Registry;
 
 namespace {
 
-/// Seconds. Fine about the figures promised: 5, 25, 50 and 160 ms.
+/// The bounds of buckets (s), finer about the promised figures: 5, 25, 50 and 160 ms.
 const Histogram::BucketBoundaries latencies{0.0001, 0.0005, 0.001, 0.0025, 0.005, 0.01,
                                             0.025,  0.05,   0.1,   0.16,   0.25,  0.5,
                                             1.0,    2.5,    10.0,  60.0};
@@ -43,7 +43,7 @@ std::uint64_t whole(const Counter& counted) {
     return static_cast<std::uint64_t>(counted.Value());
 }
 
-/// Holds one reading only: it is rebuilt each time, so that a dataset that goes leaves nothing behind.
+/// Holds one reading only: it is rebuilt each time, so that a removed dataset leaves nothing behind.
 void collect(const Standing& standing, Registry& registry) {
     const auto gauge = [&](const char* name, const char* help, auto value) {
         gauges(registry, name, help).Add({}).Set(static_cast<double>(value));

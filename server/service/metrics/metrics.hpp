@@ -1,6 +1,5 @@
-// What the server counts about itself: how long each stage from an edit to the screen takes, what was sent,
-// what was dropped or refused. Read by /metrics as Prometheus text and by server.stats as quantiles of the
-// last minute.
+// The server's counters: the time of each stage from an edit to the screen, what was sent, dropped and
+// refused. Read by /metrics as Prometheus text and by server.stats as quantiles of the last minute.
 #pragma once
 
 #include "core/base/clock.hpp"
@@ -15,14 +14,14 @@
 
 namespace wakesurf::server {
 
-/// Names what happens to an edit, in order: it waits for a compute thread, waits for time-steps, moves
+/// Names the stages of an edit, in order: it waits for a compute thread, waits for time-steps, moves
 /// particles, keeps the surface fine enough, is encoded, and is written to a socket.
 enum class Stage : std::uint8_t { Queue, Load, Advect, Refine, Encode, Send };
 
 inline constexpr std::array<std::string_view, 6> stage_names{"queue",  "load",   "advect",
                                                              "refine", "encode", "send"};
 
-/// Says why a client was turned away or sent off.
+/// Says why a client was refused or disconnected.
 enum class Rejection : std::uint8_t {
     Unauthenticated,  ///< no token, or a wrong one
     Forbidden,        ///< Host, Origin or role
@@ -58,8 +57,8 @@ inline constexpr std::array<std::string_view, 11> budgeted_names{
     "sockets", "requests", "downloads", "probes",       "waits",
     "edits",   "calls",    "messages",  "wrong_tokens", "without_token"};
 
-/// Thread safety: everything may be called from any thread. Cost of an observation: two uncontended locks,
-/// about 0.1 microseconds; once a pass or a frame, never once a particle.
+/// Counts events. Thread-safe. Cost of an observation: two uncontended locks, about 0.1 microseconds; once a
+/// pass or a frame, never once a particle.
 class Metrics {
   public:
     /// REQUIRES: the clock outlives it.
@@ -70,31 +69,31 @@ class Metrics {
 
     void observe(Stage stage, double seconds);
 
-    /// Takes the time from an edit, as the server takes it, to the first frame that shows it handed to a
-    /// subscriber's connection.
+    /// Records the time from receiving an edit to handing the first frame that shows it to a subscriber's
+    /// connection.
     void first_frame(double seconds);
 
     void frame_sent(std::size_t bytes);
     void message_sent(std::size_t bytes);
     void message_received(std::size_t bytes);
-    /// A whole state went out where others get what has changed.
+    /// Counts a whole state sent in place of a delta.
     void keyframe();
-    /// A client fell behind and will get a keyframe.
+    /// Counts a client that fell behind and will get a keyframe.
     void catching_up();
-    /// Stale frames a client was spared: by a keyframe, or by a newer edit.
+    /// Counts stale frames that were not sent: because of a keyframe, or a newer edit.
     void frames_dropped(std::uint64_t frames);
     void reject(Rejection reason);
-    /// Something was refused, or is read later, because there was more of it than a budget has.
+    /// Counts a request that was refused, or is read later, because of a budget.
     void over_budget(Budgeted kind);
-    /// A call was answered with a JSON-RPC error.
+    /// Counts a call answered with a JSON-RPC error.
     void error(int code);
-    /// Says whether edits reach the disk; without a state folder no one says.
+    /// Records whether edits reach the disk; never called without a state folder.
     void durable(bool yes);
 
-    /// Prometheus text, version 0.0.4.
+    /// Returns Prometheus text, version 0.0.4.
     std::string text(const Standing& standing) const;
 
-    /// Covers the last minute.
+    /// Return the quantiles of the last minute.
     Quantiles quantiles(Stage stage) const;
     Quantiles first_frames() const;
 

@@ -9,7 +9,7 @@ namespace wakesurf::server {
 
 namespace {
 
-/// Is a share of what there is, in percent.
+/// The default's share of the memory, in percent.
 constexpr std::uint64_t part = 60;
 constexpr std::size_t without_proc = std::size_t{4} << 30;
 

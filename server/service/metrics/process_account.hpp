@@ -1,5 +1,5 @@
-// The account of this process's memory: how large it is, what the process is seen to hold beside its shares,
-// and who gives memory back first: the allocator.
+// The account of this process's memory: its size, the process's measured memory beside its shares, and the
+// first to release memory: the allocator.
 #pragma once
 
 #include "core/base/memory_account.hpp"
@@ -9,24 +9,23 @@
 
 namespace wakesurf::server {
 
-/// Returns the default of `--memory`: 60 % of what the machine, or the control group, has; the rest is for
-/// the page cache and others.
+/// Returns the default of `--memory` in bytes: 60 % of what the machine, or the control group, has; the rest
+/// is for the page cache and others.
 std::size_t default_memory();
 
 class ProcessAccount {
   public:
-    /// @param budget  `--memory`, in bytes; 0: default_memory().
+    /// @param budget  `--memory`, in bytes; 0: default_memory()
     explicit ProcessAccount(std::size_t budget);
 
     const core::MemoryAccount& account() const { return account_; }
 
-    /// Looks at what the process holds; true where that is more than it may, and others should be asked to
-    /// give back.
+    /// Measures the process; returns true if it holds more than it may, and others should release memory.
     bool too_much() const;
 
   private:
     core::MemoryAccount account_;
-    std::shared_ptr<void> spare_heap_; ///< asked for through this
+    std::shared_ptr<void> spare_heap_; ///< the registration with the account
 };
 
 } // namespace wakesurf::server

@@ -1,5 +1,5 @@
-// Quantiles of what was observed lately: a ring of the newest values with their times. Exact over what it
-// holds, which a histogram's buckets are not, and it forgets, which a histogram does not.
+// Quantiles of recent observations: a ring of the newest values with their times. Exact over what it holds,
+// unlike a histogram's buckets, and it forgets, unlike a histogram.
 #pragma once
 
 #include <array>
@@ -12,10 +12,10 @@ namespace wakesurf::server {
 
 struct Quantiles {
     double p50 = 0.0, p95 = 0.0, p99 = 0.0;
-    std::uint64_t count = 0; ///< values they are taken from; 0: the others mean nothing
+    std::uint64_t count = 0; ///< number of values; if 0, the others mean nothing
 };
 
-/// Thread safety: every call may come from any thread.
+/// Holds recent values. Thread-safe.
 class RecentValues {
   public:
     using Time = std::chrono::steady_clock::time_point;
@@ -24,7 +24,7 @@ class RecentValues {
 
     void add(Time now, double value);
 
-    /// Nearest-rank quantiles of the newest `most` values no older than `window`. Cost: sorting them.
+    /// Returns nearest-rank quantiles of the newest `most` values no older than `window`. Cost: sorting them.
     Quantiles quantiles(Time now) const;
 
   private:

@@ -6,14 +6,14 @@
 #include <chrono>
 #include <cstddef>
 
-// Of jemalloc; null where the program is linked without it.
+// A function of jemalloc; null if the program is linked without it.
 extern "C" {
 [[gnu::weak]] int
 mallctl(const char* name, void* old, std::size_t* old_size, void* value, std::size_t size);
 
-// Read when the process starts. Pages are returned by threads of the allocator's own, most of them 0.1 s
-// after they were freed. That is soon enough. To ask for all of them at once takes 20 to 140 ms, and beside
-// hostile editors small work waited for that 28 times a minute, 52 ms on average.
+// jemalloc reads this when the process starts. Its own threads return pages, most of them 0.1 s after they
+// were freed. That is soon enough: asking for all of them at once takes 20 to 140 ms, and beside hostile
+// editors small work waited for that 28 times a minute, 52 ms on average.
 extern const char* malloc_conf;
 const char* malloc_conf = "background_thread:true,dirty_decay_ms:100,muzzy_decay_ms:0";
 }

@@ -1,5 +1,4 @@
-// How the server stands at the moment it is asked: what is open, held and used. Gathered when somebody
-// looks.
+// The state of the server at the moment of a request: what is open, held and used. Gathered on request.
 #pragma once
 
 #include "core/base/memory_account.hpp"
@@ -16,21 +15,21 @@ namespace wakesurf::server {
 
 struct CacheStanding {
     std::string dataset;
-    std::uint64_t hits = 0;  ///< time-steps asked for that were in memory
-    std::uint64_t loads = 0; ///< that were not
+    std::uint64_t hits = 0;  ///< requested time-steps that were in memory
+    std::uint64_t loads = 0; ///< those that were not
     std::size_t bytes = 0;
     std::size_t budget = 0;
 };
 
-/// Bricks of a dataset that has an MPI job to hold them.
+/// Describes the bricks of a dataset with an MPI job.
 struct BricksStanding {
     std::string dataset;
     std::uint64_t by_ranks = 0;
     std::uint64_t by_files = 0;
-    std::uint64_t ranks = 0; ///< of the job; 0: it is not there
+    std::uint64_t ranks = 0; ///< of the job; 0: not connected
 };
 
-/// Says how many datasets are in a state.
+/// Counts the datasets in a state.
 struct DatasetCount {
     std::string_view state;
     std::size_t count = 0;
@@ -38,8 +37,8 @@ struct DatasetCount {
     bool operator==(const DatasetCount&) const = default;
 };
 
-/// Returns what /healthz says: "ok", and of how many datasets some failed or are incomplete. No names:
-/// anyone may ask.
+/// Returns the text of /healthz: "ok", and how many of how many datasets failed or are incomplete. No names:
+/// it is public.
 std::string health_text(std::span<const DatasetCount> datasets);
 
 /// Describes the account of memory, in bytes.
@@ -47,7 +46,7 @@ struct MemoryStanding {
     std::size_t budget = 0;
     std::size_t used = 0;
     std::array<std::size_t, core::memory_uses> by_use{};
-    std::uint64_t refused = 0; ///< times that something did not fit
+    std::uint64_t refused = 0; ///< requests that did not fit
 };
 
 MemoryStanding memory_standing(const core::MemoryAccount& account);
@@ -71,7 +70,7 @@ struct ProcessMemory {
     std::uint64_t descriptors = 0;
 };
 
-/// Describes this process, from /proc; zeros where there is none. Cost: tens of microseconds.
+/// Describes this process, from /proc; zeros if there is none. Cost: tens of microseconds.
 ProcessMemory process_memory();
 
 } // namespace wakesurf::server

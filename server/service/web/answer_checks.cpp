@@ -22,7 +22,7 @@ bool is_page(const HttpAnswer& answer) {
            answer.content_type.starts_with("application/xhtml");
 }
 
-/// Of an address that a server sends: shown to people.
+/// Returns the printable part of an address that a server sends, for messages.
 std::string printable(std::string_view text) {
     constexpr std::size_t most = 200;
     std::string out(text.substr(0, most));

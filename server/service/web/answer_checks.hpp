@@ -1,5 +1,5 @@
-// What an answer of a web server is worth (server/service/web/http_transport.hpp): is it what was asked for, or a page about something else? Errors name
-// the address.
+// Checks of a web server's answer (server/service/web/http_transport.hpp): is it the object that was asked
+// for, or a page about something else? Errors name the address.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -10,22 +10,23 @@
 
 namespace wakesurf::server {
 
-/// The server says that it may go better in a moment, or the connection ended before all had come.
+/// Says that a retry may succeed: the server says so, or the connection ended early.
 bool comes_again(const HttpAnswer& answer);
 
-/// Error: NotFound; Corrupt for another object than was asked for, and for a web page; Io for all else.
-/// @param times  ", 5 times" where it was asked again
+/// Checks the status. Error: NotFound; Corrupt for another object than was asked for, and for a web page; Io
+/// for all else.
+/// @param times  ", 5 times" after retries
 core::Result<void>
 check_status(const HttpRequest& request, const HttpAnswer& answer, const std::string& times);
 
-/// Of the whole object, as the answer to the question what it is or for its beginning tells. Error: Io, Corrupt.
+/// Returns the size of the whole object, from the answer to a HEAD or for its beginning. Error: Io, Corrupt.
 core::Result<std::uint64_t> size_told(const HttpRequest& request, const HttpAnswer& answer);
 
-/// It is the part that was asked for, of an object of that size. Error: Io, Corrupt.
+/// Checks that the answer has the part asked for, of an object of that size. Error: Io, Corrupt.
 core::Result<void>
 check_part(const HttpRequest& request, const HttpAnswer& answer, std::uint64_t size);
 
-/// Another object has taken the place of the one that was looked at.
+/// Returns the error for an object that has been replaced by another one.
 tl::unexpected<core::Error> changed(const std::string& address);
 
 } // namespace wakesurf::server

@@ -25,7 +25,7 @@ std::optional<Number> number(std::string_view text) {
     return value;
 }
 
-// "bytes 0-99/1000", "bytes */1000"
+// Parses "bytes 0-99/1000" and "bytes */1000".
 std::optional<HttpAnswer::Range> content_range(std::string_view text) {
     constexpr std::string_view unit = "bytes ";
     const auto slash = text.find('/');

@@ -1,4 +1,5 @@
-// The header lines of an answer that count (server/service/web/http_transport.hpp). What a stranger's server sends, so anything may stand there.
+// The relevant header lines of an answer (server/service/web/http_transport.hpp). The server is not trusted:
+// they may hold anything.
 #pragma once
 
 #include "server/service/web/http_transport.hpp"
@@ -7,7 +8,7 @@
 
 namespace wakesurf::server {
 
-/// Takes one line. A status line begins the answer anew: there is one for each intermediate answer.
+/// Reads one line. A status line begins the answer anew: there is one for each intermediate answer.
 void read_header(std::string_view line, HttpAnswer& answer);
 
 } // namespace wakesurf::server

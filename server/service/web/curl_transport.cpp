@@ -46,7 +46,7 @@ void add(Headers& headers, const std::string& line) {
     headers.reset(longer);
 }
 
-/// What a call fills while libcurl calls back.
+/// Holds what a call fills while libcurl calls back.
 struct Transfer {
     HttpAnswer answer;
     std::span<std::byte> body;
@@ -186,7 +186,7 @@ tl::expected<HttpAnswer, HttpFault> CurlTransport::perform(const HttpRequest& re
         set(CURLOPT_CAINFO, state_->trusted.c_str());
     if (request.head)
         set(CURLOPT_NOBODY, 1L);
-    if (request.range) // by hand, so that it is signed as well
+    if (request.range) // set by hand, so that it is signed as well
         add(headers, "Range: bytes=" + std::to_string(request.range->first) + "-" +
                          std::to_string(request.range->first + request.range->count - 1));
     if (!request.if_match.empty())

@@ -1,4 +1,4 @@
-// HTTP by libcurl, which no other file knows.
+// HTTP by libcurl, which only this file uses.
 #pragma once
 
 #include "server/service/web/http_transport.hpp"
@@ -8,20 +8,21 @@
 
 namespace wakesurf::server {
 
-/// By what a web server knows who asks. Never part of an address, a message or the log.
+/// Identifies us to a web server. Never part of an address, a message or the log.
 struct HttpCredentials {
-    std::string token;     ///< sent as a bearer's
+    std::string token;     ///< sent as a bearer token
     std::string s3_region; ///< requests are signed for S3 there, with the keys
     std::string access_key, secret_key, session_token;
 
     bool any() const { return !token.empty() || !s3_region.empty(); }
 
-    /// WAKESURF_HTTP_TOKEN; WAKESURF_HTTP_S3_REGION with AWS_ACCESS_KEY_ID, AWS_SECRET_ACCESS_KEY and AWS_SESSION_TOKEN.
+    /// Reads WAKESURF_HTTP_TOKEN, and WAKESURF_HTTP_S3_REGION with AWS_ACCESS_KEY_ID, AWS_SECRET_ACCESS_KEY
+    /// and AWS_SESSION_TOKEN.
     static HttpCredentials of_environment();
 };
 
-/// A connection for each call that is under way, kept for the next one. Certificates are checked by those the system trusts, or by
-/// $SSL_CERT_FILE.
+/// Has a connection for each concurrent call, kept for the next one. Certificates are checked by those the
+/// system trusts, or by $SSL_CERT_FILE.
 class CurlTransport final : public HttpTransport {
   public:
     explicit CurlTransport(HttpCredentials credentials);

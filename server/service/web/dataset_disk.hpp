@@ -1,4 +1,4 @@
-// Where the files of a dataset are: on a disk, or on the web.
+// The location of a dataset's files: a disk, or the web.
 #pragma once
 
 #include "core/base/disk.hpp"
@@ -9,11 +9,11 @@
 
 namespace wakesurf::server {
 
-/// Its files are below an address that store_address() returned.
+/// Says whether the files are below an address that store_address() returned.
 bool is_on_the_web(const std::filesystem::path& folder);
 
-/// Opens nothing yet. Credentials are those of the environment. Error: InvalidArgument where they would go over a line that anybody
-/// can read.
+/// Returns the disk; opens nothing yet. Credentials are those of the environment. Error: InvalidArgument if
+/// they would be sent unencrypted.
 core::Result<std::shared_ptr<const core::Disk>> disk_of(const std::filesystem::path& folder);
 
 } // namespace wakesurf::server

@@ -1,5 +1,5 @@
-// One question to a web server and its answer. What is asked, how often, and what an answer is worth is decided in server/service/web/web_disk.hpp;
-// server/service/web/curl_transport.hpp is the real one.
+// One request to a web server and its answer. server/service/web/web_disk.hpp decides on requests, retries
+// and checks; server/service/web/curl_transport.hpp is the real transport.
 #pragma once
 
 #include <tl/expected.hpp>
@@ -14,7 +14,7 @@
 
 namespace wakesurf::server {
 
-/// Bytes of an object, `count` of them.
+/// Names `count` bytes of an object.
 struct HttpRange {
     std::uint64_t first = 0;
     std::uint64_t count = 0;
@@ -22,13 +22,13 @@ struct HttpRange {
 
 struct HttpRequest {
     std::string address;
-    bool head = false;                ///< what it is, without its bytes
-    std::optional<HttpRange> range{}; ///< nothing: all
-    std::string if_match{};           ///< ETag that it has to have; empty: any
+    bool head = false;                ///< its headers, without its bytes
+    std::optional<HttpRange> range{}; ///< empty: all
+    std::string if_match{};           ///< the ETag that it must have; empty: any
 };
 
 struct HttpAnswer {
-    /// Content-Range: `first`-`last` of `total`; of no bytes where there are none to have.
+    /// Holds Content-Range: `first`-`last` of `total`; without bytes if there are none.
     struct Range {
         std::optional<std::uint64_t> first, last;
         std::uint64_t total = 0;
@@ -42,23 +42,24 @@ struct HttpAnswer {
     std::optional<std::uint64_t> content_length;
     std::optional<Range> range;
     std::optional<std::chrono::seconds> retry_after;
-    std::size_t bytes = 0; ///< of the body, those that there was room for
-    bool longer = false;   ///< there were more
+    std::size_t bytes = 0; ///< of the body, as far as they fit
+    bool longer = false;   ///< the body was longer
 };
 
-/// Why there is no answer.
+/// Says why there is no answer.
 struct HttpFault {
     std::string what;
-    bool passing = false;   ///< it may go better in a moment
+    bool passing = false;   ///< a retry may succeed
     bool cancelled = false; ///< `stop` fired
 };
 
-/// Thread safety: concurrent calls are fine.
+/// Sends requests. Thread safety: concurrent calls are allowed.
 class HttpTransport {
   public:
     virtual ~HttpTransport() = default;
 
-    /// Follows no redirects. The bytes of an answer with status 200 or 206 go to `body`; where there are more, it ends there.
+    /// Sends a request. Follows no redirects. The bytes of an answer with status 200 or 206 go to `body`; a
+    /// longer answer is cut off.
     virtual tl::expected<HttpAnswer, HttpFault>
     perform(const HttpRequest& request, std::span<std::byte> body, const std::stop_token& stop) = 0;
 };

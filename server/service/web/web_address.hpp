@@ -1,4 +1,5 @@
-// Addresses of stores on the web: https://host/path/STORE. What names a dataset on the command line, like a folder.
+// Addresses of stores on the web: https://host/path/STORE. They name a dataset on the command line, like a
+// folder.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -8,14 +9,15 @@
 
 namespace wakesurf::server {
 
-/// Begins as an address does, of any scheme: then it names no file.
+/// Says whether a text begins like an address, of any scheme: then it names no file.
 bool is_web_address(std::string_view text);
 
-/// The address of a store, without store.json and slashes at its end. Error: InvalidArgument for another scheme than http and https, for
-/// one with a user, a query, a fragment, or steps up; Unsupported for what is no store.
+/// Returns the address of a store, without store.json and slashes at its end. Error: InvalidArgument for
+/// another scheme than http and https, for one with a user, a query, a fragment, or steps up; Unsupported for
+/// anything but a store.
 core::Result<std::string> store_address(std::string_view text);
 
-/// Nothing on the way could read along: https, or this machine.
+/// Says whether the connection is private: https, or this machine.
 bool is_private_address(std::string_view address);
 
 } // namespace wakesurf::server

@@ -18,16 +18,16 @@ namespace {
 constexpr std::chrono::milliseconds first_pause{100};
 constexpr std::chrono::milliseconds longest_pause{5000};
 
-// What describes a store comes with the look at it, in one answer: most of it is smaller. Together 4 MiB.
+// A store's description comes with the first request, in one answer: most of it is smaller. Together 4 MiB.
 constexpr std::size_t beginning_bytes = std::size_t{256} << 10;
 constexpr std::size_t most_beginnings = 16;
 
-/// Arrays of values, of which a part is wanted; all else is read as a whole.
+/// Says whether an object is an array of values, of which parts are read; all others are read as a whole.
 bool holds_values(const std::string& address) {
     return address.ends_with(".f32") || address.ends_with(".f16");
 }
 
-/// Twice as long each time, and not all connections at the same moment.
+/// Returns a pause that doubles each time, with jitter, so that connections do not retry at the same moment.
 std::chrono::milliseconds
 pause_before(int again, const HttpRequest& request, const HttpAnswer* answer) {
     const auto share =

@@ -1,5 +1,5 @@
-// A store's files on a web server or an object store, as a disk that the store reader reads: each read is a range of an object. What a
-// server answers is checked here; whether the bytes are those that were written is checked above, by their checksums.
+// A store's files on a web server or an object store, as a disk for the store reader: each read is a range of
+// an object. Answers are checked here; the bytes themselves are checked above, by their checksums.
 #pragma once
 
 #include "core/base/disk.hpp"
@@ -19,17 +19,18 @@
 
 namespace wakesurf::server {
 
-/// An object is looked at once: its size and its mark (ETag, else the time it was last modified) stay as they were then. Where another
-/// one takes its place, reading it says so. Errors name its address. Thread safety: concurrent calls are fine.
+/// Reads objects. Size and mark (ETag, else the modification time) of an object are those of its first
+/// request. If another object replaces it, reading reports that. Errors name its address. Thread safety:
+/// concurrent calls are allowed.
 class WebDisk final : public core::Disk {
   public:
     /// Waits that long, or until `stop` fires.
     using Pause = std::function<void(std::chrono::milliseconds, const std::stop_token& stop)>;
 
-    /// A question is repeated where no answer came, or one that says to come again.
+    /// The number of tries of a request without an answer, or with one that asks to retry.
     static constexpr int most_tries = 5;
 
-    /// What is asked for at once.
+    /// The largest part requested at once.
     static constexpr std::size_t most_bytes = std::size_t{16} << 20;
 
     explicit WebDisk(std::shared_ptr<HttpTransport> transport, Pause pause = wait);
@@ -44,7 +45,7 @@ class WebDisk final : public core::Disk {
                                       std::span<std::byte> out,
                                       const std::stop_token& stop) const override;
 
-    /// One a connection.
+    /// Returns one reader a connection.
     Pace pace() const override { return {64, most_bytes}; }
 
   private:
@@ -55,7 +56,7 @@ class WebDisk final : public core::Disk {
     };
 
     struct Object {
-        std::mutex mutex; ///< held while it is looked at: one looks for all
+        std::mutex mutex; ///< held during the first request: one thread makes it for all
         std::optional<Known> known;
     };
 

@@ -9,13 +9,13 @@ namespace wakesurf::server {
 
 namespace {
 
-/// Numbers along an axis, from..to.
+/// Holds the numbers from..to along an axis.
 struct Interval {
     std::uint64_t from = 0;
     std::uint64_t to = 1;
 };
 
-/// Nodes of the brick that the grid has.
+/// Returns the nodes of the brick that the grid has.
 std::array<Interval, 3> nodes_of(const core::BrickLayout& layout, std::size_t brick) {
     const auto first = layout.first_node(brick);
     std::array<Interval, 3> out;
@@ -25,12 +25,12 @@ std::array<Interval, 3> nodes_of(const core::BrickLayout& layout, std::size_t br
     return out;
 }
 
-/// The part of an interval that is in a chunk.
+/// Returns the part of an interval that is in a chunk.
 Interval within(const Interval& wanted, std::uint64_t chunk, std::uint64_t length) {
     return {std::max(wanted.from, chunk * length), std::min(wanted.to, (chunk + 1) * length)};
 }
 
-/// The pieces of one array.
+/// Collects the pieces of one array.
 class Pieces {
   public:
     Pieces(const ZarrDataset& dataset, std::size_t array, std::vector<Interval> wanted)
@@ -49,7 +49,7 @@ class Pieces {
     }
 
   private:
-    /// The last axis fastest; false behind the last chunk.
+    /// Advances the last axis fastest; returns false behind the last chunk.
     bool next(std::vector<std::uint64_t>& chunk) const {
         for (std::size_t axis = chunk.size(); axis-- > 0;) {
             if (++chunk[axis] * of_.chunks[axis] < wanted_[axis].to)

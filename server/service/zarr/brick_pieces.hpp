@@ -1,5 +1,5 @@
-// A brick of a column's values, put together from the chunks of a Zarr that it overlaps: which part comes from where. Values in, values out; what reads
-// chunks is server/service/zarr/zarr_disk.hpp.
+// A brick of a column's values, put together from the overlapping chunks of a Zarr: which part comes from
+// where. Values in, values out; server/service/zarr/zarr_disk.hpp reads chunks.
 #pragma once
 
 #include "core/dataset/brick_layout.hpp"
@@ -14,7 +14,7 @@
 
 namespace wakesurf::server {
 
-/// What of a brick comes from one chunk.
+/// Describes the part of a brick that comes from one chunk.
 struct BrickPiece {
     std::size_t array = 0;              ///< which of ZarrDataset::arrays
     std::vector<std::uint64_t> chunk;   ///< its place, one number an axis of the array
@@ -31,22 +31,24 @@ struct BrickPiece {
     std::vector<Component> components; ///< those that the chunk has
 };
 
-/// All pieces of a brick, which together are its nodes that the grid has. REQUIRES: the column, time-step and brick are there.
+/// Returns all pieces of a brick, which together are its nodes that the grid has. REQUIRES: the column,
+/// time-step and brick exist.
 std::vector<BrickPiece> pieces_of(const ZarrDataset& dataset,
                                   const core::BrickLayout& layout,
                                   std::size_t column,
                                   std::size_t step,
                                   std::size_t brick);
 
-/// Puts a piece to its place. @param chunk  its numbers' bytes; empty: it is filled. @param brick  all numbers of it
-/// @return false where some value is not finite
+/// Copies a piece into a brick. @param chunk  its numbers' bytes; empty: the fill value. @param brick  all
+/// its numbers
+/// @return false if some value is not finite
 bool put_piece(const ZarrDataset& dataset,
                const core::BrickLayout& layout,
                const BrickPiece& piece,
                std::span<const std::byte> chunk,
                std::span<float> brick);
 
-/// A brick's nodes beyond the grid's end repeat the last ones. @param components  numbers a node
+/// Repeats the last nodes of the grid in a brick's nodes beyond its end. @param components  numbers a node
 void repeat_last(const core::BrickLayout& layout,
                  std::size_t brick,
                  std::size_t components,

@@ -21,7 +21,7 @@ std::size_t ChunkCache::bytes() const {
     return bytes_;
 }
 
-// The oldest go that nobody uses.
+// Evicts the oldest unused chunks.
 bool ChunkCache::make_room(std::size_t room) {
     for (auto age = ages_.end(); bytes_ + room > budget_ && age != ages_.begin();) {
         --age;

@@ -1,4 +1,5 @@
-// Chunks of a Zarr that are unpacked, within a budget: a brick touches several, and its neighbours the same ones. Below server/service/zarr/zarr_disk.hpp.
+// A cache of unpacked chunks of a Zarr, within a budget: a brick touches several, and its neighbours the same
+// ones. Below server/service/zarr/zarr_disk.hpp.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -16,7 +17,8 @@
 
 namespace wakesurf::server {
 
-/// Chunks that are used now and being read count as well: who needs more room than there is waits. Thread safety: concurrent calls are fine.
+/// Caches chunks. Chunks in use and being read count as well: a caller that needs more room than is free
+/// waits. Thread safety: concurrent calls are allowed.
 class ChunkCache {
   public:
     struct Name {
@@ -31,19 +33,19 @@ class ChunkCache {
 
     explicit ChunkCache(std::size_t budget) : budget_(budget) {}
 
-    /// Not below what fetching any chunk takes.
+    /// Sets the budget. REQUIRES: it holds what fetching any chunk takes.
     void resize(std::size_t budget);
 
-    /// Calls `use` with the chunk, which one caller fetches for all who want it. Blocks. Error: of `fetch`; Cancelled where `stop` fires
-    /// while it waits for others.
-    /// @param room  what fetching takes, the chunk among it. REQUIRES: no more than the budget
+    /// Calls `use` with the chunk, which one caller fetches for all. Blocks. Error: of `fetch`; Cancelled if
+    /// `stop` fires while it waits for others.
+    /// @param room  the memory that fetching takes, the chunk included. REQUIRES: no more than the budget
     core::Result<void> with(const Name& name,
                             std::size_t room,
                             const Fetch& fetch,
                             const Use& use,
                             const std::stop_token& stop);
 
-    /// Bytes of all chunks, and of the reading of others.
+    /// Returns the memory of all chunks, and of reading others.
     std::size_t bytes() const;
 
   private:
@@ -56,7 +58,7 @@ class ChunkCache {
 
     using Entries = std::map<Name, Entry>;
 
-    /// What an entry takes beside its bytes.
+    /// The memory of an entry beside its bytes.
     static constexpr std::size_t entry_bytes = 160;
 
     bool make_room(std::size_t room);
@@ -70,7 +72,7 @@ class ChunkCache {
     std::size_t budget_;
     std::size_t bytes_ = 0;
     Entries entries_;
-    std::list<Name> ages_; ///< of those that are there, used last first
+    std::list<Name> ages_; ///< of the cached chunks, most recently used first
 };
 
 } // namespace wakesurf::server

@@ -59,7 +59,7 @@ Result<std::vector<std::byte>> ChunkObjects::read_object(const ZarrArray& array,
     return unpack_chunk(array, std::move(stored));
 }
 
-// An object that was not there is one of no bytes.
+// A missing object counts as one without bytes.
 Result<void> ChunkObjects::check_same(const std::string& name,
                                       const core::FileIdentity& now) const {
     const std::scoped_lock lock(mutex_);

@@ -15,20 +15,22 @@
 
 namespace wakesurf::server {
 
-/// What an object is when it is read for the first time (size, time or ETag) it has to stay: a Zarr has no checksums of its own. Memory: some
-/// 100 bytes an object that was read. Errors name the chunk. Thread safety: concurrent calls are fine.
+/// Reads chunks. An object must keep the identity (size, time or ETag) of its first read: a Zarr has no
+/// checksums of its own. Memory: some 100 bytes an object that was read. Errors name the chunk. Thread
+/// safety: concurrent calls are allowed.
 class ChunkObjects {
   public:
     ChunkObjects(std::filesystem::path root, std::shared_ptr<const core::Disk> disk)
         : root_(std::move(root)), disk_(std::move(disk)) {}
 
-    /// The bytes of a chunk's numbers; empty where there is no object and the array says what it is filled with. @param at  one number an axis
-    /// Error: NotFound for what is neither there nor filled, Corrupt for what is damaged or has changed, Io, Cancelled.
+    /// Returns the bytes of a chunk's numbers; empty if there is no object and the array has a fill value.
+    /// @param at  one number an axis
+    /// Error: NotFound if there is neither, Corrupt if it is damaged or has changed, Io, Cancelled.
     core::Result<std::vector<std::byte>> read(const ZarrArray& array,
                                               const std::vector<std::uint64_t>& at,
                                               const std::stop_token& stop) const;
 
-    /// All values of an array of one axis. Error: likewise; OverLimit for more than `most`.
+    /// Returns all values of an array of one axis. Error: likewise; OverLimit for more than `most`.
     core::Result<std::vector<double>> read_line(const ZarrArray& array, std::uint64_t most) const;
 
     const core::Disk& disk() const { return *disk_; }

@@ -17,15 +17,15 @@ using nlohmann::json;
 
 namespace {
 
-/// Which number means that there is no value. null is a NaN, as parse_zarr_json leaves it; a text is eight bytes of a double in base64, as
-/// xarray writes them into version 3. Nothing for what is neither.
+/// Returns the number that stands for a missing value. null is a NaN, as parse_zarr_json leaves it; a text is
+/// eight bytes of a double in base64, as xarray writes them into version 3. Empty for anything else.
 std::optional<double> missing_number(const json& value) {
     if (value.is_null())
         return std::numeric_limits<double>::quiet_NaN();
     if (value.is_number())
         return value.get<double>();
     const std::string text = value.is_string() ? value.get<std::string>() : "";
-    std::array<unsigned char, 9> bytes{}; // the last one is filling
+    std::array<unsigned char, 9> bytes{}; // the last one is padding
     if (text.size() != 12 || text.back() != '=' ||
         EVP_DecodeBlock(bytes.data(), reinterpret_cast<const unsigned char*>(text.data()), 12) != 9)
         return std::nullopt;
@@ -34,7 +34,7 @@ std::optional<double> missing_number(const json& value) {
     return number;
 }
 
-/// @param value  one, or a list of some
+/// Adds missing numbers. @param value  one, or a list
 void add_missing(ZarrArray& array, const json& value) {
     constexpr std::size_t most = 8; // each number of the array is compared with all of them
     const json list = value.is_array() ? value : json::array({value});
@@ -72,7 +72,7 @@ void read_zarr_attributes(ZarrArray& array, const json& given) {
     for (const char* name : {"_FillValue", "missing_value"})
         if (const auto found = attributes.find(name); found != attributes.end())
             add_missing(array, *found);
-    // What is filled with 0 was most often filled without a thought.
+    // A fill value of 0 is most often a default without meaning.
     if (array.fill && *array.fill != 0.0 && std::isfinite(*array.fill))
         array.missing.push_back(*array.fill);
     const auto names = attributes.find("_ARRAY_DIMENSIONS");

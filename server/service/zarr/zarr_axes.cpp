@@ -65,7 +65,8 @@ std::optional<ZarrAxes> by_order(const ZarrArray& array) {
     const auto& shape = array.shape;
     const bool said_time = !array.dimensions.empty() && is_time(array.dimensions[0]);
     const auto meaning = store::meaning_of_vector(array.name);
-    // A U may be all of the velocity, and a u hardly ever is; of three time-steps it is one component.
+    // A U may be the whole velocity, but a u hardly ever is: an array of three time-steps is then one
+    // component.
     const bool vector =
         array.name.empty() || (meaning != store::VectorName::Other &&
                                meaning != store::VectorName::Unknown && array.name != "u");
@@ -89,7 +90,7 @@ std::optional<ZarrAxes> by_order(const ZarrArray& array) {
     return std::nullopt;
 }
 
-/// The array that has the coordinates along an axis.
+/// Returns the array of the coordinates along an axis; null if there is none.
 const ZarrArray*
 line_along(const ZarrGroup& group, const ZarrArray& array, std::size_t axis, const char* usual) {
     const auto* line = group.find(array.dimensions.empty() ? usual : array.dimensions[axis]);
@@ -119,7 +120,7 @@ void add_note(std::string& note, const std::string& text) {
     note += (note.empty() ? "" : "; ") + text;
 }
 
-/// "seconds since 2000-01-01" -> "seconds".
+/// Converts "seconds since 2000-01-01" to "seconds".
 std::string without_reference(const std::string& unit) {
     return unit.substr(0, std::min(unit.find(" since "), unit.size()));
 }
@@ -138,7 +139,7 @@ core::Grid grid_of(const std::array<std::vector<double>, 3>& nodes, bool even) {
     return grid;
 }
 
-/// 0, 1, 2 and so on.
+/// Returns 0, 1, 2 and so on.
 std::vector<double> numbered(std::uint64_t count) {
     std::vector<double> out(static_cast<std::size_t>(count));
     for (std::size_t i = 0; i < out.size(); ++i)

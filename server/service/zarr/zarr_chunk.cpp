@@ -115,7 +115,7 @@ float float_of_half(std::uint16_t half) {
     return out;
 }
 
-/// Calls `use` with a function that reads a number at a place, of the array's type.
+/// Calls `use` with a function that reads a number of the array's type.
 template <class Use>
 void with_reader(const ZarrArray& array, const Use& use) {
     const bool big = array.big_endian;
@@ -150,7 +150,7 @@ void with_reader(const ZarrArray& array, const Use& use) {
 }
 
 bool is_missing(const ZarrArray& array, double number) {
-    // A fill value in the text is a double; of single precision it was rounded when it was stored.
+    // The metadata have a fill value as a double; one of single precision was rounded when it was stored.
     return std::ranges::any_of(array.missing, [&](double missing) {
         return number == missing || (array.number == Number::Float && array.number_bytes < 8 &&
                                      static_cast<float>(number) == static_cast<float>(missing));

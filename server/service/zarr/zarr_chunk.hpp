@@ -1,5 +1,5 @@
-// The bytes of a chunk's object -> the bytes of its numbers, as server/service/zarr/zarr_array.hpp says that they are packed. Strangers' bytes: lengths and
-// what the packers say of themselves are checked.
+// The bytes of a chunk's object -> the bytes of its numbers, unpacked as server/service/zarr/zarr_array.hpp
+// says. The bytes are untrusted: lengths and headers of packers are checked.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -9,19 +9,21 @@
 
 namespace wakesurf::server {
 
-/// Bytes that the object of a chunk may have: what cannot be packed takes a little more than its numbers.
+/// Returns the largest size of a chunk's object, in bytes: incompressible data take a little more than their
+/// numbers.
 std::size_t most_stored_bytes(const ZarrArray& array);
 
-/// Memory while a chunk is read and unpacked, its numbers among it.
+/// Returns the memory for reading and unpacking a chunk, its numbers included.
 std::size_t chunk_reading_bytes(const ZarrArray& array);
 
-/// As many bytes as the numbers of a chunk have. Error: Corrupt for another length, for what its packer refuses, and for another checksum.
+/// Returns exactly the bytes of a chunk's numbers. Error: Corrupt for another length, another checksum, and
+/// if unpacking fails.
 core::Result<std::vector<std::byte>> unpack_chunk(const ZarrArray& array,
                                                   std::vector<std::byte> stored);
 
-/// Numbers of a chunk -> values. `from` has one number every `from_stride` bytes, `to` gets one every `to_stride` floats. What means that
-/// there is no value, and what single precision cannot hold, becomes NaN or infinite.
-/// @return false where some value is not finite
+/// Converts numbers of a chunk to values. `from` has one number every `from_stride` bytes, `to` gets one
+/// every `to_stride` floats. Missing values become NaN, values beyond single precision infinite.
+/// @return false if some value is not finite
 bool read_values(const ZarrArray& array,
                  const std::byte* from,
                  std::size_t from_stride,
@@ -29,10 +31,10 @@ bool read_values(const ZarrArray& array,
                  std::size_t to_stride,
                  std::size_t count);
 
-/// The same in double precision, of numbers one after the other.
+/// Converts consecutive numbers to double precision.
 std::vector<double> read_numbers(const ZarrArray& array, std::span<const std::byte> from);
 
-/// What a chunk that is not there holds. REQUIRES: array.fill.
+/// Returns the value of missing chunks. REQUIRES: array.fill.
 double filled_value(const ZarrArray& array);
 
 } // namespace wakesurf::server

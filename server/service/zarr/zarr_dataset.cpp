@@ -26,7 +26,7 @@ bool is_one_of(const std::string& text, std::initializer_list<const char*> list)
     return std::ranges::find(list, text) != list.end();
 }
 
-/// Metres a second along hours would be carried 3600 times too slowly.
+/// Refuses units that do not fit: metres a second along hours would be 3600 times too slow.
 Result<void> check_units(const ZarrArray& velocity, const ZarrCoordinates& at) {
     const std::string& unit = velocity.unit;
     const bool metres_a_second = is_one_of(unit, {"m s-1", "m/s", "m s^-1", "m s**-1", "m.s-1"});

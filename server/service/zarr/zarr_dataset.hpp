@@ -1,4 +1,4 @@
-// What of a Zarr is served: its velocity and scalars, and what a store of them would say of itself.
+// The served part of a Zarr: its velocity and scalars, and the manifest that a store of them would have.
 #pragma once
 
 #include "server/service/zarr/zarr_axes.hpp"
@@ -11,7 +11,7 @@
 
 namespace wakesurf::server {
 
-/// One number a node: of an array, or of one component of it.
+/// Names one number a node: of an array, or of one component of it.
 struct ZarrPart {
     std::size_t array = 0; ///< which of ZarrDataset::arrays
     std::uint64_t component = 0;
@@ -25,9 +25,10 @@ struct ZarrDataset {
     core::Grid grid;                            ///< of all of them
 };
 
-/// The velocity is that of choose_zarr_velocity. Scalars on the same nodes come with it where two time-steps of four of them are no more than
-/// `scalar_bytes`, which is what is kept of them; what is left out is in the note.
-/// Error: as choose_zarr_velocity and zarr_coordinates; Unsupported for units that do not fit each other.
+/// Describes a Zarr with the velocity of choose_zarr_velocity. Scalars on the same nodes are included if two
+/// time-steps of four of them fit into `scalar_bytes`, the memory kept for them; the note lists those left
+/// out. Error: as choose_zarr_velocity and zarr_coordinates; Unsupported for units that do not fit each
+/// other.
 core::Result<ZarrDataset> describe_zarr(const std::string& name,
                                         const ZarrGroup& group,
                                         const ChunkObjects& objects,

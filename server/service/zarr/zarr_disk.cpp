@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Folders below, where the disk is this machine's.
+/// Returns the folders below, if the disk is this machine's.
 std::optional<std::vector<std::string>> names_in(const fs::path& root) {
     if (is_on_the_web(root))
         return std::nullopt;
@@ -131,7 +131,7 @@ Result<void> ZarrDisk::read_stoppable(const fs::path& file,
                        {reinterpret_cast<float*>(out.data()), out.size() / sizeof(float)}, stop);
 }
 
-// Chunks are fetched side by side, and none of the threads that do it waits for another chunk while it holds one.
+// Chunks are fetched in parallel, and no thread waits for another chunk while it holds one.
 Result<void> ZarrDisk::read_bricks(const Values& values,
                                    std::size_t place,
                                    std::span<float> out,

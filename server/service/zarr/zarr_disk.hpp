@@ -1,5 +1,5 @@
-// A Zarr, seen as a store in bricks: the files that a store would have are made of its chunks when they are read. So the store reader, its
-// bricks and all above them know nothing of Zarr.
+// A Zarr as a store in bricks: the files that a store would have are made of its chunks when they are read.
+// So the store reader, its bricks and everything above are independent of Zarr.
 #pragma once
 
 #include "core/base/disk.hpp"
@@ -18,10 +18,10 @@
 
 namespace wakesurf::server {
 
-/// Thread safety: concurrent calls are fine.
+/// Reads a Zarr. Thread safety: concurrent calls are allowed.
 class ZarrDisk final : public core::Disk {
   public:
-    /// Reads the metadata and the coordinates. @param disk  that the Zarr is on
+    /// Reads the metadata and the coordinates. @param disk  of the Zarr
     /// @param scalar_bytes  as in describe_zarr. Error: as read_zarr_group and describe_zarr.
     static core::Result<std::shared_ptr<const ZarrDisk>>
     open(const std::filesystem::path& root,
@@ -39,14 +39,15 @@ class ZarrDisk final : public core::Disk {
 
     Pace pace() const override { return objects_->disk().pace(); }
 
-    /// Memory of chunks that is needed at least, which it keeps to until use_memory() is called: one of each component, and one that is read.
+    /// Returns the least memory for chunks, the bound until use_memory() is called: one of each component,
+    /// and one that is read.
     std::size_t least_memory() const;
 
-    /// REQUIRES: at least least_memory().
+    /// Sets the memory for chunks. REQUIRES: at least least_memory().
     void use_memory(std::size_t bytes) const { chunks_.resize(bytes); }
 
   private:
-    /// Whose values a file has.
+    /// Names the values that a file has.
     struct Values {
         std::size_t column;
         std::size_t step;
@@ -69,7 +70,7 @@ class ZarrDisk final : public core::Disk {
     std::vector<std::uint32_t> order_;                    ///< bricks by their place in a file
     std::map<std::string, std::vector<std::byte>> files_; ///< all but the values
     mutable ChunkCache chunks_;
-    mutable core::WorkerThreads threads_; ///< last: they use what is above
+    mutable core::WorkerThreads threads_; ///< destroyed first: they use the members above
 };
 
 } // namespace wakesurf::server

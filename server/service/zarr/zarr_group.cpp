@@ -25,7 +25,7 @@ constexpr std::size_t most_arrays = 4096;
 constexpr std::array<const char*, 4> metadata_files{".zmetadata", ".zgroup", ".zarray",
                                                     "zarr.json"};
 
-/// What the arrays of a velocity and its coordinates are called mostly, where names cannot be listed.
+/// The usual names of arrays of a velocity and its coordinates, tried if names cannot be listed.
 constexpr std::array usual_names{
     "u",          "v",          "w",  "U",  "V",  "W",    "ux",       "uy",  "uz",
     "Ux",         "Uy",         "Uz", "vx", "vy", "vz",   "velocity", "vel", "velocity_x",
@@ -55,7 +55,7 @@ class Reading {
     }
 
   private:
-    /// Error: NotFound where there is none.
+    /// Reads the metadata. Error: NotFound if there are none.
     Result<json> metadata(const fs::path& below) {
         const auto named = [&](Error error) {
             error.message = below.string() + ": " + error.message;
@@ -158,7 +158,7 @@ class Reading {
                     : path.substr(0, path.size() - std::min(path.size(), ending.size()));
             if (path != name + std::string(ending) && path != ".zarray")
                 continue;
-            if (!name.empty() && !is_plain_name(name)) // of a group below, or leading elsewhere
+            if (!name.empty() && !is_plain_name(name)) // in a group below, or outside
                 continue;
             const auto attributes = inside->find(name.empty() ? ".zattrs" : name + "/.zattrs");
             if (auto added = add(

@@ -80,7 +80,7 @@ Result<ZarrArray::Coder> coder(const std::string& name) {
                        "write it uncompressed, or packed by zlib, gzip, zstd or blosc");
 }
 
-/// "NAME", or an object that has it. @param configuration  empty where there is none
+/// Reads "NAME", or an object that has it. @param configuration  empty if there is none
 std::string name_and_configuration(const json& value, json& configuration) {
     configuration = json::object();
     if (value.is_string())

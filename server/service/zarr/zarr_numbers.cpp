@@ -15,7 +15,7 @@ using nlohmann::json;
 
 namespace {
 
-/// The bits of a number, as version 3 may write them: "0x7fc00000".
+/// Parses the bits of a number, as version 3 may write them: "0x7fc00000".
 std::optional<double> number_of_bits(const ZarrArray& array, std::string_view text) {
     std::uint64_t bits = 0;
     const auto read = std::from_chars(text.data() + 2, text.data() + text.size(), bits, 16);

@@ -1,4 +1,4 @@
-// How the metadata of a Zarr's array write types and numbers. Used by server/service/zarr/zarr_metadata.cpp alone.
+// Types and numbers in the metadata of a Zarr's array. Used by server/service/zarr/zarr_metadata.cpp alone.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -11,13 +11,13 @@
 
 namespace wakesurf::server {
 
-/// "<f4", ">f8", "|u1", of version 2. False for what is not read.
+/// Reads "<f4", ">f8", "|u1", of version 2. Returns false for unsupported types.
 bool read_zarr_type(ZarrArray& array, std::string_view text);
 
-/// "float32", "uint8", of version 3, where the byte order is told elsewhere.
+/// Reads "float32", "uint8", of version 3, which states the byte order elsewhere.
 bool read_zarr_type_name(ZarrArray& array, std::string_view text);
 
-/// A fill_value; nothing for null. Error: Corrupt.
+/// Reads a fill_value; empty for null. Error: Corrupt.
 core::Result<std::optional<double>> read_zarr_fill(const ZarrArray& array,
                                                    const nlohmann::json& value);
 

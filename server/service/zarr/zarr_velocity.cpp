@@ -15,7 +15,7 @@ using core::Result;
 
 namespace {
 
-/// The root itself, if it is an array, has no name.
+/// Returns the field's name; the root itself, if it is an array, has none.
 std::string name_of(const ZarrField& field) {
     return field.array->name.empty() ? "velocity" : field.array->name;
 }
@@ -36,7 +36,8 @@ std::string listed(const ZarrGroup& group) {
     return out.empty() ? "it has no arrays" : out;
 }
 
-/// The array that would be the velocity, or a part of it, if it could be read: its error says more than that there is none.
+/// Returns the error of an unreadable array that would be the velocity, or a part of it: it says more than
+/// that there is none.
 std::optional<Error> refused_velocity(const ZarrGroup& group, std::vector<FieldInfo> scalars) {
     for (const auto& [name, error] : group.refused)
         scalars.push_back(scalar_named(name));

@@ -1,4 +1,5 @@
-// Which arrays of a Zarr are its velocity: by the names of arrays and their axes. Below server/service/zarr/zarr_dataset.hpp.
+// The choice of a Zarr's velocity, by the names of arrays and their axes. Below
+// server/service/zarr/zarr_dataset.hpp.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -9,7 +10,7 @@
 
 namespace wakesurf::server {
 
-/// An array that has a value at each node.
+/// Names an array that has a value at each node.
 struct ZarrField {
     const ZarrArray* array;
     ZarrAxes axes;
@@ -21,11 +22,12 @@ struct ZarrVelocity {
     std::string why;
 };
 
-/// Those of the group.
+/// Returns the fields of a group.
 std::vector<ZarrField> zarr_fields(const ZarrGroup& group);
 
-/// A vector with the name of a velocity, else three arrays with the names of its components, else the only vector.
-/// Error: NotFound, InvalidArgument (several velocities), Unsupported (staggered grids); that of an array which cannot be read and would be it.
+/// Chooses a vector with the name of a velocity, else three arrays with the names of its components, else the
+/// only vector. Error: NotFound, InvalidArgument (several velocities), Unsupported (staggered grids); that of
+/// an unreadable array that would be chosen.
 core::Result<ZarrVelocity> choose_zarr_velocity(const ZarrGroup& group,
                                                 const std::vector<ZarrField>& fields);
 

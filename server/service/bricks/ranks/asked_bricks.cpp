@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t most_asks = 1024;
 constexpr int welcome_patience = 60'000; // ms
 
-/// Until the socket has something, or for so many milliseconds.
+/// Waits until the socket is readable, or for so many milliseconds.
 void wait_for(int socket, int milliseconds) {
     pollfd file{socket, POLLIN, 0};
     (void)::poll(&file, 1, milliseconds);
@@ -88,7 +88,7 @@ bool AskedBricks::take_asks() {
             if (ask.slot >= slots_.count() || !store_->has(ask.step, ask.brick))
                 return false;
             const auto slot = slots_.slot(ask.slot);
-            new (slot.data()) BrickHead{}; // until something comes: nobody has it
+            new (slot.data()) BrickHead{}; // until data come: not held
             const auto rank = window_->rank_of(ask.step, ask.brick);
             const Time now = std::chrono::steady_clock::now();
             if (rank && !is_late(*rank, now)) {

@@ -1,4 +1,5 @@
-// Rank 0: takes what the server asks for by the socket, gets it from the ranks into the memory that both share, and says so.
+// Rank 0: receives the server's requests by the socket, gets bricks from the ranks into the shared memory,
+// and reports them.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -13,15 +14,15 @@ namespace wakesurf::server {
 
 class AskedBricks {
   public:
-    /// Meets the server at `door`. Error: Io; it is not there, or wants no such job.
+    /// Connects to the server at `door`. Error: Io; the server is missing, or refuses this job.
     static core::Result<AskedBricks>
     meet(const std::filesystem::path& door, const RankStore& store, BrickWindow& window);
 
-    /// Does what there is to do. False when the server has gone, or asks for what there cannot be.
-    /// @param wait  for the server, where nothing else is to be done
+    /// Handles pending requests. Returns false if the server has gone, or asks for a brick that cannot exist.
+    /// @param wait  for the server, if there is nothing else to do
     bool look(bool wait);
 
-    /// Waits for what is under way. Before its end.
+    /// Completes pending requests. Call it before the end.
     void finish();
 
   private:
@@ -29,7 +30,7 @@ class AskedBricks {
 
     struct Coming {
         std::uint32_t slot;
-        int rank; ///< who has it
+        int rank; ///< the rank that has it
         Time since;
     };
 
@@ -37,7 +38,7 @@ class AskedBricks {
         : server_(std::move(server)), slots_(std::move(slots)), store_(&store), window_(&window) {}
 
     bool take_asks();
-    /// Owes an answer for too long: it may hang, and the server has files.
+    /// Says whether a rank's answer is overdue: it may hang, and the server has files.
     bool is_late(int rank, Time now) const;
     bool answer();
 
@@ -48,7 +49,7 @@ class AskedBricks {
     std::chrono::milliseconds patience_{};
     std::vector<MPI_Request> requests_;
     std::vector<Coming> coming_;        ///< of each request
-    std::vector<std::uint32_t> filled_; ///< to be told
+    std::vector<std::uint32_t> filled_; ///< to be reported
 };
 
 } // namespace wakesurf::server

@@ -1,5 +1,5 @@
-// The bricks of a store in the memory of all ranks: dealt round robin, read from the file by the rank that has them, got by rank 0
-// without that rank's doing (MPI_Rget).
+// The bricks of a store in the memory of all ranks: dealt round robin, read from the file by the rank that
+// has them, fetched by rank 0 without that rank's participation (MPI_Rget).
 #pragma once
 
 #include "server/service/bricks/ranks/rank_store.hpp"
@@ -14,27 +14,27 @@
 
 namespace wakesurf::server {
 
-/// All ranks make it together, and together end it.
+/// A collective object: all ranks construct and destroy it together.
 class BrickWindow {
   public:
-    /// @param store   outlives it
-    /// @param memory  bytes of this rank. REQUIRES: a brick is smaller than 2 GiB, what MPI's counts hold.
+    /// REQUIRES: the store outlives this, and a brick is smaller than 2 GiB, the bound of MPI's counts.
+    /// @param memory  bytes of this rank
     BrickWindow(const RankStore& store, std::uint64_t memory);
     ~BrickWindow();
     BrickWindow(const BrickWindow&) = delete;
     BrickWindow& operator=(const BrickWindow&) = delete;
 
-    /// Bricks for which all ranks together have room.
+    /// Returns the number of bricks that fit into the memory of all ranks.
     std::uint64_t room() const { return room_; }
 
-    /// Reads the next brick of this rank into its memory. False when there are no more.
+    /// Reads the next brick of this rank into its memory. Returns false after the last.
     bool load_next();
 
-    /// Who has room for a brick, or nobody.
+    /// Returns the rank of a brick; empty if it has none.
     std::optional<int> rank_of(std::uint64_t step, std::uint32_t brick) const;
 
-    /// Begins to bring a brick with its head to memory of brick_record_bytes(). A brick that is not read yet comes with a head that says so,
-    /// one that is being read with a checksum that does not fit. REQUIRES: a rank has room for it.
+    /// Begins to fetch a brick with its head to memory of brick_record_bytes(). The head of a brick that is
+    /// not read yet says so; one that is being read has a wrong checksum. REQUIRES: a rank has room for it.
     MPI_Request get(std::uint64_t step, std::uint32_t brick, std::span<std::byte> to);
 
   private:

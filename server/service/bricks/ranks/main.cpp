@@ -1,5 +1,5 @@
-// wakesurf-bricks: ranks of an MPI job that hold the bricks of a store in their memory, for a server whose disk is too slow. The server
-// starts it (`wakesurf serve --bricks`) and outlives it.
+// wakesurf-bricks: ranks of an MPI job that hold the bricks of a store in their memory, for a server whose
+// disk is too slow. The server starts it (`wakesurf serve --bricks`) and outlives it.
 #include "command/manual_page.hpp"
 #include "command/memory_size.hpp"
 #include "core/base/machine_memory.hpp"
@@ -36,7 +36,7 @@ int say(const core::Error& error) {
     return 1;
 }
 
-/// A quarter of the node's memory, shared by its ranks: the server may be there as well.
+/// Returns a quarter of the node's memory, divided by its ranks: the server may run there as well.
 std::uint64_t usual_memory() {
     MPI_Comm node = MPI_COMM_NULL;
     MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node);
@@ -46,7 +46,7 @@ std::uint64_t usual_memory() {
     return core::granted_memory() / 4 / static_cast<std::uint64_t>(ranks);
 }
 
-/// Ends when the server has gone.
+/// Serves the server until it has gone.
 core::Result<void>
 talk(const Wish& wish, const server::RankStore& store, server::BrickWindow& window) {
     auto asked = server::AskedBricks::meet(wish.socket, store, window);
@@ -55,12 +55,13 @@ talk(const Wish& wish, const server::RankStore& store, server::BrickWindow& wind
     bool more = true;
     while (asked->look(!more))
         more = more && window.load_next();
-    ::alarm(ending_patience); // a rank that hangs does not keep the others
+    ::alarm(ending_patience); // a rank that hangs does not block the others
     asked->finish();
     return {};
 }
 
-/// A rank answers only inside MPI, unless the network does it alone: it looks in there often, and leaves the processor to others between.
+/// Keeps this rank answering. A rank answers only inside MPI, unless the network does it alone: it calls MPI
+/// often, and yields the processor in between.
 void hold(server::BrickWindow& window, MPI_Request& end) {
     bool more = true;
     for (int over = 0; over == 0;) {
@@ -71,8 +72,8 @@ void hold(server::BrickWindow& window, MPI_Request& end) {
     }
 }
 
-/// Open MPI 4 prefers RDMA for windows also between nodes that have TCP alone, where it cannot make one, and ends the job. Its other ways
-/// can. What mpirun or the environment says stays.
+/// Open MPI 4 prefers RDMA for windows also between nodes with TCP alone, where it cannot make one, and ends
+/// the job. Its other ways can. Settings of mpirun or the environment stay.
 void choose_windows() {
 #if defined(OMPI_MAJOR_VERSION) && OMPI_MAJOR_VERSION < 5
     ::setenv("OMPI_MCA_osc", "^rdma", 0);
@@ -88,7 +89,7 @@ int run(const Wish& wish) {
     if (!store)
         return say(store.error());
     if (all == 0)
-        return 1; // another rank has said why
+        return 1; // another rank has reported the error
     if (server::brick_record_bytes((*store)->shape().values) > INT_MAX) {
         return rank == 0 ? say({core::Error::Code::OverLimit, "a brick has more than 2 GiB", ""})
                          : 1;

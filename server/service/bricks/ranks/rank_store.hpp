@@ -1,4 +1,5 @@
-// The bricks of a store as a rank reads them: its files and their checksums, without the grid's arrays and masks, which no rank needs.
+// The bricks of a store as a rank reads them: its files and their checksums, without the grid's arrays and
+// masks, which no rank needs.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -14,30 +15,31 @@
 
 namespace wakesurf::server {
 
-/// The velocity's.
+/// Reads bricks of the velocity.
 class RankStore {
   public:
-    /// Error: as read_store_manifest; Unsupported where the time-steps are whole.
+    /// Opens a store. Error: as read_store_manifest; Unsupported if the time-steps are whole.
     static core::Result<std::unique_ptr<RankStore>> open(const std::filesystem::path& folder);
 
     const BrickShape& shape() const { return shape_; }
 
-    /// What the values are told from others by.
+    /// Returns the marks that identify its values.
     const std::string& marks() const { return marks_text_; }
 
-    /// All of the series: a time-step after the other, as they lie in the files.
+    /// Counts the bricks of the series: one time-step after the other, in the order of the files.
     std::uint64_t bricks() const { return shape_.steps * bricks_.layout().count(); }
 
     bool has(std::uint64_t step, std::uint32_t brick) const {
         return step < shape_.steps && brick < bricks_.layout().count();
     }
 
-    /// Its place among bricks(). REQUIRES: has() it.
+    /// Returns the index of a brick among bricks(). REQUIRES: has() it.
     std::uint64_t place_of(std::uint64_t step, std::uint32_t brick) const {
         return step * bricks_.layout().count() + bricks_.place_of(brick);
     }
 
-    /// Reads and checks one. False where it is not there, or damaged: the server reads it then, and says what is wrong.
+    /// Reads and checks a brick. Returns false if it is missing or damaged: the server then reads it, and
+    /// reports the error.
     bool read(std::uint64_t place, std::span<float> to, BrickHead& head) const;
 
   private:
