@@ -1,6 +1,5 @@
-// Holds what a store keeps of each brick of a field at a time-step besides its values, in files like
-// velocity_000000.bricks: checksums that tell whether they are as they were written, and whether there are
-// gaps.
+// The index of the bricks of a field at a time-step, in files like velocity_000000.bricks: checksums of their
+// values, and whether they have gaps.
 #pragma once
 
 #include "core/base/result.hpp"

@@ -17,7 +17,7 @@ using core::Result;
 
 namespace {
 
-/// Says what a brick is, as the file has it.
+/// The kind of a brick, as the file has it.
 enum State : std::uint8_t { Solid, Fluid, Mixed };
 
 tl::unexpected<Error> corrupt_mask(std::string message) {

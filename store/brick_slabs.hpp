@@ -1,5 +1,5 @@
-// Nodes of a grid, x fastest -> its bricks: whoever writes a store has its values in the one order and the
-// disk has them in the other.
+// Nodes of a grid, x fastest -> its bricks: writers of a store have values in the one order, the disk has
+// them in the other.
 #pragma once
 
 #include "core/base/result.hpp"

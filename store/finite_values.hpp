@@ -1,4 +1,4 @@
-// Tells whether all values of a piece of a file are finite: where they are not, the domain has a gap.
+// Tests whether all values of a piece of a file are finite: if not, the domain has a gap.
 #pragma once
 
 #include "core/dataset/dataset_info.hpp"

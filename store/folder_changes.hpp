@@ -11,10 +11,10 @@
 
 namespace wakesurf::store {
 
-/// Holds a lock on the folder from begin() on.
+/// A lock on the folder from begin() on.
 class FolderChanges {
   public:
-    /// Waits for another one. Error: Io where nothing can be written there.
+    /// Waits for another lock. Error: Io if nothing can be written there.
     static core::Result<FolderChanges> begin(const std::filesystem::path& folder);
     FolderChanges(FolderChanges&& other) noexcept;
     FolderChanges& operator=(FolderChanges&&) = delete;

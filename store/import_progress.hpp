@@ -1,4 +1,4 @@
-// Tells how far an import is: one line of JSON between wakesurf-import and the program that started it, or
+// The progress of an import: one line of JSON between wakesurf-import and the program that started it, or
 // text for people.
 #pragma once
 
@@ -18,8 +18,8 @@ struct ImportProgress {
     std::string file;                  ///< the one just finished, without its folder
     std::string note;                  ///< for people; may be empty
     double part = 0.0;                 ///< of the one being worked on, 0..1; on a terminal only
-    std::optional<double> remaining{}; ///< seconds, as far as can be told
-    /// Holds the names that the velocity could have: the import ends, as that is not clear.
+    std::optional<double> remaining{}; ///< an estimate in s; empty while unknown
+    /// The possible names of the velocity, if the import ends because that is not clear.
     std::vector<std::string> velocities{};
 };
 

@@ -11,7 +11,7 @@
 
 namespace wakesurf::store {
 
-/// Holds a store's description and its reader.
+/// A store's description and its reader.
 struct OpenStore {
     core::DatasetInfo info;                    ///< as its manifest has it
     std::shared_ptr<const StoreReader> reader; ///< never null

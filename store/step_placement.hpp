@@ -1,4 +1,4 @@
-// Says whether the time-steps of a new store are whole or in bricks.
+// The choice of whole time-steps or bricks for a new store.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -17,9 +17,9 @@ enum class StepPlacement {
     Bricks
 };
 
-/// Is a size in single precision. A time-step of this size is read in a second or two, and four of them fit
-/// into the memory of most machines. It is the same everywhere: a store does not depend on the machine it was
-/// made on.
+/// A size in bytes, in single precision. A time-step of this size is read in a second or two, and four of
+/// them fit into the memory of most machines. It is the same everywhere: a store does not depend on the
+/// machine it was made on.
 inline constexpr std::uint64_t whole_at_most = std::uint64_t{1} << 30;
 
 /// Parses auto, whole or bricks. Error: InvalidArgument.

@@ -61,8 +61,8 @@ bool has_size(const fs::path& file, std::uint64_t bytes) {
     return size && *size == bytes;
 }
 
-/// Returns the layout of the placement that was asked for: what was begun otherwise goes on so. REQUIRES: a
-/// grid of nodes.
+/// Returns the layout of the placement that was asked for; a store that was begun otherwise keeps its own.
+/// REQUIRES: a grid of nodes.
 StoreLayout layout_of(const GenerateRequest& request) {
     StoreLayout layout;
     layout.grid = stored_grid(request.grid);

@@ -24,7 +24,7 @@ struct GenerateRequest {
 };
 
 /// Returns the bytes of all files but the manifest, at most: a mask in bricks is smaller. Error:
-/// InvalidArgument, OverLimit where nothing could hold them.
+/// InvalidArgument; OverLimit beyond any storage.
 core::Result<std::uint64_t> generated_bytes(const GenerateRequest& request);
 
 /// Runs in the calling thread and its arena; `show` hears of phase `generate`, and `done` at the end. Error:

@@ -17,7 +17,7 @@ struct GridFile {
     std::vector<std::byte> bytes;
 };
 
-/// Returns what store.json tells of a grid.
+/// Returns the description of a grid in store.json.
 StoredGrid stored_grid(const core::Grid& grid, bool curvilinear = false);
 
 /// Returns the files of the grid but store.json; none for a uniform one.

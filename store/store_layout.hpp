@@ -1,5 +1,5 @@
-// Says what lies where in a store: names and sizes of its files. It holds values only; store.json's text is
-// read by store/store_manifest.hpp, the files by store_reader.hpp. The format: README.md here.
+// The layout of a store: names and sizes of its files. It holds values only; store/store_manifest.hpp reads
+// store.json's text, store_reader.hpp the files. The format: README.md here.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -42,7 +42,7 @@ struct StoredScalar {
     bool operator==(const StoredScalar&) const = default;
 };
 
-/// Says what files a store has.
+/// The files of a store.
 struct StoreLayout {
     std::filesystem::path folder;                        ///< of the files
     StoredGrid grid;                                     ///< what all time-steps share
@@ -50,13 +50,13 @@ struct StoreLayout {
     core::Precision precision = core::Precision::Single; ///< of velocity and scalars
     std::vector<StoredScalar> scalars;                   ///< in the order of the columns
     std::uint32_t brick_cells = 0; ///< an axis of a brick; 0: whole time-steps
-    /// Says, for time-steps in bricks, that each brick has a checksum. It is false for what was not written
-    /// as a store and is read as one.
+    /// True if each brick has a checksum, for time-steps in bricks. False for data that were not written as a
+    /// store and are read as one.
     bool checked = true;
     bool may_have_gaps = false; ///< of bricks without checksums: some values may not be finite
     bool mask = false;          ///< mask.u8 is there
     bool walls = false;         ///< walls.f32 and walls.u32 are there
-    /// Holds the CRC-32C of the files that all time-steps share.
+    /// The CRC-32C of the files that all time-steps share.
     std::map<std::string, std::uint32_t> checksums;
 
     /// Returns the number of columns: velocity and the scalars.
@@ -77,9 +77,8 @@ inline std::size_t components_of(std::size_t column) {
     return column == 0 ? 3 : 1;
 }
 
-/// Returns a column's files at a time-step: the values and, where they lie in bricks that are checked, the
-/// bricks' checksums. The values are told from others by the CRC-32C of the last one, which is the record in
-/// checksums.u32.
+/// Returns a column's files at a time-step: the values and, for bricks that are checked, the bricks'
+/// checksums. The CRC-32C of the last one, which is the record in checksums.u32, identifies the values.
 std::vector<StepFile> step_files(const StoreLayout& layout, std::size_t column, std::size_t index);
 
 /// Returns velocity_000000.f32 and so on.
@@ -95,7 +94,7 @@ core::Result<void> check_layout(const StoreLayout& layout);
 core::Result<void> check_grid(const StoredGrid& grid);
 core::Result<void> check_bricks(const StoreLayout& layout);
 
-/// Says of each field whether a store of this layout has it: as the velocity, a scalar, or a family.
+/// Marks each field as stored or not in a store of this layout: as the velocity, a scalar, or a family.
 void mark_stored(const StoreLayout& layout, core::DatasetInfo& info);
 
 /// Returns the index into the layout's scalars. Error: NotFound, listing what there is.

@@ -31,13 +31,12 @@ struct SourceFile {
     bool operator==(const SourceFile&) const = default;
 };
 
-/// Says what a store was made from: equal sources give equal stores, so an import of one need not be
-/// repeated.
+/// The source of a store: equal sources give equal stores, so an import of one need not be repeated.
 struct StoreSource {
     std::vector<SourceFile> files;              ///< what all time-steps share
     std::vector<std::vector<SourceFile>> steps; ///< of each time-step
-    /// Holds --fields and --times of an import, where empty means everything; flow, grid and times of what
-    /// was generated.
+    /// The --fields and --times of an import, where empty means everything; flow, grid and times of a
+    /// generated store.
     std::string selection;
 
     bool operator==(const StoreSource&) const = default;

@@ -173,7 +173,7 @@ Result<bool> StoreReader::look_again() const {
     if (!now)
         return tl::unexpected(now.error());
     const std::scoped_lock lock(mutex_);
-    if (marks_.continues(*now)) // nothing new, or somebody has looked since
+    if (marks_.continues(*now)) // nothing new, or another thread has read it since
         return true;
     if (!now->continues(marks_))
         return false;

@@ -56,11 +56,12 @@ class StoreReader final : public core::TimeStepSource, public core::ScalarSource
 
     bool ready(std::size_t index) const override;
 
-    /// Ready, and all its files are there with the sizes they should have; their bytes are not looked at.
+    /// Says whether the step is ready, and all its files exist with the right sizes; does not read their
+    /// bytes.
     bool whole(std::size_t index) const;
     std::size_t bytes_per_step() const override;
 
-    /// Returns what its values are told from others by, as far as they are known: see look_again().
+    /// Returns the marks that identify its values, as far as they are known: see look_again().
     ValueMarks marks() const;
 
     /// Returns their ValueMarks::text.
@@ -101,7 +102,7 @@ class StoreReader final : public core::TimeStepSource, public core::ScalarSource
     core::Result<core::WallGeometry> load_walls() const;
 
   private:
-    /// Holds what is known of a file of a time-step since it was checked.
+    /// The facts about a file of a time-step since it was checked.
     struct Seen {
         core::FileIdentity identity;
         bool gaps = false;
@@ -138,7 +139,7 @@ class StoreReader final : public core::TimeStepSource, public core::ScalarSource
     mutable std::vector<std::optional<Seen>> seen_; ///< by time-step, then column
     mutable ValueMarks marks_;
     std::unique_ptr<const StoredBricks> stored_bricks_; ///< null where time-steps are whole
-    std::unique_ptr<const FileBricks> bricks_;          ///< last: its threads use the rest
+    std::unique_ptr<const FileBricks> bricks_; ///< destroyed first: its threads use the others
 };
 
 } // namespace wakesurf::store

@@ -1,5 +1,4 @@
-// The scalar fields of a store as those who sample them see them: what was imported, then the families that
-// were made since.
+// The scalar fields of a store for samplers: the imported ones, then the families that were made since.
 #pragma once
 
 #include "core/base/disk.hpp"

@@ -114,7 +114,7 @@ core::Result<std::uint32_t> fill(int file, const std::string& name, const NextPi
             return tl::unexpected(cannot_write(name).error());
         sum = core::crc32c(*piece, sum);
         at += static_cast<off_t>(piece->size());
-        if (piece->empty()) { // the rest follows by itself; settle() waits for it
+        if (piece->empty()) { // the remaining work is automatic; settle() waits for it
             ::sync_file_range(file, portion, 0, SYNC_FILE_RANGE_WRITE);
             return sum;
         }
@@ -219,8 +219,8 @@ StoreWriter::write_in_place(const std::string& name,
                             const std::function<core::Result<void>(const PutBytes&)>& fill) {
     return appear(folder_, name,
                   [&](int file) -> core::Result<int> {
-                      // One place on the disk for what comes in pieces, where the file system knows how; a
-                      // full disk says so now.
+                      // Allocates contiguous space for pieces, if the file system can; a full disk is
+                      // reported now.
                       if (::fallocate(file, 0, 0, static_cast<off_t>(size)) != 0 &&
                           (errno == ENOSPC || errno == EDQUOT))
                           return tl::unexpected(cannot_write(name).error());
@@ -287,7 +287,7 @@ void end_on_signals(std::string_view words, void (*first)()) {
     ::sigaction(SIGINT, &action, nullptr);
     ::sigaction(SIGTERM, &action, nullptr);
     ::signal(SIGPIPE,
-             SIG_IGN); // the program that reads the progress may go away; the import goes on
+             SIG_IGN); // the reader of the progress may close; the import continues
 }
 
 } // namespace wakesurf::store

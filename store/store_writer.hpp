@@ -49,8 +49,8 @@ class StoreWriter {
                    std::uint64_t size,
                    const std::function<core::Result<void>(const PutBytes&)>& fill);
 
-    /// Makes time-step `index` ready, all files of which are written: its checksums, one a stored field, are
-    /// what tells readers so. REQUIRES: the time-steps before it are ready. Error: Io.
+    /// Makes time-step `index` ready, all files of which are written: readers see that by its checksums, one
+    /// a stored field. REQUIRES: the time-steps before it are ready. Error: Io.
     core::Result<void> finish_step(std::size_t index, std::span<const std::uint32_t> checksums);
 
     /// Waits until everything written is on the disk, where a power failure leaves it whole. To be called

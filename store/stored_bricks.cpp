@@ -117,7 +117,7 @@ Result<StoredBricks::KnownFile> StoredBricks::look_at(std::size_t column, std::s
         });
 }
 
-// Checks a brick. A store that was replaced is not damaged: whoever reads on has to open it again.
+// Checks a brick. A store that was replaced is not damaged: readers have to open it again.
 Result<void> StoredBricks::check(std::size_t column,
                                  std::size_t index,
                                  std::uint32_t found,

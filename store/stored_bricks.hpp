@@ -80,12 +80,12 @@ class StoredBricks {
     std::string name_of(std::size_t column, std::size_t index, std::size_t brick) const;
 
   private:
-    /// Holds what is known of a file of bricks. The index belongs to the time-step; which bricks are checked,
-    /// to the file.
+    /// The facts about a file of bricks. The index belongs to the time-step; which bricks are checked, to the
+    /// file.
     struct Known {
         BrickIndex index;
         core::FileIdentity file;
-        /// Says by place which bricks are checked; null where there are no checksums.
+        /// By place whether a brick has been checked; null without checksums.
         std::unique_ptr<std::atomic<bool>[]> checked;
     };
 
@@ -106,7 +106,7 @@ class StoredBricks {
     core::BrickLayout bricks_;
     std::vector<std::uint32_t> order_;
     std::vector<std::uint32_t> places_;
-    /// Each guards a file: one thread reads its index for all who want it.
+    /// Each guards a file: one thread reads its index for all.
     mutable std::array<std::mutex, 16> looking_;
     mutable std::mutex mutex_;                          ///< guards kept_
     mutable std::list<std::pair<Key, KnownFile>> kept_; ///< used last first

@@ -85,7 +85,7 @@ core::Result<std::vector<StoredFamily>> parse_families(const json& value) {
     return members.verdict().map([&] { return std::move(families); });
 }
 
-/// The first number that no file of the folder has, whether it is told of or not.
+/// Returns the first number that no file of the folder has, listed or not.
 std::string unused_stem(const fs::path& folder) {
     std::set<std::string> used;
     std::error_code error;
@@ -223,7 +223,7 @@ core::Result<void> remove_family(const fs::path& folder, std::string_view name) 
             changes->write(std::string(families_file_name), std::as_bytes(std::span(text)));
         !written)
         return written;
-    remove_files(*changes, gone); // no one is told of them any more
+    remove_files(*changes, gone); // no longer listed
     return {};
 }
 

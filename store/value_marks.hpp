@@ -1,6 +1,5 @@
-// Tells the values of a store from others: by its grid and fields, then the times and checksums of its
-// time-steps, in order. A series that grows has the marks it had before; one that was computed again has
-// others.
+// The identity of the values of a store: its grid and fields, then the times and checksums of its time-steps,
+// in order. A series that grows keeps its earlier marks; one that was recomputed has others.
 #pragma once
 
 #include "core/base/disk.hpp"
@@ -40,8 +39,8 @@ class ValueMarks {
     /// These are the values of `before`, and perhaps more time-steps after them.
     bool continues(const ValueMarks& before) const;
 
-    /// Some of these values are certainly not those that text() told of. False for time-steps that are not
-    /// known here.
+    /// Says whether some of these values certainly differ from those of text(). False for time-steps that are
+    /// not known here.
     bool contradicts(std::string_view text) const;
 
   private:

@@ -156,7 +156,7 @@ std::vector<Triple> names_of(std::span<const std::string_view> stems,
     return {out.begin(), out.end()};
 }
 
-// Returns what a name looks like: U_X as u_x does not, Vel_Y as Vel_X does.
+// Returns the pattern of a name: U_X matches u_x, Vel_Y matches Vel_X.
 std::string look_of(const std::string& name) {
     std::string out;
     for (const char c : name)
@@ -164,8 +164,8 @@ std::string look_of(const std::string& name) {
     return out;
 }
 
-// One triple for each look that the first component's name has; where it is clear, others may look otherwise:
-// Vx, VY, vz.
+// Adds one triple for each pattern of the first component's name; the others may have another one if that is
+// clear: Vx, VY, vz.
 void add_triples(const std::vector<FieldInfo>& fields,
                  const Triple& names,
                  FieldInfo::Source source,

@@ -1,5 +1,4 @@
-// Says what the name of an array tells about it: a velocity of the fluid, a part of one, a momentum, or
-// something else.
+// The meaning of an array's name: a velocity of the fluid, a part of one, a momentum, or something else.
 #pragma once
 
 #include "core/dataset/dataset_info.hpp"
@@ -26,11 +25,11 @@ VectorName meaning_of_vector(const std::string& name);
 
 bool is_density(const core::FieldInfo& field);
 
-/// Holds three 1-component arrays of one place, in the order x, y, z.
+/// Three 1-component arrays of one place, in the order x, y, z.
 using Components = std::vector<core::FieldInfo>;
 
-/// Every triple whose names are those of components: u v w, VelocityX.., x_velocity.., vel1.., vx1..,
-/// "Velocity[i] (m/s)".. Names that differ by capital letters only are told apart.
+/// Returns every triple with the names of components: u v w, VelocityX.., x_velocity.., vel1.., vx1..,
+/// "Velocity[i] (m/s)".. Names that differ by capital letters only are distinct.
 std::vector<Components> velocity_components(const std::vector<core::FieldInfo>& fields,
                                             core::FieldInfo::Source source);
 std::vector<Components> momentum_components(const std::vector<core::FieldInfo>& fields,

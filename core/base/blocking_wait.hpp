@@ -14,7 +14,7 @@ class BlockingWait {
       public:
         /// The thread will wait.
         virtual void blocks() = 0;
-        /// It goes on.
+        /// Called when the thread continues.
         virtual void goes_on() = 0;
 
       protected:

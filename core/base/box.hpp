@@ -5,7 +5,7 @@
 
 namespace wakesurf::core {
 
-/// Holds two opposite corners of an axis-aligned box.
+/// An axis-aligned box, given by two opposite corners.
 struct Box {
     Vec3 lo{0.0}; ///< the corner of the smallest coordinates
     Vec3 hi{0.0}; ///< the corner of the largest

@@ -9,7 +9,7 @@ namespace wakesurf::core {
 class Clock {
   public:
     virtual ~Clock() = default;
-    /// Never goes back.
+    /// Returns a time that never decreases.
     virtual std::chrono::steady_clock::time_point now() const = 0;
 };
 

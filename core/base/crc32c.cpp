@@ -1,7 +1,7 @@
 // Slicing-by-8: eight tables turn eight bytes into eight independent look-ups. Source: Kounavis, Berry, Novel
 // Table Lookup-Based Algorithms for High-Performance CRC Generation, IEEE Trans. Comput. 57(11), 2008.
-// Processors with SSE 4.2 have an instruction for eight bytes, of which three can be under way: three
-// streams, joined by what zeros would have made of the earlier ones (the operator of zlib's crc32_combine).
+// Processors with SSE 4.2 have an instruction for eight bytes, of which three can run at a time: three
+// streams, whose sums are joined by the operator of zlib's crc32_combine.
 #include "core/base/crc32c.hpp"
 
 #if defined(__x86_64__)

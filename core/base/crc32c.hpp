@@ -8,8 +8,8 @@
 
 namespace wakesurf::core {
 
-/// Returns the the checksum of everything summed so far followed by `bytes`: crc32c(b, crc32c(a)) == crc32c(a
-/// + b). Cost: above 10 GB/s with SSE 4.2, else above 1 GB/s.
+/// Returns the checksum of everything summed so far followed by `bytes`: crc32c(b, crc32c(a)) == crc32c(a +
+/// b). Cost: above 10 GB/s with SSE 4.2, else above 1 GB/s.
 std::uint32_t crc32c(std::span<const std::byte> bytes, std::uint32_t so_far = 0);
 
 /// Returns the same sum without special instructions, on any processor.

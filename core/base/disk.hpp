@@ -11,7 +11,7 @@
 
 namespace wakesurf::core {
 
-/// Tells a file from another one that took its name.
+/// Distinguishes a file from another one that took its name.
 struct FileIdentity {
     std::uint64_t size = 0;    ///< bytes
     std::uint64_t inode = 0;   ///< 0 where a disk has none
@@ -20,7 +20,7 @@ struct FileIdentity {
     bool operator==(const FileIdentity&) const = default;
 };
 
-/// Thread safety: concurrent calls are fine.
+/// Reads files. Thread safety: concurrent calls are allowed.
 class Disk {
   public:
     virtual ~Disk() = default;
@@ -28,8 +28,8 @@ class Disk {
     /// Returns the size of a regular file in bytes. Error: NotFound, Io.
     virtual Result<std::uint64_t> size(const std::filesystem::path& file) const = 0;
 
-    /// Returns what tells this file from another of its name. Error: NotFound, Io. A disk that knows only
-    /// sizes tells files apart by their size.
+    /// Returns the identity of a file. Error: NotFound, Io. A disk that knows only sizes distinguishes files
+    /// by their size.
     virtual Result<FileIdentity> identity(const std::filesystem::path& file) const {
         return size(file).map([](std::uint64_t bytes) { return FileIdentity{bytes, 0, 0}; });
     }
@@ -48,7 +48,7 @@ class Disk {
         return read(file, offset, out);
     }
 
-    /// Says how a disk is read fastest.
+    /// The way in which a disk is read fastest.
     struct Pace {
         std::size_t readers = 4;                  ///< at the same time
         std::size_t piece = std::size_t{1} << 20; ///< bytes of a long file in one go

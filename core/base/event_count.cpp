@@ -14,7 +14,7 @@ namespace {
 static_assert(sizeof(std::atomic<EventCount::Count>) == sizeof(EventCount::Count),
               "as the kernel sees it");
 
-/// @param most  null: without end
+/// @param most  null: without a time limit
 void sleep_while(const std::atomic<EventCount::Count>& notifications,
                  EventCount::Count seen,
                  const timespec* most) {

@@ -10,14 +10,14 @@
 
 namespace wakesurf::core {
 
-/// Lets a thread note notifications(), look for work, and sleep until the next notification where there is
-/// none: no notification is missed. Thread safety: everything may be called from any thread. Cost of a
-/// notification while no one sleeps: two atomic operations. Linux: futex(2).
+/// An event count: a thread reads notifications(), looks for work, and without any sleeps until the next
+/// notification, of which none is missed. Thread-safe. Cost of a notification without a sleeper: two atomic
+/// operations. Linux: futex(2).
 class EventCount {
   public:
     using Count = std::uint32_t;
 
-    /// Returns a count that wraps around: only whether it has changed tells anything.
+    /// Returns a count that wraps around: only whether it has changed is meaningful.
     Count notifications() const { return notifications_; }
 
     /// Wakes any one of the sleeping threads.
@@ -28,7 +28,7 @@ class EventCount {
     /// Sleeps until the count of notifications is no longer `seen`.
     void wait(Count seen);
 
-    /// @param most  returns after that as well
+    /// Waits for at most `most`.
     void wait(Count seen, std::chrono::nanoseconds most);
 
     /// Waits with the lock released meanwhile, as a condition variable does.

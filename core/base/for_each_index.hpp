@@ -9,7 +9,7 @@
 
 namespace wakesurf::core {
 
-/// Visits 0 to `count` - 1, each once, in no order. A thread that waits for the rest takes on nothing else
+/// Visits 0 to `count` - 1, each once, in no order. A thread that waits for the others runs no other task
 /// meanwhile.
 template <class Visit>
 void for_each_index(std::size_t count, Visit visit) {

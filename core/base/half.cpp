@@ -17,7 +17,7 @@ std::uint16_t rounded(float value) {
     const auto bits = std::bit_cast<std::uint32_t>(value);
     const auto sign = static_cast<std::uint16_t>(bits >> 16 & 0x8000u);
     const std::uint32_t magnitude = bits & 0x7fffffffu;
-    if (magnitude > 0x7f800000u) // NaN: quiet, the rest of it as far as it fits
+    if (magnitude > 0x7f800000u) // NaN: quiet, with as much of its payload as fits
         return static_cast<std::uint16_t>(sign | 0x7e00u | (magnitude >> 13 & 0x3ffu));
     if (magnitude >= 0x477ff000u) // rounds to 65536 or more
         return static_cast<std::uint16_t>(sign | 0x7c00u);

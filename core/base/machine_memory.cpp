@@ -61,7 +61,7 @@ std::vector<Hierarchy> hierarchies(const fs::path& root) {
     return out;
 }
 
-/// Returns the the group of this process in a hierarchy. (cgroups(7): hierarchy:controllers:path)
+/// Returns the group of this process in a hierarchy. (cgroups(7): hierarchy:controllers:path)
 std::optional<fs::path> own_group(const fs::path& root, int version) {
     std::ifstream file(root / "proc/self/cgroup");
     for (std::string line; std::getline(file, line);) {

@@ -1,5 +1,5 @@
-// Tells how much memory the machine has, and how much of it this process may have before an allocation fails
-// or the kernel ends the process.
+// The memory of the machine, and the part that this process may have before an allocation fails or the kernel
+// kills it.
 #pragma once
 
 #include <cstdint>

@@ -59,14 +59,13 @@ struct MemoryAccount::State {
     std::atomic<std::size_t> shares{0}; ///< all bytes of all shares
     std::array<std::atomic<std::size_t>, memory_uses> by_use{};
     std::atomic<std::size_t> refused{0};
-    std::atomic<std::size_t> unseen{0}; ///< bytes taken since the last look
+    std::atomic<std::size_t> unseen{0}; ///< bytes taken since the last measurement
     EventCount given_back;
     std::mutex asking;                        ///< guards `givers`
     std::list<std::shared_ptr<Giver>> givers; ///< in their order
     std::function<std::size_t()> resident;
     std::atomic<std::uint64_t> looks{0};
-    /// Holds KiB beyond the shares in its low bits, and above them the number of the measurement that found
-    /// them.
+    /// KiB beyond the shares in the low bits, and above them the number of the measurement that found them.
     std::atomic<std::uint64_t> seen{0};
     std::atomic<std::size_t> program{0}; ///< bytes beyond the shares at the first look: they stay
 
@@ -80,8 +79,8 @@ struct MemoryAccount::State {
 
     std::size_t used() const { return shares + other(); }
 
-    /// Several threads may look at a time: one that is set aside meanwhile would keep the others from seeing.
-    /// What the look that began last saw stays.
+    /// Several threads may measure at a time, so that a preempted one does not block the others. The result
+    /// of the measurement that began last stays.
     void look() {
         if (!resident)
             return;
@@ -97,7 +96,7 @@ struct MemoryAccount::State {
         const std::uint64_t mine = number << kibibyte_bits | kibibytes;
         std::uint64_t newest = seen;
         do {
-            // Numbers wrap around: their distance tells which look began first.
+            // Numbers wrap around: their distance shows which measurement began first.
             if (static_cast<std::int64_t>((newest & ~most_kibibytes) - (mine & ~most_kibibytes)) >
                 0)
                 return;
@@ -197,7 +196,7 @@ bool MemoryAccount::Share::grow_to(std::size_t bytes) {
     if (grow_within_free(bytes))
         return true;
     const std::size_t more = bytes - bytes_;
-    // What another thread took of it meanwhile is asked for once more.
+    // Memory that another thread took meanwhile is asked for once more.
     for (int i = 0; i < 2; ++i)
         if (state_->ask(more) && grow_within_free(bytes))
             return true;

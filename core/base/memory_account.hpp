@@ -1,6 +1,6 @@
-// The one account of a process's memory: whatever takes much opens a share and grows it before it allocates.
-// What does not fit is asked back from those who hold something that can be had again, in the order of
-// `GiveBack`, or refused.
+// The one account of a process's memory: code that takes much opens a share and grows it before it allocates.
+// If it does not fit, holders of reproducible data are asked to release some, in the order of `GiveBack`, or
+// it is refused.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -15,7 +15,7 @@
 
 namespace wakesurf::core {
 
-/// Names what memory is taken for.
+/// Names the purposes of memory.
 enum class MemoryUse {
     TimeSteps,
     Meshes,    ///< grids of datasets, what finds cells in them, obstacles
@@ -34,20 +34,19 @@ inline constexpr std::size_t memory_uses = 11;
 /// Returns the use's name in metrics and statistics: "timeSteps", "meshes", ...
 std::string_view name_of(MemoryUse use);
 
-/// Orders those who are asked to give memory back: the cheapest to have again comes first.
+/// Orders the holders that are asked to release memory: the cheapest to reproduce comes first.
 enum class GiveBack {
     SpareHeap, ///< what the allocator keeps of memory that was freed
-    Downloads, ///< finished files that are kept for the next who asks
-    Histories, ///< checkpoints that no one plays just now
-    TimeSteps, ///< those beyond the smallest window that no one holds
-    Surfaces, ///< updates only those who have fallen behind would read, then whole surfaces no one looks at
+    Downloads, ///< finished files, cached for the next request
+    Histories, ///< checkpoints that are not being played
+    TimeSteps, ///< unused ones beyond the smallest window
+    Surfaces, ///< old updates that only slow clients would read, then whole surfaces without viewers
     /// Stops the build that has exceeded small() for the longest; only for requests up to small(), one at a
     /// time.
     Builds,
 };
 
-/// Thread safety: everything may be called from any thread, a Share by one thread at a time. Copies are the
-/// same account.
+/// The account. Thread-safe; a Share is for one thread at a time. Copies are the same account.
 class MemoryAccount {
     struct State;
     struct Giver;
@@ -66,8 +65,8 @@ class MemoryAccount {
     /// Looks now.
     void look() const;
 
-    /// The last part of the budget is for small work: a share that grows beyond small() leaves that much
-    /// free, so that those who need little go on beside those who need all there is.
+    /// Returns the part of the budget reserved for small work: a share that grows beyond small() leaves that
+    /// much free, so that small work can run beside work that takes all there is.
     std::size_t small() const { return small_of(budget()); }
 
     /// Returns the bytes that large work leaves to small work.
@@ -93,7 +92,7 @@ class MemoryAccount {
                      std::chrono::milliseconds patience,
                      std::size_t leave = 0);
 
-        /// Grows like grow_to() within what is free: no one is asked to give back.
+        /// Grows like grow_to() within free memory: no holder is asked to release any.
         bool grow_within_free(std::size_t bytes, std::size_t leave = 0);
 
         /// Nothing where it is smaller already.

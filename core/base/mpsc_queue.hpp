@@ -1,4 +1,4 @@
-// A queue without a lock that many threads push to, and one, or any, empties at once: no producer waits for
+// A lock-free queue that many threads push to, and one, or any, empties at once: no producer waits for
 // another. With a lock it would wait for one of lower priority that the kernel has preempted while it held
 // the lock, tens of milliseconds on a busy machine.
 #pragma once

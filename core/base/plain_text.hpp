@@ -12,14 +12,14 @@ namespace wakesurf::core {
 /// `longest` bytes, cut between characters. What is not UTF-8 is left out.
 std::string display_name(std::string_view name, std::size_t longest);
 
-/// Does the same to a text of several lines, whose blanks and line ends stay.
+/// Makes a text of several lines displayable in this way; blanks and line ends stay.
 std::string display_lines(std::string_view text, std::size_t longest);
 
 /// Returns text that is safe on a terminal or in a log: such characters as \u001b, bytes that are not UTF-8
 /// as \xff. Line ends and tabs stay.
 std::string printable(std::string_view text);
 
-/// Does the same on one line.
+/// Makes a text printable in this way, on one line.
 std::string printable_line(std::string_view text);
 
 } // namespace wakesurf::core

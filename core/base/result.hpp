@@ -9,9 +9,9 @@
 
 namespace wakesurf::core {
 
-/// Says what went wrong, for a program and for a person.
+/// An error, for a program and for a person.
 struct Error {
-    /// Names the kind of fault, which is what a program decides by.
+    /// The kind of error, by which a program decides.
     enum class Code {
         NotFound,
         Corrupt,
@@ -26,10 +26,9 @@ struct Error {
     Code code = Code::Io; ///< what kind of fault it is
     std::string message;  ///< one sentence for a person, without a server path
     std::string hint;     ///< what to do about it; may be empty
-    /// Says, for a time-step that cannot be read, the time up to which the series can, in the direction of
-    /// the run.
+    /// For a time-step that cannot be read: the time up to which the series can, in the direction of the run.
     std::optional<double> readable_until{};
-    /// Holds, for OverLimit, the largest value allowed. It is empty where the machine's memory ran out.
+    /// For OverLimit: the largest value allowed; empty if the machine's memory ran out.
     std::optional<std::uint64_t> limit{};
 };
 

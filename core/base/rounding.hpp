@@ -1,4 +1,4 @@
-// Says what counts as the end of a range of coordinates or times. Solvers write 0.1 in 32 bits, which is
+// The end of a range of coordinates or times, with rounding. Solvers write 0.1 in 32 bits, which is
 // 0.100000001: a person who types 0.1 means that plane, and that time.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Tells how far a piece of work is, as a fraction, and for a surface in simulation time and quads, and what
+// The progress of a piece of work, as a fraction, and for a surface in simulation time and quads, and the
 // memory it takes. The threads that work write it; those that wait read it.
 #pragma once
 
@@ -15,7 +15,7 @@
 
 namespace wakesurf::core {
 
-/// Never goes back, but for the number of quads. Thread safety: every call may come from any thread.
+/// The progress. It never decreases, except for the number of quads. Thread-safe.
 class WorkDone {
   public:
     /// Returns the fraction that is done, 0 to 1.
@@ -56,16 +56,15 @@ class WorkDone {
     std::atomic<std::uint64_t> quads_{0};
 };
 
-/// Part of a piece of work; a default one tells no one and may take all memory. A value.
+/// A part of a piece of work; a default one reports to nothing and may take all memory. A value.
 class WorkPart {
   public:
     WorkPart() = default;
 
-    /// Makes the part that is the whole of `done`. Null `done`: no one waits. Null `memory`: no one counts
-    /// its memory.
+    /// Makes the part that is the whole of `done`. `done` null: not reported. `memory` null: not counted.
     WorkPart(WorkDone* done, WorkMemory* memory = nullptr) : done_(done), memory_(memory) {}
 
-    /// Returns the the `i`-th of `parts` equal ones of this one.
+    /// Returns the `i`-th of `parts` equal ones of this one.
     WorkPart part(std::size_t i, std::size_t parts) const {
         const auto all = static_cast<double>(parts);
         return between(static_cast<double>(i) / all, static_cast<double>(i + 1) / all);
@@ -79,8 +78,8 @@ class WorkPart {
         return out;
     }
 
-    /// Returns what is not done yet of this part, as far as that is known, so that work that begins again
-    /// goes on from there.
+    /// Returns the part that is not done yet, as far as known, so that work that begins again continues from
+    /// there.
     WorkPart rest() const {
         WorkPart out = *this;
         if (done_ == nullptr)
@@ -108,11 +107,11 @@ class WorkPart {
             done_->came_to(time, since);
     }
 
-    /// Returns the memory counted for this work; null if no one counts.
+    /// Returns the memory counted for this work; null if it is not counted.
     WorkMemory* memory() const { return memory_; }
 
-    /// It will hold so many bytes by itself, besides what above() names. Error: WorkMemory::refusal(), with
-    /// which the work should end.
+    /// Reserves so many bytes for the work itself, besides what above() names. Error: WorkMemory::refusal(),
+    /// with which the work should end.
     Result<void> holds(std::size_t bytes) const {
         return had(memory_ == nullptr || memory_->grow_to(others_ + bytes));
     }
@@ -128,7 +127,7 @@ class WorkPart {
             memory_->shrink(bytes);
     }
 
-    /// Returns a part with the same memory that reports its progress to no one.
+    /// Returns a part with the same memory that does not report its progress.
     WorkPart quietly() const {
         WorkPart out = *this;
         out.done_ = nullptr;

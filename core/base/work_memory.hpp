@@ -46,7 +46,7 @@ class WorkMemory {
     /// Returns the bytes that it takes now.
     std::size_t bytes() const { return taken_; }
 
-    /// It was refused once.
+    /// Says whether memory was refused once.
     bool exhausted() const { return exhausted_; }
 
     /// Returns why the work ended, after grow() returned false: OverLimit where there was no memory,

@@ -1,4 +1,4 @@
-// A few threads for what waits for something slow, a disk for example, so that whoever asks for it does not.
+// A few threads for slow operations such as reading a disk, so that callers do not block.
 #pragma once
 
 #include "core/base/event_count.hpp"
@@ -16,8 +16,8 @@ namespace wakesurf::core {
 /// are fine, from work too.
 class WorkerThreads {
   public:
-    /// Throws nothing. `ending`: whose threads these are is being destroyed; the work tells its owner so, and
-    /// returns.
+    /// A task; throws nothing. `ending`: the owner of the threads is being destroyed; the task tells it so,
+    /// and returns.
     using Work = std::function<void(bool ending)>;
 
     /// @param most  threads, at least 1
@@ -36,7 +36,7 @@ class WorkerThreads {
     void run();
 
     std::size_t most_;
-    std::mutex mutex_; ///< guards what follows; not held while work runs
+    std::mutex mutex_; ///< guards what follows; not locked while a task runs
     std::deque<Work> waiting_;
     bool ending_ = false;
     std::vector<std::thread> threads_;

@@ -47,7 +47,7 @@ std::size_t BrickCache::smallest_budget(const BrickLayout& layout) {
 }
 
 struct BrickCache::State {
-    /// Holds the values of one brick.
+    /// The memory of one brick.
     struct Slot {
         float* memory = nullptr;
         BrickTable* table = nullptr; ///< null: free
@@ -55,13 +55,13 @@ struct BrickCache::State {
         bool loading = false;
     };
 
-    /// A brick on its way, and those who wait for it.
+    /// A brick that is being read, and those that wait for it.
     struct Load {
         std::optional<Error> error;
         bool done = false;
     };
 
-    /// Names a field at a time-step.
+    /// A field at a time-step.
     struct StepName {
         std::size_t step, field;
 
@@ -103,7 +103,7 @@ struct BrickCache::State {
     std::vector<std::size_t> free;
     RetiredSlots retired;
     std::size_t most_bytes = 0;
-    std::map<StepName, Step> steps; ///< of which anything is in memory, or anyone holds the table
+    std::map<StepName, Step> steps; ///< those with bricks in memory, or with a table in use
     std::map<BrickName, std::shared_ptr<Load>> loads;
     std::atomic<BrickTable::Age> age{1};
     std::atomic<std::uint64_t> reads{0}, waits{0}, rounds{0};
@@ -128,8 +128,8 @@ struct BrickCache::State {
         return step;
     }
 
-    /// Those that no one holds: the empty ones, and all bricks of the one asked for longest ago where there
-    /// are too many.
+    /// Forgets unused steps: the empty ones, and all bricks of the least recently used one if there are too
+    /// many.
     void forget_steps() {
         const auto held = [](const Step& step) { return step.table.use_count() > 1; };
         const auto erase_empty = [&] {
@@ -157,7 +157,7 @@ struct BrickCache::State {
 
     static StepName name_of(const BrickTable& table) { return {table.step(), table.field()}; }
 
-    /// The brick goes; its room is free once no one can still read it.
+    /// Removes the brick; its memory is free once no reader can still see it.
     void leave(std::size_t index) {
         Slot& slot = slots[index];
         slot.table->put(slot.brick, nullptr);
@@ -193,7 +193,7 @@ struct BrickCache::State {
         return true;
     }
 
-    /// Gives memory back that no one reads just now, the slab that was taken last first. Returns how much.
+    /// Releases unread memory, the slab that was taken last first. Returns the bytes.
     std::size_t give_back(std::size_t wanted) {
         std::size_t given = 0;
         const std::scoped_lock lock(mutex);
@@ -244,7 +244,7 @@ struct BrickCache::State {
         std::shared_ptr<Load> load;
     };
 
-    /// Holds what start() has begun.
+    /// The result of start().
     struct Batch {
         std::vector<std::shared_ptr<Load>> waiting; ///< for these
         std::vector<BrickRead> reads;               ///< to be started without the lock

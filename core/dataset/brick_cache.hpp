@@ -1,6 +1,6 @@
-// Bricks of time-steps in memory within a byte budget: what a time-step cache has for time-steps that are
-// larger than memory. Who samples finds out which bricks are missing, asks for all of them at once, and goes
-// on when they are there.
+// Bricks of time-steps in memory within a byte budget: the counterpart of a time-step cache for time-steps
+// that are larger than memory. The sampler finds out which bricks are missing, asks for all of them at once,
+// and continues when they are there.
 #pragma once
 
 #include "core/base/memory_account.hpp"
@@ -20,7 +20,7 @@
 
 namespace wakesurf::core {
 
-/// Names a brick of a time-step.
+/// A brick of a time-step.
 struct BrickName {
     std::size_t step;
     std::size_t brick;
@@ -39,7 +39,7 @@ class BrickCache {
         std::size_t budget_bytes = std::size_t{4} << 30; ///< raised to smallest_budget()
         /// With one the budget is smallest_budget(), which is taken at once, and whatever others leave free.
         std::optional<MemoryAccount> account{};
-        /// Called from any thread, without the cache's lock, when what held() returns has changed.
+        /// Called from any thread, without the cache's lock, when the result of held() has changed.
         std::function<void()> changed{};
     };
 
@@ -48,8 +48,8 @@ class BrickCache {
         std::size_t most_bytes = 0; ///< so far
         std::size_t budget = 0;     ///< the most of them
         std::uint64_t reads = 0;    ///< bricks read, asked for and ahead
-        std::uint64_t waits = 0;    ///< times that someone had to wait for bricks
-        std::uint64_t rounds = 0;   ///< of them for some that nobody had asked for before
+        std::uint64_t waits = 0;    ///< times that a caller had to wait for bricks
+        std::uint64_t rounds = 0;   ///< of them for some that had not been requested before
     };
 
     /// Room for one particle's step wherever it is.
@@ -63,8 +63,8 @@ class BrickCache {
 
     const BrickLayout& layout() const;
 
-    /// The bricks of a field at a time-step, as they come and go. The table is the same for all while anyone
-    /// holds it.
+    /// Returns the bricks of a field at a time-step, as they come and go. The table is the same for all while
+    /// it is in use.
     std::shared_ptr<const BrickTable> table(std::size_t step, std::size_t field = 0);
 
     /// Returns the values that are read in place of a missing brick.
@@ -73,8 +73,8 @@ class BrickCache {
     /// Returns the age that BrickTable::use notes.
     BrickTable::Age age() const;
 
-    /// While it is held, no memory of a brick that its holder has seen gets other values. Short: the cache
-    /// waits for it when it needs room.
+    /// Keeps the memory of bricks that its owner has seen unchanged. It should be short: the cache waits for
+    /// it when it needs memory.
     class Reading {
       public:
         explicit Reading(BrickCache& cache);

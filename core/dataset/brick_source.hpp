@@ -23,7 +23,7 @@ struct BrickRead {
     std::size_t field = 0; ///< 0: velocity; a scalar: 1 + its index
 };
 
-/// Thread safety: concurrent calls are fine.
+/// Reads bricks. Thread safety: concurrent calls are allowed.
 class BrickSource {
   public:
     /// Called once for each read that was asked for, with its index among them, from any thread, in any

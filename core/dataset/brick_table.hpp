@@ -10,10 +10,10 @@
 
 namespace wakesurf::core {
 
-/// Holds the bricks of a field at one time-step: a pointer each, null while it is not in memory, and when it
-/// was last used. It costs 10 bytes a brick, of which only the pages that are touched are resident. Thread
-/// safety: readers go on while the cache puts bricks and takes them away; what they have seen stays while
-/// they hold a BrickCache::Reading.
+/// The bricks of a field at one time-step: a pointer each, null while it is not in memory, and the time of
+/// its last use. It costs 10 bytes a brick, of which only the touched pages are resident. Thread safety: the
+/// cache may add and remove bricks during reads; bricks that a reader has seen stay while it owns a
+/// BrickCache::Reading.
 class BrickTable {
   public:
     /// Counts on whenever bricks are asked for, and wraps round.

@@ -22,21 +22,21 @@ inline constexpr std::uint32_t beyond_wall = 0xfffffffeu; ///< a wall: particles
 /// Entries past the shape's own are `beyond_domain`. One cache line.
 struct alignas(64) MeshCell {
     std::array<std::uint32_t, 8> node; ///< numbers of its nodes, as VTK orders them
-    /// Holds the cell on the other side of each face, by number, or one of the two above.
+    /// The cell on the other side of each face, by number, or one of the two above.
     std::array<std::uint32_t, 6> beyond;
     CellShape shape; ///< which of the four it is
 };
 
-/// Holds nodes and cells, connected through faces (cell_neighbours.hpp).
+/// Nodes and cells, connected through faces (cell_neighbours.hpp).
 struct CellMesh {
     std::vector<Vec3> points;    ///< of the nodes
     std::vector<MeshCell> cells; ///< in no order that matters
 };
 
-/// Names a face of a cell.
+/// A face of a cell.
 struct CellFace {
     std::uint8_t count = 0; ///< 3 or 4 nodes
-    /// Holds indices into MeshCell::node; seen from outside, counterclockwise.
+    /// Indices into MeshCell::node, counterclockwise seen from outside.
     std::array<std::uint8_t, 4> node{};
 };
 

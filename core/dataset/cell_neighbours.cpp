@@ -16,7 +16,7 @@ constexpr std::uint32_t no_node = 0xffffffffu;
 /// Numbers a face: eight times the cell's number, plus the face's own.
 using FaceNumber = std::uint32_t;
 
-// Holds the faces of the four shapes together, because every face of a mesh asks for them several times.
+// The faces of the four shapes, in one table because every face of a mesh is looked up several times.
 struct FaceTable {
     std::array<std::size_t, 4> count{};
     std::array<std::array<CellFace, 6>, 4> face{};

@@ -14,7 +14,7 @@ namespace wakesurf::core {
 
 enum class GridKind { Uniform, Rectilinear, Curvilinear, Unstructured, Analytic };
 
-/// Says how values at nodes are stored; in memory they are float32.
+/// The precision of stored values at nodes; in memory they are float32.
 enum class Precision : std::uint8_t { Single, Half };
 
 /// Describes an array of a dataset.
@@ -29,11 +29,11 @@ struct FieldInfo {
         0.0, 0.0};       ///< over what has been read so far; of the magnitude for vectors
     std::string unit;    ///< empty where the format has none
     bool family = false; ///< made here, from the velocity: core/surface/family
-    /// Is false where an import leaves the array out, as it does masks, so that nobody can ask for it.
+    /// False if an import leaves the array out, as it does masks, so that it cannot be requested.
     bool stored = true;
 };
 
-/// Holds what is known of a dataset without reading its values.
+/// The description of a dataset, without its values.
 struct DatasetInfo {
     std::string dataset;               ///< id, stable between starts
     std::string name;                  ///< for people
@@ -57,8 +57,8 @@ struct DatasetInfo {
     bool obstacle = false;                   ///< parts of the domain are solid
     std::uint64_t bytes_per_step = 0;        ///< memory of a time-step's velocity
 
-    /// Holds the default separation distance, in units of length: the finest node spacing; for analytic flows
-    /// 1/100 of the shortest side.
+    /// The default separation distance, in units of length: the finest node spacing; for analytic flows 1/100
+    /// of the shortest side.
     double finest_spacing = 0.0;
 };
 

@@ -39,7 +39,7 @@ class MissingBricks {
             ahead_.push_back(static_cast<std::uint32_t>(brick));
     }
 
-    /// Marks the first pass over an interval, which looks ahead even where nothing is missing yet.
+    /// Marks the first pass over an interval, which reads ahead even if nothing is missing yet.
     void begins() { begins_ = true; }
 
     enum class Outcome {
@@ -56,7 +56,7 @@ class MissingBricks {
     /// Returns why the last fetch failed.
     const std::optional<Error>& error() const { return error_; }
 
-    /// Says how items of a range go on in the next round.
+    /// The way in which items of a range continue in the next round.
     enum class Again {
         /// Begins all again, also those that are done: what all need has to be there at the same time.
         Redo,

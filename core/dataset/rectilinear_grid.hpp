@@ -9,7 +9,7 @@
 
 namespace wakesurf::core {
 
-/// Holds the nodes where the planes of three axes meet.
+/// A grid whose nodes are where the planes of three axes meet.
 struct RectilinearGrid {
     std::array<std::vector<double>, 3> coordinates; ///< strictly increasing, at least 2 an axis
 

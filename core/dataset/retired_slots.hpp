@@ -1,6 +1,5 @@
-// Room of bricks that are taken away while someone may still read them: it is free once all readings that
-// began before have ended (epoch-based reclamation, Fraser, Practical lock-freedom, 2004, 5.2.3; here with a
-// lock).
+// The memory of removed bricks that may still be read: it is free once all readings that began before have
+// ended (epoch-based reclamation, Fraser, Practical lock-freedom, 2004, 5.2.3; here with a lock).
 #pragma once
 
 #include <algorithm>

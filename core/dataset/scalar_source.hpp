@@ -13,7 +13,7 @@
 
 namespace wakesurf::core {
 
-/// Thread safety: concurrent calls are fine.
+/// Reads scalars. Thread safety: concurrent calls are allowed.
 class ScalarSource {
   public:
     virtual ~ScalarSource() = default;

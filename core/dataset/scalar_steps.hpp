@@ -1,5 +1,5 @@
-// The scalar time-steps that were asked for last, for all who sample them: a surface that is dragged or
-// played needs the same ones again and again.
+// The most recently used scalar time-steps, shared by all samplers: a surface that is dragged or played needs
+// the same ones again and again.
 #pragma once
 
 #include "core/base/result.hpp"

@@ -10,8 +10,7 @@
 
 namespace wakesurf::core {
 
-/// Keeps what was given back until somebody takes it, so that no more slabs exist than were ever in use at
-/// once. Thread safety: every call may come from any thread.
+/// Keeps released slabs for reuse, so that no more slabs exist than were ever in use at once. Thread-safe.
 class SlabPool {
   public:
     /// A pool of slabs of so many bytes, none of which is there yet.
@@ -30,7 +29,7 @@ class SlabPool {
         return Slab(bytes_);
     }
 
-    /// @param slab  one that take() gave
+    /// Returns a slab of take() to the pool.
     void give_back(Slab slab) noexcept {
         const std::scoped_lock lock(mutex_);
         if (idle_.size() < most_idle)

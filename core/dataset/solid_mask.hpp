@@ -12,7 +12,7 @@
 
 namespace wakesurf::core {
 
-/// Holds one byte a node, 1 fluid or 0 solid, in one piece or in bricks. With neither there is no obstacle.
+/// A byte a node, 1 fluid or 0 solid, in one piece or in bricks. With neither there is no obstacle.
 struct SolidMask {
     std::vector<std::uint8_t> fluid;                    ///< in one piece, x fastest
     std::shared_ptr<const BrickBytes> bricks = nullptr; ///< of a grid in bricks

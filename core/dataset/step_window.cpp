@@ -74,7 +74,7 @@ void StepWindow::count() {
     share.shrink_to(std::max(used.load(), smallest) * step_bytes);
 }
 
-/// Beyond the smallest window, and no one holds them. To be freed without the lock.
+/// Removes unused steps beyond the smallest window, and returns them to be freed without the lock.
 std::vector<std::shared_ptr<const TimeStep>> StepWindow::give_back_spare(std::size_t bytes) {
     std::vector<std::shared_ptr<const TimeStep>> freed;
     while (used > smallest && freed.size() * step_bytes < bytes) {

@@ -36,9 +36,9 @@ struct StepJob {
     std::shared_ptr<const TimeStep> evicted; ///< freed before the load, so that both never coexist
 };
 
-/// Every change of a step's state happens in a load thread; acquire() only asks and waits. A step's
-/// memory counts from the moment its load is picked until it is evicted, and only steps that no one
-/// holds are evicted: that is what makes the budget hard.
+/// The states of the steps, changed only by load threads; acquire() only requests and waits. A step's memory
+/// counts from the moment its load is picked until it is evicted, and only unused steps are evicted: that
+/// makes the budget hard.
 struct StepWindow {
     /// Keeps 1/8 of the account free for others.
     static constexpr std::size_t left_free = 8;
@@ -47,7 +47,7 @@ struct StepWindow {
     EventCount changed; ///< a load ended
     EventCount work;    ///< something to load, or room for it
     std::vector<StepEntry> entries;
-    std::deque<std::size_t> demanded;   ///< cold steps somebody waits for, oldest first
+    std::deque<std::size_t> demanded;   ///< cold steps with waiting callers, oldest first
     std::deque<std::size_t> prefetched; ///< cold steps to load ahead, nearest first
     std::size_t position = 0;           ///< of the last prefetch()
     std::size_t capacity = 0; ///< time-steps the budget holds; with an account: could at most

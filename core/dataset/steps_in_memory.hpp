@@ -14,8 +14,8 @@ namespace wakesurf::core {
 /// Nothing is loaded: the cache above it hands out what is here. Thread safety: concurrent calls are fine.
 class StepsInMemory final : public TimeStepSource {
   public:
-    /// Holds the velocity at every node of the grid at one time: x, y and z of the first node
-    /// (node_position), then of the next. Where a value is not finite, the domain has a gap at that time.
+    /// The velocity at every node of the grid at one time: x, y and z of the first node (node_position), then
+    /// of the next. At a value that is not finite the domain has a gap at that time.
     using Velocity = std::span<const float>;
 
     /// Copies the velocities.

@@ -11,12 +11,12 @@
 
 namespace wakesurf::core {
 
-/// Holds a time-step, immutable once shared. Velocity is float3 in file order (x fastest), 12 bytes a node.
+/// A time-step, immutable once shared. Velocity is float3 in file order (x fastest), 12 bytes a node.
 struct TimeStep {
     std::size_t index = 0; ///< in the series, from 0
     double time = 0.0;     ///< of the series, in its unit
     Slab slab;             ///< the velocities
-    /// Holds the velocities instead, where they come brick by brick.
+    /// The velocities instead, if they come brick by brick.
     std::shared_ptr<const BrickTable> bricks{};
     bool gaps = false; ///< some velocities are not finite: there the domain ends at this time
 
@@ -32,11 +32,11 @@ struct TimeStep {
     }
 };
 
-/// Says where a time-step is: on the disk, on its way, in memory.
+/// The state of a time-step: on the disk, being read, in memory.
 enum class StepState { Cold, Loading, Resident };
 
-/// Says how many bytes of a time-step's velocity are in memory, and how many are being read: all or none, or,
-/// brick by brick, a part.
+/// The bytes of a time-step's velocity in memory, and those being read: all or none, or, brick by brick, a
+/// part.
 struct StepHeld {
     std::size_t resident = 0; ///< in memory
     std::size_t loading = 0;  ///< on their way

@@ -20,8 +20,8 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-// A caller that waits for room looks up this often; after so many looks without anything being given
-// back it gives up. Short when the callers that wait may between them hold everything (a deadlock).
+// The poll interval of a caller that waits for room; after so many polls without a release it gives up. It is
+// short when the callers that wait may between them hold everything (a deadlock).
 constexpr auto look = 100ms;
 constexpr int looks_when_deadlocked = 3;
 constexpr int looks_when_merely_full = 300;
@@ -104,7 +104,7 @@ void TimeStepCache::State::load_until(const std::stop_token& stop) {
                     continue;
                 }
                 lock.unlock();
-                window->account->make_room(step_bytes); // of others: someone waits for it
+                window->account->make_room(step_bytes); // of others: a caller waits for it
                 lock.lock();
                 // The loop ends by time however often others notify, because asking them costs them
                 // something.

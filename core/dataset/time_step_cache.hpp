@@ -1,6 +1,6 @@
-// The sliding window: time-steps held in memory within a byte budget, with prefetch in the direction of
-// play. Everything that samples stored data gets its time-steps here. States a client can see: resident,
-// loading, cold.
+// The sliding window: time-steps in memory within a byte budget, with prefetch in the direction of play.
+// Everything that samples stored data gets its time-steps here. States a client can see: resident, loading,
+// cold.
 #pragma once
 
 #include "core/base/memory_account.hpp"
@@ -23,7 +23,7 @@ class BrickCache;
 /// time-step handed out stays valid as long as its holder keeps it; it counts against the budget until then.
 class TimeStepCache {
   public:
-    /// Says how much the cache may take, and how it loads.
+    /// The size of the cache, and how it loads.
     struct Options {
         std::size_t budget_bytes = std::size_t{4} << 30; ///< raised to smallest_budget() if smaller
         std::size_t load_threads = 1; ///< time-steps that are read at the same time
@@ -33,7 +33,7 @@ class TimeStepCache {
         bool by_brick = false; ///< where the source has bricks, also if four time-steps fit
     };
 
-    /// Says what is in memory, for people.
+    /// The content of the cache, for people.
     struct Status {
         std::vector<StepHeld> steps; ///< one a time-step of the series
         std::size_t step_bytes = 0;  ///< of a time-step that is all there
@@ -43,8 +43,8 @@ class TimeStepCache {
         std::uint64_t loads = 0;     ///< time-steps read, demanded and ahead
     };
 
-    /// Returns the bytes that one caller needs who interpolates by cubics in time: 4 time-steps, or all where
-    /// they are fewer, or some bricks where the source has bricks.
+    /// Returns the bytes for one caller that interpolates by cubics in time: 4 time-steps, or all if there
+    /// are fewer, or some bricks if the source has bricks.
     static std::size_t smallest_budget(const TimeStepSource& source);
 
     /// Four time-steps, or all where they are fewer.
@@ -67,17 +67,16 @@ class TimeStepCache {
     const TimeStepSource& source() const;
 
     /// Returns the cache of bricks if the source has bricks and four time-steps do not fit the budget.
-    /// Time-steps are then handed out at once, and whoever samples asks for what is missing. Null where
-    /// time-steps are loaded whole.
+    /// Time-steps are then handed out at once, and the sampler asks for missing bricks. Null if time-steps
+    /// are loaded whole.
     const std::shared_ptr<BrickCache>& bricks() const;
 
-    /// The time-step, loaded if it is not resident; two callers of one cold time-step cause one load.
-    /// Blocks. A caller may hold three time-steps while it acquires a fourth; while the budget is taken
-    /// up by time-steps in use, it waits until one is given back.
-    /// Error: what the source says; Cancelled when `stop` fires first; OverLimit when the callers that
-    /// wait may hold everything between them (after 0.3 s), or nothing is given back for 30 s: let go
-    /// and try again. Cost of a resident time-step: about 0.1 microseconds.
-    /// @param held  how many the caller holds at most: the fewer, the less often it is refused needlessly
+    /// Returns the time-step, loaded if it is not resident; two callers of one cold time-step cause one load.
+    /// Blocks. A caller may own three time-steps while it acquires a fourth; while time-steps in use fill the
+    /// budget, it waits until one is released. Error: that of the source; Cancelled if `stop` fires first;
+    /// OverLimit if the waiting callers may hold everything between them (after 0.3 s), or nothing is
+    /// released for 30 s: release yours and try again. Cost of a resident time-step: about 0.1 microseconds.
+    /// @param held  how many the caller owns at most: the fewer, the less often it is refused needlessly
     Result<std::shared_ptr<const TimeStep>>
     acquire(std::size_t index, std::stop_token stop = {}, std::size_t held = 3);
 
@@ -91,8 +90,9 @@ class TimeStepCache {
     /// another.
     Status status() const;
 
-    /// Called (from any thread, without the cache's lock) whenever what is held of a step changes. Returns
-    /// when the previous listener is not running any more; a listener must not set another one.
+    /// Sets a listener, called (from any thread, without the cache's lock) whenever the memory of a step
+    /// changes. Returns when the previous listener is not running any more; a listener must not set another
+    /// one.
     void on_change(std::function<void()> listener);
 
   private:

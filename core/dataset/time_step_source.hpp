@@ -15,7 +15,7 @@ namespace wakesurf::core {
 
 class BrickSource;
 
-/// Thread safety: concurrent calls are fine.
+/// Reads time-steps. Thread safety: concurrent calls are allowed.
 class TimeStepSource {
   public:
     virtual ~TimeStepSource() = default;

@@ -9,7 +9,7 @@
 
 namespace wakesurf::core {
 
-/// Holds nodes at equal distances along each axis.
+/// A grid of nodes at equal distances along each axis.
 struct UniformGrid {
     Vec3 origin{0.0};  ///< the first node
     Vec3 spacing{1.0}; ///< from node to node along each axis, above 0

@@ -10,7 +10,7 @@
 
 namespace wakesurf::core {
 
-/// Holds a body as triangles.
+/// A body as triangles.
 struct WallGeometry {
     std::vector<Vec3f> points;                           ///< corners of the triangles
     std::vector<std::array<std::uint32_t, 3>> triangles; ///< numbers of three points each

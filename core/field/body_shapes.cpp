@@ -8,7 +8,7 @@ namespace wakesurf::core {
 
 namespace {
 
-/// Holds a corner of the outline that turns about the z axis.
+/// A corner of the outline that is rotated about the z axis.
 struct Turned {
     double radius;
     double z;

@@ -1,4 +1,4 @@
-// The bodies of closed forms as geometry to look at. Particles never meet these triangles: a form knows its
+// The bodies of closed forms as geometry for display. Particles never meet these triangles: a form knows its
 // body exactly.
 #pragma once
 

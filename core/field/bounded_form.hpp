@@ -11,8 +11,8 @@
 
 namespace wakesurf::core {
 
-/// A form is a velocity(position, time). One with a body says what is solid, and has a wall(box) where its
-/// shape can be looked at.
+/// A form is a velocity(position, time). One with a body has solid(), and wall(box) if its shape can be
+/// displayed.
 template <class Form>
 concept HasBody = requires(const Form& form, const Vec3& p) {
     form.solid(p);

@@ -1,4 +1,4 @@
-// Says what the solid mask makes of the cells of a grid.
+// The solid mask by cells of a grid.
 #pragma once
 
 #include "core/dataset/solid_mask.hpp"
@@ -11,8 +11,8 @@
 
 namespace wakesurf::core {
 
-/// Says for each cell whether all, none or some of its nodes are fluid, so that one byte read answers nearly
-/// every status question. It is in bricks where the mask is.
+/// States for each cell whether all, none or some of its nodes are fluid, so that one byte read answers
+/// nearly every status question. It is in bricks if the mask is.
 class CellMask {
   public:
     /// @param dimensions  nodes an axis of the uniform or rectilinear grid

@@ -1,6 +1,6 @@
-// Particles that set out at the same time for as many steps, all of a surface's: the kernel takes all the
-// steps of a batch of them. Who was slow or outside on the way may have ended there, and is done again from
-// its start by the passage, with the same bits.
+// Particles that start at the same time for as many steps, all of a surface's: the kernel takes all the steps
+// of a batch of them. A particle that was slow or outside meanwhile may have ended there, and is repeated
+// from its start by the passage, with the same bits.
 #pragma once
 
 #include "core/field/passage.hpp"

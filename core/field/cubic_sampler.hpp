@@ -24,7 +24,7 @@ struct CubicWeights {
 
     static CubicWeights linear(double f) { return {{0.0, 1.0 - f, f, 0.0}, {0.0, -1.0, 1.0, 0.0}}; }
 
-    /// Beyond the border the field goes on linearly: the missing node is twice its neighbour less the next.
+    /// Extrapolates beyond the border: the missing node is twice its neighbour less the next.
     void miss(std::size_t node) {
         const std::size_t near = node == 0 ? 1 : 2;
         const std::size_t far = 3 - near;
@@ -129,7 +129,7 @@ struct CubicSampler {
     }
 
   private:
-    /// Holds the nodes round a point: cell - 1 .. cell + 2 on each axis, as far as there are any.
+    /// The nodes round a point: cell - 1 .. cell + 2 on each axis, as far as they exist.
     struct Stencil {
         std::array<CubicWeights, 3> axis;
         std::array<std::size_t, 3> cell;

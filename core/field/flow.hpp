@@ -21,12 +21,12 @@ namespace wakesurf::core {
 
 class BrickCache;
 
-/// Says what tracing took besides computing.
+/// The cost of tracing besides computing.
 struct TraceCost {
     double load = 0.0; ///< s spent waiting for time-steps
 };
 
-/// Thread safety: concurrent calls are fine.
+/// The door to fields. Thread safety: concurrent calls are allowed.
 class Flow {
   public:
     virtual ~Flow() = default;
@@ -75,8 +75,8 @@ class Flow {
     /// are sampled the same with both.
     virtual bool has_smooth() const { return false; }
 
-    /// True where RK4 carries many particles at a time, faster than the steps of controlled error of
-    /// Method::Dopri5 but with errors that have to be looked at: on uniform and rectilinear grids.
+    /// Says whether RK4 carries many particles at a time, faster than the steps of controlled error of
+    /// Method::Dopri5 but with errors that have to be checked: on uniform and rectilinear grids.
     virtual bool steps_in_batches() const { return false; }
 
     /// True when parts of the domain are solid.
@@ -90,7 +90,7 @@ class Flow {
     /// a solid.
     virtual bool may_cross_wall(const Vec3&, const Vec3&) const { return obstacle(); }
 
-    /// Returns the solids to look at, where the flow itself knows their shape; nothing for stored data, whose
+    /// Returns the solids for display, if the flow itself knows their shape; empty for stored data, whose
     /// store has it.
     virtual WallGeometry walls() const { return {}; }
 
@@ -104,10 +104,10 @@ class Flow {
                                 std::stop_token stop,
                                 bool smooth = false) const = 0;
 
-    /// Sets gap[i] to 1 where a stored field has no velocity at a point's time: a node's that counts there is
-    /// no finite number. Such points are outside the domain at that time, whatever status() says; what
-    /// sample() has there goes on from the nodes near by. Others stay as they are. Cost: nothing to speak of
-    /// where the data have no gaps. Error: as sample.
+    /// Sets gap[i] to 1 if a stored field has no velocity at a point's time: a node's that counts there is no
+    /// finite number. Such points are outside the domain at that time, whatever status() says; sample()
+    /// extrapolates there from the nodes near by. Others stay as they are. Cost: negligible for data without
+    /// gaps. Error: as sample.
     virtual Result<void> mark_gaps(std::span<const Vec3> /*positions*/,
                                    std::span<const double> /*times*/,
                                    std::span<std::uint8_t> /*gap*/,

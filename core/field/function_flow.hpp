@@ -20,7 +20,7 @@ using VelocityFunction = std::function<Vec3(const Vec3& position, double time)>;
 struct FlowBody {
     /// Particles end where it returns true; many threads may call it at once.
     std::function<bool(const Vec3& position)> solid;
-    WallGeometry wall{}; ///< to look at; may be empty
+    WallGeometry wall{}; ///< for display; may be empty
 };
 
 /// Makes a flow in a box, known at all times. Its `finest_spacing` is 1/100 of the box's shortest side.

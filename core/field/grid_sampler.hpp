@@ -16,8 +16,8 @@
 
 namespace wakesurf::core {
 
-/// Says where a point falls in the grid. Outside points get the nearest border cell and fractions clamped to
-/// it, which continues the field constantly. NaN counts as the lower border.
+/// The place of a point in the grid. Outside points get the nearest border cell and fractions clamped to it,
+/// which continues the field constantly. NaN counts as the lower border.
 struct CellPoint {
     std::size_t node; ///< the cell's lowest
     Vec3 fraction;
@@ -38,7 +38,7 @@ CellPoint locate(const Grid& grid, const Vec3& p) {
     return at;
 }
 
-/// Holds the distance in memory between neighbours in y and z, in nodes.
+/// The distance in memory between neighbours in y and z, in nodes.
 struct Strides {
     std::size_t row;
     std::size_t slice;
@@ -58,7 +58,7 @@ inline std::array<std::size_t, 8> cell_nodes(const Strides& stride, std::size_t 
     return node;
 }
 
-/// Holds the eight nodes and their trilinear weights.
+/// The eight nodes and their trilinear weights.
 struct Corners {
     std::array<std::size_t, 8> node;
     double weight[8];
@@ -86,7 +86,7 @@ struct GridSampler {
     StepNodes velocity1; ///< none: frozen at the first
     double time0 = 0.0;
     double interval = 1.0;
-    /// Says that some velocities are not finite: cells with such a node are outside the domain.
+    /// True if some velocities are not finite: cells with such a node are outside the domain.
     bool gaps = false;
     const BrickLayout* layout = nullptr; ///< null: time-steps are in one piece
     BrickMisses misses{};                ///< of this copy, where they are in bricks
@@ -104,8 +104,7 @@ struct GridSampler {
     /// Returns a finite velocity everywhere: in a cell with a gap the other nodes' values go on into it, so
     /// that a step that leads there can be followed up to the cell's face.
     Vec3 velocity(const Vec3& p, double t) const {
-        // Holds two components at a time, z of both time-steps together: by itself the compiler leaves them
-        // scalar.
+        // Two components at a time, z of both time-steps together: by itself the compiler leaves them scalar.
         using Pair = double __attribute__((vector_size(16)));
         const CellPoint cell = locate(*grid, p);
         const StoredCell stored = stored_cell(cell.cell, cell.node);
@@ -271,7 +270,7 @@ struct GridSampler {
         return false;
     }
 
-    /// Holds the change of the velocity across the cell along each axis.
+    /// The change of the velocity across the cell along each axis.
     using Slopes = std::array<Vec3, 3>;
 
     static Slopes slopes(const float* velocity, const Strides& stride, const Vec3& fraction) {

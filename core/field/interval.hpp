@@ -1,4 +1,4 @@
-// The time-steps an interval between two stored times needs, held while particles cross it.
+// The time-steps of an interval between two stored times, kept while particles cross it.
 #pragma once
 
 #include "core/base/event_count.hpp"
@@ -20,7 +20,7 @@ struct Interval {
     std::shared_ptr<MissingBricks> missing{}; ///< null where the time-steps are in one piece
 };
 
-/// Thread safety: concurrent calls are fine.
+/// Loads intervals. Thread safety: concurrent calls are allowed.
 class Intervals {
   public:
     enum class Needs {
@@ -31,9 +31,9 @@ class Intervals {
 
     explicit Intervals(std::shared_ptr<TimeStepCache> cache);
 
-    /// Interval [times[k], times[k+1]]; holds nothing yet when called. Callers who hold between them what
-    /// each still wants let go, and take turns; in a small cache they do so from the start. Error: as
-    /// TimeStepCache::acquire.
+    /// Returns the interval [times[k], times[k+1]]; REQUIRES that the caller owns none. Callers that between
+    /// them hold what each still wants release it, and take turns; in a small cache they do so from the
+    /// start. Error: as TimeStepCache::acquire.
     Result<Interval> acquire(std::size_t k, Needs needs, const std::stop_token& stop) const;
 
   private:

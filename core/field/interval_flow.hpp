@@ -105,7 +105,7 @@ class IntervalFlow final : public Flow {
             Particles here = particles;
             if (!cell.empty()) // from interval to interval
                 here.cell = cell;
-            if (reached != to) { // or who dies later would keep the velocity at the border
+            if (reached != to) { // a particle that dies later would keep the velocity at the border
                 here.velocity = {};
                 here.sampled = {};
             }
@@ -372,7 +372,7 @@ class IntervalFlow final : public Flow {
                           : Intervals::Needs::Both;
     }
 
-    /// Holds what a field frozen at `time` needs: one time-step if the time is a stored one, else those round
+    /// Returns the time-steps of a field frozen at `time`: one if the time is a stored one, else those round
     /// it.
     Result<Interval>
     frozen_interval(double time, bool smoothly, const std::stop_token& stop) const {
@@ -405,8 +405,8 @@ class IntervalFlow final : public Flow {
         return tl::unexpected(cut_short(options));
     }
 
-    /// Says up to where the series can be read: to the end of the interval that was met first, unless that is
-    /// what is broken.
+    /// Returns the error with the time up to which the series can be read: to the end of the first interval,
+    /// unless that is what is broken.
     tl::unexpected<Error> unreadable(Error error,
                                      std::size_t interval,
                                      int direction,

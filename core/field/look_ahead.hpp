@@ -37,7 +37,7 @@ void look_ahead(const Field& view, Vec3 p, double t, int sign, bool frozen = fal
     for (int i = 0; i < most_steps; ++i) {
         if (const Vec3 here = view.velocity(p, t); !view.take_missed())
             v = here;
-        field.misses.forget(); // nobody waits for them
+        field.misses.forget(); // no caller waits for them
         const auto cell = locate(*field.grid, p).cell;
         const Vec3 by = glm::abs(v) / cell_size(*field.grid, cell);
         const double cells_a_time = std::max({by.x, by.y, by.z});

@@ -1,6 +1,6 @@
 // Particles on their way through stored data in the lanes of a batch, step by step: each with a time and a
-// number of steps of its own. Those that set out together go straight first (convoy.hpp), and come here where
-// they may end.
+// number of steps of its own. Those that start together go straight first (convoy.hpp), and come here if they
+// may end.
 #pragma once
 
 #include "core/field/advance_particles.hpp"
@@ -24,8 +24,8 @@ Rk4Batch::Bits note_missing(const Field& view, const Rk4Batch& batch) {
     return all & batch.missing;
 }
 
-/// Carries particles of one range in the lanes of a batch. A particle takes a lane, all its steps there, and
-/// leaves the lane to the next: those that have more steps to go than others hold no one up.
+/// Carries particles of one range in the lanes of a batch. A particle takes a lane for all its steps, and
+/// then leaves the lane to the next: particles with more steps delay no others.
 /// @tparam Field  computes in double the steps in which particles end
 template <class Field>
 class Passage {

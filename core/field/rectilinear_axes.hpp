@@ -13,8 +13,8 @@
 
 namespace wakesurf::core {
 
-/// A table a axis of evenly spaced buckets says near which node to look; a few steps from there find the
-/// cell, or a binary search where a stretched grid has many nodes in a bucket. Thread safety: immutable.
+/// A table of evenly spaced buckets for each axis gives the node to start from; a few steps from there find
+/// the cell, or a binary search if a stretched grid has many nodes in a bucket. Thread safety: immutable.
 /// Keeps a reference to the grid.
 class RectilinearAxes {
   public:
@@ -50,7 +50,7 @@ class RectilinearAxes {
         const double* coordinate;
         std::size_t last; ///< cell
         double per_bucket;
-        /// Holds each bucket's first cell; it has one more entry than there are buckets.
+        /// Each bucket's first cell; it has one more entry than there are buckets.
         std::vector<std::uint32_t> start;
         std::vector<CellReach> reach; ///< by cell
 

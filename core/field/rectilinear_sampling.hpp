@@ -11,7 +11,8 @@
 
 namespace wakesurf::core {
 
-/// Thread safety: concurrent calls are fine. Keeps references to grid and mask. Twin: uniform_sampling.hpp.
+/// Samples a rectilinear grid. Thread safety: concurrent calls are allowed. Keeps references to grid and
+/// mask. Twin: uniform_sampling.hpp.
 class RectilinearSampling {
   public:
     static constexpr bool has_smooth = false;

@@ -16,7 +16,7 @@ namespace wakesurf::core {
 
 namespace {
 
-// Names the time-step at or before a time, and the part of the way to the next.
+// The time-step at or before a time, and the part of the way to the next.
 struct Moment {
     std::size_t step = 0;
     double part = 0.0;
@@ -212,7 +212,7 @@ Result<std::vector<float>> sample_scalar(const Flow& flow,
         });
         const auto wanted = [&](std::size_t k) { return shares[k].count > 0; };
         const auto between = [&](std::size_t k) { return wanted(k) && part[k] > 0.0; };
-        if (stop.stop_requested()) // of places not looked at nothing is known
+        if (stop.stop_requested()) // unfinished places have no status
             return fail(Error::Code::Cancelled, "sampling was cancelled");
         if (!any(points.size(), wanted))
             continue;

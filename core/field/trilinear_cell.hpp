@@ -15,7 +15,7 @@
 
 namespace wakesurf::core {
 
-/// Holds the coefficients of 1, x, y, xy, z, xz, yz, xyz; x, y, z run from 0 to 1 through the cell.
+/// The coefficients of 1, x, y, xy, z, xz, yz, xyz; x, y, z run from 0 to 1 through the cell.
 struct TrilinearPolynomial {
     std::array<Components, 8> c;
 

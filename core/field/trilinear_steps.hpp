@@ -12,7 +12,7 @@
 
 namespace wakesurf::core {
 
-/// Says when and through which face a particle leaves its cell.
+/// The time and face by which a particle leaves its cell.
 struct CellExit {
     double time = std::numeric_limits<double>::infinity();
     std::size_t axis = 0;
@@ -116,7 +116,7 @@ class TrilinearSteps {
         next[exit_.axis] += exit_.step;
         if (!cell_.inside(next))
             sharpen(path, exit_, 1e-12);
-        // One that crawls round in its cell does not do so for ever.
+        // Bounds a particle that circles slowly in its cell.
         const double crossing = cell_.finest() / speed;
         t_ = std::max(exit_.time, grazing_.least(exit_.time / crossing) * crossing);
         t_ = t_ <= 1e3 * crossing ? t_ : 1e3 * crossing;

@@ -13,7 +13,7 @@
 
 namespace wakesurf::core {
 
-/// Thread safety: concurrent calls are fine. Keeps references to grid and mask.
+/// Samples a uniform grid. Thread safety: concurrent calls are allowed. Keeps references to grid and mask.
 class UniformSampling {
   public:
     static constexpr bool has_smooth = true;
@@ -70,7 +70,7 @@ class UniformSampling {
     const SolidMask& mask_;
     CellMask cells_;
     mutable std::once_flag round_cells_made_;
-    /// Is made when the field is smooth for the first time.
+    /// Made when the field is smooth for the first time.
     mutable std::optional<CellMask> round_cells_;
     Rk4Kernel kernel_;
 };

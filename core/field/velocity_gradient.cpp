@@ -41,7 +41,7 @@ Star star_of(const Flow& flow, const Vec3& point, double longest) {
                 Vec3 at = point;
                 at[static_cast<int>(axis)] += place == below ? -step : step;
                 star.inside[place] = flow.status(at) == PointStatus::Inside;
-                // Not asked for where it means nothing.
+                // Sampled only where the result means something.
                 star.at[place] = star.inside[place] ? at : point;
             }
             if (star.inside[below] || star.inside[below + 1])

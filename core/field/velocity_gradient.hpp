@@ -16,7 +16,7 @@
 
 namespace wakesurf::core {
 
-/// Names what can be asked for at the vertices of a surface.
+/// The derived fields at the vertices of a surface.
 enum class GradientField : std::uint8_t {
     Vorticity, ///< its magnitude
     VorticityX,

@@ -27,11 +27,11 @@ concept VelocityField = requires(const F& field, const Vec3& p, double t) {
     { field.status(p) } -> std::same_as<PointStatus>;
 };
 
-/// Says what became of an attempt at a step. Again: its error was too large, the next one will be shorter.
+/// The outcome of an attempted step. Again: its error was too large, the next one will be shorter.
 /// Stagnation: the particle is slower than TraceOptions::stagnation_speed, or its velocity is not a number.
 enum class StepOutcome { Taken, Again, Stagnation };
 
-/// Says how one curve goes on: where it is, how far a step goes and by which formula.
+/// The steps of one curve: its position, the length of a step and its formula.
 template <class S>
 concept CurveSteps = requires(
     S& steps, const S& const_steps, Curve& curve, CurveStep& step, double left, PointStatus& to) {
@@ -143,7 +143,7 @@ struct WaypointOf<Steps> {
     using Type = typename Steps::Waypoint;
 };
 
-/// Says where a curve waits; nothing where it begins or goes on from `curve.last`.
+/// The place at which a curve waits; empty if it begins or continues from `curve.last`.
 template <class Steps>
 using WaitingAt = std::optional<typename WaypointOf<Steps>::Type>;
 
@@ -213,8 +213,7 @@ bool advance_steps(Steps steps,
         if (outcome != StepOutcome::Taken)
             continue;
         step.time = curve.last.time;
-        if (options
-                .stretch) // before anything else is looked at: the steps of cells have their place there
+        if (options.stretch) // before any other test: the steps of cells have their place there
             curve.stretches.push_back(
                 carry_stretch(steps, step, curve.last.stretch, curve.release, options.frozen));
         PointStatus met = PointStatus::Inside;

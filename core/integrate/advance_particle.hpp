@@ -24,14 +24,14 @@ concept CarryingField = requires(const F& field, const Vec3& p, double t) {
     { field.status(p) } -> std::same_as<PointStatus>;
 };
 
-/// Holds one particle between steps.
+/// One particle between steps.
 struct ParticleState {
     Carried carried;
     double time = 0.0;
     CurveEnd end = CurveEnd::Running;
 };
 
-/// Says how far a particle comes in a step.
+/// The part of a step that a particle completes.
 struct Way {
     double part = 1.0; ///< of the step's time; 1: it does not leave
     Vec3 position;
@@ -81,7 +81,7 @@ void take_step(const Field& field,
     at.time += way.part * dt;
 }
 
-/// Holds a particle's velocity and the change of its tangents.
+/// A particle's velocity and the change of its tangents.
 template <CarryingField Field>
 Carried carried_slope(const Field& field, const Carried& y, double t, bool tangents) {
     const Vec3 v = field.velocity(y.position, t);

@@ -10,7 +10,7 @@
 
 namespace wakesurf::core {
 
-/// Nearer to a wall than this part of a cell, a particle at rest has reached it.
+/// The part of a cell within which a particle at rest has reached a wall.
 inline constexpr double near_wall = 0.1;
 
 template <class F>

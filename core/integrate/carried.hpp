@@ -1,7 +1,6 @@
-// Holds what a particle of a moving surface carries: its position and two tangents of the surface there, w' =
-// (grad v) w. The tangents give cubic interpolation between particles, normals and deformation. Source:
-// Schneider, Wiebel, Scheuermann, Smooth Stream Surfaces of Fourth Order Precision, EuroVis 2009 (one
-// tangent, stream surfaces).
+// A particle of a moving surface: its position and two tangents of the surface there, w' = (grad v) w. The
+// tangents give cubic interpolation between particles, normals and deformation. Source: Schneider, Wiebel,
+// Scheuermann, Smooth Stream Surfaces of Fourth Order Precision, EuroVis 2009 (one tangent, stream surfaces).
 #pragma once
 
 #include "core/base/vec3.hpp"

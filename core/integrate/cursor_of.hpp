@@ -1,7 +1,7 @@
-// One particle's view of a field: fields in which finding a place costs something offer a cursor that starts
-// where the particle was last. Particles and curves take one each, without a hint, so that none depends on
-// another. A field some of whose values may not be in memory yet has a view for each thread, which notes what
-// was missing: what it made of that is thrown away, and done again when it is there.
+// One particle's view of a field: fields in which finding a place is expensive offer a cursor that starts
+// where the particle was last. Each particle and curve takes one, without a hint, so that none depends on
+// another. A field some of whose values may not be in memory yet has a view for each thread, which notes
+// missing values: results that used them are discarded and recomputed once they are there.
 #pragma once
 
 #include <cstddef>

@@ -15,7 +15,7 @@ CurvePoint point_in(const Curve& curve, std::size_t index, double theta) {
     return {Vec3(y), step.time + theta * step.dt, y.w, stretch};
 }
 
-/// Holds the arc length over that at the start of the step, and its derivative, at theta.
+/// The ratio of the arc length to that at the start of the step, and its derivative, at theta.
 struct ArcAt {
     double value, slope;
 };

@@ -21,16 +21,16 @@ enum class CurveEnd : std::uint8_t { Running, Time, Domain, Obstacle, Stagnation
 struct Curve;
 struct CurveStep;
 
-/// Is shown each step once it is taken: the curve ends at `curve.last` then, which may be within the step.
-/// False: that was far enough.
+/// Called after each step: the curve ends at `curve.last` then, which may be within the step. Returns false
+/// to end the curve.
 using StepWatch = std::function<bool(const Curve& curve, const CurveStep& step)>;
 
 /// Takes steps of controlled error (Dopri5), or steps that are all as long (Rk4).
 enum class IntegrationMethod { Dopri5, Rk4 };
 
-/// Says how curves are integrated.
+/// Options of integrating curves.
 struct TraceOptions {
-    /// Is how the steps are taken.
+    /// The method of the steps.
     using Method = IntegrationMethod;
     Method method = Method::Dopri5; ///< of the steps
     /// Takes the field as it is at `Curve::release` (stream); false: it moves on (path).
@@ -48,13 +48,13 @@ struct TraceOptions {
     const StepWatch* watch = nullptr;
 };
 
-/// Holds the dense output of one accepted step, Hairer, Norsett, Wanner, Solving ODEs I, II.6: y(theta) = c0
-/// + theta (c1 + (1 - theta)(c2 + theta (c3 + (1 - theta) c4))); xyz is the position, w the arc length.
+/// The dense output of one accepted step, Hairer, Norsett, Wanner, Solving ODEs I, II.6: y(theta) = c0 +
+/// theta (c1 + (1 - theta)(c2 + theta (c3 + (1 - theta) c4))); xyz is the position, w the arc length.
 struct CurveStep {
     double time = 0.0;           ///< since release
     double dt = 0.0;             ///< negative upstream
     std::array<glm::dvec4, 5> c; ///< coefficients of the polynomial
-    /// Is how far off the step's end may be for what the integrator leaves out, as it estimates it; RK4: 0.
+    /// The integrator's estimate of the error at the step's end, a length; RK4: 0.
     double error = 0.0;
 
     /// Returns the position and arc length at a part of the step, 0 to 1.
@@ -80,7 +80,7 @@ struct StretchStep {
     }
 };
 
-/// Holds a point of a curve.
+/// A point of a curve.
 struct CurvePoint {
     Vec3 position{0.0}; ///< where it is
     double time = 0.0;  ///< since release; negative upstream
@@ -88,7 +88,7 @@ struct CurvePoint {
     Vec3 stretch{0.0};  ///< dx/ds there, with TraceOptions::stretch
 };
 
-/// Holds a curve that Flow::trace fills. The seed, release time and duration are inputs.
+/// A curve that Flow::trace fills. The seed, release time and duration are inputs.
 struct Curve {
     Vec3 seed{0.0};         ///< where it begins
     Vec3 seed_tangent{0.0}; ///< dc/ds at the seed; used with TraceOptions::stretch

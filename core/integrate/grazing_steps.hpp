@@ -1,5 +1,5 @@
-// The shortest steps of a curve that goes cell by cell. One that grazes a face may cross it to and fro at
-// once, and then goes on a little regardless.
+// The shortest steps of a curve that goes cell by cell. One that grazes a face may cross it back and forth at
+// once, and then continues for a little regardless.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace wakesurf::core {
 /// double, up to a hundredth of the cell.
 class GrazingSteps {
   public:
-    /// Is a part of the time in which the particle would cross its cell.
+    /// A part of the time in which the particle would cross its cell.
     static constexpr double shortest = 1e-5;
 
     /// Returns how long the next step is at least, in the units of `exit`.

@@ -27,8 +27,9 @@ struct Particles {
     std::span<Vec3f> velocity{};
     std::span<std::uint8_t> sampled{}; ///< 1: `velocity` was written
 
-    /// May be left empty. Of meshes of cells: where to look for a particle first, or no_cell, and afterwards
-    /// the cell it has come to. Changes how fast it is found, not where it goes, unless cells overlap.
+    /// For meshes of cells: the cell to search first for a particle, or no_cell, and afterwards the cell it
+    /// has come to; may be empty. It changes how fast a particle is found, not where it goes, unless cells
+    /// overlap.
     std::span<std::uint32_t> cell{};
 
     /// Returns the number of particles.
@@ -38,12 +39,12 @@ struct Particles {
     bool tangents() const { return !along_s.empty(); }
 };
 
-/// Says how particles are carried.
+/// Options of carrying particles.
 struct AdvanceOptions {
     /// Is how the steps are taken.
     using Method = IntegrationMethod;
-    /// Is the method of the steps. Through stored data that are linear, Dopri5 takes one Taylor series a cell
-    /// of the same tolerance, as in TraceOptions.
+    /// The method of the steps. Through stored data that are linear, Dopri5 takes one Taylor series a cell of
+    /// the same tolerance, as in TraceOptions.
     Method method = Method::Rk4;
     double step = 0.0;               ///< Rk4: longest time step; > 0
     double tolerance = 1e-6;         ///< Dopri5: error allowed per unit length

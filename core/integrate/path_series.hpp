@@ -13,7 +13,7 @@
 
 namespace wakesurf::core {
 
-/// Holds the position in units of the cell as a polynomial in time: the sum of term[k] t^k.
+/// The position in units of the cell as a polynomial in time: the sum of term[k] t^k.
 struct PathSeries {
     static constexpr std::size_t order = 5;
     std::array<std::array<double, 3>, order + 1> term;

@@ -16,8 +16,8 @@ struct RungeKuttaStep {
     double error = 0.0; ///< estimated position error; 0 for RK4
 };
 
-/// d(position, arc)/dt; `sign` is the sign of dt, so that the arc length grows in either direction of time.
-/// `velocity(position, time)` must be defined a step beyond the domain.
+/// Returns d(position, arc)/dt; `sign` is the sign of dt, so that the arc length grows in either direction of
+/// time. `velocity(position, time)` must be defined a step beyond the domain.
 template <class Velocity>
 glm::dvec4 slope(const Velocity& velocity, const glm::dvec4& y, double time, double sign) {
     const Vec3 v = velocity(Vec3(y), time);

@@ -13,7 +13,7 @@ constexpr double first_trial = 1.0 / 24.0;
 /// Until one is counted: it is not known how much too many they are.
 constexpr double most_at_first = 1.0 / 4.0;
 constexpr double last_trial = 0.33;
-constexpr double near_enough = 0.2; ///< for a law of few counts to tell the rest
+constexpr double near_enough = 0.2; ///< for extrapolating from few counts
 constexpr double aimed_at = 0.85;
 constexpr double enough = 0.7;
 /// A surface that was given up counts as so many times the quads at which it was.

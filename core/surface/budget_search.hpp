@@ -18,7 +18,7 @@ inline constexpr double trial_share = 0.5;
 /// at the same separation.
 class BudgetSearch {
   public:
-    /// Is to be built at `separation`, and given up beyond `most` quads.
+    /// A trial at `separation`, abandoned beyond `most` quads.
     struct Trial {
         double separation;
         std::uint64_t most;
@@ -39,7 +39,7 @@ class BudgetSearch {
     /// From now on the finest surface counted is good enough.
     void settle();
 
-    /// It was given up, or would have been.
+    /// Records that the trial was abandoned, or would have been.
     void exceeded();
 
     /// Coarser surfaces have been counted, and the last one is large enough to tell the separation of the
@@ -70,8 +70,8 @@ class BudgetSearch {
     Trial last_{};
     int trials_ = 0;
     int given_up_ = 0;
-    bool settled_ = false; ///< nothing better is looked for
-    /// Is the largest separation that was given up with the whole budget; 0: none.
+    bool settled_ = false; ///< the search is over
+    /// The largest separation abandoned with the whole budget; 0: none.
     double too_fine_ = 0.0;
     double too_fine_trial_ = 0.0; ///< likewise, with less than the budget
     std::optional<Count> finest_; ///< counted, and within the budget

@@ -9,7 +9,7 @@
 
 namespace wakesurf::core {
 
-/// Holds the tangents of a surface at a particle: how its place changes with the surface's two coordinates.
+/// The tangents of a surface at a particle: how its place changes with the surface's two coordinates.
 struct SurfaceTangents {
     Vec3 s; ///< dx/ds
     Vec3 t; ///< dx/dt
@@ -28,7 +28,7 @@ struct SurfaceTangents {
     double area() const {
         const Vec3 normal = glm::cross(s, t);
         const double square = glm::dot(normal, normal), sides = glm::dot(s, s) * glm::dot(t, t);
-        // This tells that they are far from parallel without their lengths, which are two roots.
+        // This shows that they are far from parallel without their lengths, which are two roots.
         return square > 1.001e-8 * sides
                    ? std::sqrt(square)
                    : std::max(std::sqrt(square), 1e-4 * glm::length(s) * glm::length(t));

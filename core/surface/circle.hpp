@@ -8,7 +8,7 @@
 
 namespace wakesurf::core {
 
-/// Holds a circle, or an arc of it.
+/// A circle, or an arc of it.
 struct Circle {
     Vec3 centre; ///< of the circle
     Vec3 u;      ///< radius to where it begins

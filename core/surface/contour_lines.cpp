@@ -126,7 +126,7 @@ class Tracer {
     std::span<const double> parameter_;
     double value_;
     const ContourOptions& options_;
-    std::unordered_map<EdgeKey, Crossing> crossings_; // looked up only
+    std::unordered_map<EdgeKey, Crossing> crossings_; // never iterated
     std::vector<EdgeKey> order_;
 };
 

@@ -15,16 +15,16 @@ namespace wakesurf::core {
 struct ContourLine {
     double value = 0.0;  ///< of the parameter
     bool closed = false; ///< it ends where it begins
-    /// Holds at least two points, no two neighbours the same; a closed line does not repeat its first.
+    /// At least two points, no two neighbours the same; a closed line does not repeat its first.
     std::vector<Vec3> points;
     std::vector<double> carried{}; ///< ContourOptions::carried at each of them
 };
 
-/// Says what a parameter means, and what lines carry.
+/// The meaning of a parameter, and the values that lines carry.
 struct ContourOptions {
     /// The parameter is that of a closed rake, 0 to below 1: beside its last column lies its first.
     bool wraps = false;
-    /// Holds one entry a vertex, of which the lines' points have what lies there; or is empty.
+    /// One entry a vertex, interpolated to the points of lines; may be empty.
     std::span<const double> carried{};
 };
 

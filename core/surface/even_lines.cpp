@@ -9,7 +9,7 @@ namespace wakesurf::core {
 
 namespace {
 
-/// Holds what a cell tells of a parameter's gradient, by Green's theorem on its outline.
+/// A parameter's gradient in a cell, by Green's theorem on its outline.
 struct Slope {
     Vec3 gradient{0.0}; ///< times the area
     double area = 0.0;
@@ -38,7 +38,7 @@ Slope slope_of(const QuadComplex& mesh,
     return slope;
 }
 
-/// Holds a cell as levels see it.
+/// A cell's range of the parameter, for levels.
 struct CellSpan {
     double low, high; ///< of the parameter, beside each other also across the seam of a closed rake
     double unit;      ///< the longest at a corner
@@ -64,7 +64,7 @@ std::vector<CellSpan> spans_of(const QuadComplex& mesh,
 }
 
 struct CoarsestLevel {
-    /// Is the largest power of two that has a multiple between low and high, apart from 0.
+    /// The largest power of two that has a multiple between low and high, apart from 0.
     double power;
     double value; ///< 0 if that is between them, else that multiple
 };

@@ -12,7 +12,7 @@ namespace {
 
 using Index = std::array<std::uint32_t, 3>;
 
-/// Holds node coordinates on each axis, whatever the grid.
+/// Node coordinates on each axis, for any grid.
 using Axes = std::array<std::vector<double>, 3>;
 
 /// Numbers the corners of the nodes' boxes: corner c of an axis lies midway between nodes c - 1 and c,
@@ -75,7 +75,7 @@ Axes axes_of(const UniformGrid& grid) {
     return axes;
 }
 
-/// Names nodes of a row, from the first to before the last.
+/// Nodes of a row, from the first to before the last.
 struct Part {
     std::uint32_t from, to;
 };

@@ -1,4 +1,4 @@
-// The wall of an obstacle as a mesh to look at: the faces midway between fluid and solid nodes, where the
+// The wall of an obstacle as a mesh for display: the faces midway between fluid and solid nodes, where the
 // flow stops particles (SolidMask).
 #pragma once
 

@@ -18,18 +18,18 @@ namespace wakesurf::core {
 using VertexId = std::uint32_t;
 inline constexpr VertexId no_vertex = 0xffffffffu;
 
-/// Holds a quad. Corners run counter-clockwise round the cell: (s-, t young), (s+, young), (s+, old), (s-,
-/// old). mid[i] hangs on the side from corner[i] to corner[(i + 1) % 4], or is no_vertex.
+/// A quad. Corners run counter-clockwise round the cell: (s-, t young), (s+, young), (s+, old), (s-, old).
+/// mid[i] hangs on the side from corner[i] to corner[(i + 1) % 4], or is no_vertex.
 struct Cell {
-    /// Holds the four corners.
+    /// The four corners.
     std::array<VertexId, 4> corner{no_vertex, no_vertex, no_vertex, no_vertex};
-    /// Holds the node that hangs on each side, if any.
+    /// The node that hangs on each side, if any.
     std::array<VertexId, 4> mid{no_vertex, no_vertex, no_vertex, no_vertex};
 
     bool operator==(const Cell&) const = default;
 };
 
-/// Holds a cell's outline: 4 to 8 vertices, corners and mid nodes in order.
+/// A cell's outline: 4 to 8 vertices, corners and mid nodes in order.
 struct CellPolygon {
     std::array<VertexId, 8> vertex; ///< the first `count` count
     std::uint32_t count = 0;        ///< 4 to 8
@@ -49,11 +49,11 @@ struct QuadComplex {
     std::vector<float> deformation; ///< log2 of area now / area at birth; empty when not asked for
     std::vector<std::uint32_t> component;   ///< which connected part it is in, the largest is 0
     std::vector<std::uint8_t> approximated; ///< 1: interpolated, not traced from the rake
-    /// Holds the estimated distance of the vertex from the true surface, across it, a length; empty for a
-    /// mesh that no builder has made.
+    /// The estimated distance of the vertex from the true surface, across it, a length; empty for a mesh that
+    /// no builder has made.
     std::vector<float> error;
     std::vector<SurfaceTangents> tangents; ///< dx/ds and dx/dt; empty when not asked for
-    /// Has length 1, or 0 where there is none; empty: as the cells beside say.
+    /// Vectors of length 1, or 0 without a normal; empty: computed from the cells.
     std::vector<Vec3f> normal;
     std::vector<Cell> cells; ///< quads, with their hanging nodes
 
@@ -77,7 +77,7 @@ std::size_t memory_of(const QuadComplex& complex);
 
 /// Sums up the estimated errors of a surface's vertices.
 struct StatedError {
-    /// Is a length: 99 % of the vertices that are not uncertain have no larger error.
+    /// A length: 99 % of the vertices that are not uncertain have no larger error.
     double error99 = 0.0;
     std::uint64_t uncertain = 0; ///< vertices whose error exceeds the separation
 

@@ -14,10 +14,10 @@ namespace wakesurf::core {
 
 /// Where particles are released.
 struct Rake {
-    /// Says what its points mean.
+    /// The meaning of its points.
     enum class Kind { Line, Polyline, Circle, Points };
     Kind kind = Kind::Line; ///< what `points` mean
-    /// Holds 2 points of a line, 2 or more of a polyline, the centre and two points of the rim of a circle.
+    /// The 2 points of a line, 2 or more of a polyline, the centre and two points of the rim of a circle.
     std::vector<Vec3> points;
     std::uint32_t seeds = 32; ///< how many it begins with, at least 2
     Arc arc{0.0, 1.0}; ///< circle: the part of it that releases, all of it unless clip_rake cut it
@@ -33,7 +33,7 @@ struct Rake {
 /// Error: InvalidArgument (too few or coinciding points, non-finite coordinates, fewer than 2 seeds).
 Result<void> check_rake(const Rake& rake);
 
-/// Holds the part of a rake inside a domain.
+/// The part of a rake inside a domain.
 struct ClippedRake {
     Rake rake;            ///< that part
     bool clipped = false; ///< part of the rake was outside and has been cut away
@@ -44,7 +44,7 @@ struct ClippedRake {
 /// non-finite coordinates, fewer than 2 seeds), OutOfDomain with the distance when nothing is inside.
 Result<ClippedRake> clip_rake(const Rake& rake, const Box& domain);
 
-/// Holds the seeding curve c(s), s in 0..1 by arc length.
+/// The seeding curve c(s), s in 0..1 by arc length.
 class SeedingCurve {
   public:
     /// Makes no curve yet.

@@ -8,7 +8,7 @@
 
 namespace wakesurf::core {
 
-/// Holds what build_surface returns.
+/// The result of build_surface.
 struct Surface {
     QuadComplex mesh;             ///< the surface itself
     SurfaceStatistics statistics; ///< what it took and gave

@@ -211,7 +211,7 @@ Result<Cutouts> ribbons(const QuadComplex& mesh,
 
 namespace {
 
-/// Says what the surface is like round an anchor: at the vertex that is nearest.
+/// The surface round an anchor: at the nearest vertex.
 struct Surroundings {
     Vec3 flow{0.0}, normal{0.0};
     double t = 0.0, unit_of_t = 0.0;
@@ -307,8 +307,8 @@ Result<Cutouts> arrows(const QuadComplex& mesh,
                 area += add(out, piece, shaft, line.value);
                 area += add(out, std::move(piece), head, line.value);
             }
-            // One that reaches over a border is left out. In the surface none is smaller than flat, whichever
-            // way that bends.
+            // A cutout that reaches over a border is left out. In the surface none is smaller than flat,
+            // whichever way that bends.
             if (!options.along_lines && area < (1.0 - 1e-5) * arrow_area)
                 take_back(out, before);
         }

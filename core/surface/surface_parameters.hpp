@@ -1,4 +1,4 @@
-// Says what a surface is asked to be: the parameters of `wakesurf surface` and `surface.set`.
+// The parameters of a surface: those of `wakesurf surface` and `surface.set`.
 #pragma once
 
 #include "core/surface/rake.hpp"
@@ -13,12 +13,12 @@ enum class SurfaceKind { Stream, Path, Streak, Time, Level };
 enum class Direction { Forward, Backward, Both };
 enum class Accuracy { Fast, Balanced, Exact };
 
-/// Says how stored velocity is interpolated between nodes and time-steps. Linear: what the shape functions of
-/// a cell give, linear in time, as ParaView shows it; every grid has it. Smooth: cubic in space and time, of
-/// a uniform grid. Closed forms are not interpolated.
+/// The interpolation of stored velocity between nodes and time-steps. Linear: by the shape functions of a
+/// cell, linear in time, as ParaView shows it; every grid has it. Smooth: cubic in space and time, of a
+/// uniform grid. Closed forms are not interpolated.
 enum class Interpolation { Linear, Smooth };
 
-/// Says whether the mesh follows the surface. On: quads are cut, joined and reconnected, and torn at
+/// The mesh either follows the surface or not. On: quads are cut, joined and reconnected, and torn at
 /// obstacles. Off: the grid that the rake begins with stays as it is, as in von Funck, Weinkauf, Theisel,
 /// Seidel, Smoke Surfaces, 2008; quads with a particle that has ended are left out.
 enum class Refine { On, Off };
@@ -26,17 +26,16 @@ enum class Refine { On, Off };
 /// A request for a surface, as it was made.
 struct SurfaceParameters {
     SurfaceKind kind = SurfaceKind::Stream; ///< which of the kinds
-    /// Is the time where it starts. Stream: time at which the field is frozen; else: the (first) release.
+    /// The start time. Stream: time at which the field is frozen; else: the (first) release.
     double from = 0.0;
-    /// Is the time where it ends: before `from` where time runs backward. Stream: `to - from` is the
-    /// integration time, and `to` need not lie in the data; else: shown until Level: a steady field has one
-    /// time, `from`.
+    /// The end time: before `from` if time runs backward. Stream: `to - from` is the integration time, and
+    /// `to` need not lie in the data; else: shown until. Level: a steady field has one time, `from`.
     double to = 1.0;
-    /// Is empty where `from` and `to` say it (direction_of); what contradicts them is refused.
+    /// Empty if `from` and `to` determine it (direction_of); a contradiction is refused.
     std::optional<Direction> direction{};
-    /// Is the longest edge allowed, in the dataset's length unit; 0: DatasetInfo::finest_spacing.
+    /// The longest edge allowed, in the dataset's length unit; 0: DatasetInfo::finest_spacing.
     double separation = 0.0;
-    /// Is the accuracy of tracing and inserting, in the field as interpolated.
+    /// The accuracy of tracing and inserting, in the field as interpolated.
     Accuracy accuracy = Accuracy::Balanced;
     Interpolation interpolation = Interpolation::Linear; ///< of stored velocity
     /// Lets cells merge where both of their sides are shorter than this part of the separation; 0: never.
@@ -45,9 +44,9 @@ struct SurfaceParameters {
     /// the flow and across, those of stream and path surfaces down to an eighth of the separation; 180:
     /// never.
     double angle = 20.0;
-    /// Is a part of the largest speed: a particle that is slower counts as at rest and ends, in all four
-    /// kinds of surface. 0: only what does not move at all. Default: such a particle moves 1/15 of a lattice
-    /// step (domain / 65,536) while the fastest crosses the domain, which cannot be seen.
+    /// A part of the largest speed: a slower particle counts as at rest and ends, in all four kinds of
+    /// surface. 0: only a particle that does not move at all. Default: such a particle moves 1/15 of a
+    /// lattice step (domain / 65,536) while the fastest crosses the domain, which is invisible.
     double stagnation_speed = 1e-6;
     /// With Off, `merge`, `angle` and `separation` across the flow count for nothing.
     Refine refine = Refine::On;

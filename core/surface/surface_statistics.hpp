@@ -1,4 +1,4 @@
-// Says what building a surface took and gave: the shape of `--stats` and `surface.stats`.
+// The cost and the result of building a surface: the shape of `--stats` and `surface.stats`.
 #pragma once
 
 #include "core/integrate/curve.hpp"
@@ -14,7 +14,7 @@ namespace wakesurf::core {
 
 /// Why there is nothing to see of a surface, in words for people.
 struct Emptiness {
-    /// Names the reason by which a program decides.
+    /// The reasons by which a program decides.
     enum class Reason {
         InBody,
         OutsideCells,
@@ -56,7 +56,7 @@ struct SurfaceStatistics {
         }
     };
 
-    /// Holds times by the clock, in seconds.
+    /// Wall-clock times, in seconds.
     struct Seconds {
         double load = 0;   ///< waiting for time-steps
         double advect = 0; ///< carrying particles
@@ -72,18 +72,18 @@ struct SurfaceStatistics {
     std::uint64_t vertex_steps = 0;         ///< integrator steps of all columns
     std::uint64_t approximated = 0;         ///< vertices that are interpolated
     Terminated terminated;                  ///< what ended its particles
-    /// Holds, for a level surface, the range of its field at that time.
+    /// For a level surface: the range of its field at that time.
     std::optional<std::array<double, 2>> field_range{};
-    /// Cells of a streak or time surface that were deleted amid living particles, until then: these went
-    /// apart, or came together, so much that no cells between them can follow.
+    /// Cells of a streak or time surface that were deleted among living particles, until then: these diverged
+    /// or converged so much that no cells between them can follow.
     std::optional<std::uint64_t> torn{};
     double max_edge = 0;                ///< length of the longest edge there is
     double separation = 0;              ///< longest edge allowed in the end
     double requested_separation = 0;    ///< the one asked for
     Seconds seconds;                    ///< what it took
     std::optional<StatedError> error{}; ///< nothing: none was estimated
-    /// Holds, for a path surface of both directions, the time at which the data begin, if that cuts its
-    /// backward side short.
+    /// For a path surface of both directions: the time at which the data begin, if that cuts its backward
+    /// side short.
     std::optional<double> data_end{};
 
     /// The quad budget did not allow the separation asked for.

@@ -1,5 +1,5 @@
-// Computes what the values at the vertices of a surface range over, for colours: without the last per cent of
-// its area, which beside walls and at singular places has values many times as large as all the rest.
+// The range of the values at the vertices of a surface, for colours: without the last per cent of its area,
+// which beside walls and at singular places has values many times as large as all others.
 #pragma once
 
 #include "core/surface/quad_complex.hpp"
@@ -20,13 +20,13 @@ struct ValueRange {
 /// A quarter of the area of each cell round a vertex that has it as a corner.
 std::vector<float> vertex_areas(const QuadComplex& complex);
 
-/// At the upper end the last per cent is left out, and at the lower end where there are values below zero:
-/// each only where it would take more than a fifth of the range. Of many vertices a part is looked at, the
-/// same each time; `least` and `greatest` are of all. Nothing where no value is finite.
-/// @param areas  one a value; without any, or where they are all 0, each vertex counts the same
+/// Leaves out the last per cent at the upper end, and at the lower end if there are values below zero: each
+/// only if it would take more than a fifth of the range. Of many vertices a sample is taken, the same each
+/// time; `least` and `greatest` are of all. Empty if no value is finite.
+/// @param areas  one a value; without any, or if they are all 0, each vertex counts the same
 std::optional<ValueRange> value_range(std::span<const double> values, std::span<const float> areas);
 
-/// Holds both.
+/// Returns the range of both.
 ValueRange joined(const ValueRange& a, const ValueRange& b);
 
 } // namespace wakesurf::core

@@ -39,7 +39,7 @@ Vec3 kept_in(const Box& box, const Vec3& from, const Vec3& place) {
     return kept;
 }
 
-/// Returns the nearest place in the fluid, on either side. The edge of a body at the domain's border looks
+/// Returns the nearest place in the fluid, on either side. The edge of a body at the domain's border faces
 /// out of the domain.
 std::optional<Vec3> place_off_wall(const Flow& flow, const Vec3& at, const Vec3& normal) {
     const double length = glm::length(normal);

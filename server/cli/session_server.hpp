@@ -25,8 +25,8 @@ class SessionServer {
     ask(const std::string& method, const std::string& path, const std::string& body) = 0;
 };
 
-/// Connects to a server by the address that it printed, with `#token=...`. Error: InvalidArgument. @param
-/// authority  PEM file of the certificate's issuer; empty: those that the system trusts.
+/// Connects to a server by the address that it printed, with `#token=...`. Error: InvalidArgument.
+/// @param authority  PEM file of the certificate's issuer; empty: those that the system trusts.
 core::Result<std::unique_ptr<SessionServer>> server_at(const std::string& url,
                                                        const std::filesystem::path& authority);
 

@@ -1,7 +1,7 @@
 // Boxes that are found by place: a tree of four children a node, whose shape follows from the number of boxes
 // alone, so that it needs no pointers. Splitting at medians keeps it balanced however finely parts of a mesh
-// are graded. Boxes are float, rounded outward: a node is a line and a half of cache and tells about its four
-// children in a few instructions.
+// are graded. Boxes are float, rounded outward: a node is a line and a half of cache, and its four children
+// are tested in a few instructions.
 #pragma once
 
 #include "core/base/box.hpp"

@@ -110,7 +110,7 @@ class CellCursor {
                 return move({at, u}, p, usable);
         }
         const CellPlace edge{at, u};
-        // A cursor without a way of its own looks from the nearest place in the last cell.
+        // A cursor without a path searches from the nearest place in the last cell.
         const Vec3 from = anchor_cell_ != nowhere ? anchor_ : here_.position(local_);
         const bool crossed = !domain_->walls.empty() && domain_->walls.crossed(from, p);
         if (elsewhere && !crossed) {
@@ -119,7 +119,8 @@ class CellCursor {
             if (const auto found = across_crack(p, from))
                 return move(*found, p, usable);
         }
-        if (border && at != cell_ && usable(at)) { // the velocity goes on from where the walk ended
+        if (border && at != cell_ &&
+            usable(at)) { // the velocity continues from where the walk ended
             here_.enter(domain_->mesh, at);
             cell_ = at;
             local_ = clamp_to_cell(shape, edge.local);
@@ -158,7 +159,7 @@ class CellCursor {
                 return move(place, p, usable);
         }
         if (auto found = domain_->locator.find(p, there_)) {
-            // Again, so that what follows does not depend on the cells that were looked at before.
+            // Entered again, so that later results do not depend on the cells that were searched before.
             entered_.enter(domain_->mesh, found->cell);
             there_ = entered_;
             contains(there_, p, found->local);
@@ -208,7 +209,7 @@ class CellCursor {
     const CellDomain* domain_;
     std::uint32_t cell_ = nowhere;
     std::uint32_t anchor_cell_ = nowhere; ///< where the particle last stayed
-    std::uint32_t begun_ = nowhere;       ///< the cell to look in first for where a particle begins
+    std::uint32_t begun_ = nowhere; ///< the first cell to search for the beginning of a particle
     Vec3 local_{0.0};
     Vec3 anchor_{0.0};
     Vec3 asked_{std::numeric_limits<double>::quiet_NaN()};

@@ -1,7 +1,6 @@
 // One cell's map from local coordinates to space, and its inverse by Newton's iteration. The inverse of the
-// Jacobian is kept from point to point: the points that are asked for follow one another through the cell, so
-// most take one or two corrections with the matrix that is there. In parallelepipeds and tetrahedra the first
-// is exact.
+// Jacobian is kept from point to point: successive points are close to each other, so most take one or two
+// corrections with the same matrix. In parallelepipeds and tetrahedra the first is exact.
 #pragma once
 
 #include "core/field/cells/cell_polynomial.hpp"
@@ -44,8 +43,8 @@ class CellGeometry {
     /// nothing, and nothing else may be asked of it.
     bool flat() const { return flat_; }
 
-    /// True where a look from the centre shows that the cell does not contain `p`. To be asked before
-    /// anything else of a cell that has just been entered and is not flat.
+    /// Returns true if a test from the centre shows that the cell does not contain `p`. Call it first for a
+    /// cell that has just been entered and is not flat.
     bool surely_outside(const Vec3& p) const {
         const Vec3 centre = turned_;
         const Vec3 change = inverse_ * (p - origin_ - position_.at(pyramid(), centre).vector());
@@ -113,7 +112,7 @@ class CellGeometry {
   private:
     static constexpr double precise = 1e-13; ///< of local coordinates
 
-    /// Holds the rows of the Jacobian's inverse.
+    /// The rows of the Jacobian's inverse.
     struct Inverse {
         Vec3 u, v, w;
 

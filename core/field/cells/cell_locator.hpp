@@ -9,7 +9,7 @@
 
 namespace wakesurf::core {
 
-/// Names a cell and a point's local coordinates in it.
+/// A cell and a point's local coordinates in it.
 struct CellPlace {
     std::uint32_t cell;
     Vec3 local;

@@ -17,7 +17,7 @@ struct CellPath {
     PathSeries local;
 };
 
-/// Holds the velocity within a cell, which is linear in time.
+/// The velocity within a cell, linear in time.
 struct CellVelocity {
     const CellPolynomial* now;
     const CellPolynomial* change; ///< over the interval; null: steady
@@ -58,7 +58,7 @@ inline CellPath cell_path(CellGeometry& geometry,
         const Components next = v * (sign / static_cast<double>(k + 1));
         path.space.term[k + 1] = {next.xy[0], next.xy[1], next.z[0]};
 
-        // Holds what the terms known so far add to the next one of each monomial.
+        // The contribution of the known terms to the next one of each monomial.
         double xy_known = 0.0, xz_known = 0.0, yz_known = 0.0, xyz_known = 0.0, e_known = 0.0;
         for (std::size_t i = 1; i <= k; ++i) {
             xy_known += x[i] * y[k + 1 - i];

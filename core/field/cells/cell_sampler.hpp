@@ -147,7 +147,7 @@ class CellSamplerCursor {
         return core::linear_way(slope, sign * velocity(p, at), t);
     }
 
-    /// Says that the particle is at `p` now, and may go on from there.
+    /// Returns the status of the particle at `p`, which may continue from there.
     PointStatus status(const Vec3& p) const {
         return place_.locate(p, true, [&](std::uint32_t cell) { return field_.usable(cell); });
     }
@@ -163,7 +163,7 @@ class CellSamplerCursor {
     const CellCursor& place() const { return place_; }
 
   private:
-    /// Holds a cell's velocity.
+    /// The velocity of a cell.
     struct Fit {
         std::uint32_t cell = CellCursor::nowhere;
         CellPolynomial now;

@@ -1,4 +1,4 @@
-// Tells how much each node of a cell contributes to the value at a point in it.
+// The weights of a cell's nodes in the value at a point in it.
 #pragma once
 
 #include "core/base/node_shares.hpp"

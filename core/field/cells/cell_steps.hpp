@@ -57,8 +57,8 @@ class CellStepsOf {
         return StepOutcome::Taken;
     }
 
-    /// (grad v) w at theta of the step that was tried last, as a function of w. REQUIRES: it has not been
-    /// looked at since.
+    /// Returns (grad v) w at theta of the last step, as a function of w. REQUIRES: it has not been evaluated
+    /// since.
     auto gradient(const CurveStep& step, double theta, double time) const {
         const double t = theta * std::abs(step.dt);
         return field_.gradient_here({local_.at(0, t), local_.at(1, t), local_.at(2, t)}, time);
@@ -70,7 +70,7 @@ class CellStepsOf {
                    : core::inside_until(field_, step, options_.longest_step, met);
     }
 
-    /// The cursor is there: inside_until looked at the end.
+    /// Returns true: the cursor is there, because inside_until tested the end.
     bool arrive(const Curve&) { return true; }
 
   private:

@@ -91,7 +91,7 @@ bool WallPatch::left_by(const Vec3& from, const Vec3& to) const {
         const double area = glm::length(normal);
         if (!(area > 0.0))
             return false;
-        // One that slides along the wall, on it to rounding, stays inside. It may have come as far beyond as
+        // A particle that slides along the wall, on it to rounding, stays inside. It may be as far beyond as
         // cells reach beyond their faces; but it gets no farther.
         return glm::dot(normal, way - hit) > rounding * area &&
                glm::dot(normal, hit) > -8.0 * rounding * area;

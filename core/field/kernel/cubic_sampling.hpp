@@ -9,8 +9,8 @@
 
 namespace wakesurf::core {
 
-/// Holds four nodes of a row, twelve floats, in vectors of eight and four, where Lanes::FourNodes has no
-/// vector of twelve.
+/// Four nodes of a row, twelve floats, in vectors of eight and four, if Lanes::FourNodes has no vector of
+/// twelve.
 template <class Lanes>
 struct NodesInTwo {
     using Floats = typename Lanes::Floats;
@@ -247,7 +247,7 @@ class CubicSampling {
     using Vector = typename Lanes::Vector;
     static constexpr std::size_t most = Rk4Batch::most;
 
-    /// Holds the weights of four neighbouring nodes.
+    /// The weights of four neighbouring nodes.
     struct Shares {
         Floats node[4];
     };
@@ -411,8 +411,8 @@ class CubicSampling {
     }
 
   private:
-    /// Stores a row's shares: the straight ones where `linear` is not 0; where a node is missing the field
-    /// goes on linearly, so that it is twice its neighbour less the next.
+    /// Stores a row's shares: the straight ones where `linear` is not 0. At a missing node the field is
+    /// extrapolated, so that it is twice its neighbour less the next.
     static void shared(const Shares& cubic,
                        const Shares& straight,
                        const Floats& linear,
@@ -441,7 +441,7 @@ class CubicSampling {
 
     alignas(64) float value_[3][4][most]; ///< shares along each axis
     alignas(64) float slope_[3][4][most]; ///< in the slope
-    /// Are the shares of the rows in the value, those of the first slice first.
+    /// The shares of the rows in the value, those of the first slice first.
     alignas(32) float row_share_[16][most];
     Blocks blocks_;
 };

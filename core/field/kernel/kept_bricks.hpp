@@ -11,8 +11,8 @@ class BrickLookUp {
     using Floats = typename Lanes::Floats;
 
   public:
-    /// Begins with the time-steps of the pair. What is kept of the same ones stays, also where they have
-    /// changed places, as they have where velocities are looked for at the second one's time.
+    /// Begins with the time-steps of the pair. Bricks kept of the same ones stay, also if the two have
+    /// changed places, as they do for velocities at the second one's time.
     static void begin(const StoredPair& field, KeptBricks& kept) {
         const bool unsteady = field.bricks1.at != nullptr;
         const bool smooth = unsteady && field.smooth;
@@ -40,8 +40,8 @@ class BrickLookUp {
                 kept.beyond[axis][lane] = kept.block_at[axis][lane] = 0.0f;
     }
 
-    /// Bits of the lanes from `g` on, a vector of them, whose cells `at` are not in the bricks that are kept,
-    /// with so many cells after them; and what cells are left in those that are, the lane's own included.
+    /// Returns bits of the lanes from `g` on, a vector of them, whose cells `at` are not in the kept bricks,
+    /// with so many cells after them; and the cells left in those that are, the lane's own included.
     static unsigned outside(const StoredPair& field,
                             const KeptBricks& kept,
                             std::size_t g,
@@ -85,7 +85,7 @@ class BrickLookUp {
                     (in_memory(in, batch, lane, kept.of[slot], number) - in.zeros) + 3 * nodes;
     }
 
-    /// A brick of a time-step; where it is missing, the lane is marked and gets zeros.
+    /// Returns a brick of a time-step; if it is missing, the lane is marked and gets zeros.
     static const float* in_memory(const BrickPlaces& in,
                                   Rk4Batch& batch,
                                   std::size_t lane,

@@ -65,8 +65,7 @@ class LinearSampling {
         nodes_.take(field, batch, places, g, cell);
     }
 
-    /// Holds what a stage's samples are taken with, by value, so that it is kept in registers while particles
-    /// are written.
+    /// The input of a stage's samples, by value, so that it is kept in registers while particles are written.
     class Stage {
       public:
         /// Samples for particle `i` and those that go together with it.

@@ -92,7 +92,7 @@ class RectilinearPlaces {
         nodes_from<Lanes>(field, node_ + g, cell, node);
     }
 
-    /// Works as in UniformPlaces, in the cells of the last move.
+    /// Finds cells like UniformPlaces, in the cells of the last move.
     void in_cells(const Floats& w, std::size_t i, Floats (&cells)[3]) const {
         cells[0] = w.template each<0>() * Floats::each_of(scale_[0] + i);
         cells[1] = w.template each<1>() * Floats::each_of(scale_[1] + i);
@@ -106,7 +106,7 @@ class RectilinearPlaces {
     }
 
   private:
-    /// Holds the CellReach of each particle's cell.
+    /// The CellReach of each particle's cell.
     struct Reach {
         alignas(64) float lowest[most];
         alignas(64) float begin[most];
@@ -118,7 +118,7 @@ class RectilinearPlaces {
         alignas(64) float per_width_after[most];
     };
 
-    /// Those that have left their cells since the step before enter others. Who has is found out first,
+    /// Finds the cells of lanes that have left theirs since the step before. Those lanes are found first,
     /// without a branch a particle.
     void
     follow(std::size_t axis, const AxisTable& table, const double (&x)[most], std::size_t end) {

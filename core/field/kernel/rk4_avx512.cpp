@@ -13,14 +13,14 @@ namespace wakesurf::core {
 
 namespace {
 
-/// Holds particles A and B: a row of A's is in the low half of Floats, one of B's in the high half. The
-/// vectors of tangents follow each other as in memory: A's along s, A's along t, B's along s, B's along t.
+/// Particles A and B: a row of A's is in the low half of Floats, one of B's in the high half. The vectors of
+/// tangents follow each other as in memory: A's along s, A's along t, B's along s, B's along t.
 struct Avx512Lanes {
     static constexpr std::size_t together = 2;
 
     struct Wide;
 
-    /// Holds a vector of one particle.
+    /// A vector of one particle.
     struct Vector {
         __m128 v;
 
@@ -35,7 +35,7 @@ struct Avx512Lanes {
         friend Vector operator*(Vector a, Vector b) { return {_mm_mul_ps(a.v, b.v)}; }
     };
 
-    /// Holds a vector of A's and one of B's.
+    /// A vector of A's and one of B's.
     struct Quad {
         static constexpr std::size_t size = 8;
 

@@ -1,6 +1,7 @@
-// Holds what a batch kernel works on: time-steps and up to 32 particles, for one RK4 step each or several. It
-// is plain data, because some kernels are compiled for newer processors: an inline function of a shared
-// header that it emitted could replace everybody's (one definition rule) and crash the older ones.
+// The data of a batch kernel: time-steps and up to 32 particles, for one RK4 step each or several. It is
+// plain data, because some kernels are compiled for newer processors: an inline function of a shared header
+// that such a kernel emitted could replace that of all others (one definition rule) and crash older
+// processors.
 #pragma once
 
 #include "core/field/kernel/simd.hpp"
@@ -31,13 +32,13 @@ struct AxisTable {
     const CellReach* cell;
 };
 
-/// Holds a time-step in bricks: core/dataset/brick_table.hpp.
+/// A time-step in bricks: core/dataset/brick_table.hpp.
 struct StoredBricks {
     const float* const* at; ///< by brick; null: missing
     std::uint16_t* used;    ///< by brick
 };
 
-/// Holds a byte a cell, by its lowest node, in one piece or in bricks. With neither there is no obstacle.
+/// A byte a cell, by its lowest node, in one piece or in bricks. With neither there is no obstacle.
 struct StoredStates {
     const std::uint8_t* whole;         ///< by the grid's node
     const std::uint8_t* const* bricks; ///< by brick, then its node
@@ -53,7 +54,7 @@ struct BrickPlaces {
     double node[3];     ///< nodes within a brick, likewise
 };
 
-/// Holds two time-steps of a uniform or a rectilinear grid. Vectors are x, y, z.
+/// Two time-steps of a uniform or a rectilinear grid. Vectors are x, y, z.
 struct StoredPair {
     const float* velocity0; ///< null: in bricks
     const float* velocity1; ///< null: frozen at the first, or in bricks
@@ -83,8 +84,8 @@ struct StoredPair {
     float stagnation2; ///< a slower particle (speed squared) may stand still
 };
 
-/// Where the lanes of a batch were found in bricks last: most are found there again, stage by stage and step
-/// by step, without a look into the tables. All of it holds as long as nothing is taken from memory, for the
+/// The bricks in which the lanes of a batch were last found: most are found there again, stage by stage and
+/// step by step, without reading the tables. They are valid while nothing is removed from memory, for the
 /// time-steps in `of`.
 struct KeptBricks {
     static constexpr std::size_t lanes = 32;
@@ -95,9 +96,9 @@ struct KeptBricks {
     std::size_t slot[4] = {0, 1, 2,
                            3}; ///< of the pair's first time-step, its second, before, after
     std::uint64_t absent = 0;  ///< a bit a lane: its brick is missing
-    /// Is the first cell after the brick on each axis; 0: none is kept.
+    /// The first cell after the brick on each axis; 0: none is kept.
     alignas(64) float beyond[3][lanes] = {};
-    /// Is by slot the place of the node there, were it in the brick, in floats from BrickPlaces::zeros.
+    /// By slot the place of the node there, were it in the brick, in floats from BrickPlaces::zeros.
     alignas(64) std::int64_t end[4][lanes];
 
     // Tell cubics where nodes of several bricks were brought together.
@@ -124,12 +125,12 @@ struct Rk4Batch {
     alignas(64) double taken[most] = {}; ///< steps
     alignas(64) double steps[most] = {}; ///< to take
 
-    /// Holds, for the smooth field, the shares of the four time-steps at the step's start, middle and end.
+    /// For the smooth field: the shares of the four time-steps at the step's start, middle and end.
     alignas(64) float share[3][4][most] = {};
 
-    /// Is 0 for one step; else so many steps are taken at once, all of particles that have the same start, dt
-    /// and taken. Position, tangent and taken are then those after the last step, slow and outside what was
-    /// so in any of them. The shares of all are those of `share_of_steps`, 3 x 4 a step.
+    /// 0 for one step; else the number of steps taken at once, all of particles that have the same start, dt
+    /// and taken. Position, tangent and taken are then those after the last step, slow and outside the union
+    /// over all of them. The shares of all are those of `share_of_steps`, 3 x 4 a step.
     std::size_t straight = 0;
     const float* share_of_steps = nullptr;
 
@@ -138,7 +139,7 @@ struct Rk4Batch {
     bool look = false;
     alignas(64) float velocity[most][4];
 
-    // The kernel writes what follows. Sets are bits of lanes.
+    // The kernel writes the members below. Sets are bits of lanes.
     alignas(64) double next[3][most];
     alignas(64) double next_tangent[most][8];
     Bits slow = 0;    ///< may stand still
@@ -147,7 +148,7 @@ struct Rk4Batch {
     Bits missing = 0; ///< a brick was missing: nothing else of the lane counts
     std::uint32_t missing_brick[most]; ///< of lanes that miss one: its number
 
-    KeptBricks kept; ///< between calls; of whatever lanes were then
+    KeptBricks kept; ///< between calls; of any earlier lanes
 };
 
 /// Takes one step of every particle, or several at once where `straight` says so; fills next, slow, outside,
@@ -156,12 +157,12 @@ using Rk4Kernel = void (*)(const StoredPair&, Rk4Batch&, bool tangents);
 
 void rk4_portable(const StoredPair& field, Rk4Batch& batch, bool tangents);
 
-/// Is compiled for x86-64-v3. REQUIRES: avx2_compiled() and a processor that has it.
+/// The kernel compiled for x86-64-v3. REQUIRES: avx2_compiled() and a processor that has it.
 void rk4_avx2(const StoredPair& field, Rk4Batch& batch, bool tangents);
 
 bool avx2_compiled();
 
-/// Is compiled for x86-64-v4. REQUIRES: avx512_compiled() and a processor that has it.
+/// The kernel compiled for x86-64-v4. REQUIRES: avx512_compiled() and a processor that has it.
 void rk4_avx512(const StoredPair& field, Rk4Batch& batch, bool tangents);
 
 bool avx512_compiled();

@@ -20,12 +20,12 @@ class Rk4KernelOf {
     using Bits = Rk4Batch::Bits;
     static constexpr std::size_t most = Rk4Batch::most;
 
-    /// Has a bit for each element of a vector.
+    /// A bit for each element of a vector.
     template <class Vector>
     static constexpr unsigned all_of = (1u << Vector::size) - 1u;
 
   public:
-    /// Is flattened: with calls between the stages the constants of a batch leave their registers.
+    /// Flattened: with calls between the stages the constants of a batch leave their registers.
     [[gnu::flatten]] static void carry(const StoredPair& field, Rk4Batch& batch) {
         Rk4KernelOf kernel(field, batch);
         kernel.set_out();

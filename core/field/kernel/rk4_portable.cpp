@@ -6,7 +6,7 @@ namespace wakesurf::core {
 
 namespace {
 
-/// Gives `Self`, which derives from this, its arithmetic, element by element.
+/// Element-by-element arithmetic for `Self`, which derives from this.
 template <class Self, class T, std::size_t N>
 struct Array {
     static constexpr std::size_t size = N;

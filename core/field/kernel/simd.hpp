@@ -5,7 +5,7 @@
 
 namespace wakesurf::core {
 
-/// Names the kernel that carries particles through stored data. All give the same bits.
+/// The kernels that carry particles through stored data. All give the same bits.
 enum class Simd : std::uint8_t {
     Best,     ///< what the processor offers
     Avx2,     ///< that, but no more than AVX2

@@ -5,8 +5,8 @@
 
 namespace wakesurf::core {
 
-/// Bits of the lanes from `g` on, a vector of them, whose cells have another byte than 0; cells count from
-/// the places' first ones. REQUIRES: there are states.
+/// Returns bits of the lanes from `g` on, a vector of them, whose cells have another byte than 0; cells count
+/// from the places' first ones. REQUIRES: there are states.
 template <class Lanes, class Places>
 unsigned lanes_with_state(const StoredPair& field,
                           const StoredStates& states,

@@ -11,7 +11,8 @@ namespace {
 /// A quad whose area is below this part of its squared diagonal is a line.
 constexpr double least_area = 1e-6;
 
-/// The first quad tells, unless the surface is a line: this is asked in every frame that plays.
+/// Returns true if some quad has an area. The first quad decides, unless the surface is a line: this runs in
+/// every frame that plays.
 bool has_area(const QuadComplex& mesh) {
     return std::any_of(mesh.cells.begin(), mesh.cells.end(), [&](const Cell& cell) {
         const auto& [a, b, c, d] = cell.corner;

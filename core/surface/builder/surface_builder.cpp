@@ -40,8 +40,8 @@ std::uint64_t quads_of(const std::vector<Sheet>& sheets) {
     return quads;
 }
 
-/// One sheet per direction over the same seeds; a direction that cuts the rake makes the other follow.
-/// Nothing: they have more than `most` quads together.
+/// Builds one sheet per direction over the same seeds; a direction that cuts the rake makes the other follow.
+/// Empty: they have more than `most` quads together.
 Result<std::optional<std::vector<Sheet>>> build_sheets(const SurfacePlan& plan,
                                                        const std::vector<SheetOptions>& directions,
                                                        std::set<double> seeds,
@@ -69,7 +69,7 @@ Result<std::optional<std::vector<Sheet>>> build_sheets(const SurfacePlan& plan,
     return sheets;
 }
 
-/// Holds a surface without what its vertices carry.
+/// A surface without the attributes of its vertices.
 struct Bare {
     SheetMesh mesh;
     SurfaceStatistics statistics;
@@ -175,7 +175,7 @@ Result<Bare> build_within_budget(const SurfacePlan& plan,
             bare->statistics.seconds.load += load;
             return std::move(*bare);
         }
-        bare.reset(); // before the memory that it held is given back
+        bare.reset(); // before its memory is released
         sheets->reset();
         if (work.memory() != nullptr)
             work.memory()->shrink(work.memory()->bytes() - before);

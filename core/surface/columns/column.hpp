@@ -10,7 +10,7 @@
 
 namespace wakesurf::core {
 
-/// One entry a vertex, at least one; consecutive ones are at most the spacing apart.
+/// A column: one entry a vertex, at least one; consecutive ones are at most the spacing apart.
 struct Column {
     double s = 0.0;     ///< seed parameter
     double start = 0.0; ///< arc length on the curve of the first vertex

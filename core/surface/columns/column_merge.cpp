@@ -9,7 +9,8 @@ namespace {
 
 constexpr std::uint32_t no_cell = 0xffffffffu;
 
-/// A merge goes on until cells are so much wider than where one may begin: columns do not flicker on and off.
+/// A merge continues until cells are wider by this factor than where one may begin: columns do not flicker on
+/// and off.
 constexpr double hysteresis = 1.2;
 
 /// A hanging node on the outline is dropped where that moves the outline by less than this part of the side.
@@ -202,7 +203,7 @@ class ColumnMerger {
                    : no_cell;
     }
 
-    /// Can the younger side of the first merged row be left as it is?
+    /// Returns true if the younger side of the first merged row can be left as it is.
     bool may_begin(const Row& row) {
         return mids(cell(row.left_young), cell(row.right_young), 0) == 0;
     }
@@ -302,7 +303,7 @@ class ColumnMerger {
     std::vector<Cell>& cells_;
     std::span<const Vec3> position_;
     MergeLimits limits_;
-    /// Holds by vertex the cell left of the column's segment that begins there.
+    /// By vertex the cell left of the column's segment that begins there.
     std::vector<std::uint32_t> on_left_;
     std::vector<std::uint32_t> on_right_; ///< and the one to its right
     std::vector<Row> rows_;

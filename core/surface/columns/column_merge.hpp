@@ -14,7 +14,7 @@
 
 namespace wakesurf::core {
 
-/// Names a column in a numbering where its vertices follow one another from the rake on.
+/// A column in a numbering where its vertices follow one another from the rake on.
 struct ColumnSpan {
     VertexId first;
     VertexId count;

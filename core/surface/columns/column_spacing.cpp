@@ -34,7 +34,7 @@ std::size_t first_step(const Curve& curve, double start) {
                                         : static_cast<std::size_t>(after - curve.steps.begin()) - 1;
 }
 
-/// Does any step from `first` on turn faster than `rate`, in radians a length?
+/// Returns true if any step from `first` on turns faster than `rate`, in radians a length.
 bool bends(const Curve& curve, std::size_t first, double rate) {
     if (first >= curve.steps.size())
         return false;

@@ -14,7 +14,7 @@ namespace wakesurf::core {
 
 namespace {
 
-constexpr std::size_t knot_steps = 4; ///< from one look at the neighbours to the next
+constexpr std::size_t knot_steps = 4; ///< between two tests of the neighbours
 
 /// Where a particle is at a time and how fast, at the start of a step.
 struct CurveState {

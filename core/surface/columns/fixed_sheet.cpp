@@ -14,7 +14,7 @@ namespace {
 constexpr double row_of_separation = 0.75;
 constexpr std::size_t grid_bytes = 500; ///< a quad, with its vertex, while the mesh is made
 
-/// Holds the columns of one direction.
+/// The columns of one direction.
 struct FixedColumns {
     std::deque<SeededCurve> columns;
     double life = 0.0;  ///< of the particle that lives longest, without sign

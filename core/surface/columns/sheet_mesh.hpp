@@ -14,7 +14,7 @@ namespace wakesurf::core {
 struct SheetMesh {
     QuadComplex complex;
     std::vector<Vec3> stretch; ///< transported tangent dx/ds of every vertex
-    /// Holds vertices by seed parameter: sheets of both directions share the rake.
+    /// Vertices by seed parameter: sheets of both directions share the rake.
     std::map<double, VertexId> on_rake;
 };
 

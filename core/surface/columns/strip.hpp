@@ -16,7 +16,7 @@
 
 namespace wakesurf::core {
 
-/// Holds a traced curve and the seed parameter it starts from.
+/// A traced curve and the seed parameter it starts from.
 struct SeededCurve {
     double s = 0.0;
     Curve curve;
@@ -30,7 +30,7 @@ struct StripLimits {
     double least_interval; ///< seed parameter distance below which the surface is discontinuous
 };
 
-/// Names a vertex of a strip: which of its columns, and which vertex of that column.
+/// A vertex of a strip: which of its columns, and which vertex of that column.
 struct StripVertex {
     std::uint32_t column = std::numeric_limits<std::uint32_t>::max();
     std::uint32_t index = 0;
@@ -64,8 +64,8 @@ class Strip {
     /// Zips what the tree's changes since the last call concern. Thread safety: disjoint strips concurrently.
     void zip(const StripLimits& limits);
 
-    /// Says what the last zip() asks for. `middles` are seed parameters of curves needed; `new_seed` says
-    /// that the strip already diverges at the rake and must be cut there into two strips.
+    /// The demand of the last zip(). `middles` are seed parameters of curves needed; `new_seed`: the strip
+    /// already diverges at the rake and must be cut there into two strips.
     struct Demand {
         std::vector<double> middles;
         std::optional<double> new_seed;

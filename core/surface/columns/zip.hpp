@@ -19,7 +19,7 @@ struct ZipRules {
     bool obstacle = true; ///< false: the flow has none, so no front can cross one
 };
 
-/// Says where a strip's front stands: vertex `left` of its left column, `right` of its right one.
+/// The front of a strip: vertex `left` of its left column, `right` of its right one.
 struct StripFront {
     std::size_t left = 0;
     std::size_t right = 0;
@@ -32,8 +32,8 @@ enum class ZipMode {
     Free        ///< stop where one column ends: for strips that end in a tear
 };
 
-/// Says how many segments of either column the next quad takes; nothing when every choice would make a front
-/// edge longer than the separation, cross an obstacle, or leave a side that no later quad can use up.
+/// The number of segments of either column in the next quad; empty if every choice would make a front edge
+/// longer than the separation, cross an obstacle, or leave a side that no later quad can use up.
 struct ZipStep {
     std::size_t left = 1;
     std::size_t right = 1;

@@ -14,7 +14,7 @@ namespace wakesurf::core {
 
 namespace {
 
-/// Holds the velocities at the places of the fluid among some.
+/// The velocities at those of some places that are in the fluid.
 class Looked {
   public:
     static Result<Looked>
@@ -58,7 +58,7 @@ class Looked {
     std::vector<Vec3> velocity;
 };
 
-/// Is a part of the speed: a velocity that small across something is rounding.
+/// A part of the speed: so small a velocity across something is rounding.
 constexpr double nothing = 1e-9;
 
 /// Returns the normal turned the way that most of the flow passes. Error: no flow passes.

@@ -12,7 +12,7 @@
 
 namespace wakesurf::core {
 
-/// Holds a plane that the flow passes.
+/// A plane that the flow passes.
 struct SourcePlane {
     Vec3 point{0.0};
     Vec3 normal{0.0}; ///< of length 1, the way most of the flow passes
@@ -20,7 +20,7 @@ struct SourcePlane {
     double height(const Vec3& at) const { return glm::dot(at - point, normal); }
 };
 
-/// Holds what plan_family has checked and completed; a value.
+/// The request that plan_family has checked and completed; a value.
 struct FamilyPlan {
     FamilyRequest request;
     double time = 0.0;

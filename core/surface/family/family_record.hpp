@@ -1,5 +1,5 @@
-// Holds what is kept of a family beside its values: what it was asked to be, by which version it was made,
-// and what came of it at each time-step.
+// The description of a family beside its values: its request, the version that made it, and its outcome at
+// each time-step.
 #pragma once
 
 #include "core/surface/family/family_request.hpp"

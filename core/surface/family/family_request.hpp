@@ -1,6 +1,6 @@
-// Says what a family of stream surfaces is asked to be: where its scalar is given, and how accurately it is
-// carried through the domain. van Wijk, Implicit stream surfaces, 1993: the level sets of a scalar that is
-// constant along streamlines are stream surfaces.
+// The request for a family of stream surfaces: where its scalar is given, and how accurately it is carried
+// through the domain. van Wijk, Implicit stream surfaces, 1993: the level sets of a scalar that is constant
+// along streamlines are stream surfaces.
 #pragma once
 
 #include "core/surface/rake.hpp"
@@ -11,7 +11,7 @@
 
 namespace wakesurf::core {
 
-/// Is the part of the domain's boundary through which the flow enters.
+/// The part of the domain's boundary through which the flow enters.
 struct FamilyInflow {
     bool operator==(const FamilyInflow&) const = default;
 };
@@ -31,7 +31,7 @@ struct FamilyRequest {
     std::variant<FamilyInflow, FamilyPlane, Rake> source;
     std::string scalar{"y"}; ///< x, y or z, a coordinate; else a scalar field of the dataset
     Accuracy accuracy = Accuracy::Balanced;
-    /// Is the longest way along which a node is followed, a length; 0: ten of the domain's diagonals.
+    /// The longest way along which a node is followed, a length; 0: ten of the domain's diagonals.
     double length = 0.0;
 
     bool operator==(const FamilyRequest&) const = default;

@@ -18,7 +18,7 @@ constexpr double along_a_face = 1e-6;
 
 constexpr float none = std::numeric_limits<float>::quiet_NaN();
 
-/// Says what a node without a value counts as.
+/// The reasons for a node without a value.
 enum class NodeFate : std::uint8_t { Outside, AtRest, Obstacle, Lost };
 
 NodeFate fate_of(const Curve& curve) {

@@ -34,7 +34,7 @@ struct FamilyField {
 
 /// A field whose values a family's source takes: a scalar at one time-step.
 struct SourceScalar {
-    /// Is null where the plan's scalar is a coordinate, or a distance.
+    /// Null if the plan's scalar is a coordinate, or a distance.
     const ScalarSource* source = nullptr;
     std::size_t scalar = 0;
 };

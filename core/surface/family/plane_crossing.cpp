@@ -12,7 +12,7 @@ namespace {
 // of it is none.
 constexpr int looks = 8;
 
-/// Holds the height over a plane along a step, with the coefficients of its dense output.
+/// The height over a plane along a step, with the coefficients of its dense output.
 struct HeightAlong {
     std::array<double, 5> c;
 

@@ -12,8 +12,8 @@
 
 namespace wakesurf::core {
 
-/// Holds a line, polyline or circle. A line's and a polyline's ends go on straight, so that the curve parts
-/// its plane in two.
+/// A line, polyline or circle. A line's and a polyline's ends continue straight, so that the curve parts its
+/// plane in two.
 class PlaneCurve {
   public:
     /// The normal of the plane that a rake lies in, of length 1; nothing where it is straight and lies in

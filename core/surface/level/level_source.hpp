@@ -1,5 +1,4 @@
-// Where the triangles of a level set come from: whoever extracts them, in a process of its own or a test's
-// closed form.
+// The source of the triangles of a level set: an extractor in a process of its own, or a test's closed form.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -29,7 +28,7 @@ struct LevelTriangles {
     std::vector<double> times{}; ///< where it has none: those at which it has; empty: not known
 };
 
-/// Thread safety: concurrent calls are fine.
+/// Extracts level sets. Thread safety: concurrent calls are allowed.
 class LevelSource {
   public:
     virtual ~LevelSource() = default;

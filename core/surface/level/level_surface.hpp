@@ -14,8 +14,8 @@
 
 namespace wakesurf::core {
 
-/// Gives a plan of a level surface what it still needs once the data are open; does nothing to others. Error:
-/// Unsupported where there is no source; NotFound, naming the fields there are.
+/// Completes a plan of a level surface once the data are open; does nothing to others. Error: Unsupported
+/// without a source; NotFound, listing the fields.
 Result<void> take_levels(SurfacePlan& plan, std::shared_ptr<const LevelSource> levels);
 
 /// Builds the level set at a time. Its s and t are 0: nothing is released. Statistics say why it is empty,

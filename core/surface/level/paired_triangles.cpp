@@ -11,8 +11,8 @@ namespace {
 using LevelCorners = std::array<std::uint32_t, 3>;
 
 constexpr std::uint32_t no_triangle_beyond = 0xffffffffu;
-/// Bounds the cosine between the normals of two triangles of a quad: below 18 degrees apart a quad looks like
-/// what it is made of.
+/// The least cosine between the normals of two triangles of a quad: at less than 18 degrees a quad looks like
+/// its triangles.
 constexpr double flat_enough = 0.95;
 /// Sine of the sharpest turn at a quad's corner, so that it is convex whichever diagonal it is drawn with.
 constexpr double least_turn = 0.05;

@@ -14,8 +14,9 @@ namespace wakesurf::core {
 std::vector<EdgeCrossing> edges_to_the_dead(const RefinementContext& context,
                                             std::span<const TriangleId> candidates);
 
-/// Cuts triangles that have a dead vertex where the surface crosses what it ended at: one vertex an edge,
-/// shared, on the boundary itself. What came to rest has crossed nothing, and its triangles go.
+/// Cuts triangles that have a dead vertex where the surface crosses the boundary at which it ended: one
+/// vertex an edge, shared, on the boundary itself. A vertex that came to rest has crossed nothing, and its
+/// triangles are removed.
 /// @param insert  adds the vertex of a crossing to the mesh's vertices
 void clip(const RefinementContext& context,
           std::span<const TriangleId> candidates,

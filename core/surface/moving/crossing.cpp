@@ -57,8 +57,8 @@ struct Search {
         if (lives) {
             alive = tried;
         } else {
-            // The secant goes through the last two that died. It is tried a little beyond, as one that lives
-            // tells less; before it at the end.
+            // The secant goes through the last two that died. It is tried a little beyond, as a living one
+            // says less; before it at the end.
             const double step = (now - time) * (tried - dead) / (time - died);
             next = tried + step + (std::abs(step) < close_enough ? -1.0 : 0.3) * close_enough;
             dead = tried;

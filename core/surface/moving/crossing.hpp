@@ -1,6 +1,6 @@
-// Where the surface leaves the fluid: on an edge from a living to a dead vertex the particle that meets the
-// boundary of the domain, or a body, at the mesh's time. It is looked for among the particles of the edge
-// when both its ends were alive, at the beginning of the step.
+// The border of the surface at the fluid's boundary: on an edge from a living to a dead vertex, the particle
+// that meets the boundary of the domain, or a body, at the mesh's time. It is searched among the particles of
+// the edge when both its ends were alive, at the beginning of the step.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -20,11 +20,11 @@ struct EdgeCrossing {
     EdgeCubic edge{};  ///< from which it was interpolated
 };
 
-/// Fills in what is found. An edge crosses nothing in this step when its dead end came to rest, or ended
-/// before. Where an end was released in this step the boundary is looked for on the edge as it is now.
-/// @param before  simulation time at which the step began
+/// Fills in the crossings. An edge crosses nothing in this step if its dead end came to rest, or ended
+/// before. If an end was released in this step the boundary is searched on the edge as it is now.
+/// Error: as advancing.
+/// @param before   simulation time at which the step began
 /// @param options  as the mesh was carried with
-/// Error: what advancing reports.
 Result<void> find_crossings(const RefinementContext& context,
                             std::span<EdgeCrossing> crossings,
                             double before,

@@ -17,8 +17,8 @@ namespace {
 /// Edges shorter than this part of the separation are not cut for what lies beside them.
 constexpr double bend_floor = 0.7;
 
-/// Likewise, of what is cut across a fold: a sheet that rolls up more narrowly than the separation was cut
-/// from 250 to 1,200 quads in two steps when it was an eighth or a quarter.
+/// Such a floor for cuts across a fold: a sheet that rolls up more narrowly than the separation was cut from
+/// 250 to 1,200 quads in two steps with an eighth or a quarter.
 constexpr double web_floor = 0.5;
 
 bool bends(const RefinementContext& context, TriangleId t, TriangleId u) {
@@ -96,7 +96,7 @@ bool needs_cut(const RefinementContext& context, TriangleId t) {
         return true;
     for (unsigned k = 0; k < 3; ++k) {
         if (here.across[k] != no_triangle && here.across[k] < t)
-            continue; // that one looks at this edge
+            continue; // that one tests this edge
         const Fault fault = fault_of(context, here.begin(k), here.end(k));
         if (fault != Fault::None && !(fault == Fault::Long && is_diagonal(context, t, k, false)))
             return true;
@@ -124,7 +124,7 @@ wanted_cuts(const RefinementContext& context, std::span<const TriangleId> candid
             const TriangleId beyond = here.across[k];
             if (beyond != no_triangle && beyond < t &&
                 std::binary_search(candidates.begin(), candidates.end(), beyond))
-                continue; // that one has looked at this edge
+                continue; // that one has tested this edge
             const VertexId a = here.begin(k), b = here.end(k);
             const Fault fault = fault_of(context, a, b);
             if (fault != Fault::None && (shape || fault != Fault::Bulge) &&

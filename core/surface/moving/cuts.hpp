@@ -9,8 +9,8 @@
 namespace wakesurf::core {
 
 struct WantedCut {
-    /// Is the squared length; in a list that of the separation is a million, and edges of one length are
-    /// taken in order of ids.
+    /// The squared length; in a list that of the separation is a million, and edges of one length are taken
+    /// in order of ids.
     double length;
     VertexId a, b;
     std::uint32_t id_a, id_b; ///< a's is the smaller

@@ -157,8 +157,7 @@ Result<void> lay_patch(MovingMesh& mesh,
     const auto at = [&](std::size_t row, std::size_t column) {
         return static_cast<VertexId>(row * across + column % across);
     };
-    // It goes row by row: finding neighbours takes more memory than the triangles among which they are looked
-    // for.
+    // Goes row by row: finding neighbours takes more memory than the triangles among which they are searched.
     std::vector<std::array<VertexId, 4>> quads;
     for (std::size_t row = 0; row < static_cast<std::size_t>(rows); ++row) {
         quads.clear();

@@ -8,7 +8,7 @@
 
 namespace wakesurf::core {
 
-/// Holds columns 0, 1, 2 ... of the lattice and their seed parameters.
+/// Columns 0, 1, 2 ... of the lattice and their seed parameters.
 struct Columns {
     std::vector<double> s;
     double count = 0.0; ///< intervals

@@ -42,8 +42,8 @@ MaterialPoint between(const MovingMesh& mesh, VertexId a, VertexId b, double par
     return mid;
 }
 
-/// Holds a cubic triangle by its values and tangents at three vertices, as Bezier points. Its inner point is
-/// that which a quadratic would have.
+/// A cubic triangle by its values and tangents at three vertices, as Bezier points. Its inner point is that
+/// which a quadratic would have.
 class CubicPatch {
   public:
     CubicPatch(const MovingMesh& mesh, VertexId a, VertexId b, VertexId c)
@@ -96,7 +96,7 @@ class CubicPatch {
     }
 
   private:
-    /// Holds derivatives by the three barycentric coordinates.
+    /// The derivatives by the three barycentric coordinates.
     struct Slopes {
         Vec3 a, b, c;
     };

@@ -14,7 +14,7 @@ Vec3 edge_turn(const MovingMesh& mesh, VertexId a, VertexId b);
 /// Returns what of the turn points across the chord: what it changes along the chord is no shape.
 Vec3 edge_bend(const MovingMesh& mesh, VertexId a, VertexId b);
 
-/// Holds the cubic along an edge.
+/// The cubic along an edge.
 struct EdgeCubic {
     Carried a, b; ///< at its ends
     ParameterStep step;

@@ -26,8 +26,8 @@ constexpr double of_bulge = 0.5; ///< allowed of what is cut, or it would be cut
 constexpr double needle_base = 10.0; ///< of a crumb: what is not higher may lie aslant
 
 struct Short {
-    /// Is squared, in squares of the separation, to a millionth: edges of one length are taken in order of
-    /// ids.
+    /// The squared length, in squares of the separation, to a millionth: edges of one length are taken in
+    /// order of ids.
     double length;
     VertexId a, b;
     std::uint32_t id_a, id_b; ///< a's is the smaller
@@ -36,7 +36,7 @@ struct Short {
 /// Takes one vertex into another, and holds all that has to be known of it.
 class Join {
   public:
-    /// @param shape_counts  false: only what lies on the surface, and its border, is looked at
+    /// @param shape_counts  false: only the part on the surface, and its border, is tested
     Join(const RefinementContext& context, std::vector<TriangleId>& ring, bool shape_counts = true)
         : context_(context), mesh_(context.mesh), ring_(ring), shape_counts_(shape_counts) {}
 

@@ -61,7 +61,7 @@ void MaterialTriangles::remove(TriangleId t) {
             continue;
         // The edges from v and to v lead to the others that have it.
         of_[v] = gone.across[k] != no_triangle ? gone.across[k] : gone.across[(k + 2) % 3];
-        // Another part touches this one there: that is rare, so it is looked for.
+        // Another part touches this one there: that is rare, so it is searched.
         if (uses_[v] > 0 && of_[v] == no_triangle)
             for (TriangleId other = 0; other < slots_.size(); ++other)
                 if (other != t && slots_[other].live && slots_[other].edge_from(v) < 3) {
@@ -128,7 +128,7 @@ MaterialTriangles::Edge MaterialTriangles::find(VertexId a, VertexId b) const {
 }
 
 void MaterialTriangles::append(std::span<const std::array<VertexId, 4>> quads) {
-    std::unordered_map<std::uint64_t, TriangleId> open; // looked up only: its order decides nothing
+    std::unordered_map<std::uint64_t, TriangleId> open; // never iterated: its order decides nothing
     std::vector<TriangleId> round;
     for (const auto& quad : quads)
         for (const VertexId v : quad)

@@ -23,13 +23,13 @@ struct Triangle {
     static constexpr std::uint8_t alone = 3;
 
     std::array<VertexId, 3> vertex; ///< slots
-    /// Holds at [k] the triangle beyond the edge from vertex[k] to vertex[k + 1].
+    /// At [k] the triangle beyond the edge from vertex[k] to vertex[k + 1].
     std::array<TriangleId, 3> across{no_triangle, no_triangle, no_triangle};
     std::uint32_t quad = 0; ///< what the pair is called; never used again within a surface
-    /// Is, for an odd triangle, which has no other half, a vertex in the middle of its edge `mate`, so that
-    /// it can be handed out as a quad.
+    /// For an odd triangle, which has no other half: a vertex in the middle of its edge `mate`, so that it
+    /// can be handed out as a quad.
     VertexId hanging = no_vertex;
-    /// Is the edge across which the other half of the quad is; `alone` while it has none.
+    /// The edge across which the other half of the quad is; `alone` without one.
     std::uint8_t mate = alone;
     bool live = false;
 
@@ -52,7 +52,7 @@ struct Triangle {
 
 class MaterialTriangles {
   public:
-    /// Returns all slots, free ones included: `live` tells.
+    /// Returns all slots, free ones included: see `live`.
     std::span<const Triangle> slots() const { return slots_; }
 
     const Triangle& operator[](TriangleId t) const { return slots_[t]; }

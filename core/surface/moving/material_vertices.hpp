@@ -14,22 +14,22 @@
 
 namespace wakesurf::core {
 
-/// Says what a vertex does. Free: carried by the flow. Attached: on the rake, to be released. Unused: an
-/// empty slot.
+/// The role of a vertex. Free: carried by the flow. Attached: on the rake, to be released. Unused: an empty
+/// slot.
 enum class VertexRole : std::uint8_t { Free, Attached, Unused };
 
-/// Holds the place among the columns and rows the surface began with: whole numbers there, fractions where
-/// something was inserted.
+/// The place among the columns and rows that the surface began with: whole numbers there, fractions for
+/// inserted vertices.
 struct LatticePlace {
     double column = 0.0;
     double row = 0.0;
 };
 
-/// Says how far a vertex may be from the true surface.
+/// The possible distance of a vertex from the true surface.
 struct VertexError {
     CarriedError traced; ///< by the integrator's steps, as if it had been traced from the rake
-    /// Is the error by interpolation, of it or of what it was interpolated from; none where it is traced
-    /// again.
+    /// The error by interpolation, its own or that of the vertices it was interpolated from; 0 if it is
+    /// traced again.
     CarriedError placed;
     CarriedDistance apart; ///< by both, in any direction, from the particle it stands for
 
@@ -46,7 +46,7 @@ struct VertexError {
     }
 };
 
-/// Holds what a vertex is made from.
+/// The data of a new vertex.
 struct MaterialPoint {
     Carried carried;
     double s = 0.0;

@@ -14,7 +14,7 @@ struct RakeLattice {
     double columns = 1.0;
     bool closed = false;
     double last_row = 0.0; ///< of a patch; rows of a streak surface have no last one
-    /// Is the sign of the area in (s, t) of the triangles as they are run round: 1 or -1.
+    /// The sign of the area in (s, t) of the triangles in the order of their vertices: 1 or -1.
     double facing = 1.0;
 
     /// Returns the difference from one seed parameter to another the short way round.
@@ -33,7 +33,7 @@ struct RakeLattice {
     }
 };
 
-/// Holds a difference of two places in the parameter rectangle.
+/// The difference of two places in the parameter rectangle.
 struct ParameterStep {
     double s, t;
 };

@@ -68,8 +68,8 @@ MovingPlan make_plan(const MovingRequest& request, double separation) {
     }
     rules.obstacle = flow.obstacle();
     rules.max_quads = p.max_quads;
-    // RK4 in steps of a part of a cell is several times faster where it goes in batches, on grids. Its errors
-    // are looked at (step_errors.hpp), and who has too large a one is traced again.
+    // RK4 in steps of a part of a cell is several times faster in batches, on grids. Its errors are tested
+    // (step_errors.hpp), and vertices with too large a one are traced again.
     const bool batches = p.accuracy != Accuracy::Exact && flow.steps_in_batches();
     AdvanceOptions carry;
     carry.method = batches ? AdvanceOptions::Method::Rk4 : AdvanceOptions::Method::Dopri5;

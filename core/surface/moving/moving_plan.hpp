@@ -1,5 +1,4 @@
-// Holds what does not change while a surface moves: where its points come from, and the rules at one
-// separation.
+// The constants of a moving surface: the origin of its points, and the rules at one separation.
 #pragma once
 
 #include "core/surface/budget_search.hpp"

@@ -28,7 +28,7 @@ constexpr int most_given_up = 3;
 
 /// The integrator's errors are measured every so many steps.
 constexpr std::uint64_t check_every = 4;
-constexpr double carry_share = 0.4;     // of a step, in what is told of how far it is
+constexpr double carry_share = 0.4;     // of a step, in the reported progress
 constexpr double sorting_share = 0.125; // of vertices inserted since memory was last in mesh order
 
 /// Ends the particles that are older than they may become, at the time at which they did. They have been
@@ -228,7 +228,7 @@ Result<bool> MovingSurface::refine(double before,
     const auto within = refinement.run(state_.mesh, stop, work);
     state_.separation = refinement.rules().separation;
     state_.torn += refinement.unresolved();
-    if (stop.stop_requested()) // then the budget was not kept either, or not looked at
+    if (stop.stop_requested()) // the budget was then exceeded too, or not checked
         return fail(Error::Code::Cancelled, "the surface was cancelled");
     return within;
 }

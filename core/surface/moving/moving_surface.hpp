@@ -21,7 +21,7 @@ namespace wakesurf::core {
 
 /// All that a surface is at one time.
 struct MovingState {
-    /// Is replaced where the quad budget had the surface begun again.
+    /// Replaced when the quad budget makes the surface begin again.
     std::shared_ptr<const MovingPlan> plan;
     MovingMesh mesh;
     double separation = 0.0; ///< raised by the quad budget

@@ -26,7 +26,7 @@ class Pairing {
         : context_(context), mesh_(context.mesh), triangles_(context.mesh.triangles),
           per_separation_(1.0 / context.rules.separation) {}
 
-    /// Nothing moves while pairs are looked for: most quads are asked for several times.
+    /// Remembers scores while nothing moves: most quads are evaluated several times.
     void remember_scores() { known_.assign(scores_kept, {}); }
 
     /// Returns the remembered score(). REQUIRES: remember_scores().
@@ -107,7 +107,7 @@ class Pairing {
 
     void pair(TriangleId t, unsigned k) { triangles_.pair(t, k, triangles_.take_id()); }
 
-    /// Edges that would be seen, and must not: their triangles are each other's, whoever they belong to.
+    /// Pairs the triangles of edges that must not be visible, whatever their present partners.
     void pair_forced(std::span<const TriangleId> loose) {
         for (const TriangleId t : loose)
             for (unsigned k = 0; k < 3 && is_free(t); ++k) {
@@ -315,7 +315,7 @@ void pair_all(const RefinementContext& context,
     triangles.loose().clear();
     pairing.remember_scores();
     pairing.pair_forced(all);
-    // A triangle that a forced pair has taken apart looks for another half as well.
+    // A triangle whose pair was broken up needs another half as well.
     std::vector<TriangleId> rest = all;
     rest.insert(rest.end(), triangles.loose().begin(), triangles.loose().end());
     rest = still_free(rest);

@@ -1,6 +1,6 @@
-// Which triangles of a moving surface are handed out as one quad: pairs stay, and only what has lost its
-// other half looks for a new one.
-// Source: Remacle et al., Blossom-Quad, 2012, whose matching is made good locally here.
+// The pairs of triangles of a moving surface that are handed out as quads: pairs stay, and only triangles
+// that have lost their other half get a new one. Source: Remacle et al., Blossom-Quad, 2012, whose matching
+// is made good locally here.
 #pragma once
 
 #include "core/surface/moving/refinement_context.hpp"
@@ -10,15 +10,15 @@
 
 namespace wakesurf::core {
 
-/// True where a triangle had better look for another half: its quad's corners are far from right angles, an
-/// edge that must not be seen is a side of it, or the vertex that an odd one is handed out with is dead or
-/// has come too far.
+/// Says whether a triangle should get another half: its quad's corners are far from right angles, an edge
+/// that must not be visible is a side of it, or the vertex that an odd one is handed out with is dead or has
+/// come too far.
 bool is_poor_pair(const RefinementContext& context, TriangleId t);
 
 /// Gives each of `loose`, the triangles without another half, one: across its edge that is too long to be
-/// seen, where it has one; else so that corners are near right angles, along alternating paths where none is
-/// left beside it. What is left over becomes odd, a quad with a corner in the middle of its longest side,
-/// which `insert` makes. Cost: O(loose), a few hundred triangles looked at for each odd one.
+/// visible, if it has one; else so that corners are near right angles, along alternating paths if none is
+/// left beside it. The remaining ones become odd: a quad with a corner in the middle of its longest side,
+/// which `insert` makes. Cost: O(loose), a few hundred triangles visited for each odd one.
 void pair_all(const RefinementContext& context,
               std::span<const TriangleId> loose,
               const std::function<VertexId(TriangleId t, unsigned k)>& insert);

@@ -18,8 +18,8 @@ namespace wakesurf::core {
 namespace {
 
 constexpr int most_cut_passes = 40;
-/// Passes that look at bends and bulges: what they leave waits a step. A triangle that is nearly straight in
-/// (s, t) but open in space would be cut in every pass.
+/// The passes that test bends and bulges: the rest waits a step. A triangle that is nearly straight in (s, t)
+/// but open in space would be cut in every pass.
 constexpr int shape_passes = 3;
 constexpr double coarsening = 1.1;
 constexpr double beside_middle = 0.49;
@@ -166,8 +166,8 @@ Result<void> Refinement::clip_at_the_dead(MovingMesh& mesh,
     });
     if (rules_.policy != InsertionPolicy::Exact)
         return {};
-    // Its particle ends about now: what counts is where. One that has ended long ago, elsewhere, is not the
-    // one that was looked for.
+    // Its particle ends about now: only the place counts. One that has ended long ago, elsewhere, is not the
+    // wanted one.
     std::vector<MaterialPoint> found_there;
     for (const VertexId v : made)
         found_there.push_back(mesh.vertices.point(v));
@@ -259,7 +259,7 @@ Result<bool> Refinement::cut_until_done(MovingMesh& mesh,
             break;
         if (shape && (candidates.empty() || pass + 1 == with_shape)) {
             pass = with_shape - 1;
-            candidates = distinct(all); // what has waited is looked at strictly
+            candidates = distinct(all); // waiting candidates are tested strictly
         }
     }
     if (auto clipped = clip_at_the_dead(mesh, candidates); !clipped)

@@ -1,4 +1,4 @@
-// Holds what the phases of a moving surface's refinement work on.
+// The data that the phases of a moving surface's refinement work on.
 #pragma once
 
 #include "core/field/flow.hpp"

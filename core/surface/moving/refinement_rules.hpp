@@ -5,8 +5,8 @@
 
 namespace wakesurf::core {
 
-/// Says how new vertices are placed. Hermite: they are interpolated, and traced again where that may be too
-/// far off. Exact: all are traced again.
+/// The placement of new vertices. Hermite: they are interpolated, and traced again if that may be too far
+/// off. Exact: all are traced again.
 enum class InsertionPolicy { Hermite, Exact };
 
 /// Sizes are parts of the separation.
@@ -24,7 +24,7 @@ struct RefinementRules {
     /// The surface is taken to be discontinuous below this distance in the parameter.
     double least_s = 1e-6;
     double least_t = 1e-6; ///< in the unit of t
-    /// Are the least distances beside an obstacle, where a surface that still diverges is taken to split.
+    /// The least distances beside an obstacle, at which a surface that still diverges is taken to split.
     double least_s_at_wall = 0.0;
     double least_t_at_wall = 0.0;
 

@@ -17,7 +17,7 @@ namespace wakesurf::core {
 
 namespace {
 
-/// One of so many steps looks at what has not changed for joining and a better other half.
+/// The period, in steps, of testing unchanged triangles for joining and a better other half.
 constexpr std::uint64_t turns = 12;
 
 /// Where normals differ by more, the corners of the quad are not the sums of its triangles' angles.
@@ -31,7 +31,7 @@ enum Need : std::uint8_t { flipping = 1, cutting = 2, joining = 4, pairing = 8 }
 /// The loops take so many triangles, and their edges, through the same arithmetic side by side.
 constexpr std::size_t at_once = 16;
 
-/// Says what the exact rules have to be asked about some triangles, and the answers.
+/// The questions to the exact rules about some triangles, and the answers.
 class Scan {
   public:
     Scan(const RefinementContext& context, std::uint64_t turn, ScanMemory& memory)
@@ -60,14 +60,13 @@ class Scan {
     }
 
   private:
-    /// Says what may become of an edge.
+    /// The possible changes of an edge.
     enum May : std::uint32_t { cut = 1, flip = 2, part = 4 };
 
     static constexpr std::uint32_t edge_bits = 3;
     static constexpr std::uint32_t every_edge = 1 | 1 << edge_bits | 1 << 2 * edge_bits;
 
-    /// Holds edges, each between two triangles, of which the one with the smaller number, or the only one,
-    /// owns it.
+    /// Edges, each between two triangles, of which the one with the smaller number, or the only one, owns it.
     struct Edges {
         enum Is : std::uint32_t { bent = 1, lengthy = 2, plain = 4, webbed = 8, halved = 16 };
 

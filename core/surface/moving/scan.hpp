@@ -1,5 +1,5 @@
-// Finds what a step may have brought out of its limits: one look at every triangle of a moving surface in
-// single precision, with some room, then the exact rules for the few of which it says so.
+// Finds violated limits after a step: a test of every triangle of a moving surface in single precision, with
+// some margin, then the exact rules for the few that it selects.
 #pragma once
 
 #include "core/surface/moving/refinement_context.hpp"
@@ -16,7 +16,7 @@ struct ScanMemory {
     std::vector<std::uint8_t> needs; ///< of triangle slots
 };
 
-/// Holds triangles in order of their slots.
+/// Triangles in order of their slots.
 struct Needs {
     std::vector<TriangleId> flipping, cutting, joining, pairing; ///< cutting: or clipping
 };

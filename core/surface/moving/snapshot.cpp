@@ -21,7 +21,7 @@ float deformation_of(const MaterialVertices& v, VertexId i) {
 
 using Corners = std::array<VertexId, 4>;
 
-/// Says in which place the thing of that id is.
+/// The place of the element with an id.
 struct Named {
     std::uint32_t name, place;
 };
@@ -30,15 +30,15 @@ void sort_by_name(std::vector<Named>& things) {
     radix_sort(things, [](const Named& thing) { return thing.name; });
 }
 
-/// Says what the triangles are handed out as, in the order of their slots.
+/// The quads of the triangles, in the order of their slots.
 struct Quads {
     std::vector<Corners> corners; ///< slots
     std::vector<Named> names;
     std::vector<Triangle> odd;
 };
 
-/// One look at each triangle, in the order they have in memory: to look from each quad's first half at its
-/// second, and at what hangs on its sides, took more than twice as long.
+/// Visits each triangle once, in the order they have in memory: visiting from each quad's first half its
+/// second, and the vertices that hang on its sides, took more than twice as long.
 Quads quads_of(const MaterialTriangles& triangles) {
     const auto slots = triangles.slots();
     Quads quads;
@@ -88,7 +88,7 @@ std::size_t youngest(const MovingMesh& mesh, const Corners& corner) {
         const VertexId a = corner[i], b = corner[k];
         const double t = (v.t[b] - v.t[a]) * -mesh.lattice.facing;
         const double s = mesh.lattice.s_between(v.s[b], v.s[a]);
-        // This has no branches: no one can tell beforehand which it will be.
+        // This has no branches: they would be unpredictable.
         return i + (k - i) * static_cast<std::size_t>((t > 0.0) | (!(t < 0.0) & (s > 0.0)));
     };
     return younger(younger(0, 1), younger(2, 3));

@@ -10,7 +10,7 @@
 
 namespace wakesurf::core {
 
-/// Says what the mesh is to have besides.
+/// The optional arrays of the mesh.
 struct ShownArrays {
     bool deformation = false;
     bool tangents = false;

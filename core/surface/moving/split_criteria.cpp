@@ -15,8 +15,8 @@ constexpr double largest_bulge = 0.1;
 constexpr double shallow = 0.15; ///< depth of a chord in a convex wall
 constexpr double at_wall = 0.25; ///< reach within which something is beside an obstacle
 
-/// A new tear may begin, away from the boundary of the surface, at this part of the seed distance at which
-/// a tear at an obstacle goes on.
+/// The part of the seed distance at which a new tear may begin, away from the boundary of the surface; a tear
+/// at an obstacle continues at the whole distance.
 constexpr double fresh_tear = 0.125;
 
 /// Relative area in (s, t) below which a web is not cut any more.
@@ -66,7 +66,7 @@ bool beside_obstacle(const RefinementContext& context, const Vec3& point) {
     return false;
 }
 
-/// Says what a triangle, or the two beside an edge, have of the surface's boundary.
+/// The boundary of the surface at a triangle, or at the two beside an edge.
 struct Boundary {
     bool any = false;
     bool tear = false; ///< not that of the parameter rectangle

@@ -26,9 +26,9 @@ bool crosses_obstacle(const RefinementContext& context,
                       VertexId b,
                       double squared_length);
 
-/// True for the inner edge of two triangles that are a good quad without it: nobody sees it, so it may be
+/// Is true of the inner edge of two triangles that are a good quad without it: it is invisible, so it may be
 /// longer than the separation.
-/// @param waits  also where a side of that quad is too long itself: sides are cut first, and the edge may be
+/// @param waits  also if a side of that quad is too long itself: sides are cut first, and the edge may be
 ///               gone then
 bool is_diagonal(const RefinementContext& context, TriangleId t, unsigned k, bool waits);
 

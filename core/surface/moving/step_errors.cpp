@@ -23,7 +23,7 @@ constexpr double of_the_difference = 2.0;
 /// The error in any direction is so many times the error across the surface, which is one of three.
 constexpr double of_across = 2.0;
 
-/// Returns a number that looks random, the same for the same vertex and turn.
+/// Returns a pseudo-random number, the same for the same vertex and turn.
 std::uint32_t mixed(std::uint32_t id, std::uint64_t turn) {
     std::uint64_t x = (std::uint64_t(id) + 1) * 0x9e3779b97f4a7c15u + turn * 0xbf58476d1ce4e5b9u;
     x = (x ^ (x >> 31)) * 0x94d049bb133111ebu;

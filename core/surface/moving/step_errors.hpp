@@ -11,8 +11,8 @@
 
 namespace wakesurf::core {
 
-/// Holds the error across the surface per unit of time, by place in the domain. It is a value: part of a
-/// surface's state.
+/// The error across the surface per unit of time, by place in the domain. It is a value: part of a surface's
+/// state.
 class StepErrors {
   public:
     StepErrors() = default;
@@ -46,16 +46,15 @@ class StepErrors {
     double step_ = 0.0; ///< length of the integrator's
 };
 
-/// Holds some of a mesh's vertices, before a step.
+/// A sample of a mesh's vertices, before a step.
 class StepSample {
   public:
     /// @param turn  another sample each
     StepSample(const MovingMesh& mesh, std::uint64_t turn);
 
-    /// Carries them to where the mesh has been carried, in finer steps, and tells `errors` how far across the
-    /// surface they come from its vertices.
-    /// REQUIRES: the mesh has been carried with `options`, and is otherwise as it was. Error: what advancing
-    /// reports.
+    /// Carries them to where the mesh has been carried, in finer steps, and adds to `errors` how far across
+    /// the surface they come from its vertices. REQUIRES: the mesh has been carried with `options`, and is
+    /// otherwise as it was. Error: as advancing.
     Result<void> learn(StepErrors& errors,
                        const Flow& flow,
                        const MovingMesh& mesh,

@@ -15,7 +15,7 @@ namespace {
 constexpr double growth_a_step =
     0.5; // of an edge's length: Hermite interpolation wants edges cut before they double
 constexpr double least_of_row =
-    1.0 / 16.0; // of the time between rows: one violent cell must not stop the rest
+    1.0 / 16.0; // of the time between rows: one violent cell must not stop the others
 
 /// Returns the larger of `most` and the fastest relative growth of a triangle's edges, of those longer than
 /// `shortest`. Roots are taken only of what may exceed `most`.

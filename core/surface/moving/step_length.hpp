@@ -1,4 +1,4 @@
-// Says how far in time a moving surface may be carried at once.
+// The longest time-step of a moving surface.
 #pragma once
 
 #include "core/surface/moving/moving_mesh.hpp"

@@ -83,7 +83,7 @@ Result<KeyedMesh> SurfaceHistory::at(double time, std::stop_token stop, const Wo
     const auto shown = [&]() -> Result<KeyedMesh> {
         if (surface_.time() == time)
             return surface_.mesh();
-        MovingSurface further = surface_; // the last part of the way is no one's checkpoint
+        MovingSurface further = surface_; // the last part of the way becomes no checkpoint
         return further.advance_to(time, stop, here.quietly().above(memory_of(mesh))).map([&] {
             statistics_ = further.statistics();
             statistics_.seconds = surface_.statistics().seconds;

@@ -1,5 +1,5 @@
-// A moving surface that can be looked at at any time, again and again: plays on, pauses, steps back to stored
-// checkpoints. What it shows at a time does not depend on what was looked at before.
+// A moving surface that can be evaluated at any time, again and again: plays on, pauses, steps back to stored
+// checkpoints. Its mesh at a time does not depend on earlier evaluations.
 #pragma once
 
 #include "core/surface/moving/moving_surface.hpp"
@@ -10,7 +10,7 @@
 
 namespace wakesurf::core {
 
-/// Thread safety: one thread at a time.
+/// Evaluates a moving surface. Thread safety: one thread at a time.
 class SurfaceHistory {
   public:
     /// @param surface       as MovingSurface::start returns it
@@ -18,10 +18,10 @@ class SurfaceHistory {
     ///                      stays.
     SurfaceHistory(MovingSurface surface, std::size_t budget_bytes);
 
-    /// The mesh at a time between the surface's first and its end. Steps from the newest checkpoint before
-    /// it, or from where it stands, telling `work` how far of the way it is and what memory it takes,
-    /// checkpoints apart. Error: OutOfTime; Cancelled, and OverLimit where there is no memory, after which
-    /// the next call goes on from a checkpoint; what stepping reports.
+    /// Returns the mesh at a time between the surface's first and its end. Steps from the newest checkpoint
+    /// before it, or from the present state, reporting to `work` the progress and the memory, checkpoints
+    /// apart. Error: OutOfTime; Cancelled, and OverLimit without memory, after which the next call continues
+    /// from a checkpoint; as stepping.
     Result<KeyedMesh> at(double time, std::stop_token stop, const WorkPart& work = {});
 
     /// Returns the bytes of the checkpoints.
@@ -45,7 +45,7 @@ class SurfaceHistory {
 
     MovingSurface surface_;
     SurfaceStatistics statistics_;
-    bool torn_ = false; ///< it ended amid a step: a checkpoint takes its place first
+    bool torn_ = false; ///< it ended within a step: a checkpoint replaces it first
     double start_;
     double direction_;
     std::size_t budget_;

@@ -67,7 +67,7 @@ class Onlooker {
     }
 
   private:
-    /// Holds at [k] the value of the edge from corner k, or at the corner.
+    /// At [k] the value of the edge from corner k, or at the corner.
     struct Corners {
         std::array<Floats, 3> x, y, z, ds, dt;
         std::array<std::array<Floats, 3>, 6> tangent; ///< along_s, along_t
@@ -104,7 +104,7 @@ class Onlooker {
         std::array<std::uint32_t, lanes> flags{};
     };
 
-    /// Finds what the shape needs. A triangle whose numbers are not finite is looked at exactly: comparisons
+    /// Tests the shape. A triangle whose numbers are not finite is selected for the exact test: comparisons
     /// are written so that it does not pass.
     void find_shape(const Corners& at, Shape& shape) const {
         constexpr float room = look_room;

@@ -1,5 +1,5 @@
-// One look at every triangle of a moving surface in single precision, many at a time, with some room: what
-// the exact rules have to be asked about, and what its neighbours have to know of it.
+// A test of every triangle of a moving surface in single precision, many at a time, with some margin: the
+// questions for the exact rules, and the facts for its neighbours.
 #pragma once
 
 #include "core/surface/moving/refinement_context.hpp"
@@ -14,7 +14,7 @@ namespace wakesurf::core {
 /// Single precision may be off by this, and some more.
 inline constexpr float look_room = 1e-4f;
 
-/// Says what to look at. Edges have three bits each: the first << k.
+/// The tests. Edges have three bits each: the first << k.
 enum Look : std::uint32_t {
     look_dead = 1,      ///< a vertex is; nothing else is said then
     look_small = 2,     ///< an edge is short, or the triangle thin
@@ -35,7 +35,7 @@ struct TriangleLook {
     std::uint32_t flags = 0;
 };
 
-/// Holds what the check of a triangle needs of a vertex, in one line of the cache.
+/// The data of a vertex for the check of a triangle, in one line of the cache.
 struct alignas(64) VertexLook {
     Vec3 position;
     double s, t;

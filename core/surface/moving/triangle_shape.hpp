@@ -1,5 +1,5 @@
-// Lengths, areas and angles of a moving surface's triangles, in space and in the parameter rectangle: what
-// the refinement criteria look at.
+// Lengths, areas and angles of a moving surface's triangles, in space and in the parameter rectangle: the
+// input of the refinement criteria.
 #pragma once
 
 #include "core/surface/moving/moving_mesh.hpp"
@@ -55,8 +55,8 @@ inline unsigned longest_edge_of(const MovingMesh& mesh, TriangleId t) {
     return longest;
 }
 
-/// Area in the parameter rectangle over that which the same steps could have at most: 1 where they are at
-/// right angles there, negative where the triangle is turned over. It alone tells whether something is turned
+/// Returns the area in the parameter rectangle over the most that the same steps could have: 1 if they are at
+/// right angles there, negative if the triangle is turned over. It alone shows whether something is turned
 /// over, however the flow has folded the surface.
 inline double material_area(const MovingMesh& mesh, VertexId a, VertexId b, VertexId c) {
     const ParameterStep p = mesh.parameter_step(a, b);

@@ -7,7 +7,7 @@ namespace wakesurf::core {
 
 namespace {
 
-/// Holds values and slopes of the four sides where u and v meet them: sides 0 and 2 by u, 1 and 3 by v.
+/// The values and slopes of the four sides where u and v meet them: sides 0 and 2 by u, 1 and 3 by v.
 template <class Value>
 struct SidesMet {
     std::array<Value, 4> value, slope;

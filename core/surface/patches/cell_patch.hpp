@@ -22,7 +22,7 @@ struct PatchSide {
     PatchPoint slope(double part) const;
 };
 
-/// Holds a point of a patch and how it changes with u and v.
+/// A point of a patch and how it changes with u and v.
 template <class Value>
 struct PatchJet {
     Value value, u, v;
@@ -44,7 +44,7 @@ class CellPatch {
     std::uint32_t flat_curves() const;
 
   private:
-    /// Holds a plane through the cell, with units of its own in x and y.
+    /// A plane through the cell, with units of its own in x and y.
     struct Plane {
         Vec3 centre{0.0}, x{0.0}, y{0.0}, up{0.0};
         double per_x = 0.0, per_y = 0.0;

@@ -9,10 +9,10 @@
 
 namespace wakesurf::core {
 
-/// Holds three functions of a place in the plane at once: height, s, t.
+/// Three functions of a place in the plane at once: height, s, t.
 using PlaneValues = Vec3;
 
-/// Holds polynomials of third degree.
+/// Polynomials of third degree.
 class PlaneCubics {
   public:
     static constexpr std::size_t terms = 10;

@@ -132,7 +132,7 @@ class Cutter {
         return on_sides_ + number * (n_ - 1) + (k - 1);
     }
 
-    /// Holds a side of a cell in the direction of its outline, in `n` or, with a mid node, 2 `n` pieces.
+    /// A side of a cell in the direction of its outline, in `n` or, with a mid node, 2 `n` pieces.
     struct Run {
         VertexId from, mid, to;
         std::size_t first = 0, second = 0; ///< numbers of its pieces

@@ -9,10 +9,10 @@
 
 namespace wakesurf::core {
 
-/// Holds values of each of some fields at each vertex.
+/// The values of each of some fields at each vertex.
 using VertexFields = std::vector<std::vector<float>>;
 
-/// Holds a path surface that grows with time; immutable.
+/// A path surface that grows with time; immutable.
 class GrowingMesh {
   public:
     /// @param span    integration time: the age of the oldest. Cost: O(cells log cells).

@@ -30,7 +30,7 @@ class PlayedSurface {
     PlayedSurface(PlayedSurface&&) noexcept;
     PlayedSurface& operator=(PlayedSurface&&) noexcept;
 
-    /// Holds the surface at one time.
+    /// The surface at one time.
     struct Shown {
         KeyedMesh mesh;               ///< ids last as long as this surface
         SurfaceStatistics statistics; ///< up to that time

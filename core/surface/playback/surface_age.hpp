@@ -7,7 +7,7 @@
 
 namespace wakesurf::core {
 
-/// Returns whether it looks different at different times of a clock.
+/// Says whether it looks different at different times of a clock.
 bool moves(const SurfaceParameters& parameters);
 
 /// Its age at a time of the clock, clamped to what it is followed over; at its end without a time.

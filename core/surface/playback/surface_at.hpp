@@ -14,7 +14,7 @@
 
 namespace wakesurf::core {
 
-/// Holds the surface at one time.
+/// The surface at one time.
 struct SurfaceAt {
     QuadComplex mesh;             ///< as it is then
     SurfaceStatistics statistics; ///< up to that time

@@ -1,4 +1,4 @@
-// Says what a sheet is asked to be: one direction of a stream or path surface.
+// The options of a sheet: one direction of a stream or path surface.
 #pragma once
 
 #include "core/integrate/curve.hpp"

@@ -143,9 +143,8 @@ plan_surface(const Flow& flow, const Rake& rake, const SurfaceParameters& parame
 Result<double> SurfacePlan::largest_speed(std::stop_token stop) const {
     std::vector<Vec3> points;
     const Box box = flow->domain();
-    // It looks at few places, none on the domain's faces: in a time-step that is read by brick each is a
-    // brick of its own. With 7^3 they were 355 bricks, 155 MB, and most of the time to a first surface over
-    // HTTP.
+    // Samples few places, none on the domain's faces: in a time-step that is read by brick each is a brick of
+    // its own. With 7^3 they were 355 bricks, 155 MB, and most of the time to a first surface over HTTP.
     for (int i = 0; i < 27; ++i)
         points.push_back(box.lo +
                          box.extent() *

@@ -17,22 +17,22 @@ namespace wakesurf::core {
 class LevelSource;
 struct SheetOptions;
 
-/// Holds what plan_surface has checked and completed; a value.
+/// The request that plan_surface has checked and completed; a value.
 struct SurfacePlan {
     std::shared_ptr<const Flow> flow; ///< what carries the particles
-    /// Holds the part of the rake inside the domain.
+    /// The part of the rake inside the domain.
     Rake rake;
     /// With a separation and a direction; `rake2` is inside the domain too.
     SurfaceParameters parameters;
-    /// Holds the seeding curve of `rake`.
+    /// The seeding curve of `rake`.
     SeedingCurve seeding;
-    /// Holds the source of a level surface over the flow's data: whoever opens the data sets it.
+    /// The source of a level surface over the flow's data: set when the data are opened.
     std::shared_ptr<const LevelSource> levels{};
     /// Part of a rake was outside the domain and is left out.
     bool clipped = false;
 
-    /// Returns the largest speed on 3^3 points of the domain and 17 of the rake, at `from`: what "at rest" is
-    /// measured by. It is no member, since it needs data to be loaded.
+    /// Returns the largest speed on 3^3 points of the domain and 17 of the rake, at `from`, which defines "at
+    /// rest". It is no member, since it needs data to be loaded.
     Result<double> largest_speed(std::stop_token stop) const;
 
     /// Returns the sheets of a stream or path surface, one a direction, at `separation`, which may be larger

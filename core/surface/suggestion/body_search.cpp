@@ -13,7 +13,7 @@ constexpr int finer = 8; ///< times as many boxes, where an obstacle must be but
 constexpr int most_boxes = 3'000'000;
 constexpr int closer_look = 16'384; ///< boxes round one body
 constexpr double flat = 1e-3; ///< of a side: how near to a side of the domain a wall is that side
-constexpr std::size_t most_triangles = 400'000; ///< of walls that are looked at, evenly chosen
+constexpr std::size_t most_triangles = 400'000; ///< of the tested walls, evenly chosen
 constexpr int most_cuts = 256;  ///< a triangle's sides are cut into, to reach every box it crosses
 constexpr double similar = 0.5; ///< as large as the largest, about
 
@@ -194,7 +194,7 @@ find_body(const Flow& flow, const FlowSurvey& survey, const WallGeometry& walls)
     if (bodies.empty())
         return std::nullopt;
     const Body& first = first_of(bodies, survey);
-    // Only this body is looked at closer: a mesh with holes everywhere has hundreds.
+    // Only this body is examined more closely: a mesh with holes everywhere has hundreds.
     return first.at_wall ? first.box : closer(flow, first.box, lattice.step());
 }
 

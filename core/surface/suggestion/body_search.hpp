@@ -9,11 +9,11 @@
 
 namespace wakesurf::core {
 
-/// Returns the box round the body to look at first: of the largest across the flow, the one that the flow
-/// meets first. What reaches the side where the flow enters or leaves is no body but the edge of the domain,
-/// as the wall of a channel. A body thinner than some hundredth of the domain is found where `walls` have it,
-/// or where the flow knows that there is an obstacle. REQUIRES: survey.through(). Cost: at most some 2
-/// million lookups, and a pass over the walls' triangles.
+/// Returns the box round the most interesting body: of the largest across the flow, the one that the flow
+/// meets first. A body that reaches the side where the flow enters or leaves is the edge of the domain, as
+/// the wall of a channel. A body thinner than some hundredth of the domain is found if `walls` have it, or if
+/// the flow knows that there is an obstacle. REQUIRES: survey.through(). Cost: at most some 2 million
+/// lookups, and a pass over the walls' triangles.
 std::optional<Box> find_body(const Flow& flow, const FlowSurvey& survey, const WallGeometry& walls);
 
 } // namespace wakesurf::core

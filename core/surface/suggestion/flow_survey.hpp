@@ -1,5 +1,5 @@
-// A coarse look at a whole flow at one time: where there is fluid, where the flow goes, and where it turns.
-// What a suggestion is made from.
+// A coarse survey of a whole flow at one time: where there is fluid, where the flow goes, and where it turns.
+// The input of a suggestion.
 #pragma once
 
 #include "core/field/flow.hpp"
@@ -11,7 +11,7 @@
 
 namespace wakesurf::core {
 
-/// Holds boxes of equal size that fill a domain, x fastest.
+/// Boxes of equal size that fill a domain, x fastest.
 struct SurveyLattice {
     Box domain;
     std::array<int, 3> count{1, 1, 1};
@@ -63,12 +63,12 @@ Result<FlowSurvey> survey_flow(const Flow& flow, double time, std::stop_token st
 /// Computes by differences between the middles of boxes.
 Vec3 vorticity_in(const FlowSurvey& survey, const std::array<int, 3>& box);
 
-/// Says where the flow turns most, seen in the middle of the domain rather than at its sides.
+/// The place where the flow turns most, with a preference for the middle of the domain to its sides.
 struct Rotation {
     Vec3 place{0.0};
     Vec3 vorticity{0.0};
     Vec3 velocity{0.0};
-    /// Is vorticity there x half of the longest side / mean speed: how much it matters.
+    /// Vorticity there x half of the longest side / mean speed: how much it matters.
     double strength = 0.0;
 };
 

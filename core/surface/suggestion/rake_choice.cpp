@@ -12,20 +12,20 @@ namespace wakesurf::core {
 
 namespace {
 
-// Are parts of the body's size: how far ahead of it a rake stands, and how far off its middle (exactly there
-// all would end where the flow parts). At a slender body the flow parts along a line, not at a point: further
+// Parts of the body's size: how far ahead of it a rake stands, and how far off its middle (exactly there all
+// would end where the flow parts). At a slender body the flow parts along a line, not at a point: further
 // off.
 constexpr double ahead = 1.0, off_middle = 0.05, off_middle_of_slender = 0.25, slender = 2.0;
-/// Is a part of the way that particles go: the rest of it is for what happens at the body and behind.
+/// A part of the way that particles go: the remaining way is for the body and the flow behind it.
 constexpr double ahead_of_way = 0.15;
 /// A rake reaches beyond a body by so much of its width on each side.
 constexpr double beyond = 0.25;
-// Are parts of the domain's side: a rake's place where the flow enters, its length where no body says it, its
-// distance from the sides.
+// Parts of the domain's side: a rake's place where the flow enters, its length without a body, its distance
+// from the sides.
 constexpr double entering = 0.1, usual_length = 0.6, margin = 0.03;
 /// A body this wide is as wide as the domain.
 constexpr double whole = 0.9;
-/// Is a part of the domain's other side: along a thinner one a surface is a ribbon that is hardly visible.
+/// A part of the domain's other side: along a thinner one a surface is a ribbon that is hardly visible.
 constexpr double too_thin = 0.01;
 /// A flow whose vorticity changes its velocity by less across the domain does not turn.
 constexpr double turning = 0.3;
@@ -34,10 +34,10 @@ constexpr double turning = 0.3;
 constexpr double most_turns = 4.0, most_turns_through = 2.5;
 /// The rake reaches as far beside a vortex as the fluid turns by this part of what it turns there.
 constexpr double turns_too = 0.3;
-/// Is a part of the domain's height: where fluid rises less along a vortex within so many turns, a rake
-/// across it makes a disc.
+/// A part of the domain's height: where fluid rises less along a vortex within so many turns, a rake across
+/// it makes a disc.
 constexpr double rises = 0.2;
-// Are parts of the narrower side across a vortex: how far off its core a rake along it stands, and how far a
+// Parts of the narrower side across a vortex: how far off its core a rake along it stands, and how far a
 // sheet is rolled up round it.
 constexpr double off_core = 0.08, rolled = 0.4;
 constexpr int looks = 64; ///< along a line, for where it is in fluid

@@ -13,7 +13,7 @@ constexpr std::uint32_t usual_seeds = 32;
 /// The flow is slower in a wake than ahead of it: the time for a way is this much longer than the fastest
 /// needs.
 constexpr double slower = 1.25;
-/// Is a part of that time, for a time surface.
+/// A part of that time, for a time surface.
 constexpr double patch_part = 0.35;
 /// Limits the bytes of time-steps that a first surface reads, unless those are fewer than `least_steps`.
 constexpr double most_bytes = 4.0 * (1ULL << 30U);
@@ -21,7 +21,7 @@ constexpr std::size_t least_steps = 8;
 // Limit what a surface costs: how often a vertex is moved, in all, and how many quads are enough to see, and
 // too few.
 constexpr double most_moves = 4e6, most_quads = 20'000.0, least_quads = 2'000.0;
-// Are the cells across the body, at least, and along the rake, at most.
+// The cells across the body, at least, and along the rake, at most.
 constexpr double across_body = 6.0, along_rake = 40.0, along_rake_in_vortex = 24.0;
 
 /// Behind a body in steady flow nothing new comes after so many of its sizes.
@@ -64,7 +64,7 @@ Vec3 rounded(const Vec3& place, const Box& domain) {
     return out;
 }
 
-/// Returns how long it takes to see all of it; a time of its own where nothing moves.
+/// Returns the time for the particles to cross the view; the default if nothing moves.
 double usual_time(const RakeChoice& choice) {
     return choice.speed > 0.0 ? rounded(slower * choice.way / choice.speed, 2) : 1.0;
 }

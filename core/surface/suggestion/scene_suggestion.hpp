@@ -1,5 +1,5 @@
 // A first picture of a flow: a rake, and for each kind of surface the times and the separation, all from the
-// data. Commands, scripts and the page begin with it where no one has said otherwise.
+// data. Commands, scripts and the page begin with it unless the user chooses otherwise.
 #pragma once
 
 #include "core/dataset/wall_geometry.hpp"
@@ -14,18 +14,18 @@
 
 namespace wakesurf::core {
 
-/// Holds what of a series a suggestion depends on, beside the flow itself.
+/// The facts about a series that a suggestion depends on, beside the flow itself.
 struct SeriesFacts {
     std::vector<double> times;        ///< strictly increasing; at least one
     bool steady = false;              ///< it has one field for all times
     std::uint64_t bytes_per_step = 0; ///< of a time-step's velocity
 };
 
-/// Says what to begin with.
+/// A suggested scene.
 struct SceneSuggestion {
     Rake rake; ///< one for all its surfaces
-    /// Holds one surface of each kind that the data allow: a single time-step of a flow that is not steady
-    /// has no other than stream surfaces.
+    /// One surface of each kind that the data allow: a single time-step of a flow that is not steady allows
+    /// only stream surfaces.
     std::vector<SurfaceParameters> surfaces;
     std::string why; ///< a sentence for people
 };

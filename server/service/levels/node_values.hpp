@@ -24,8 +24,9 @@ struct NodeField {
     bool operator==(const NodeField&) const = default;
 };
 
-/// Finds a field; a stored one goes before a derived one. @param velocity  the name of the dataset's. @param
-/// of_files  as no_such_field() has it. Error: NotFound, listing the fields.
+/// Finds a field; a stored one goes before a derived one. Error: NotFound, listing the fields.
+/// @param velocity  the name of the dataset's
+/// @param of_files  as no_such_field() has it
 core::Result<NodeField> find_node_field(const store::StoreScalars& scalars,
                                         const std::string& velocity,
                                         const std::string& name,
