@@ -17,7 +17,7 @@ void register_accuracy_benchmarks(const std::shared_ptr<const server::LoadedData
 /// holes.
 void register_shape_benchmarks(const std::shared_ptr<const server::LoadedDataset>& dataset);
 
-/// What coarsening costs that a quad budget demands, and how much of the budget the surface has then.
+/// The cost of coarsening to a quad budget, and the part of the budget that the surface then uses.
 void register_budget_benchmarks();
 
 /// Stream and path surfaces of about 20,000 quads on four rakes across the domain, complete, on one core.

@@ -1,5 +1,5 @@
-// A session on a server of its own with one stream surface and a rake to move back and forth: what benchmarks of edits start
-// from.
+// A session on a server of its own with one stream surface and a rake to move back and forth: the set-up of
+// benchmarks of edits.
 #pragma once
 
 #include "core/base/vec3.hpp"
@@ -14,7 +14,7 @@ namespace wakesurf::bench {
 
 class EditedSurface {
   public:
-    /// @param quads  the surface settles on about so many, whatever the dataset
+    /// @param quads  the surface settles on about so many, for any dataset
     EditedSurface(const ServerAddress& address, double quads, int seeds = 32);
 
     LiveClient& client() { return client_; }
@@ -25,10 +25,10 @@ class EditedSurface {
 
     double quads() const { return quads_; }
 
-    /// What moves the rake a little further, for rake.set.
+    /// Returns the parameters of rake.set that move the rake a little further.
     nlohmann::json next_edit();
 
-    /// The statistics of the surface, once it is complete.
+    /// Returns the statistics of the surface, once it is complete.
     nlohmann::json complete();
 
     /// Reads frames up to the first of an epoch after `epoch`.

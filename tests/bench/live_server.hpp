@@ -1,5 +1,5 @@
-// The program `wakesurf` beside this one as a server process on a port of its own, and a well-behaved blocking client
-// of it: what a benchmark of the whole path needs.
+// The program `wakesurf` beside this one as a server process on a port of its own, and a well-behaved
+// blocking client of it, for benchmarks of the whole path.
 #pragma once
 
 #include "protocol/wire/bytes.hpp"
@@ -23,15 +23,15 @@ struct ServerAddress {
     std::string url; ///< as a browser opens it
 };
 
-/// Serves one dataset until destroyed. Throws std::runtime_error when the process ends instead of serving.
+/// Serves one dataset until destroyed. Throws std::runtime_error if the process ends instead of serving.
 class LiveServer {
   public:
     explicit LiveServer(const std::string& dataset);
 
-    /// What starts a program: its path, or another program that becomes it.
+    /// Returns the words that start a program: its path, or another program that becomes it.
     using Launch = std::function<std::vector<std::string>(const std::filesystem::path& program)>;
 
-    /// The same of several datasets, with further arguments.
+    /// Serves several datasets, with further arguments.
     LiveServer(const std::vector<std::string>& datasets,
                const std::vector<std::string>& arguments,
                const Launch& launch);
@@ -46,22 +46,22 @@ class LiveServer {
     std::jthread process_;
 };
 
-/// One WebSocket. Every call blocks; throws std::runtime_error for an error answer or a lost connection.
+/// A WebSocket. Every call blocks; throws std::runtime_error for an error answer or a lost connection.
 class LiveClient {
   public:
     explicit LiveClient(const ServerAddress& address);
     ~LiveClient();
 
-    /// The result of a method; frames and notifications on the way are dropped.
+    /// Returns the result of a method; frames and notifications on the way are dropped.
     nlohmann::json call(const std::string& method, const nlohmann::json& parameters);
 
     /// Sends a call without waiting for its answer.
     void send(const std::string& method, const nlohmann::json& parameters);
 
-    /// The next frame; text on the way is dropped.
+    /// Returns the next frame; text on the way is dropped.
     protocol::Bytes next_frame();
 
-    /// Ends the connection; from another thread, too, which then throws.
+    /// Ends the connection, also from another thread; pending calls then throw.
     void hang_up();
 
   private:

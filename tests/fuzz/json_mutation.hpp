@@ -1,5 +1,5 @@
-// Changes within JSON that leave it JSON: bytes changed at random seldom do, and would try little but the parser. It is done on the text,
-// because libFuzzer wants a mutation for every run.
+// Changes within JSON that leave it JSON: bytes changed at random seldom do, and would try little but the
+// parser. It is done on the text, because libFuzzer wants a mutation for every run.
 #pragma once
 
 #include "tests/fuzz/json_spans.hpp"
@@ -14,11 +14,11 @@ namespace wakesurf::fuzz {
 
 class JsonMutation {
   public:
-    /// What is put into other texts comes out of these.
+    /// Takes the texts from which values are inserted.
     explicit JsonMutation(const std::vector<std::string>& seeds);
 
-    /// `text`, or the JSON at the end of one of its lines, with some values changed, left out, added or put elsewhere. Nothing where that
-    /// is no JSON.
+    /// Returns `text`, or the JSON at the end of one of its lines, with some values changed, left out, added
+    /// or moved. Empty without JSON.
     std::optional<std::string> operator()(std::string_view text, Random& random) const;
 
   private:

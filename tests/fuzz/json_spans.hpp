@@ -1,4 +1,5 @@
-// Where the values of a JSON text are, without building them: what a mutation needs to know, in a hundredth of a parser's time.
+// The positions of the values in a JSON text, without building them: enough for a mutation, in a hundredth of
+// a parser's time.
 #pragma once
 
 #include <cstddef>
@@ -20,8 +21,8 @@ struct JsonSpan {
     bool structured() const { return kind == Kind::Object || kind == Kind::Array; }
 };
 
-/// The value that begins at `from` and all values within, each before those within it; nothing where there is none. Looser than a parser:
-/// what is within quotes, and which numbers there are, is not looked at.
+/// Returns the value that begins at `from` and all values within, each before those within it; empty if there
+/// is none. Looser than a parser: strings and numbers are not checked.
 std::optional<std::vector<JsonSpan>> json_spans(std::string_view text, std::size_t from = 0);
 
 } // namespace wakesurf::fuzz

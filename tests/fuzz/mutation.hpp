@@ -1,5 +1,5 @@
-// Inputs made from others without a fuzzer's feedback: bytes changed, cut, doubled and crossed with another seed. Deterministic, so that
-// what fails in ./check fails again.
+// Inputs made from others without a fuzzer's feedback: bytes changed, cut, doubled and crossed with another
+// seed. Deterministic, so that what fails in ./check fails again.
 #pragma once
 
 #include "tests/fuzz/random.hpp"
@@ -12,7 +12,7 @@
 
 namespace wakesurf::fuzz {
 
-/// REQUIRES: seeds.
+/// Returns a mutation of one of the seeds. REQUIRES: seeds.
 inline std::string mutate(const std::vector<std::string>& seeds, Random& random) {
     std::string out = seeds[below(seeds.size(), random)];
     for (std::size_t round = 1 + below(4, random); round > 0; --round) {

@@ -16,7 +16,8 @@
 
 namespace wakesurf::tests::cavity {
 
-// Numbers that are exact as 32-bit floats and as short text; different in every cell, component and time-step.
+// Numbers that are exact as 32-bit floats and as short text; different in every cell, component and
+// time-step.
 inline double value_at(int cell, int component, int step) {
     return 0.125 * cell + 32.0 * component - 4.0 * step + 0.5;
 }

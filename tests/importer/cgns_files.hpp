@@ -18,7 +18,7 @@ namespace wakesurf::tests {
 
 enum class Pointers { Written, Missing };
 
-/// Where their numbers are, and how many there are.
+/// The numbers of boundary elements, and their count.
 struct Boundary {
     bool last = true;
     bool between = false; ///< others are between the cells
@@ -45,7 +45,7 @@ inline void ok(int status) {
     ASSERT_EQ(status, CG_OK) << cg_get_error();
 }
 
-// Solution of one zone at one step: the vector at the vertices, T in the cells.
+// Writes the solution of one zone at one step: the vector at the vertices, T in the cells.
 inline void
 write_solution(int file, int zone, vtkDataSet& data, const Contents& contents, int step) {
     const std::string n = std::to_string(step);
@@ -159,7 +159,8 @@ inline void write_pointers(int file, int zone, std::size_t steps) {
     ok(cg_array_write("FlowSolutionPointers", CGNS_ENUMV(Character), 2, size.data(), names.data()));
 }
 
-// The library writes its own version as a number of 32 bits; HDF5 would notice the change by a checksum. REQUIRES: adf.
+// The library writes its own version as a number of 32 bits; HDF5 would notice the change by a checksum.
+// REQUIRES: adf.
 inline void claim_version(const std::filesystem::path& path, float version) {
     float own = 0;
     int file = 0;

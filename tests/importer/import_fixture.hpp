@@ -52,7 +52,7 @@ class Import : public testing::Test {
         return import(options);
     }
 
-    // Fails with status 1 and one line on standard error that holds `words`; no store is left complete.
+    // Expects status 1 and one line on standard error that holds `words`; no store is left complete.
     void expect_refusal(const std::string& name,
                         const std::string& words,
                         std::vector<std::string> options = {}) {

@@ -1,5 +1,5 @@
-// A flow that is known everywhere and differs between time-steps, written into grids and looked for in what a reader
-// gives back; and refusals.
+// A flow that is known everywhere and differs between time-steps, written into grids and compared with a
+// reader's output; and refusals.
 #pragma once
 
 #include "importer/base/source.hpp"
@@ -38,7 +38,7 @@ inline std::array<double, 3> cell_centre(vtkDataSet& data, vtkIdType cell) {
     return out;
 }
 
-/// Point arrays U and p, cell array T (the pressure at the mean of a cell's nodes).
+/// Adds point arrays U and p, cell array T (the pressure at the mean of a cell's nodes).
 inline void put_known_flow(vtkDataSet& data, int step) {
     const auto array = [](const char* name, int components) {
         auto out = vtkSmartPointer<vtkDoubleArray>::New();
@@ -60,7 +60,7 @@ inline void put_known_flow(vtkDataSet& data, int step) {
     data.GetCellData()->AddArray(t);
 }
 
-constexpr double known_tolerance = 1e-6; // what float32 files keep of values up to 10
+constexpr double known_tolerance = 1e-6; // the precision of float32 files for values up to 10
 
 inline void expect_vector(vtkDataSet& data, const char* name, int step) {
     vtkDataArray* found = data.GetPointData()->GetArray(name);
@@ -100,7 +100,7 @@ inline const core::FieldInfo* field_named(const importer::Source& source, const 
     return nullptr;
 }
 
-/// All time-steps, forwards and then backwards: a reader must not give the time-step it read before.
+/// Reads all time-steps, forwards and then backwards: a reader must not return the time-step it read before.
 inline void expect_known_series(importer::Source& source, const std::vector<double>& times) {
     ASSERT_EQ(source.description().times, times);
     for (int pass = 0; pass < 2; ++pass)
@@ -147,7 +147,7 @@ inline vtkSmartPointer<vtkRectilinearGrid> sample_rectilinear() {
     return out;
 }
 
-/// Sheared and stretched, from `x0` on.
+/// Returns a sheared and stretched grid, from `x0` on.
 inline vtkSmartPointer<vtkStructuredGrid> sample_structured(double x0 = 0.0) {
     auto out = vtkSmartPointer<vtkStructuredGrid>::New();
     out->SetDimensions(4, 5, 6);
@@ -161,7 +161,7 @@ inline vtkSmartPointer<vtkStructuredGrid> sample_structured(double x0 = 0.0) {
     return out;
 }
 
-/// Two hexahedra, a wedge, a pyramid and a tetrahedron.
+/// Returns two hexahedra, a wedge, a pyramid and a tetrahedron.
 inline vtkSmartPointer<vtkUnstructuredGrid> sample_mesh(double x0 = 0.0) {
     auto out = vtkSmartPointer<vtkUnstructuredGrid>::New();
     auto points = vtkSmartPointer<vtkPoints>::New();

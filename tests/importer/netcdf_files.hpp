@@ -91,7 +91,7 @@ struct Flow {
     Names velocity{"u", "v", "w"};
 };
 
-// Raw value of component c at (x, y, z) of step t; `spoil` may put another one there.
+// Returns the raw value of component c at (x, y, z) of step t; `spoil` may replace it.
 using Spoil = std::function<void(std::size_t index, double& raw)>;
 
 inline void
@@ -159,7 +159,8 @@ write_flow(const std::filesystem::path& file, const Flow& flow, const Spoil& spo
     }
 }
 
-/// A file of the classic format with one dimension, whose name has this many bytes: the library writes no more than 256.
+/// Returns a file of the classic format with one dimension, whose name has this many bytes: the library
+/// writes no more than 256.
 inline std::string file_with_name(std::size_t bytes) {
     const auto number = [](std::uint32_t value) {
         std::string out;

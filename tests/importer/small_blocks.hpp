@@ -49,7 +49,7 @@ inline void add_polyhedron(vtkUnstructuredGrid& grid,
     grid.InsertNextCell(VTK_POLYHEDRON, stream);
 }
 
-/// Hexahedra of side `h` from `lo`, n of them along each axis, x fastest; as polyhedra where asked for.
+/// Returns hexahedra of side `h` from `lo`, n of them along each axis, x fastest; as polyhedra on request.
 inline GridPointer
 brick(const core::Vec3& lo, double h, std::array<int, 3> n, bool polyhedra = false) {
     auto grid = empty_block();
@@ -84,8 +84,8 @@ brick(const core::Vec3& lo, double h, std::array<int, 3> n, bool polyhedra = fal
     return grid;
 }
 
-/// One block of two sizes of cells: 2 x 2 x 1 cells of side 1 below 4 x 4 x 2 of side 1/2, all of them polyhedra, as
-/// snappyHexMesh makes them: the large cells have four faces on top, and sides of five corners.
+/// Returns one block of two sizes of cells: 2 x 2 x 1 cells of side 1 below 4 x 4 x 2 of side 1/2, all of
+/// them polyhedra, like snappyHexMesh's: the large cells have four faces on top, and sides of five corners.
 inline GridPointer refined_block() {
     auto grid = brick({0, 0, 1}, 0.5, {4, 4, 2}, true);
     const auto fine = [](int i, int j) { return vtkIdType{i + 5 * j}; };

@@ -34,7 +34,7 @@ HOMES = {
 DECLARED = re.compile(r"^[ \t]*(?:struct|class|enum class|enum|using)[ \t]+(\w+)(?=[ \t]*(?:\{|;|:|=|final\b|$))", re.MULTILINE)
 
 # Rooms whose comments in front of declarations are sentences. The list grows.
-ROOMS_OF_SENTENCES = re.compile(r"(core|store|importer|command|protocol/(wire|files)|server/(net|cli|app|service/(live|web|zarr|bricks|levels|catalogue|journal|metrics|base)))/.*\.(hpp|cpp)$")
+ROOMS_OF_SENTENCES = re.compile(r"(core|store|importer|command|protocol/(wire|files)|tests/support|server/(net|cli|app|service/(live|web|zarr|bricks|levels|catalogue|journal|metrics|base)))/.*\.(hpp|cpp)$")
 WITHOUT_SUBJECT = re.compile(r"(Of|As|The same|What|Whether|Who|How|So many|That)\b(?! is why)")
 LONGEST_COMMENT = 110
 

@@ -1,5 +1,5 @@
-// A server's disk in a world, and the journal on it: what is written lasts a while later, in order, sometimes not for long
-// stretches; what has not come to the disk when the server crashes is lost.
+// A server's disk in a world, and the journal on it: writes last a while, in order, sometimes for long;
+// writes that are pending when the server crashes are lost.
 #pragma once
 
 #include "server/service/base/journal.hpp"
@@ -18,7 +18,7 @@
 
 namespace wakesurf::simulation {
 
-/// Outlives the servers.
+/// Stores the records. Outlives the servers.
 struct Disk {
     using Key = std::pair<std::string, std::string>; ///< type, id
 
@@ -45,7 +45,7 @@ struct Disk {
     Instant full_until{};
 };
 
-/// Of one server's life.
+/// The journal of one server's life.
 class WorldJournal final : public server::Journal {
   public:
     WorldJournal(World& world, Disk& disk) : world_(world), disk_(disk) {}

@@ -1,5 +1,5 @@
-// A connection between a client and the server: two directions, each in order, each with delays of its own; it can be cut at
-// any moment, and what was on its way is lost.
+// A connection between a client and the server: two directions, each in order, each with delays of its own;
+// it can be cut at any moment, which loses messages on their way.
 #pragma once
 
 #include "tests/simulation/world.hpp"
@@ -22,10 +22,10 @@ class Link : public std::enable_shared_from_this<Link> {
   public:
     enum End : std::size_t { Client = 0, Server = 1 };
 
-    /// @param slowest  a message takes up to this long
+    /// @param slowest  the longest delay of a message
     Link(World& world, Duration slowest) : world_(world), slowest_(slowest) {}
 
-    /// What an end does with a message, and when the link has gone.
+    /// Sets the callbacks of an end, for messages and for the end of the link.
     void attach(End end, std::function<void(Message)> receive, std::function<void()> gone) {
         ends_[end].receive = std::move(receive);
         ends_[end].gone = std::move(gone);
@@ -49,7 +49,7 @@ class Link : public std::enable_shared_from_this<Link> {
                      });
     }
 
-    /// Both ends learn of it, each in its time.
+    /// Cuts the link; both ends learn of it, each after its delay.
     void cut() {
         if (!std::exchange(open_, false))
             return;
@@ -58,7 +58,7 @@ class Link : public std::enable_shared_from_this<Link> {
                          [self = shared_from_this(), gone = side.gone] { gone(); });
     }
 
-    /// Without telling the server, which has crashed.
+    /// Cuts the link without notifying the server, which has crashed.
     void crash() {
         if (!std::exchange(open_, false))
             return;

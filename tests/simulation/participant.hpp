@@ -1,5 +1,5 @@
-// A client of a simulated server: mirrors the session's records and folds the frames of its surfaces as the page does, edits at
-// random, loses its connection and comes back. Whatever happens, what it holds must be what the server says.
+// A client of a simulated server: mirrors the session's records and folds the frames of its surfaces as the
+// page does, edits at random, loses its connection and comes back. Its state must always be the server's.
 #pragma once
 
 #include "protocol/wire/mesh_decoder.hpp"
@@ -35,7 +35,7 @@ class Participant {
     /// Cuts the connection; it comes back by itself.
     void lose_connection();
 
-    /// From now on an edit every now and then.
+    /// Makes edits from now on, about one each `every`.
     void start_editing(Duration every);
 
     void stop_editing() { editing_ = false; }
@@ -44,27 +44,27 @@ class Participant {
 
     const std::string& name() const { return name_; }
 
-    /// By type and id.
+    /// The records by type and id.
     using Records = std::map<std::pair<std::string, std::string>, nlohmann::json>;
 
     const Records& records() const { return records_; }
 
-    /// The newest state of a surface, if one has arrived.
+    /// Returns the newest state of a surface; null before the first.
     const protocol::DecodedState* state(const std::string& surface) const;
 
     const std::vector<Acknowledged>& acknowledged() const { return acknowledged_; }
 
-    /// What it found wrong, if anything: the test fails with it.
+    /// Returns the fault it found; the test fails unless it is empty.
     const std::string& trouble() const { return trouble_; }
 
     std::size_t edits() const { return edits_; }
 
-    /// Updates folded that were not keys.
+    /// Returns the number of folded updates that were not keys.
     std::size_t deltas() const { return deltas_; }
 
     std::size_t losses() const { return losses_; }
 
-    /// Of the connections lost, after how many what was missed came instead of a snapshot.
+    /// Returns after how many lost connections the missed changes came instead of a snapshot.
     std::size_t resumed() const { return resumed_; }
 
   private:
@@ -113,7 +113,7 @@ class Participant {
     std::size_t edits_ = 0, deltas_ = 0, losses_ = 0, resumed_ = 0;
 };
 
-/// Of a snapshot, or of what session.state answers.
+/// Returns the records of a snapshot, or of an answer of session.state.
 Participant::Records records_of(const nlohmann::json& snapshot);
 
 } // namespace wakesurf::simulation

@@ -1,5 +1,5 @@
-// One whole session in a world: a server that crashes and comes back, eight people who edit at random over bad lines; at the end
-// everybody must see the same. The same seed is the same story.
+// One whole session in a world: a server that crashes and comes back, eight clients that edit at random over
+// bad lines; at the end all must see the same. The same seed is the same story.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace wakesurf::simulation {
 
-/// How much happened, so that no one takes an idle world for a good one.
+/// Counts events, so that an idle world does not pass for a good one.
 struct Story {
     std::string trouble; ///< empty: all is well
     std::uint64_t digest = 0;
@@ -16,7 +16,7 @@ struct Story {
     std::size_t surfaces = 0, records = 0; ///< compared at the end
 };
 
-/// Any thread; some ten milliseconds.
+/// Runs a story. Callable from any thread; some ten milliseconds.
 Story simulate(std::uint64_t seed);
 
 } // namespace wakesurf::simulation

@@ -1,5 +1,6 @@
-// A world of its own: virtual time, one queue of events, one source of chance. The same seed makes the same world, step for
-// step, so that a run that fails can be replayed. After FoundationDB's and TigerBeetle's simulations (docs/measurements.md).
+// A world of its own: virtual time, one queue of events, one source of chance. The same seed makes the same
+// world, step for step, so that a run that fails can be replayed. After FoundationDB's and TigerBeetle's
+// simulations (docs/measurements.md).
 #pragma once
 
 #include "core/base/clock.hpp"
@@ -21,14 +22,14 @@ namespace wakesurf::simulation {
 using Duration = std::chrono::microseconds;
 using Instant = std::chrono::steady_clock::time_point;
 
-/// One thread at a time.
+/// The clock and the events. One thread at a time.
 class World final : public core::Clock {
   public:
     explicit World(std::uint64_t seed) : random_(seed) {}
 
     Instant now() const override { return now_; }
 
-    /// Does `task` after `delay`; what is due at the same time is done in the order it was asked for.
+    /// Runs `task` after `delay`; tasks due at the same time run in the order of the calls.
     void after(Duration delay, std::function<void()> task) {
         events_.emplace(std::pair(now_ + delay, next_++), std::move(task));
     }
@@ -46,14 +47,14 @@ class World final : public core::Clock {
 
     void run_for(Duration time) { run_until(now_ + time); }
 
-    /// Of when everything happened, and of what was noted.
+    /// Returns a digest of the times of all events, and of all notes.
     std::uint64_t digest() const { return digest_; }
 
     void note(std::uint64_t value) {
         digest_ = (digest_ ^ value) * 0x9e3779b97f4a7c15u + (digest_ >> 29);
     }
 
-    /// A whole number from 0 to `below` - 1.
+    /// Returns a whole number from 0 to `below` - 1.
     std::uint64_t pick(std::uint64_t below) { return random_() % below; }
 
     bool chance(double part) { return static_cast<double>(random_() >> 11) * 0x1p-53 < part; }
@@ -74,14 +75,14 @@ class World final : public core::Clock {
     std::mt19937_64 random_;
 };
 
-/// The server's loop in a world. What is posted to a loop that has ended is not done any more: its server has crashed.
+/// The server's loop in a world. Tasks posted to a loop that has ended never run: its server has crashed.
 class WorldLoop final : public server::Loop {
   public:
     /// @param rested  called after each task
     WorldLoop(World& world, std::function<void()> rested)
         : world_(world), rested_(std::move(rested)) {}
 
-    /// In the order of posting, a moment later.
+    /// Runs tasks in the order of posting, a moment later.
     void post(std::function<void()> task) override {
         posted_until_ = std::max(posted_until_, world_.now() + Duration(world_.pick(200)));
         later(std::chrono::duration_cast<Duration>(posted_until_ - world_.now()), std::move(task));

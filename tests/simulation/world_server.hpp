@@ -1,5 +1,5 @@
-// A server without sockets and threads: sessions, methods and outboxes as they are, on a world's time, network, disk and chance.
-// Its destructor is a crash.
+// A server without sockets and threads: sessions, methods and outboxes of the product, on a world's time,
+// network, disk and randomness. Its destructor is a crash.
 #pragma once
 
 #include "server/rpc/dispatcher.hpp"
@@ -19,7 +19,7 @@
 
 namespace wakesurf::simulation {
 
-/// Reads what the disk has, as a restarted server does.
+/// Reads the disk's content, as a restarted server does.
 class WorldServer {
   public:
     WorldServer(World& world, Disk& disk, const server::Datasets& datasets);
@@ -27,10 +27,10 @@ class WorldServer {
     WorldServer(const WorldServer&) = delete;
     WorldServer& operator=(const WorldServer&) = delete;
 
-    /// A client has come.
+    /// Accepts a client.
     void welcome(const std::shared_ptr<Link>& link);
 
-    /// The result of a call by the server's owner that is answered at once.
+    /// Returns the result of a call by the server's owner that is answered at once.
     nlohmann::json ask(const std::string& method, const nlohmann::json& parameters);
 
     server::Session& session() { return **sessions_.find("main"); }
@@ -38,7 +38,7 @@ class WorldServer {
   private:
     class Connection;
 
-    /// While a job runs, time passes for it by looking at the clock.
+    /// A clock that advances when a running job reads it.
     class JobClock final : public core::Clock {
       public:
         explicit JobClock(World& world) : world_(world) {}

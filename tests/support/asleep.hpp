@@ -1,4 +1,4 @@
-// Whether a thread sleeps, for tests that begin once another thread waits.
+// Tells whether a thread sleeps, for tests that begin once another thread waits.
 #pragma once
 
 #include <sys/syscall.h>
@@ -13,7 +13,7 @@ inline int this_thread_id() {
     return static_cast<int>(syscall(SYS_gettid));
 }
 
-/// Of a thread of this process.
+/// Says whether a thread of this process sleeps.
 inline bool asleep(int thread_id) {
     std::ifstream file("/proc/self/task/" + std::to_string(thread_id) + "/stat");
     std::string number, name, state;

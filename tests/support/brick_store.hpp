@@ -17,16 +17,16 @@
 
 namespace wakesurf::tests {
 
-/// What a store holds.
+/// The content of a store.
 struct StoreValues {
     core::Grid grid;
     core::Precision precision = core::Precision::Single;
     std::vector<std::uint8_t> fluid; ///< empty: no mask
-    /// By time-step, then column.
+    /// The values by time-step, then column.
     std::vector<std::vector<std::vector<float>>> values;
 };
 
-/// Hands `all` out in pieces of `piece`.
+/// Returns a function that hands `all` out in pieces of `piece`.
 template <class T>
 auto in_pieces(std::span<const T> all, std::size_t piece) {
     return [all, piece]() mutable -> core::Result<std::span<const T>> {
@@ -36,7 +36,7 @@ auto in_pieces(std::span<const T> all, std::size_t piece) {
     };
 }
 
-/// Writes it and returns its layout. @param brick_cells  0: whole time-steps. @param piece  values that come at once
+/// Writes it and returns its layout. @param brick_cells  0: whole time-steps. @param piece  values at a time
 inline store::StoreLayout write_store(const std::filesystem::path& folder,
                                       const StoreValues& what,
                                       std::uint32_t brick_cells,
@@ -72,7 +72,7 @@ inline store::StoreLayout write_store(const std::filesystem::path& folder,
     return layout;
 }
 
-/// The same of a uniform grid with a manifest, so that it can be opened by its folder.
+/// Writes a store of a uniform grid with a manifest, so that it can be opened by its folder.
 inline store::StoreLayout write_whole_store(const std::filesystem::path& folder,
                                             const StoreValues& what,
                                             std::uint32_t brick_cells) {

@@ -50,7 +50,7 @@ class BrickedSource final : public core::TimeStepSource, public core::BrickSourc
 
     bool gaps(std::size_t step) const override { return steps_[step]->gaps; }
 
-    /// From a thread of its own, one after the other, or at once.
+    /// Answers from a thread of its own, one brick after the other, or at once.
     void read(std::vector<core::BrickRead> reads, std::stop_token, Done done) const override {
         std::vector<std::size_t> order(reads.size());
         std::iota(order.begin(), order.end(), std::size_t{0});
@@ -77,8 +77,8 @@ class BrickedSource final : public core::TimeStepSource, public core::BrickSourc
 
     bool at_once = false;                             ///< bricks are there when read() returns
     std::atomic<std::size_t> broken{~std::size_t{0}}; ///< the brick that cannot be read
-    std::atomic<std::size_t> broken_from{
-        ~std::size_t{0}}; ///< the first time-step without any that can
+    /// The first time-step from which no brick can be read.
+    std::atomic<std::size_t> broken_from{~std::size_t{0}};
 
   private:
     static std::array<std::uint32_t, 3> dimensions_of(const core::Grid& grid) {

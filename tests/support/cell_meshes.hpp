@@ -1,5 +1,5 @@
-// Cell meshes that tests and benchmarks make: blocks of hexahedra bent to any shape, and hexahedra refined 2:1 in a part,
-// with the polyhedra in between cut into pyramids and tetrahedra as the importer does.
+// Cell meshes that tests and benchmarks make: blocks of hexahedra bent to any shape, and hexahedra refined
+// 2:1 in a part, with the polyhedra in between cut into pyramids and tetrahedra as the importer does.
 #pragma once
 
 #include "core/dataset/cell_mesh.hpp"
@@ -28,7 +28,7 @@ inline void add_cell(CellMesh& mesh, CellShape shape, const std::vector<std::uin
     mesh.cells.push_back(cell);
 }
 
-/// From lattice coordinates, each from 0 to 1, to space.
+/// Maps lattice coordinates, each from 0 to 1, to space.
 using Bend = std::function<Vec3(const Vec3&)>;
 
 /// Adds a block of nx x ny x nz hexahedra. @param round  the last nodes along y are the first again
@@ -59,14 +59,15 @@ inline CellMesh block(std::array<std::uint32_t, 3> n, const Bend& bend, bool rou
     return mesh;
 }
 
-/// Round a cylinder of radius 1/2: rings that grow outward to radius 12, turned along z so that no face is along an axis.
+/// Maps to the space round a cylinder of radius 1/2: rings that grow outward to radius 12, turned along z so
+/// that no face is along an axis.
 inline Vec3 round_cylinder(const Vec3& u) {
     const double radius = 0.5 * std::pow(24.0, u.x);
     const double angle = 2.0 * 3.14159265358979323846 * (u.y + 0.05 * u.z);
     return {radius * std::cos(angle), radius * std::sin(angle), 6.0 * u.z + 0.1 * std::sin(angle)};
 }
 
-/// A cube from 0 to 1 with wavy lattice planes; its sides stay plane.
+/// Maps to a cube from 0 to 1 with wavy lattice planes; its sides stay plane.
 inline Vec3 wavy(const Vec3& u) {
     constexpr double pi = 3.14159265358979323846;
     const Vec3 s(std::sin(pi * u.x), std::sin(pi * u.y), std::sin(pi * u.z));
@@ -75,7 +76,8 @@ inline Vec3 wavy(const Vec3& u) {
            all * Vec3(std::cos(3.0 * u.y + u.z), std::sin(2.0 * u.x - u.z), std::cos(4.0 * u.x));
 }
 
-/// Refines n^3 cubes 2:1 where asked, the polyhedra at the interface cut as at import. Cells that are left out leave holes.
+/// Refines n^3 cubes 2:1 where asked, the polyhedra at the interface cut as at import. Cells that are left
+/// out leave holes.
 class TwoToOne {
   public:
     enum class Kind { Coarse, Fine, Hole };
@@ -87,7 +89,7 @@ class TwoToOne {
             for (int y = 0; y < n_; ++y)
                 for (int x = 0; x < n_; ++x)
                     kind_.push_back(kind((Vec3(x, y, z) + 0.5) / double(n_)));
-        // Nodes of hexahedra first, so that polyhedra know which edges carry a hanging node.
+        // Nodes of hexahedra come first, so that polyhedra know which edges carry a hanging node.
         each([&](const Place& at, Kind what) {
             if (what == Kind::Fine)
                 for (int k = 0; k < 8; ++k)
@@ -107,7 +109,7 @@ class TwoToOne {
     CellMesh take() { return std::move(mesh_); }
 
   private:
-    /// In quarters of a coarse cube's side: those of odd numbers are centres of fine ones.
+    /// A place in quarters of a coarse cube's side: those of odd numbers are centres of fine ones.
     using Place = glm::ivec3;
 
     struct Order {
@@ -131,7 +133,7 @@ class TwoToOne {
         return kind_[static_cast<std::size_t>((at.z * n_ + at.y) * n_ + at.x)];
     }
 
-    /// True where a fine cube shares at least an edge.
+    /// Returns true if a fine cube shares at least an edge.
     bool hanging(const Place& at) const {
         for (int k = 0; k < 27; ++k) {
             const Place step{k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1};
@@ -167,7 +169,8 @@ class TwoToOne {
         return static_cast<std::uint32_t>(mesh_.points.size() - 1);
     }
 
-    /// The sides of a coarse cube as polygons: four quads towards fine cubes, else one with its edges' hanging nodes.
+    /// Returns the sides of a coarse cube as polygons: four quads towards fine cubes, else one with its
+    /// edges' hanging nodes.
     std::vector<std::vector<std::uint32_t>> polygons(const Place& at) {
         std::vector<std::vector<std::uint32_t>> all;
         for (int side = 0; side < 6; ++side) {
@@ -233,7 +236,7 @@ class TwoToOne {
     std::map<std::vector<std::uint32_t>, std::uint32_t> centre_;
 };
 
-/// Velocity at the nodes, float3 each.
+/// Returns the velocity at the nodes, float3 each.
 inline std::vector<float> at_nodes(const CellMesh& mesh,
                                    const std::function<Vec3(const Vec3&)>& flow) {
     std::vector<float> values;

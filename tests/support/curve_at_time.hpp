@@ -1,4 +1,5 @@
-// The point of a curve at a time, for tests that compare curves with formulas and with each other. Surfaces take theirs by arc length.
+// The point of a curve at a time, for tests that compare curves with formulas and with each other. Surfaces
+// take theirs by arc length.
 #pragma once
 
 #include "core/integrate/curve.hpp"
@@ -9,7 +10,8 @@
 
 namespace wakesurf::tests {
 
-/// At a time since release, between 0 and that of the curve's end; its stretch is that at the end of the curve.
+/// Returns the point at a time since release, between 0 and that of the curve's end; its stretch is that at
+/// the end of the curve.
 inline core::CurvePoint at_time(const core::Curve& curve, double time) {
     if (curve.steps.empty() || std::abs(time) >= std::abs(curve.last.time))
         return curve.last;

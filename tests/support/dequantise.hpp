@@ -1,4 +1,5 @@
-// Where a node of a lattice lies. Clients ask that, the server never does. Twin: dequantise in web-client/src/protocol/lattice.ts.
+// The position of a lattice node, which clients compute and the server never does. Twin: dequantise in
+// web-client/src/protocol/lattice.ts.
 #pragma once
 
 #include "protocol/wire/lattice.hpp"

@@ -1,5 +1,5 @@
-// Surfaces of all kinds through closed forms, and how far what is drawn of them is from the exact ones: of flat cells and of tessellated
-// ones.
+// Surfaces of all kinds through closed forms, and the distance of their drawn cells, flat or tessellated,
+// from the exact ones.
 #pragma once
 
 #include "core/field/analytic_flow.hpp"
@@ -51,7 +51,7 @@ inline std::vector<DrawnCase> drawn_cases() {
             {"time/abc", "abc", line, time}};
 }
 
-/// A surface whose vertices are exact; of a case it is refined by its separation alone.
+/// A surface whose vertices are exact; a case is refined by its separation alone.
 struct DrawnSurface {
     std::shared_ptr<const core::Flow> flow;
     core::SurfacePlan plan;
@@ -83,7 +83,7 @@ struct DrawnSurface {
         return *core::tessellate(plan, surface.mesh, times, pieces, {});
     }
 
-    /// With the same vertices, those between on straight sides and in flat cells.
+    /// Cuts with the same vertices, those between on straight sides and in flat cells.
     core::Tessellation cut_flat(std::uint32_t pieces) const {
         core::QuadComplex bare = surface.mesh;
         for (core::SurfaceTangents& each : bare.tangents)
@@ -93,12 +93,12 @@ struct DrawnSurface {
     }
 };
 
-/// Root of the mean square and largest distance from the exact surface.
+/// The root of the mean square and the largest distance from the exact surface.
 struct DrawnError {
     double rms = 0.0, most = 0.0;
 };
 
-/// Of some points of a mesh, from vertex `first` on.
+/// Measures some points of a mesh, from vertex `first` on.
 inline DrawnError drawn_error(const DrawnSurface& of,
                               const core::QuadComplex& mesh,
                               std::size_t first,

@@ -1,4 +1,5 @@
-// EnSight Gold files written by hand, in every encoding of the format, so that every fault can be put into them.
+// EnSight Gold files written by hand, in every encoding of the format, so that every fault can be put into
+// them.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// The exact surface of a request, traced a thousand times as accurately, and how far from it a point is: across it, for what has slid along it is
-// drawn where the surface is.
+// The exact surface of a request, traced a thousand times as accurately, and the distance of a point from it:
+// across it, since a point that has slid along it is drawn on it.
 #pragma once
 
 #include "core/surface/moving/origin.hpp"
@@ -19,13 +19,14 @@ class ExactSheet {
     ExactSheet(const core::Flow& flow, const core::Rake& rake, const core::SurfaceParameters& p)
         : flow_(flow), rake_(rake), seeding_(rake), p_(p) {}
 
-    /// How far a point is from the particle at (s, t).
+    /// The distance of a point from the particle at (s, t).
     struct Distance {
         double to_particle = 0.0;
         double across = 0.0; ///< from the nearest point of the sheet that is found from there
     };
 
-    /// Of some vertices; nothing where the particle ended before, so that what is exact is not known.
+    /// Returns the distances of some vertices; empty for a particle that ended before, whose exact place is
+    /// unknown.
     std::vector<std::optional<Distance>> distances(const core::QuadComplex& mesh,
                                                    const std::vector<core::VertexId>& of) const {
         std::vector<Search> all(of.size());
@@ -75,7 +76,7 @@ class ExactSheet {
         double across() const {
             const core::Vec3 normal = glm::cross(best.along_s, best.along_t);
             const double area = glm::length(normal);
-            // Beyond its edge the sheet would go on as its tangents say.
+            // Beyond its edge the sheet would continue along its tangents.
             return at_edge && area > 0.0 ? std::abs(glm::dot(drawn - best.position, normal)) / area
                                          : nearest;
         }

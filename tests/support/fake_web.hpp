@@ -1,4 +1,4 @@
-// A web server that is a folder: what it was asked is noted, and a test can answer in its place.
+// A web server that is a folder: requests are recorded, and a test can answer in its place.
 #pragma once
 
 #include "server/service/web/http_transport.hpp"
@@ -20,7 +20,7 @@ class FakeWeb final : public server::HttpTransport {
   public:
     using Answer = tl::expected<server::HttpAnswer, server::HttpFault>;
 
-    /// Nothing: the folder answers.
+    /// Answers instead of the folder; empty: the folder answers.
     using Instead =
         std::function<std::optional<Answer>(const server::HttpRequest&, std::span<std::byte>)>;
 
@@ -43,7 +43,7 @@ class FakeWeb final : public server::HttpTransport {
         return answer(request, body);
     }
 
-    /// What the folder answers.
+    /// Returns the folder's answer.
     Answer answer(const server::HttpRequest& request, std::span<std::byte> body) const {
         server::HttpAnswer out;
         const auto file = folder_ / request.address.substr(address.size() + 1);
@@ -81,7 +81,7 @@ class FakeWeb final : public server::HttpTransport {
         instead_ = std::move(answer);
     }
 
-    /// "HEAD NAME", "NAME", "NAME FIRST+COUNT".
+    /// Returns the requests: "HEAD NAME", "NAME", "NAME FIRST+COUNT".
     std::vector<std::string> asked() const {
         const std::scoped_lock lock(mutex_);
         std::vector<std::string> out;

@@ -16,8 +16,8 @@
 
 namespace wakesurf::tests {
 
-/// columns x rows cells of side 1, laid as first_row.cpp lays the patch of a time surface. Closed: the last
-/// column is the first, on a round tube of that many columns.
+/// Makes columns x rows cells of side 1, like first_row.cpp for a time surface. Closed: the last column is
+/// the first, on a round tube of that many columns.
 inline core::MovingMesh flat_patch(int columns, int rows, bool closed = false) {
     core::MovingMesh mesh;
     mesh.lattice = {double(columns), closed, double(rows), 1.0};
@@ -47,14 +47,14 @@ inline core::MovingMesh flat_patch(int columns, int rows, bool closed = false) {
     return mesh;
 }
 
-/// The middle of an edge as a free vertex; on a boundary edge beside it, as Refinement cuts those.
+/// Inserts the middle of an edge as a free vertex; on a boundary edge beside it, like Refinement.
 inline core::VertexId insert_middle(core::MovingMesh& mesh, core::TriangleId t, unsigned k) {
     const double part = mesh.triangles[t].across[k] == core::no_triangle ? 0.49 : 0.5;
     return mesh.vertices.add(core::point_on_edge(mesh, t, k, part), core::VertexRole::Free,
                              mesh.time);
 }
 
-/// Pairs what has no other half, and frees what no triangle has.
+/// Pairs the triangles without another half, and frees unused vertices.
 inline void pair_and_clean(core::MovingMesh& mesh) {
     core::RefinementRules rules;
     rules.separation = 1e9;
@@ -66,7 +66,7 @@ inline void pair_and_clean(core::MovingMesh& mesh) {
     core::remove_unused_vertices(mesh);
 }
 
-/// Of a flat patch.
+/// Returns the area of a flat patch.
 inline double area(const core::MovingMesh& mesh) {
     double twice = 0.0;
     for (core::TriangleId t = 0; t < mesh.triangles.slots().size(); ++t)

@@ -31,7 +31,7 @@ std::vector<Box> boxes_of(const FoamBlock& block) {
     return out;
 }
 
-// Counter-clockwise seen from the side `up` (+1 or -1) of the axis.
+// Returns a square, counter-clockwise seen from the side `up` (+1 or -1) of the axis.
 std::vector<Lattice> square(Lattice low, int size, std::size_t axis, int up) {
     Lattice u{};
     Lattice v{};
@@ -62,7 +62,7 @@ std::vector<Lattice> with_hanging(const std::vector<Lattice>& corners,
     return out;
 }
 
-// Inner faces in OpenFOAM's order, then the patches' in theirs.
+// Sorts inner faces in OpenFOAM's order, then the patches' in theirs.
 void put_in_order(FoamMesh& mesh, std::vector<std::pair<int, FoamMesh::Face>> faces) {
     std::stable_sort(faces.begin(), faces.end(), [](const auto& a, const auto& b) {
         if (a.first >= 0 || b.first >= 0)

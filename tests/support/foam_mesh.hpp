@@ -1,5 +1,5 @@
-// Small OpenFOAM meshes: a block of graded boxes, on request with one half refined 2:1, so that boxes at the interface
-// become polyhedra with hanging nodes; whole, or one part of a decomposition.
+// Small OpenFOAM meshes: a block of graded boxes, on request with one half refined 2:1, so that boxes at the
+// interface become polyhedra with hanging nodes; whole, or one part of a decomposition.
 #pragma once
 
 #include <array>
@@ -37,10 +37,10 @@ struct FoamBlock {
     bool refined = false; ///< the boxes with x above the middle are eight each
 };
 
-/// Patches: inlet (x low), outlet, floor (y low, a wall), lid (a wall), sides (z).
+/// Makes a block with the patches inlet (x low), outlet, floor (y low, a wall), lid (a wall), sides (z).
 FoamMesh foam_block_mesh(const FoamBlock& block);
 
-/// The two parts left and right of a cut across x, `fraction` of the cells on the left.
+/// Returns the two parts left and right of a cut across x, `fraction` of the cells on the left.
 std::array<FoamMesh, 2> decompose(const FoamMesh& whole, double fraction = 0.5);
 
 } // namespace wakesurf::tests

@@ -1,5 +1,5 @@
-// A series made on demand. Closing the gate holds every load where it is; the order of loads and the most
-// time-steps alive at once are recorded.
+// A series made on demand. A closed gate blocks every load; the order of loads and the most time-steps alive
+// at once are recorded.
 #pragma once
 
 #include "core/dataset/time_step_source.hpp"

@@ -1,5 +1,5 @@
-// Streams whose attributes have known ranges from their first state on, as those have that showed such values before: their first state is
-// a KEY, and later ones need no other for values in these ranges.
+// Streams whose attributes have known ranges from their first state on, as if they had shown such values
+// before: their first state is a KEY, and values in these ranges need no other.
 #pragma once
 
 #include "protocol/wire/mesh_stream.hpp"
@@ -12,8 +12,8 @@
 
 namespace wakesurf::tests {
 
-/// Surface 1, epoch 1; its next update has seq 0. It has shown one cell with both ends of `ranges`, of speed, s and t, whose ids no
-/// surface gets to.
+/// Returns a stream of surface 1, epoch 1; its next update has seq 0. It has shown one cell with both ends of
+/// `ranges`, of speed, s and t, whose ids no surface gets to.
 inline protocol::MeshStream
 stream_with_ranges(const protocol::Lattice& lattice,
                    const std::vector<protocol::AttributeRange>& ranges) {

@@ -1,4 +1,5 @@
-// A level set of values at the nodes of a uniform grid, as points on its edges, and how far sets of points are from each other.
+// A level set of values at the nodes of a uniform grid, as points on its edges, and the distance of sets of
+// points from each other.
 #pragma once
 
 #include "core/dataset/uniform_grid.hpp"
@@ -14,7 +15,7 @@ namespace wakesurf::tests {
 
 using core::Vec3;
 
-/// Where the values are linearly interpolated to `level`.
+/// Returns the points at which the linearly interpolated values are `level`.
 inline std::vector<Vec3>
 level_points(const core::UniformGrid& grid, std::span<const float> values, double level) {
     std::vector<Vec3> out;
@@ -34,7 +35,8 @@ level_points(const core::UniformGrid& grid, std::span<const float> values, doubl
     return out;
 }
 
-/// Whether all nodes of the cell that a point lies in, and of those beside it, have values that differ by less than `jump`.
+/// Says whether all nodes of the cell that a point lies in, and of those beside it, have values that differ
+/// by less than `jump`.
 inline bool all_known(const core::UniformGrid& grid,
                       std::span<const float> values,
                       const Vec3& point,
@@ -61,7 +63,7 @@ inline bool all_known(const core::UniformGrid& grid,
     return highest - lowest < jump;
 }
 
-/// Points in boxes of one size, to find the nearest one within that.
+/// Sorts points into boxes of one size, to find the nearest one within that.
 class NearPoints {
   public:
     NearPoints(std::span<const Vec3> points, double size) : size_(size) {
@@ -69,7 +71,7 @@ class NearPoints {
             boxes_[key(glm::floor(p / size_))].push_back(p);
     }
 
-    /// Infinite where none is within the size.
+    /// Returns the distance of the nearest point; infinite if there is none within the size.
     double distance(const Vec3& from) const {
         double nearest = std::numeric_limits<double>::infinity();
         const Vec3 box = glm::floor(from / size_);

@@ -11,7 +11,7 @@
 
 namespace wakesurf::tests {
 
-/// A byte a node, x fastest, of either.
+/// Returns a byte a node, x fastest, of either.
 inline std::vector<std::uint8_t> mask_bytes(const core::SolidMask& mask, std::size_t nodes) {
     std::vector<std::uint8_t> bytes;
     for (std::size_t node = 0; !mask.empty() && node < nodes; ++node)
@@ -19,7 +19,7 @@ inline std::vector<std::uint8_t> mask_bytes(const core::SolidMask& mask, std::si
     return bytes;
 }
 
-/// The same mask in bricks; nodes beyond the grid repeat its last ones, as in stores.
+/// Returns the mask in bricks; nodes beyond the grid repeat its last ones, as in stores.
 inline core::SolidMask mask_in_bricks(const core::SolidMask& whole,
                                       const core::BrickLayout& layout) {
     if (whole.empty())

@@ -1,5 +1,5 @@
-// What a surface states of its errors beside what they are: the distance of its vertices from the exact
-// surface, across it.
+// The stated errors of a surface beside the true ones: the distance of its vertices from the exact surface,
+// across it.
 #pragma once
 
 #include "core/surface/builder/surface_builder.hpp"
@@ -22,14 +22,14 @@ inline double at99(std::vector<double> all) {
     return *place;
 }
 
-/// Of surfaces with the same accuracy and separation.
+/// Collects the errors of surfaces with the same accuracy and separation.
 struct MeasuredErrors {
     std::vector<double> stated, truth; ///< of vertices that are not uncertain
     std::size_t uncertain = 0, vertices = 0;
 
-    /// True at the 99th percentile, from both sides: not less than the truth, but for what the integrator is
-    /// allowed on `way`, and at most ten times as much, but for what cannot be seen.
-    /// @param times  what cannot be seen counts this often
+    /// Checks the 99th percentile from both sides: not less than the truth, but for the integrator's
+    /// tolerance on `way`, and at most ten times as much, but for invisible errors.
+    /// @param times  the weight of invisible errors
     void check(core::Accuracy accuracy, double separation, double way, double times = 1.0) const {
         const double unseen = separation / (accuracy == core::Accuracy::Exact      ? 50'000.0
                                             : accuracy == core::Accuracy::Balanced ? 50.0
@@ -39,7 +39,7 @@ struct MeasuredErrors {
     }
 };
 
-/// Adds every so many of a surface's vertices, so that there are at most `most`.
+/// Adds every n-th of a surface's vertices, so that there are at most `most`.
 inline void measure(MeasuredErrors& sum,
                     const core::Flow& flow,
                     const core::Rake& rake,

@@ -1,5 +1,5 @@
-// The parts a quad complex falls into and the curves that bound it, by edges: what touches at a vertex alone
-// is apart.
+// The parts of a quad complex and the curves that bound it, by edges: parts that touch only at a vertex are
+// separate.
 #pragma once
 
 #include "core/surface/quad_complex.hpp"
@@ -12,7 +12,7 @@
 
 namespace wakesurf::tests {
 
-/// Edges of all cells, so that each finds its reverse.
+/// Holds the edges of all cells, so that each finds its reverse.
 class DirectedEdges {
   public:
     explicit DirectedEdges(const core::QuadComplex& mesh) {
@@ -33,7 +33,7 @@ class DirectedEdges {
 
     const std::vector<Edge>& all() const { return all_; }
 
-    /// The edge between these two, or nothing.
+    /// Returns the edge between two vertices; null if there is none.
     const Edge* find(core::VertexId from, core::VertexId to) const {
         const auto at = std::lower_bound(all_.begin(), all_.end(), Edge{from, to, 0});
         return at != all_.end() && at->from == from && at->to == to ? &*at : nullptr;
@@ -49,7 +49,7 @@ class DirectedEdges {
     std::vector<Edge> all_;
 };
 
-/// Edges that only one cell has.
+/// Returns the edges that only one cell has.
 inline std::vector<std::pair<core::VertexId, core::VertexId>>
 border_edges(const core::QuadComplex& mesh) {
     const DirectedEdges edges(mesh);
@@ -60,7 +60,8 @@ border_edges(const core::QuadComplex& mesh) {
     return border;
 }
 
-/// Quads of each part of the surface that hangs together by edges; parts that touch at a vertex are two.
+/// Returns the number of quads of each part of the surface that is connected by edges; parts that touch at a
+/// vertex are two.
 inline std::vector<std::size_t> component_sizes(const core::QuadComplex& mesh) {
     const DirectedEdges edges(mesh);
     std::vector<std::uint32_t> parent(mesh.cells.size());
@@ -80,7 +81,7 @@ inline std::vector<std::size_t> component_sizes(const core::QuadComplex& mesh) {
     return quads;
 }
 
-/// Closed curves that the border consists of; two that touch at a vertex are two.
+/// Counts the closed curves of the border; two that touch at a vertex are two.
 inline std::size_t border_loops(const core::QuadComplex& mesh) {
     const DirectedEdges edges(mesh);
     const auto after = [&](const DirectedEdges::Edge& edge) {

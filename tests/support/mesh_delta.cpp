@@ -25,7 +25,7 @@ MeshDelta::Vertex vertex_of(const KeyedMesh& from, std::size_t i) {
             m.approximated[i]};
 }
 
-/// The cell with ids for slots; absent mids stay absent.
+/// Returns the cell with ids for slots; absent mids stay absent.
 MeshDelta::KeyedCell cell_of(const KeyedMesh& from, std::size_t i) {
     MeshDelta::KeyedCell keyed{from.cell_id[i], from.mesh.cells[i]};
     for (auto* ids : {&keyed.cell.corner, &keyed.cell.mid})
@@ -35,7 +35,8 @@ MeshDelta::KeyedCell cell_of(const KeyedMesh& from, std::size_t i) {
     return keyed;
 }
 
-/// Walks two ascending lists of ids: `gone` for those only in the first, `come` only in the second, `both` for the rest.
+/// Walks two ascending lists of ids: `gone` for those only in the first, `come` only in the second, `both`
+/// for those in both.
 template <class Gone, class Come, class Both>
 void compare(std::span<const std::uint32_t> a,
              std::span<const std::uint32_t> b,
@@ -64,7 +65,8 @@ void append(KeyedMesh& mesh, const MeshDelta::Vertex& v, bool deformation) {
     mesh.mesh.approximated.push_back(v.approximated);
 }
 
-/// Old entries without the removed ones, changed ones replaced, with the added ones: all three ascend by id.
+/// Returns old entries without the removed ones, changed ones replaced, with the added ones: all three ascend
+/// by id.
 template <class Entry, class Take>
 void merge(std::vector<Entry> old,
            const std::vector<std::uint32_t>& removed,

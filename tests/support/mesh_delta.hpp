@@ -1,4 +1,5 @@
-// What changed between two states of a mesh, by id, and a hash of a state: twins for the tests of all that changes a mesh.
+// The difference of two states of a mesh, by id, and a hash of a state: twins for the tests of all that
+// changes a mesh.
 #pragma once
 
 #include "core/surface/keyed_mesh.hpp"
@@ -8,7 +9,7 @@
 
 namespace wakesurf::tests {
 
-/// Vertices and cells by id. Cells name vertices by id as well.
+/// Holds changed vertices and cells by id. Cells name vertices by id as well.
 struct MeshDelta {
     struct Vertex {
         std::uint32_t id;
@@ -38,13 +39,14 @@ struct MeshDelta {
     std::uint64_t hash = 0; ///< of the state after it
 };
 
-/// What leads from `before` to `after`; from an empty mesh it is a keyframe. Cost: O(both).
+/// Returns the delta from `before` to `after`; from an empty mesh it is a keyframe. Cost: O(both).
 MeshDelta difference(const core::KeyedMesh& before, const core::KeyedMesh& after);
 
-/// `before` with a delta applied. Throws std::logic_error when the delta does not fit, which its hash would show as well.
+/// Returns `before` with a delta applied. Throws std::logic_error if the delta does not fit, which its hash
+/// would show as well.
 core::KeyedMesh fold(const core::KeyedMesh& before, const MeshDelta& delta);
 
-/// 64-bit FNV-1a over ids, cells, parameters and the bytes of positions.
+/// Returns the 64-bit FNV-1a hash of ids, cells, parameters and the bytes of positions.
 std::uint64_t hash(const core::KeyedMesh& mesh);
 
 } // namespace wakesurf::tests

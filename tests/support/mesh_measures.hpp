@@ -13,7 +13,7 @@
 
 namespace wakesurf::tests {
 
-/// Undirected sub-edges and how often cells use each.
+/// Counts how often cells use each undirected sub-edge.
 inline std::map<std::pair<core::VertexId, core::VertexId>, int>
 edge_uses(const core::QuadComplex& mesh) {
     std::map<std::pair<core::VertexId, core::VertexId>, int> uses;
@@ -28,14 +28,14 @@ edge_uses(const core::QuadComplex& mesh) {
     return uses;
 }
 
-/// V - E + F: 1 for a sheet without holes, 0 for a tube.
+/// Returns V - E + F: 1 for a sheet without holes, 0 for a tube.
 inline std::int64_t euler_characteristic(const core::QuadComplex& mesh) {
     return static_cast<std::int64_t>(mesh.vertices()) -
            static_cast<std::int64_t>(edge_uses(mesh).size()) +
            static_cast<std::int64_t>(mesh.cells.size());
 }
 
-/// Number of closed curves the boundary consists of.
+/// Returns the number of closed curves of the boundary.
 inline int boundary_loops(const core::QuadComplex& mesh) {
     std::map<core::VertexId, core::VertexId> parent;
     const auto root = [&](core::VertexId v) {
@@ -56,7 +56,7 @@ inline int boundary_loops(const core::QuadComplex& mesh) {
     return loops;
 }
 
-/// Of a cell's corners, in degrees.
+/// Returns the smallest angle at a cell's corners, in degrees.
 inline double smallest_angle(const core::QuadComplex& mesh, const core::Cell& cell) {
     double smallest = 180.0;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -69,7 +69,7 @@ inline double smallest_angle(const core::QuadComplex& mesh, const core::Cell& ce
     return smallest;
 }
 
-/// The median of all cells' smallest angles, in degrees.
+/// Returns the median of all cells' smallest angles, in degrees.
 inline double median_smallest_angle(const core::QuadComplex& mesh) {
     std::vector<double> angles;
     for (const core::Cell& cell : mesh.cells)
@@ -79,7 +79,7 @@ inline double median_smallest_angle(const core::QuadComplex& mesh) {
     return *middle;
 }
 
-/// Sum of cell areas, each cell as a fan from its centre.
+/// Returns the sum of cell areas, each cell as a fan from its centre.
 inline double area(const core::QuadComplex& mesh) {
     double sum = 0.0;
     for (const core::Cell& cell : mesh.cells) {

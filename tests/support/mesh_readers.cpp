@@ -107,7 +107,7 @@ ReadMesh compressed_primitive(const json& gltf, std::string_view rest) {
     return out;
 }
 
-/// One value an element of an accessor of 32-bit floats or whole numbers, each component in a row.
+/// Returns one value an element of an accessor of 32-bit floats or whole numbers, each component in a row.
 std::vector<double> elements(const json& gltf, const json& index, std::string_view binary) {
     const json& accessor = gltf["accessors"][index.get<std::size_t>()];
     const json& view = gltf["bufferViews"][accessor["bufferView"].get<std::size_t>()];

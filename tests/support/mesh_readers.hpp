@@ -19,18 +19,18 @@ struct ReadMesh {
     std::string json;                         ///< .glb: the first chunk
 };
 
-/// They throw std::runtime_error for what is not such a file.
+/// The readers throw std::runtime_error for a malformed file.
 ReadMesh read_ply(const std::string& bytes);
 ReadMesh read_obj(const std::string& text);
 
-/// Arrays by the names in the attributes' metadata.
+/// Names arrays as the attributes' metadata does.
 ReadMesh read_drc(std::string_view bytes);
 
-/// Arrays by the names of the primitive's attributes, through the extension's ids; checks the container's lengths, and
-/// that the accessors say what Draco returns.
+/// Names arrays as the primitive's attributes, through the extension's ids; checks the container's lengths,
+/// and the accessors against Draco's output.
 ReadMesh read_glb(const std::string& bytes);
 
-/// Undirected edges and how many faces use each.
+/// Counts how many faces use each undirected edge.
 std::map<std::pair<std::uint32_t, std::uint32_t>, int> edge_uses(const ReadMesh& mesh);
 
 } // namespace wakesurf::tests

@@ -1,5 +1,5 @@
-// The shape of a surface's mesh: thin cells, small angles, specks and holes. Cells are measured as the
-// polygons they are: a hanging node is no corner, nor is a corner at which the outline goes straight on.
+// The shape of a surface's mesh: thin cells, small angles, specks and holes. Cells are measured as polygons:
+// neither a hanging node nor a straight corner of the outline counts as a corner.
 #pragma once
 
 #include "core/surface/quad_complex.hpp"
@@ -37,7 +37,7 @@ struct CellOutline {
 
     const core::Vec3& before(std::uint32_t i) const { return point[(i + count - 1) % count]; }
 
-    /// Between the edges there, inside, in degrees from 0 to 360.
+    /// Returns the angle between the edges at a point, inside, in degrees from 0 to 360.
     double angle(std::uint32_t i) const {
         const core::Vec3 to = next(i) - point[i], from = before(i) - point[i];
         const core::Vec3 across = glm::cross(to, from);
@@ -46,14 +46,14 @@ struct CellOutline {
         return glm::dot(across, area) < 0.0 ? 360.0 - angle : angle;
     }
 
-    /// The outline turns there by enough to be seen.
+    /// Says whether the outline turns visibly at a point.
     bool turns(std::uint32_t i) const {
         constexpr double straight = 3.0; // degrees
         return corner[i] && std::abs(angle(i) - 180.0) > straight;
     }
 };
 
-/// Of the corners, in degrees; 0 where two of them are at one place.
+/// Returns the smallest angle of the corners, in degrees; 0 if two of them are at one place.
 inline double smallest_corner(const CellOutline& outline) {
     double smallest = 180.0;
     for (std::uint32_t i = 0; i < outline.count; ++i)
@@ -62,7 +62,7 @@ inline double smallest_corner(const CellOutline& outline) {
     return smallest == 180.0 ? 0.0 : smallest;
 }
 
-/// Longest side squared over area, a side being all between two corners; 1 of a square.
+/// Returns the longest side squared over area, a side being all between two corners; 1 for a square.
 inline double slenderness(const CellOutline& outline) {
     std::vector<core::Vec3> corners;
     for (std::uint32_t i = 0; i < outline.count; ++i)
@@ -80,7 +80,7 @@ inline double slenderness(const CellOutline& outline) {
 
 inline constexpr double most_slender = 20.0; ///< what exceeds it is a sliver
 
-/// The narrowest strip between two parallels that the cell fits into.
+/// Returns the width of the narrowest strip between two parallels that the cell fits into.
 inline double narrowest_width(const CellOutline& outline) {
     const double area = glm::length(outline.area);
     if (!(area > 0.0))
@@ -113,13 +113,13 @@ struct MeshShape {
     std::size_t loops = 0;
     double longest_edge = 0.0;
 
-    /// Loops beyond one a component.
+    /// Counts loops beyond one a component.
     std::int64_t holes() const {
         return static_cast<std::int64_t>(loops) - static_cast<std::int64_t>(components);
     }
 };
 
-/// @param judged  which cells' angles and slenderness count. Cost: O(cells log cells).
+/// Measures the cells. @param judged  which cells' angles and slenderness count. Cost: O(cells log cells).
 template <class Judged>
 MeshShape shape_of(const core::QuadComplex& mesh, const Judged& judged) {
     constexpr std::size_t least_component = 12;

@@ -33,7 +33,7 @@ struct MeshedField {
     core::CellDomain domain;
 };
 
-/// Marks faces as walls: those whose centre and cell are chosen.
+/// Marks as walls the faces whose centre and cell are chosen.
 inline void mark_walls(CellMesh& mesh, const std::function<bool(const Vec3& centre)>& wall) {
     for (MeshCell& cell : mesh.cells)
         for (std::size_t f = 0; f < core::face_count(cell.shape); ++f) {
@@ -46,7 +46,7 @@ inline void mark_walls(CellMesh& mesh, const std::function<bool(const Vec3& cent
         }
 }
 
-/// One cell of each shape, bent, its nodes on multiples of 1/64.
+/// Returns one cell of each shape, bent, its nodes on multiples of 1/64.
 inline std::vector<CellMesh> single_cells() {
     const std::vector<std::pair<CellShape, std::vector<Vec3>>> shapes = {
         {CellShape::Tetrahedron, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},

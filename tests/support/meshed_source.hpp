@@ -11,7 +11,7 @@
 
 namespace wakesurf::tests {
 
-/// A formula on the nodes of a cell mesh at given times.
+/// Samples a formula on the nodes of a cell mesh at given times.
 class MeshedSource final : public core::TimeStepSource {
   public:
     using Velocity = std::function<Vec3(const Vec3&, double)>;

@@ -1,5 +1,4 @@
-// Streak and time surfaces run step by step, and what every one of them must keep whatever its mesh is made
-// of.
+// Streak and time surfaces run step by step, and the invariants of every one of them.
 #pragma once
 
 #include "core/surface/moving/moving_surface.hpp"
@@ -44,7 +43,7 @@ inline core::SurfaceParameters swept(const core::Vec3& sweep, double to, double 
     return p;
 }
 
-/// Fails the test where the mesh is not one that may be shown. @return  whether it is
+/// Fails the test if the mesh may not be shown. @return  whether it may
 inline bool expect_sound(const core::MovingSurface& surface, const core::KeyedMesh& shown) {
     const core::QuadComplex& mesh = shown.mesh;
     const double longest = core::longest_edge(mesh);
@@ -95,7 +94,7 @@ inline MeshShape shape_of(const core::MovingSurface& surface, const core::KeyedM
     });
 }
 
-/// The shape at the end; no quads where the surface could not be made.
+/// Returns the shape at the end; without quads if the surface could not be made.
 inline MeshShape final_shape(const MovingRun& request) {
     MeshShape shape;
     follow(request, 1, [&](const core::MovingSurface& surface, const core::KeyedMesh& shown) {
@@ -110,7 +109,7 @@ inline std::ostream& operator<<(std::ostream& out, const MeshShape& shape) {
                << " components, " << shape.specks << " specks, " << shape.loops << " loops";
 }
 
-/// How many of the ids `now` are not among those `before`; both ascend.
+/// Returns how many of the ids `now` are not among those `before`; both ascend.
 inline std::size_t born(const std::vector<std::uint32_t>& before,
                         const std::vector<std::uint32_t>& now) {
     std::vector<std::uint32_t> fresh;

@@ -1,5 +1,6 @@
-// Where tests find the sources' fixtures, the bundled simulation and the programs. One file is compiled with these places, so that
-// all others compile to the same objects in every clone and are found in the compiler's cache.
+// The paths of the sources' fixtures, the bundled simulation and the programs. One file is compiled with
+// these paths, so that all others compile to the same objects in every clone and are found in the compiler's
+// cache.
 #pragma once
 
 #include <filesystem>
@@ -9,13 +10,13 @@ namespace wakesurf::tests {
 
 std::filesystem::path source_folder();
 
-/// The server, `wakesurf`.
+/// Returns the path of the server, `wakesurf`.
 std::string server_program();
 
-/// `wakesurf-import`.
+/// Returns the path of `wakesurf-import`.
 std::string importer_program();
 
-/// `wakesurf-bricks`, which is not there in builds without WAKESURF_MPI.
+/// Returns the path of `wakesurf-bricks`, which builds without WAKESURF_MPI do not make.
 std::string bricks_program();
 
 } // namespace wakesurf::tests

@@ -12,7 +12,7 @@
 
 namespace wakesurf::tests {
 
-/// Of wakesurf-bricks with that store among its words.
+/// Returns the processes of wakesurf-bricks with that store among their arguments.
 inline std::vector<pid_t> ranks_of(const std::filesystem::path& store) {
     std::vector<pid_t> out;
     for (const auto& each : std::filesystem::directory_iterator("/proc")) {
@@ -25,7 +25,7 @@ inline std::vector<pid_t> ranks_of(const std::filesystem::path& store) {
     return out;
 }
 
-/// The one of that number in its job; -1 where there is none.
+/// Returns the process with that number in its job; -1 without one.
 inline pid_t rank_of(const std::filesystem::path& store, int number) {
     const std::string wanted = "OMPI_COMM_WORLD_RANK=" + std::to_string(number) + '\0';
     for (const pid_t each : ranks_of(store)) {
@@ -36,7 +36,7 @@ inline pid_t rank_of(const std::filesystem::path& store, int number) {
     return -1;
 }
 
-/// What starts them here: also as root, and more than there are cores.
+/// Returns the words that start them here: also as root, and more than there are cores.
 inline std::vector<std::string> mpirun(int ranks) {
     ::setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
     ::setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);

@@ -1,4 +1,4 @@
-// Bricks asked for and waited for.
+// Reads bricks and waits for them.
 #pragma once
 
 #include "core/dataset/brick_source.hpp"
@@ -10,7 +10,7 @@
 
 namespace wakesurf::tests {
 
-/// The outcomes of the reads, in their order.
+/// Returns the outcomes of the reads, in their order.
 inline std::vector<core::Result<void>> outcomes_of(const core::BrickSource& source,
                                                    const std::vector<core::BrickRead>& reads,
                                                    std::stop_token stop = {}) {

@@ -6,7 +6,7 @@
 
 namespace wakesurf::tests {
 
-/// About 1,000 cells of a stream surface in the ABC flow, which folds and shears it.
+/// Returns about 1,000 cells of a stream surface in the ABC flow, which folds and shears it.
 inline core::QuadComplex refined_surface() {
     core::Rake rake;
     rake.points = {{0.5, 0, 0}, {2.5, 0.3, 1}};

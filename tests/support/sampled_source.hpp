@@ -52,7 +52,7 @@ class SampledSource final : public core::TimeStepSource {
         return step;
     }
 
-    /// Of a node, x fastest.
+    /// Returns the position of a node, x fastest.
     core::Vec3 position(std::size_t node) const {
         if (const auto* mesh = std::get_if<core::CellMesh>(&grid_))
             return mesh->points[node];

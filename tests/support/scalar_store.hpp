@@ -36,7 +36,7 @@ inline std::vector<core::Vec3> nodes_of(const core::Grid& grid) {
     return nodes;
 }
 
-/// The velocity is (1, 0, 0). @param solid  nodes of an obstacle; none of a mesh of cells
+/// A store with the velocity (1, 0, 0). @param solid  nodes of an obstacle; none of a mesh of cells
 class ScalarStore {
   public:
     ScalarStore(const core::Grid& grid,

@@ -25,7 +25,7 @@ inline std::filesystem::path write_slow_series(const std::filesystem::path& fold
     return name(0);
 }
 
-/// How many files under a folder are still being written.
+/// Counts the files under a folder that are still being written.
 inline std::size_t unfinished_files(const std::filesystem::path& folder) {
     std::size_t count = 0;
     std::error_code ignored;

@@ -1,4 +1,4 @@
-// A store of a few bytes made by hand: whatever the importer would never write can be written here.
+// A store of a few bytes made by hand: it may hold what the importer would never write.
 #pragma once
 
 #include "core/base/crc32c.hpp"
@@ -33,7 +33,7 @@ inline void append_checksums(const store::StoreLayout& layout,
         << bytes_of(checksums);
 }
 
-/// The file of a time-step alone, which does not make it ready.
+/// Writes the file of a time-step alone, which does not make it ready.
 inline std::uint32_t put_values(const store::StoreLayout& layout,
                                 std::string_view stem,
                                 std::size_t index,
@@ -46,13 +46,13 @@ inline std::uint32_t put_values(const store::StoreLayout& layout,
     return checksum_of(bytes);
 }
 
-/// Time-step `index` of a store without scalars; those before it must be there.
+/// Writes time-step `index` of a store without scalars; those before it must exist.
 inline void
 put_step(const store::StoreLayout& layout, std::size_t index, const std::vector<float>& velocity) {
     append_checksums(layout, {put_values(layout, store::velocity_stem, index, velocity)});
 }
 
-/// A file that all time-steps share.
+/// Writes a file that all time-steps share.
 inline void
 put_fixed(store::StoreLayout& layout, const std::string& name, const std::string& bytes) {
     write_file(layout.folder / name, bytes);

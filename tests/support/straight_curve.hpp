@@ -5,7 +5,7 @@
 
 namespace wakesurf::tests {
 
-/// A straight curve from `a` to `b` at speed 1 in `pieces` steps.
+/// Returns a straight curve from `a` to `b` at speed 1 in `pieces` steps.
 inline core::Curve straight_curve(const core::Vec3& a, const core::Vec3& b, int pieces = 4) {
     core::Curve curve;
     curve.seed = a;

@@ -1,4 +1,4 @@
-// The first scene that is suggested for a flow.
+// The scene suggested first for a flow.
 #pragma once
 
 #include "core/surface/suggestion/scene_suggestion.hpp"

@@ -1,4 +1,4 @@
-// Surfaces no one chose: from a rake at random in the middle of a closed form's domain.
+// Random surfaces: from a rake at random in the middle of a closed form's domain.
 #pragma once
 
 #include "core/field/analytic_catalogue.hpp"
@@ -29,7 +29,7 @@ struct AskedSurface {
     }
 };
 
-/// The same for the same state of `random`, on every machine. @param separation  of the rake's length
+/// Returns the same for the same state of `random`, on every machine. @param separation  of the rake's length
 inline AskedSurface surface_anywhere(const core::AnalyticEntry& entry,
                                      core::SurfaceKind kind,
                                      double separation,

@@ -1,4 +1,4 @@
-// Particles to be carried, with what Flow::advance asks of them.
+// Particles to be carried, with the results that Flow::advance fills in.
 #pragma once
 
 #include "core/integrate/particles.hpp"

@@ -8,7 +8,7 @@
 
 namespace wakesurf::tests {
 
-/// Random lines through the domain, and one to its middle, where bodies and axes are.
+/// Returns random lines through the domain, and one to its middle, where bodies and axes are.
 inline std::vector<core::Rake> rakes(const core::Flow& flow, std::uint32_t seed) {
     const core::Box box = flow.domain();
     std::mt19937 random(seed);
@@ -50,9 +50,9 @@ asked(const core::Flow& flow, core::SurfaceKind kind, core::Accuracy accuracy, d
     return p;
 }
 
-/// Surfaces of every kind and accuracy, from random rakes.
-/// @param time   time that passes
-/// @param most  vertices of a surface that are looked at
+/// Checks surfaces of every kind and accuracy, from random rakes.
+/// @param time  time that passes
+/// @param most  vertices of a surface that are tested
 inline void expect_true_errors(const core::Flow& flow,
                                double time,
                                std::uint32_t seed,

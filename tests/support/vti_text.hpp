@@ -11,7 +11,7 @@
 
 namespace wakesurf::tests {
 
-/// An ASCII array; `value` is called with the index of every number.
+/// Returns an ASCII array; `value` is called with the index of every number.
 inline std::string vti_array(const std::string& name,
                              int components,
                              std::size_t tuples,
@@ -64,7 +64,7 @@ struct VtiText {
     }
 };
 
-/// A good file: velocity U = offset, offset + 1, ... over all numbers.
+/// Returns a valid file: velocity U = offset, offset + 1, ... over all numbers.
 inline VtiText sample_vti(double offset = 0.0) {
     VtiText out;
     out.points = vti_array("U", 3, out.point_count(),

@@ -51,7 +51,7 @@ std::string vtp_bytes(const std::string& file, const std::string& type, const st
     require(file.substr(tag, start - tag).ends_with("format=\"binary\">"),
             "the array is not inline");
     const std::string text = file.substr(start, file.find('<', start) - start);
-    // How long the header is stands in its own first word.
+    // The header's first word states its length.
     const auto blocks = word(decoded(text.substr(0, 12)), 0);
     const std::size_t header_text = (8 * (3 + blocks) + 2) / 3 * 4;
     const std::string header = decoded(text.substr(0, header_text));

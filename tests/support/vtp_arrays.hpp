@@ -7,10 +7,11 @@
 
 namespace wakesurf::tests {
 
-/// The bytes of the array `name` of VTK type `type`; empty if there is none. Throws std::runtime_error for what is none of the format.
+/// Returns the bytes of the array `name` of VTK type `type`; empty if there is none. Throws
+/// std::runtime_error for a malformed file.
 std::string vtp_bytes(const std::string& file, const std::string& type, const std::string& name);
 
-/// The same as values.
+/// Returns them as values.
 template <class T>
 std::vector<T> array_of(const std::string& file, const std::string& type, const std::string& name) {
     const std::string bytes = vtp_bytes(file, type, name);

@@ -1,6 +1,6 @@
-// A stream surface as truth: columns so dense and so exact (tolerance 1e-11) that a distance to it is the other
-// surface's error. Columns are cut at equal arc lengths; where neighbours are farther than a third of a cell apart,
-// the seed between them is traced as well.
+// A stream surface as truth: columns so dense and so exact (tolerance 1e-11) that a distance to it is the
+// other surface's error. Columns are cut at equal arc lengths; where neighbours are farther than a third of a
+// cell apart, the seed between them is traced as well.
 #pragma once
 
 #include "core/field/flow.hpp"
@@ -18,10 +18,11 @@ class DenseReference {
         double arc = 0.0;  ///< and at least this far
     };
 
-    /// The field as it is at `release`. Runs on all cores.
+    /// Traces the field as it is at `release`. Runs on all cores.
     DenseReference(const core::Flow& flow, const core::Rake& rake, double release, Extent extent);
 
-    /// From a point to the triangles round the nearest vertex; infinite beyond eight cells.
+    /// Returns the distance from a point to the triangles round the nearest vertex; infinite beyond eight
+    /// cells.
     double distance(const core::Vec3& point) const;
 
     std::size_t columns() const { return columns_.size(); }

@@ -1,4 +1,4 @@
-// How far points of a surface lie from the reference, as the figures that are reported.
+// The distance of points of a surface from the reference, as reported figures.
 #pragma once
 
 #include "tests/bench/deviation/dense_reference.hpp"
@@ -7,7 +7,8 @@
 
 namespace wakesurf::bench {
 
-/// In cells. Points within a cell of the domain's border are apart: lines end there, and how they end is no accuracy.
+/// Distances in cells. Points within a cell of the domain's border are apart: lines end there, and how they
+/// end is no accuracy.
 struct Deviation {
     double mean = 0.0, p99 = 0.0, max = 0.0;
     double border_max = 0.0;

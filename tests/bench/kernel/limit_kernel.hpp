@@ -1,5 +1,6 @@
-// What one core of this machine can do at most: RK4 on two time-steps in float, hand-written for AVX2, without domain
-// checks, obstacles or tangents. The yardstick of the engine's own kernel (docs/measurements.md, Advection); nothing ships it.
+// The limit of one core of this machine: RK4 on two time-steps in float, hand-written for AVX2, without
+// domain checks, obstacles or tangents. The yardstick of the engine's own kernel (docs/measurements.md,
+// Advection); it is not shipped.
 #pragma once
 
 #include "core/dataset/uniform_grid.hpp"
@@ -19,11 +20,11 @@ struct LimitField {
     core::UniformGrid grid;
 };
 
-/// True when this CPU has AVX2 and FMA.
+/// Says whether this CPU has AVX2 and FMA.
 bool limit_kernel_runs_here();
 
-/// Carries all from the first time-step to the second, `steps` RK4 steps in `interval` time units. Outside the grid the
-/// field is continued constantly.
+/// Carries all from the first time-step to the second, `steps` RK4 steps in `interval` time units. Outside
+/// the grid the field is continued constantly.
 void advance_at_the_limit(const LimitField& field,
                           std::span<CellPosition> particles,
                           double interval,

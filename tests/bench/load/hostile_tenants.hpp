@@ -1,5 +1,5 @@
-// People with an editor's rights who take all they are granted: sessions full of the largest surfaces with all the fields there may be,
-// rakes that are dragged, clocks that run, downloads.
+// Editors that use everything they are granted: sessions full of the largest surfaces with all fields, rakes
+// that are dragged, clocks that run, downloads.
 #pragma once
 
 #include "tests/bench/live_server.hpp"
@@ -12,15 +12,15 @@
 
 namespace wakesurf::bench {
 
-/// From the start to the end; each has threads and connections of its own. The threads have a low priority: they stand for other
-/// machines, and what they take of this one is not the server's doing.
+/// Attacks from construction to destruction, each with threads and connections of its own. The threads have a
+/// low priority: they stand for other machines, so their processor time must not be taken from the server.
 class HostileTenants {
   public:
-    /// @param sessions  each with an editor and somebody who downloads
+    /// @param sessions  each with an editor and a client that downloads
     HostileTenants(const ServerAddress& address, int sessions);
     ~HostileTenants();
 
-    /// Calls that were answered with -32014 so far, downloads with 503 among them.
+    /// Returns the number of calls answered with -32014 so far, downloads with 503 among them.
     std::size_t refused() const { return refused_; }
 
     std::size_t downloads() const { return downloads_; }

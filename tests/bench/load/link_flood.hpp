@@ -1,5 +1,5 @@
-// Somebody with one share link who does their worst: as many sockets as they can get, each sending edits that are refused as fast as
-// the server takes them, and downloads in a loop.
+// A client with one share link at its worst: as many sockets as it can get, each sending edits that are
+// refused as fast as the server takes them, and downloads in a loop.
 #pragma once
 
 #include "tests/bench/live_server.hpp"
@@ -24,7 +24,7 @@ struct FloodCounts {
     std::size_t not_downloaded = 0;
 };
 
-/// Runs on a thread of its own, at a low priority: what it takes of the machine is not the server's doing.
+/// Runs on a thread of its own, at a low priority, so that it takes no processor time from the server.
 class LinkFlood {
   public:
     /// @param address  with the key of the link for a token

@@ -1,4 +1,4 @@
-// A control group of its own for a process that is to be kept from taking more memory than it may.
+// A control group that limits the memory of a process.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace wakesurf::bench {
 
-/// Of version 1 or 2, wherever this process may make one; removed at the end.
+/// Makes a group of version 1 or 2, wherever this process may; removed at the end.
 class MemoryGroup {
   public:
     explicit MemoryGroup(std::size_t bytes);
@@ -17,15 +17,15 @@ class MemoryGroup {
     MemoryGroup(const MemoryGroup&) = delete;
     MemoryGroup& operator=(const MemoryGroup&) = delete;
 
-    /// False: this machine lets no one make one; why() says what was tried.
+    /// Returns false if this machine does not allow it; why() says what was tried.
     bool there() const { return !folder_.empty(); }
 
     const std::string& why() const { return why_; }
 
-    /// What starts `program` inside; the program itself where there is no group.
+    /// Returns the words that start `program` inside; the program itself without a group.
     std::vector<std::string> command(const std::filesystem::path& program) const;
 
-    /// How often the kernel had to end a process of it.
+    /// Returns how often the kernel had to kill a process of it.
     std::uint64_t killed() const;
 
   private:

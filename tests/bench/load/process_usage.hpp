@@ -1,4 +1,4 @@
-// What a process on this machine takes: memory and processor time, from /proc.
+// The memory and processor time of a process on this machine, from /proc.
 #pragma once
 
 #include <sys/types.h>
@@ -12,7 +12,7 @@ struct ProcessUsage {
     double processor_seconds = 0.0;
 };
 
-/// Throws std::runtime_error when there is no such process.
+/// Returns the usage. Throws std::runtime_error if there is no such process.
 ProcessUsage usage_of(pid_t process);
 
 } // namespace wakesurf::bench

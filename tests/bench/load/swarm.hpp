@@ -1,5 +1,5 @@
-// Many viewers of one surface on one thread: each a WebSocket that joins a session, subscribes, and notes when the updates of
-// the surface arrive.
+// Many viewers of one surface on one thread: each a WebSocket that joins a session, subscribes, and records
+// when updates of the surface arrive.
 #pragma once
 
 #include "tests/bench/live_server.hpp"
@@ -20,20 +20,21 @@ struct SwarmTarget {
     std::string session, surface;
 };
 
-/// How a viewer behaves.
+/// The behaviour of a viewer.
 struct ViewerHabits {
     std::size_t bytes_per_second = 0; ///< it reads at most; 0: all there is
     bool stalled = false;             ///< reads nothing once it has subscribed
 };
 
-/// A whole state of the surface has arrived at a viewer.
+/// A whole state of the surface that has arrived at a viewer.
 struct Arrival {
     std::uint32_t viewer;
     std::uint32_t epoch;
     std::chrono::steady_clock::time_point at;
 };
 
-/// Runs on a thread of its own. Calls throw std::runtime_error when the server refuses or takes longer than a minute.
+/// Runs on a thread of its own. Calls throw std::runtime_error if the server refuses or takes longer than a
+/// minute.
 class Swarm {
   public:
     Swarm(ServerAddress address, SwarmTarget target);
@@ -47,17 +48,17 @@ class Swarm {
     /// Connects `count` clients that do nothing but stay.
     void connect_idle(std::size_t count);
 
-    /// Cuts every connection without a goodbye and lets all come back at once with their resume tokens. Returns the seconds until
-    /// the last one has joined and holds a whole state again.
+    /// Cuts every connection without a goodbye and lets all come back at once with their resume tokens.
+    /// Returns the seconds until the last one has joined and holds a whole state again.
     double storm();
 
     /// Sends a call through a viewer's connection and does not wait for its answer.
     void send(std::size_t viewer, const std::string& method, const nlohmann::json& parameters);
 
-    /// What has arrived since the last call.
+    /// Returns the arrivals since the last call.
     std::vector<Arrival> take_arrivals();
 
-    /// Bytes of all frames since the last call.
+    /// Returns the bytes of all frames since the last call.
     std::size_t take_bytes();
 
   private:

@@ -1,6 +1,7 @@
-// Contenders timed in turn, A B C A B C, in one process: a machine's speed drifts by 20 % within seconds, so only ratios
-// of medians taken side by side mean anything (docs/measurements.md, How to compare two programs). All work on one core, in the calling thread, whose CPU
-// time is what counts: other programs on the machine then cost nothing but cache.
+// Contenders timed in turn, A B C A B C, in one process: a machine's speed drifts by 20 % within seconds, so
+// only ratios of medians taken side by side mean anything (docs/measurements.md, How to compare two
+// programs). All work on one core, in the calling thread, whose CPU time is what counts: other programs on
+// the machine then cost nothing but cache.
 #pragma once
 
 #include <algorithm>
@@ -15,14 +16,14 @@ struct Timed {
     double spread = 0.0; ///< (slowest - fastest) / median
 };
 
-/// CPU time of the calling thread.
+/// Returns the CPU time of the calling thread.
 inline double thread_seconds() {
     timespec now{};
     ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// CPU seconds one call takes.
+/// Returns the CPU seconds of one call.
 template <class Work>
 double seconds_of(const Work& work) {
     const double start = thread_seconds();
@@ -36,10 +37,10 @@ inline Timed summarize(std::vector<double> seconds) {
     return {median, (seconds.back() - seconds.front()) / median};
 }
 
-/// One contender's turn: does its work once and returns the seconds that count, preparation excluded.
+/// One contender: does its work once and returns the seconds that count, preparation excluded.
 using Turn = std::function<double()>;
 
-/// Every contender once untimed, then `repetitions` rounds of all.
+/// Runs every contender once untimed, then `repetitions` rounds of all.
 inline std::vector<Timed> interleave(const std::vector<Turn>& contenders, int repetitions) {
     std::vector<std::vector<double>> seconds(contenders.size());
     for (int round = -1; round < repetitions; ++round)

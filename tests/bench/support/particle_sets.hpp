@@ -1,5 +1,5 @@
-// Where the particles of the advection benchmarks start. Order matters more than anything else: neighbours in memory
-// that are neighbours in the field share its cache lines.
+// The start of particles in the advection benchmarks. Order matters more than anything else: neighbours in
+// memory that are neighbours in the field share its cache lines.
 #pragma once
 
 #include "core/dataset/uniform_grid.hpp"
@@ -9,19 +9,19 @@
 
 namespace wakesurf::bench {
 
-/// A sheet of 173 x 173 particles, folded, in mesh order: what the vertices of a streak surface look like.
+/// Returns a sheet of 173 x 173 particles, folded, in mesh order, like the vertices of a streak surface.
 std::vector<core::Vec3> front_particles(const core::UniformGrid& grid);
 
-/// 30,000 places, uniformly random, the same every time, eight cells away from the border.
+/// Returns 30,000 places, uniformly random, the same every time, eight cells away from the border.
 std::vector<core::Vec3> random_particles(const core::UniformGrid& grid);
 
-/// Particles at a time, with what Flow::advance changes in arrays of their own.
+/// Holds particles, with the results of Flow::advance in arrays of their own.
 class CarriedParticles {
   public:
     CarriedParticles(std::vector<core::Vec3> start, bool tangents)
         : start_(std::move(start)), tangents_(tangents) {}
 
-    /// Back to the start, at time 0.
+    /// Returns the particles at the start, at time 0.
     core::Particles restart() {
         position_ = start_;
         time_.assign(start_.size(), 0.0);

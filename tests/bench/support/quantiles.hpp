@@ -8,7 +8,7 @@
 
 namespace wakesurf::bench {
 
-/// The smallest value that at least `part` of all are not above; NaN of none.
+/// Returns the smallest value that at least `part` of all are not above; NaN without values.
 inline double quantile(std::vector<double> values, double part) {
     if (values.empty())
         return std::numeric_limits<double>::quiet_NaN();

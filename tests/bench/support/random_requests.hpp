@@ -29,7 +29,7 @@ inline std::vector<RandomRequest> random_requests(const core::AnalyticEntry& ent
     return all;
 }
 
-/// From lines in the fluid, a fifth of the domain long, through half of the data.
+/// Returns surfaces from lines in the fluid, a fifth of the domain long, through half of the data.
 inline std::vector<RandomRequest>
 random_requests(const std::shared_ptr<const server::LoadedDataset>& dataset,
                 core::SurfaceKind kind) {

@@ -11,7 +11,7 @@ namespace wakesurf::bench {
 
 class TemporaryStore {
   public:
-    /// Throws std::runtime_error where it cannot be made, for want of room for example.
+    /// Makes the store. Throws std::runtime_error if that fails, for example on a full disk.
     explicit TemporaryStore(const store::GenerateRequest& request);
     ~TemporaryStore();
     TemporaryStore(const TemporaryStore&) = delete;
@@ -19,10 +19,10 @@ class TemporaryStore {
 
     const std::filesystem::path& folder() const { return folder_; }
 
-    /// A reader that has read nothing yet.
+    /// Returns a reader that has read nothing yet.
     std::shared_ptr<const store::StoreReader> reader() const;
 
-    /// Writes the velocities once more, in half precision, beside the others. A reader of those.
+    /// Writes the velocities once more, in half precision, beside the others. Returns a reader of those.
     std::shared_ptr<const store::StoreReader> half_reader() const;
 
   private:

@@ -1,5 +1,5 @@
-// The peer on meshes of cells: vtkStaticCellLocator behind a cache of the last cell, as VTK's interpolated velocity
-// fields use it, without their overhead.
+// The peer on meshes of cells: vtkStaticCellLocator behind a cache of the last cell, as VTK's interpolated
+// velocity fields use it, without their overhead.
 #pragma once
 
 #include "core/dataset/cell_mesh.hpp"
@@ -20,10 +20,10 @@ class VtkCellField {
     /// Builds the locator. @param velocity  float3 a node; kept by reference
     VtkCellField(const core::CellMesh& mesh, std::span<const float> velocity);
 
-    /// False outside.
+    /// Returns false outside.
     bool velocity(const core::Vec3& p, core::Vec3& v);
 
-    /// By the locator alone.
+    /// Finds a cell by the locator alone.
     bool find(const core::Vec3& p);
 
     double build_seconds() const { return build_seconds_; }

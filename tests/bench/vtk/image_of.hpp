@@ -1,4 +1,4 @@
-// A time-step in memory as VTK sees it: an image that shares its velocities.
+// A time-step in memory as a VTK image that shares its velocities.
 #pragma once
 
 #include "core/dataset/time_step.hpp"
@@ -11,7 +11,7 @@
 
 namespace wakesurf::bench {
 
-/// The time-step must outlive the image.
+/// REQUIRES: the time-step outlives the image.
 inline void
 show_as_image(const core::UniformGrid& grid, const core::TimeStep& step, vtkImageData* image) {
     vtkNew<vtkFloatArray> velocity;

@@ -7,16 +7,17 @@
 
 namespace wakesurf::bench {
 
-/// 200 seeds, released again at every one of 65 time-steps. The filter does two RK4 steps in each interval whatever one
-/// asks for (docs/measurements.md, VTK's filters); both are counted.
+/// Carries 200 seeds, released again at every one of 65 time-steps. The filter always does two RK4 steps in
+/// each interval (docs/measurements.md, VTK's filters); both are counted.
 class VtkStreaklines {
   public:
     explicit VtkStreaklines(const SampledFlow& flow);
 
-    /// Seconds from the first time-step to the last, without making the filter. Time-steps are handed over in memory.
+    /// Returns the seconds from the first time-step to the last, without making the filter. Time-steps are
+    /// handed over in memory.
     double run() const;
 
-    /// RK4 steps of particles one run takes, those that leave within an interval counted as whole.
+    /// Returns the RK4 steps of particles of one run, those that leave within an interval counted as whole.
     double vertex_steps() const { return vertex_steps_; }
 
   private:

@@ -1,6 +1,6 @@
-// vtkStreamSurface with iterative seeding on a sampled flow: the only adaptive stream surface VTK has. It traces one
-// step of equal arc length from its whole front, puts chord mid-points where neighbours are farther apart than a step, and
-// goes on from there.
+// vtkStreamSurface with iterative seeding on a sampled flow: the only adaptive stream surface VTK has. It
+// traces one step of equal arc length from its whole front, puts chord mid-points where neighbours are
+// farther apart than a step, and goes on from there.
 #pragma once
 
 #include "core/surface/rake.hpp"
@@ -18,7 +18,8 @@ struct Triangles {
 
     double area() const;
 
-    /// Longest of the triangles' two shorter sides: the third is the diagonal of what would be a quad.
+    /// Returns the longest of the triangles' two shorter sides: the third is the diagonal of what would be a
+    /// quad.
     double longest_side() const;
 };
 
@@ -28,7 +29,7 @@ struct VtkStreamSurface {
     double step_in_cells; ///< also the longest distance in a front
     double arc_in_cells;  ///< how far it goes
 
-    /// RK4, on the first time-step. Returns CPU seconds.
+    /// Builds by RK4, on the first time-step. Returns CPU seconds.
     double build(Triangles* result = nullptr) const;
 };
 

@@ -9,7 +9,7 @@
 
 namespace wakesurf::fuzz {
 
-/// Writes `bytes` to a file of this name; whatever was there is replaced.
+/// Writes `bytes` to a file of this name, replacing an earlier one.
 inline std::filesystem::path scratch_file(std::string_view name, std::string_view bytes) {
     static const tests::TemporaryFolder folder;
     const auto path = folder / name;

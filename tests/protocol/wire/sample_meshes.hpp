@@ -25,7 +25,8 @@ inline void add_vertex(core::QuadComplex& mesh, double s, double t) {
     mesh.velocity.push_back({static_cast<float>(1.0 + bend), static_cast<float>(s * t), 0.25f});
 }
 
-/// A smooth sheet, its vertices column by column, its cells strip by strip: what the engine makes of a calm flow.
+/// Returns a smooth sheet, its vertices column by column, its cells strip by strip, like the engine's in a
+/// calm flow.
 inline core::QuadComplex sheet(std::uint32_t columns, std::uint32_t rows) {
     core::QuadComplex mesh;
     for (std::uint32_t c = 0; c < columns; ++c)
@@ -41,7 +42,8 @@ inline core::QuadComplex sheet(std::uint32_t columns, std::uint32_t rows) {
     return mesh;
 }
 
-/// A sheet whose quads take one or two segments of either column and sometimes a node on the cross sides, too.
+/// Returns a sheet whose quads take one or two segments of either column and sometimes a node on the cross
+/// sides, too.
 inline core::QuadComplex
 hanging_sheet(std::uint32_t columns, std::uint32_t rows, std::uint32_t seed) {
     std::minstd_rand random(seed);
@@ -73,7 +75,7 @@ hanging_sheet(std::uint32_t columns, std::uint32_t rows, std::uint32_t seed) {
     return mesh;
 }
 
-/// No geometry, no order: cells of any ids, positions anywhere in the domain.
+/// Returns cells of any ids and positions anywhere in the domain, without geometry or order.
 inline core::QuadComplex chaos(std::uint32_t vertices, std::uint32_t cells, std::uint32_t seed) {
     std::mt19937 random(seed);
     const auto any = [&] { return static_cast<std::uint32_t>(random()) % vertices; };

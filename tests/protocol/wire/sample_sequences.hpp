@@ -1,5 +1,5 @@
-// Surfaces that move, grow, tear, hang nodes on and come back, for the wire's tests: made with +, -, * and / alone, so that every
-// machine makes the same bits.
+// Surfaces that move, grow, tear, hang nodes on and come back, for the wire's tests: made with +, -, * and /
+// alone, so that every machine makes the same bits.
 #pragma once
 
 #include "core/surface/keyed_mesh.hpp"
@@ -19,7 +19,7 @@ class RandomSurface {
     explicit RandomSurface(std::uint32_t seed, std::uint32_t columns = 12)
         : random_(seed), columns_(columns) {}
 
-    /// The next state: most often moved, sometimes torn, emptied, as it was long ago or unchanged.
+    /// Returns the next state: most often moved, sometimes torn, emptied, an old one or unchanged.
     core::KeyedMesh next() {
         time_ += 0.1;
         const auto kind = random_() % 64;
@@ -145,8 +145,8 @@ class RandomSurface {
     std::uint32_t next_cell_id_ = 0;
 };
 
-/// Where the wire's rule puts vertices and cells: those that stay keep their order, new vertices follow by id, those of a KEY by
-/// s and t, new cells by their first corners. The simplest way to say it.
+/// Computes the places of vertices and cells by the wire's rule, in the simplest way: those that stay keep
+/// their order, new vertices follow by id, those of a KEY by s and t, new cells by their first corners.
 class PlacesTwin {
   public:
     void follow(const core::KeyedMesh& mesh, bool key) {
@@ -176,7 +176,7 @@ class PlacesTwin {
         return static_cast<std::size_t>(std::ranges::lower_bound(ids, id) - ids.begin());
     }
 
-    /// How many of those held stay.
+    /// Returns how many of the earlier ones stay.
     static std::size_t
     follow(std::vector<std::uint32_t>& held, const std::vector<std::uint32_t>& ids, bool key) {
         if (key)

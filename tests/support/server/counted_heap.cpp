@@ -11,7 +11,7 @@ namespace wakesurf::tests {
 
 namespace {
 
-// Smaller pieces are counted too, but looked at only with the next large one, so that looking costs little.
+// Smaller pieces are counted too, but compared only with the next large one, which keeps the cost low.
 constexpr std::size_t large = 4'096;
 
 std::atomic<std::size_t> live{0};

@@ -1,5 +1,5 @@
-// What this process holds on the heap through new, and how far that went beyond what an account of memory was told. Takes the place of
-// operator new in every program that links it.
+// The memory of this process on the heap through new, and the most of it that an account of memory did not
+// count. Replaces operator new in every program that links it.
 #pragma once
 
 #include "core/base/memory_account.hpp"
@@ -8,10 +8,10 @@
 
 namespace wakesurf::tests {
 
-/// Bytes that are held now.
+/// Returns the bytes allocated now.
 std::size_t held_on_heap();
 
-/// From the start to the end; one at a time.
+/// Counts from its construction to its end; one at a time.
 class CountedHeap {
   public:
     /// @param account  whose shares are compared with the heap whenever a large piece is taken
@@ -20,13 +20,13 @@ class CountedHeap {
     CountedHeap(const CountedHeap&) = delete;
     CountedHeap& operator=(const CountedHeap&) = delete;
 
-    /// The most that was held at a time, beyond what was held at the start.
+    /// Returns the most that was allocated at a time, beyond that at the start.
     std::size_t most() const;
 
-    /// The most that was held beyond the account's shares at a time.
+    /// Returns the most that was allocated beyond the account's shares at a time.
     std::size_t most_untold() const;
 
-    /// The most the account was told at a time.
+    /// Returns the most that the account counted at a time.
     std::size_t most_told() const;
 };
 

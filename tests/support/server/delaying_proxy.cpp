@@ -22,10 +22,10 @@ using Clock = std::chrono::steady_clock;
 
 namespace {
 
-/// What a line may hold on its way before its sender has to wait, as a router's buffer would.
+/// The capacity of a line before its sender has to wait, like a router's buffer.
 constexpr std::size_t line_buffer = 256u << 10;
 
-/// One connection's two directions.
+/// The two directions of one connection.
 class Line : public std::enable_shared_from_this<Line> {
   public:
     Line(tcp::socket client, LineQuality quality)
@@ -55,7 +55,7 @@ class Line : public std::enable_shared_from_this<Line> {
             }
     }
 
-    /// With a reset.
+    /// Ends the connection with a reset.
     void end() {
         error_code ignored;
         for (tcp::socket& each : ends_) {

@@ -1,5 +1,6 @@
-// A TCP proxy that makes loopback behave like a distant or bad line: delay, limited rate, stalls, cuts. `tc netem` is not
-// in every kernel, and a browser's own throttling does not reach WebSockets (docs/measurements.md, Broken networks).
+// A TCP proxy that makes loopback behave like a distant or bad line: delay, limited rate, stalls, cuts. `tc
+// netem` is not in every kernel, and a browser's own throttling does not reach WebSockets
+// (docs/measurements.md, Broken networks).
 #pragma once
 
 #include <chrono>
@@ -14,7 +15,7 @@ struct LineQuality {
     std::size_t bytes_per_second = 0;   ///< towards the client; 0: unlimited
 };
 
-/// Runs on a thread of its own; its destructor cuts everything. Thread safe.
+/// Runs on a thread of its own; its destructor cuts everything. Thread-safe.
 class DelayingProxy {
   public:
     /// Listens on a free loopback port and connects every client to 127.0.0.1:`target`.
@@ -25,10 +26,10 @@ class DelayingProxy {
 
     std::uint16_t port() const;
 
-    /// Ends every connection there is with a reset. New ones are taken.
+    /// Ends every connection with a reset. New ones are accepted.
     void cut();
 
-    /// Nothing passes any more, and nothing is closed, until it is called with false.
+    /// Stops all traffic without closing connections, until called with false.
     void stall(bool stalled);
 
   private:

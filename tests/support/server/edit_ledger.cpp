@@ -48,7 +48,7 @@ EditLedger::Edit EditLedger::erase(const std::string& id) {
     return note("rake.delete", {{"session", "main"}, {"rake", id}}, {"rake", id, std::nullopt});
 }
 
-/// A rake to edit, or nothing.
+/// Returns a rake to edit; empty if there is none.
 std::string EditLedger::choose() {
     std::vector<std::string> alive;
     for (const auto& [id, record] : records_["rake"])

@@ -1,5 +1,5 @@
-// Random edits of one client, and what a server owes it after an accident: every answered edit, and of the others each whole or
-// not at all.
+// Random edits of one client, and the server's obligations after a crash: every answered edit, and of the
+// others each whole or not at all.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -14,7 +14,8 @@
 
 namespace wakesurf::tests {
 
-/// Each edit leaves a mark of its own in the record it sets (a rake's name, a surface's maxQuads), by which it is known again.
+/// Makes edits. Each leaves a mark of its own in the record it sets (a rake's name, a surface's maxQuads), by
+/// which it is recognized.
 class EditLedger {
   public:
     explicit EditLedger(std::uint64_t seed) : random_(seed) {}
@@ -27,12 +28,12 @@ class EditLedger {
 
     Edit next();
 
-    /// The answer to an edit; an error counts as an edit that was not made.
+    /// Takes the answer to an edit; an error counts as an edit that was not made.
     void answered(std::size_t number, const nlohmann::json& message);
 
     std::size_t answers() const { return answers_; }
 
-    /// What is wrong with a `session.state`, in words; after that the ledger goes on from what was found.
+    /// Returns what is wrong with a `session.state`, in words; the ledger then continues from that state.
     std::vector<std::string> settle(const nlohmann::json& state);
 
     std::mt19937_64& random() { return random_; }

@@ -38,7 +38,7 @@ struct FaultyDisk::Handle {
     std::shared_ptr<File> file;
 };
 
-/// SQLite's interface, in the order of its tables.
+/// Implements SQLite's interface, in the order of its tables.
 struct FaultyDisk::Calls {
     static Handle& of(sqlite3_file* file) { return *reinterpret_cast<Handle*>(file); }
 
@@ -96,7 +96,7 @@ struct FaultyDisk::Calls {
                 copy_sector(f.seen, f.kept, each);
             f.kept.resize(f.seen.size());
         }
-        f.unsynced.clear(); // the kernel holds pages for clean after an error, too
+        f.unsynced.clear(); // the kernel marks pages as clean after an error, too
         return code;
     }
 

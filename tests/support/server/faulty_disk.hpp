@@ -1,4 +1,4 @@
-// A disk in memory for SQLite that does what disks do at their worst: refuses the n-th operation, and at a power cut
+// A disk in memory for SQLite that fails like real disks: it refuses the n-th operation, and at a power cut
 // loses what was not synced.
 #pragma once
 
@@ -16,7 +16,7 @@ struct sqlite3_vfs;
 
 namespace wakesurf::tests {
 
-/// Usable from any thread; outlives the databases on it.
+/// Simulates a disk. Thread-safe; outlives the databases on it.
 class FaultyDisk {
   public:
     FaultyDisk();
@@ -24,20 +24,21 @@ class FaultyDisk {
     FaultyDisk(const FaultyDisk&) = delete;
     FaultyDisk& operator=(const FaultyDisk&) = delete;
 
-    /// For sqlite3_open_v2.
+    /// Returns the name for sqlite3_open_v2.
     const char* name() const { return name_.c_str(); }
 
-    /// The `at`-th write, truncation, sync or deletion from now on (1: the next) returns SQLite's error `code`, a write having done half
-    /// of its work; what a refused sync should have brought to the disk never gets there. `for_good`: and all after it.
+    /// Makes the `at`-th write, truncation, sync or deletion from now on (1: the next) return SQLite's error
+    /// `code`. A write does half of its work first; data of a refused sync never reach the disk. `for_good`:
+    /// and all after it.
     void refuse(int at, int code, bool for_good);
 
-    /// Whether the refusal came; ends it.
+    /// Ends the refusal; says whether it occurred.
     bool heal();
 
-    /// Of the sectors that were not synced, random ones are on the disk, the others as they were before.
+    /// Writes random ones of the sectors that were not synced; the others stay as they were before.
     void cut_power(std::mt19937_64& random);
 
-    /// What cut_power would leave, on `other`. REQUIRES: nothing is open there.
+    /// Writes the result of cut_power to `other`. REQUIRES: nothing is open there.
     void cut_power_onto(FaultyDisk& other, std::mt19937_64& random) const;
 
   private:
@@ -50,7 +51,7 @@ class FaultyDisk {
     struct Handle;
     struct Calls;
 
-    /// With the lock held: SQLite's code for the operation that begins now.
+    /// Returns SQLite's code for the operation that begins now. REQUIRES: the lock.
     int verdict();
     static void survive(File& file, std::mt19937_64& random);
 

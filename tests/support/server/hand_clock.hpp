@@ -1,4 +1,4 @@
-// Time that passes when a test says so: a clock, and a loop whose timers go by it.
+// Time under the control of a test: a clock, and a loop whose timers use it.
 #pragma once
 
 #include "core/base/clock.hpp"
@@ -21,7 +21,7 @@ class HandClock final : public core::Clock {
     std::chrono::steady_clock::time_point time{};
 };
 
-/// REQUIRES: everything on one thread.
+/// Runs tasks and timers. REQUIRES: everything on one thread.
 class HandLoop final : public Loop {
   public:
     explicit HandLoop(HandClock& clock) : clock_(clock) {}

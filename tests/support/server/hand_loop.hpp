@@ -1,4 +1,4 @@
-// The loop of a session, turned by hand: tasks run when the test says so, and time passes when it says so.
+// The loop of a session, turned by hand: the test runs tasks and advances time.
 #pragma once
 
 #include "core/base/clock.hpp"

@@ -20,7 +20,7 @@ constexpr std::size_t most_edits = 60;
 constexpr std::size_t window = 8;         ///< unanswered edits
 constexpr std::size_t latest_kill = 4000; ///< microseconds after the last edit
 
-/// A server that has said what it brought back.
+/// A server that has reported its restored sessions.
 struct Life {
     explicit Life(const std::filesystem::path& state)
         : server({"flow:lamb-oseen", "--state", state.string(), "--log-level", "error"}),
@@ -37,7 +37,7 @@ struct Life {
         std::chrono::duration<double, std::milli>(steady_clock::now() - start).count();
 };
 
-/// False when the connection has ended.
+/// Returns false if the connection has ended.
 bool take_answer(WebSocketClient& client, EditLedger& ledger, std::size_t& open) {
     for (;;) {
         const WebSocketClient::Message message = client.receive();
@@ -56,7 +56,7 @@ bool take_answer(WebSocketClient& client, EditLedger& ledger, std::size_t& open)
     }
 }
 
-/// Edits until a random moment, kills, and takes the answers that were on their way.
+/// Edits until a random moment, kills, and takes the pending answers.
 void edit_and_kill(ServerProcess& server, EditLedger& ledger) {
     WebSocketClient client(server);
     std::size_t open = 0;
@@ -70,7 +70,7 @@ void edit_and_kill(ServerProcess& server, EditLedger& ledger) {
             if (!take_answer(client, ledger, open))
                 throw std::runtime_error("the server ended by itself");
     }
-    // Any point of the last edits' way: parsed, applied, in a transaction, synced, answered.
+    // The kill hits any stage of the last edits: parsed, applied, in a transaction, synced, answered.
     std::this_thread::sleep_for(std::chrono::microseconds(ledger.random()() % latest_kill));
     server.kill();
     while (open > 0 && take_answer(client, ledger, open)) {

@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* program = "/usr/sbin/nginx";
 
-/// Nobody listens there just now.
+/// Returns a port without a listener.
 std::uint16_t unused_port() {
     const int probe = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
     sockaddr_in address{};
@@ -36,7 +36,7 @@ std::uint16_t unused_port() {
 Nginx::Nginx(const std::filesystem::path& folder, const std::string& more) {
     const std::string own = own_.path().string();
     std::string words;
-    for (int tries = 0; tries < 20; ++tries) { // somebody may take the port before it does
+    for (int tries = 0; tries < 20; ++tries) { // another process may take the port first
         port_ = unused_port();
         std::string temporary;
         for (const char* each : {"client_body", "proxy", "fastcgi", "uwsgi", "scgi"})

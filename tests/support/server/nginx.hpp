@@ -13,7 +13,7 @@ namespace wakesurf::tests {
 
 class Nginx {
   public:
-    /// Waits until it listens. Throws where it is not installed. @param more  lines of its `server`
+    /// Waits until it listens. Throws if it is not installed. @param more  lines of its `server`
     explicit Nginx(const std::filesystem::path& folder, const std::string& more = "");
     ~Nginx();
     Nginx(const Nginx&) = delete;

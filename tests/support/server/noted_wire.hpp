@@ -1,4 +1,4 @@
-// The sending half of a client without a socket: notes what it is sent.
+// The sending half of a client without a socket, which records what it is sent.
 #pragma once
 
 #include "server/rpc/wire.hpp"

@@ -1,5 +1,5 @@
-// What a process has computed so far, with all its threads: unlike time by the clock it is the same
-// whatever else the machine does.
+// The processor time of a process, with all its threads: unlike wall-clock time it does not depend on other
+// processes.
 #pragma once
 
 #include <sys/types.h>
@@ -17,7 +17,7 @@ inline std::chrono::nanoseconds processor_time(clockid_t clock) {
     return std::chrono::seconds(used.tv_sec) + std::chrono::nanoseconds(used.tv_nsec);
 }
 
-/// Of another process.
+/// Returns that of another process.
 inline std::chrono::nanoseconds processor_time_of(pid_t process) {
     clockid_t clock{};
     if (::clock_getcpuclockid(process, &clock) != 0)
@@ -25,7 +25,7 @@ inline std::chrono::nanoseconds processor_time_of(pid_t process) {
     return processor_time(clock);
 }
 
-/// Of this one.
+/// Returns that of this process.
 inline std::chrono::nanoseconds own_processor_time() {
     return processor_time(CLOCK_PROCESS_CPUTIME_ID);
 }

@@ -1,4 +1,4 @@
-// Any edits by three people, one after the other: the same seed makes the same ones.
+// Random edits by three participants, one after the other: the same seed makes the same ones.
 #pragma once
 
 #include "tests/support/server/session_bench.hpp"
@@ -11,7 +11,7 @@ class RandomEdits {
   public:
     RandomEdits(SessionBench& bench, std::uint64_t seed) : bench_(bench), random_(seed) {}
 
-    /// One edit, or one refused.
+    /// Makes one edit, or a refused one.
     void step() {
         server::Session& session = *bench_.session;
         server::Author author = some_author();
@@ -88,7 +88,7 @@ class RandomEdits {
         return choice == 0 ? std::nullopt : std::optional(choice == 1);
     }
 
-    /// Of a record that is there, or one that is not.
+    /// Returns the id of an existing record, or of none.
     std::string some(server::RecordType type) {
         std::vector<std::string> ids{"r999"};
         for (const server::Record& each : bench_.session->records().list())

@@ -1,4 +1,4 @@
-// A TCP connection to a server under test, byte by byte, so that tests can say what no library would.
+// A TCP connection to a server under test, byte by byte, so that tests can send what no library would.
 #pragma once
 
 #include <chrono>
@@ -19,24 +19,25 @@ class RawSocket {
 
     void send(std::string_view bytes);
 
-    /// At least one byte, or empty when the other side has closed. Fails the test after `patience`, which ends a test that hangs: on a
-    /// busy machine a server's long passes, which are of low priority, were seen to say nothing for half a minute.
+    /// Returns at least one byte, or empty if the peer has closed. Fails the test after `patience`, which
+    /// ends a test that hangs: on a busy machine a server's long passes, which have low priority, were seen
+    /// to be silent for half a minute.
     std::string receive(std::chrono::milliseconds patience = std::chrono::minutes(3));
 
-    /// Everything up to and including `end`; what follows is kept for the next call.
+    /// Returns everything up to and including `end`; the bytes behind it are kept for the next call.
     std::string receive_until(std::string_view end);
     std::string receive_exactly(std::size_t bytes);
 
-    /// Whether there is something to read, or the other side has closed, within `patience`.
+    /// Says whether there is something to read, or the peer has closed, within `patience`.
     bool readable_within(std::chrono::milliseconds patience) const;
 
-    /// Whether the other side closes within `patience`; data on the way is dropped.
+    /// Says whether the peer closes within `patience`; data on the way are dropped.
     bool closed_within(std::chrono::milliseconds patience);
 
-    /// Waits until the other side has closed; false where it does not for so long that it never will.
+    /// Waits until the peer has closed; returns false after so long that it never will.
     bool closes() { return closed_within(std::chrono::minutes(1)); }
 
-    /// Ends without a goodbye: the other side gets a reset.
+    /// Closes abruptly: the peer gets a reset.
     void reset();
 
   private:
@@ -57,7 +58,7 @@ using Headers = std::vector<std::pair<std::string, std::string>>;
 /// Reads one response.
 HttpReply read_reply(RawSocket& socket, bool head = false);
 
-/// One request on its own connection. `Host` is set unless given.
+/// Sends one request on its own connection. `Host` is set unless given.
 HttpReply http(std::uint16_t port,
                std::string_view method,
                std::string_view target,

@@ -1,4 +1,5 @@
-// Random edits of sessions' records beside a map that takes the same edits: what a store must hold after each of them.
+// Random edits of sessions' records beside a map that takes the same edits: the expected content of a store
+// after each of them.
 #pragma once
 
 #include "server/service/base/journal.hpp"
@@ -30,12 +31,12 @@ struct ScriptedEdit {
     std::vector<server::JournalEntry> entries; ///< none: the session goes
 };
 
-/// Every edit is another state: it counts itself in a record.
+/// Makes edits. Every edit is another state: it counts itself in a record.
 class RecordScript {
   public:
     explicit RecordScript(std::uint64_t seed) : random_(seed) {}
 
-    /// The next edit; the history has the state after it.
+    /// Returns the next edit; the history has the state after it.
     ScriptedEdit next() {
         ScriptedEdit edit{"session-" + std::to_string(random_() % 4), {}};
         RecordMap state = history_.back();
@@ -58,7 +59,7 @@ class RecordScript {
         return edit;
     }
 
-    /// By the number of edits made.
+    /// Returns the states, by the number of edits made.
     const std::vector<RecordMap>& history() const { return history_; }
 
     const RecordMap& now() const { return history_.back(); }

@@ -1,5 +1,5 @@
-// What may be asked of setters, sound and unsound, in one table: the bombs, the bad input, and what is borderline. What comes of
-// it depends on what is open; that what is accepted is kept never does.
+// The parameters of setters, valid and invalid, in one table: the bombs, the bad input, and borderline cases.
+// The outcome depends on the open datasets; that accepted records are kept never does.
 #pragma once
 
 #include <string>
@@ -92,7 +92,7 @@ inline std::vector<RecordShape> rake_shapes() {
     return out;
 }
 
-/// `rake` is one that is there; the dataset is `lamb-oseen`.
+/// Returns the shapes for an existing `rake`; the dataset is `lamb-oseen`.
 inline std::vector<RecordShape> surface_shapes(const std::string& rake) {
     std::vector<RecordShape> out;
     const auto add = [&](std::string what, const std::string& more) {

@@ -16,7 +16,7 @@ namespace wakesurf::tests {
 
 class RunningProgram {
   public:
-    /// `wakesurf ARGUMENTS`, as a shell reads them.
+    /// Runs `wakesurf ARGUMENTS`, as a shell reads them.
     explicit RunningProgram(const std::string& arguments)
         : pipe_(::popen(("echo $$; exec " + server_program() + " " + arguments + " 2>&1").c_str(),
                         "r")) {
@@ -31,7 +31,7 @@ class RunningProgram {
             (void)stop(SIGKILL);
     }
 
-    /// What it says next; empty when it has ended.
+    /// Returns its next line of output; empty if it has ended.
     std::string line() {
         std::array<char, 256> text{};
         return std::fgets(text.data(), text.size(), pipe_) == nullptr ? "" : text.data();

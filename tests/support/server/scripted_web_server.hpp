@@ -18,7 +18,7 @@ class ScriptedWebServer {
         bool silent = false; ///< nothing else comes until the server ends
     };
 
-    /// @param answer  of the request's header; from any thread
+    /// @param answer  answers the request's header; called from any thread
     explicit ScriptedWebServer(std::function<Reply(const std::string& header)> answer);
     ~ScriptedWebServer();
     ScriptedWebServer(const ScriptedWebServer&) = delete;
@@ -26,10 +26,10 @@ class ScriptedWebServer {
 
     std::uint16_t port() const { return port_; }
 
-    /// http://127.0.0.1:PORT/PATH
+    /// Returns http://127.0.0.1:PORT/PATH.
     std::string address(const std::string& path) const;
 
-    /// Connections that were made so far.
+    /// Returns the number of connections made so far.
     std::size_t connections() const;
 
   private:

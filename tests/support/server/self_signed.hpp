@@ -5,7 +5,7 @@
 
 namespace wakesurf::tests {
 
-/// Writes PEM files. Throws when OpenSSL does not want to.
+/// Writes PEM files. Throws if OpenSSL fails.
 void write_self_signed(const std::filesystem::path& certificate, const std::filesystem::path& key);
 
 } // namespace wakesurf::tests

@@ -33,10 +33,10 @@ class ServerProcess {
 
     pid_t pid() const { return pid_; }
 
-    /// `Authorization: Bearer ...`
+    /// Returns `Authorization: Bearer ...`.
     Headers bearer() const { return {{"Authorization", "Bearer " + token_}}; }
 
-    /// POST /rpc with the token; the body of the answer.
+    /// Posts to /rpc with the token; returns the body of the answer.
     std::string rpc(std::string_view text) const;
 
     bool running() const;
@@ -47,10 +47,10 @@ class ServerProcess {
         std::string log;
     };
 
-    /// SIGTERM, and what became of it.
+    /// Sends SIGTERM and returns the outcome.
     End stop();
 
-    /// SIGKILL: it gets no chance to finish anything.
+    /// Sends SIGKILL: it cannot finish anything.
     void kill() { end_with(SIGKILL); }
 
   private:

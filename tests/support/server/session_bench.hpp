@@ -1,4 +1,5 @@
-// A session to edit without sockets: three people who see every patch, a journal in memory, a flow with a closed form.
+// A session to edit without sockets: three participants who see every patch, a journal in memory, a flow with
+// a closed form.
 #pragma once
 
 #include "core/field/analytic_flow.hpp"
@@ -15,7 +16,7 @@
 
 namespace wakesurf::tests {
 
-/// The flow `abc`, which can be taken away and given back.
+/// Has the flow `abc`, which can be removed and restored.
 class OneFlow final : public server::Datasets {
   public:
     std::vector<std::string> ids() const override {
@@ -35,7 +36,7 @@ class OneFlow final : public server::Datasets {
     std::shared_ptr<const core::Flow> flow_ = *core::make_analytic_flow("abc");
 };
 
-/// Keeps what it is given, the way a database would.
+/// Keeps its entries as a database would.
 class MemoryJournal final : public server::Journal {
   public:
     void write(const std::string& session, std::vector<server::JournalEntry> entries) override {
@@ -74,7 +75,7 @@ class MemoryJournal final : public server::Journal {
     bool broken = false;
 };
 
-/// Folds patches, as a client does.
+/// Folds patches like a client.
 struct Onlooker final : server::Observer {
     void patched(const std::string&,
                  std::uint64_t new_seq,
@@ -115,7 +116,7 @@ struct Onlooker final : server::Observer {
 };
 
 struct SessionBench {
-    /// Lets time pass on the wall as well, an hour at a time.
+    /// Advances the wall clock as well, an hour at a time.
     void pass(std::chrono::hours time) {
         for (std::chrono::hours each(0); each < time; ++each) {
             wall += 3600;
@@ -186,7 +187,7 @@ inline protocol::AnnotationSetting note(std::string text, std::optional<std::str
     return setting;
 }
 
-/// The records without what restoring and undoing may change.
+/// Returns the records without the parts that restoring and undoing may change.
 inline std::vector<server::Record> content(const server::SessionRecords& records,
                                            bool revs = true) {
     std::vector<server::Record> out = records.list();

@@ -33,7 +33,7 @@ TlsSocket::TlsSocket(std::uint16_t port,
     address.sin_family = AF_INET;
     address.sin_port = htons(port);
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    const timeval patience{180, 0}; // as of RawSocket
+    const timeval patience{180, 0}; // like RawSocket
     ::setsockopt(state_->descriptor, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
     if (::connect(state_->descriptor, reinterpret_cast<const sockaddr*>(&address),
                   sizeof address) != 0)

@@ -13,9 +13,9 @@ namespace wakesurf::tests {
 
 class TlsSocket {
   public:
-    /// Connects and shakes hands; connected() says whether that went well.
-    /// @param newest   TLS1_1_VERSION, ...; 0: whatever OpenSSL offers
-    /// @param ciphers  of TLS 1.2, as OpenSSL names them; empty: whatever it offers
+    /// Connects and does the handshake; connected() says whether that succeeded.
+    /// @param newest   TLS1_1_VERSION, ...; 0: OpenSSL's newest
+    /// @param ciphers  of TLS 1.2, as OpenSSL names them; empty: OpenSSL's default
     TlsSocket(std::uint16_t port,
               const std::filesystem::path& trusted,
               int newest = 0,
@@ -26,18 +26,18 @@ class TlsSocket {
 
     bool connected() const { return connected_; }
 
-    /// "TLSv1.3", ...
+    /// Returns "TLSv1.3", ...
     std::string version() const;
 
     void send(std::string_view bytes);
 
-    /// At least one byte, or empty once the other side has ended. Fails the test after 20 s.
+    /// Returns at least one byte, or empty once the peer has ended. Fails the test after 20 s.
     std::string receive();
 
-    /// Everything up to the end of the connection or to `end`, that included; what comes after is dropped.
+    /// Returns everything up to the end of the connection or to `end`, that included; the rest is dropped.
     std::string receive_until(std::string_view end);
 
-    /// Whether the other side said that it ends, which an attacker on the way cannot.
+    /// Says whether the peer announced the end, which an attacker on the way cannot.
     bool ended_in_order() const;
 
   private:
@@ -46,7 +46,8 @@ class TlsSocket {
     bool connected_ = false;
 };
 
-/// One request on its own connection; the whole response as text. `Connection: close` and `Host` are set.
+/// Sends one request on its own connection; returns the whole response as text. `Connection: close` and
+/// `Host` are set.
 std::string https(std::uint16_t port,
                   const std::filesystem::path& trusted,
                   std::string_view method,

@@ -14,7 +14,7 @@
 
 namespace wakesurf::tests {
 
-/// Timers never fire.
+/// Runs tasks. Timers never fire.
 class WaitingLoop final : public server::Loop {
   public:
     void post(std::function<void()> task) override {

@@ -31,7 +31,7 @@ std::string whole(const std::string& payload) {
     return frame(fin | text, payload);
 }
 
-/// A text message in frames of at most `size` bytes.
+/// Returns a text message in frames of at most `size` bytes.
 std::string in_fragments(const std::string& payload, std::size_t size) {
     std::string bytes;
     for (std::size_t at = 0; at < payload.size(); at += size)
@@ -283,7 +283,7 @@ void utf8(Cases& cases) {
                          in_fragments(call(id), 1),
                          {close_with(1007)}});
     }
-    // What cannot become UTF-8 is refused before the message ends.
+    // Bytes that cannot become UTF-8 are refused before the message ends.
     cases.push_back(
         {"6_bad_in_a_first_fragment_with_no_end", frame(text, "\"\xff"), {close_with(1007)}});
     cases.push_back({"6_bad_in_a_frame_that_has_not_ended",

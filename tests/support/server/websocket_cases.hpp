@@ -1,5 +1,6 @@
-// Cases of RFC 6455 in the order of the Autobahn test suite's sections: lengths, pings, reserved bits, opcodes, fragments, UTF-8,
-// closing, limits, and how the bytes are cut up on the way. server.ping answers with the id of the call, which makes it the echo that such a suite wants.
+// Cases of RFC 6455 in the order of the Autobahn test suite's sections: lengths, pings, reserved bits,
+// opcodes, fragments, UTF-8, closing, limits, and how the bytes are cut up on the way. server.ping answers
+// with the id of the call, which makes it the echo that such a suite wants.
 #pragma once
 
 #include "tests/support/server/websocket_frames.hpp"
@@ -11,7 +12,7 @@
 
 namespace wakesurf::tests::ws {
 
-/// What the server is to do, in order. `close` ends a case.
+/// The expected reactions of the server, in order. `close` ends a case.
 struct Expected {
     enum class Kind { Pong, Echo, EchoIfSent, ParseError, Close } kind;
     std::string payload; ///< of a pong; the id of an echo
@@ -25,17 +26,18 @@ struct Case {
     std::size_t chunk = 0; ///< bytes sent at a time; 0: all at once
 };
 
-/// What a failure shows.
+/// Prints the name for failures.
 inline void PrintTo(const Case& each, std::ostream* out) {
     *out << each.name;
 }
 
 using Cases = std::vector<Case>;
 
-/// A call of server.ping whose text has `size` bytes, padded behind; 0: as short as it is. `id` goes in as raw bytes.
+/// Returns a call of server.ping whose text has `size` bytes, padded behind; 0: as short as it is. `id` goes
+/// in as raw bytes.
 std::string call(const std::string& id, std::size_t size = 0);
 
-/// All of them, each with a name of its own.
+/// Returns all cases, each with a name of its own.
 Cases all_cases();
 
 } // namespace wakesurf::tests::ws

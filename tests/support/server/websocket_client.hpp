@@ -16,16 +16,16 @@
 
 namespace wakesurf::tests {
 
-/// The status of an upgrade to `target`; 101 when it was granted.
+/// Returns the status of an upgrade to `target`; 101 if it was granted.
 HttpReply
 handshake(RawSocket& socket, std::uint16_t port, Headers headers, std::string_view target = "/ws");
 
 class WebSocketClient {
   public:
-    /// With the server's token, and joined to `session` unless that is empty.
+    /// Connects with the server's token, and joins `session` unless that is empty.
     explicit WebSocketClient(const ServerProcess& server, const std::string& session = "main");
 
-    /// With these headers instead of the token.
+    /// Connects with these headers instead of the token.
     WebSocketClient(const ServerProcess& server, const std::string& session, Headers headers);
 
     struct Message {
@@ -39,24 +39,24 @@ class WebSocketClient {
 
     void send(const nlohmann::json& message) { send_frame(1, message.dump()); }
 
-    /// The next message; pings are answered on the way.
+    /// Returns the next message; pings are answered on the way.
     Message receive();
 
-    /// Sends a call; returns its whole answer. What comes before the answer is kept for `next_*`.
+    /// Sends a call; returns its whole answer. Messages before the answer are kept for `next_*`.
     nlohmann::json call(const std::string& method,
                         nlohmann::json parameters = nlohmann::json::object());
 
-    /// As call(), but returns the result and throws for an error.
+    /// Does what call() does, but returns the result and throws for an error.
     nlohmann::json result(const std::string& method,
                           nlohmann::json parameters = nlohmann::json::object());
 
-    /// The answer to the request with this id.
+    /// Returns the answer to the request with this id.
     nlohmann::json answer(int id);
 
-    /// The next notification of a method.
+    /// Returns the next notification of a method.
     nlohmann::json notification(const std::string& method);
 
-    /// The next frame.
+    /// Returns the next frame.
     std::vector<std::byte> frame();
 
     RawSocket& socket() { return socket_; }

@@ -16,7 +16,7 @@ inline constexpr int pong = 10;
 
 enum class Length { Shortest, Two, Eight };
 
-/// The head of a masked frame that announces `size` bytes; `first` is its whole first byte.
+/// Returns the head of a masked frame that announces `size` bytes; `first` is its whole first byte.
 inline std::string head(int first, std::uint64_t size, Length length = Length::Shortest) {
     if (length == Length::Shortest && size >= 126)
         length = size < 65536 ? Length::Two : Length::Eight;
@@ -28,7 +28,7 @@ inline std::string head(int first, std::uint64_t size, Length length = Length::S
     return bytes + std::string("\x37\xfa\x21\x3d", 4); // a mask that is seen to be applied
 }
 
-/// A masked frame.
+/// Returns a masked frame.
 inline std::string frame(int first, const std::string& payload, Length length = Length::Shortest) {
     const std::string mask("\x37\xfa\x21\x3d", 4);
     std::string bytes = head(first, payload.size(), length);

@@ -1,4 +1,4 @@
-// A store in bricks, its surfaces and its bytes, for tests of what brings bricks from elsewhere.
+// A store in bricks, its surfaces and its bytes, for tests of other sources of bricks.
 #pragma once
 
 #include "core/dataset/brick_cache.hpp"
@@ -20,7 +20,7 @@
 
 namespace wakesurf::tests {
 
-/// 12 bricks a time-step of a tornado. `spread` makes other values of the same shape.
+/// Writes 12 bricks a time-step of a tornado. `spread` makes other values of the same shape.
 inline void write_bricks(const std::filesystem::path& folder, double spread = 1.0) {
     store::GenerateRequest request;
     request.flow = "tornado";
@@ -39,7 +39,7 @@ inline std::shared_ptr<const store::StoreReader> reader_of(const std::filesystem
     return store::open_store(folder).value().reader;
 }
 
-/// All bricks of velocity, one after the other; empty where one could not be read.
+/// Returns all bricks of velocity, one after the other; empty if one could not be read.
 inline std::vector<float> all_bricks(const core::BrickSource& source) {
     const std::size_t values = 3 * source.layout().nodes_per_brick();
     std::vector<float> out(bricks_in_all * values);
@@ -55,7 +55,7 @@ inline std::vector<float> all_bricks(const core::BrickSource& source) {
     return out;
 }
 
-/// The mesh of a streak surface. @param by_brick  with memory for some bricks only
+/// Returns the mesh of a streak surface. @param by_brick  with memory for some bricks only
 inline core::QuadComplex streak_through(std::shared_ptr<const core::TimeStepSource> source,
                                         bool by_brick) {
     core::TimeStepCache::Options options;
@@ -72,7 +72,7 @@ inline core::QuadComplex streak_through(std::shared_ptr<const core::TimeStepSour
     return core::build_surface(*flow, rake, parameters).value().mesh;
 }
 
-/// Empty where all bytes are the same.
+/// Returns what differs; empty if all bytes are the same.
 inline std::string difference(const core::QuadComplex& a, const core::QuadComplex& b) {
     const auto same = [](const auto& one, const auto& other) {
         return one.size() == other.size() &&

@@ -1,4 +1,4 @@
-// The words that start fake_job.py, which misbehaves as told.
+// The words that start fake_job.py, which misbehaves as its arguments say.
 #pragma once
 
 #include "server/service/bricks/job_message.hpp"
@@ -12,7 +12,7 @@
 namespace wakesurf::tests {
 
 /// @param how    one of those that the script knows
-/// @param marks  of the store that the job says it holds
+/// @param marks  of the store that the job claims
 inline std::vector<std::string>
 fake_job(const std::string& how, const server::JobHello& hello, const std::string& marks) {
     std::string words;

@@ -1,4 +1,4 @@
-// A catalogue and a way to wait for what its import threads tell.
+// A catalogue and a way to wait for reports of its import threads.
 #pragma once
 
 #include "server/service/catalogue/dataset_catalogue.hpp"
@@ -25,7 +25,7 @@ class CatalogueBench {
     explicit CatalogueBench(const std::vector<std::string>& arguments)
         : CatalogueBench(arguments, std::filesystem::path()) {}
 
-    /// With the stores of an earlier one.
+    /// Opens a catalogue with the stores of an earlier one.
     CatalogueBench(const std::vector<std::string>& arguments,
                    const std::filesystem::path& stores,
                    const std::filesystem::path& importer = importer_program(),
@@ -48,7 +48,7 @@ class CatalogueBench {
 
     ~CatalogueBench() { catalogue.reset(); }
 
-    /// Waits for what the import thread tells until `wanted(status)`.
+    /// Waits for reports of the import thread until `wanted(status)`.
     template <class Wanted>
     DatasetStatus wait_until(const std::string& dataset, const Wanted& wanted) {
         std::unique_lock lock(mutex_);
@@ -66,7 +66,7 @@ class CatalogueBench {
         });
     }
 
-    /// Until the importer that was stopped has ended and taken away what it was writing.
+    /// Waits until the importer that was stopped has ended and removed its unfinished files.
     bool tidies_up() {
         for (int i = 0; i < 3000 && unfinished_files(folder_.path()) > 0; ++i)
             std::this_thread::sleep_for(std::chrono::milliseconds(20));

@@ -1,4 +1,4 @@
-// Updates of a ring, made up: small frames whose bytes say which update they are of.
+// Synthetic updates of a ring: small frames whose bytes identify their update.
 #pragma once
 
 #include "server/service/live/update_ring.hpp"
@@ -36,7 +36,7 @@ inline SharedUpdate make_update(const MadeUp& what) {
     return update;
 }
 
-/// What a made-up frame says of itself.
+/// The identity of such a frame.
 struct Seen {
     int seq = -1; ///< -1: there was no frame
     int frame = -1;
