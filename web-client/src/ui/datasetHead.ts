@@ -30,9 +30,6 @@ export class DatasetHead extends ModelElement<DatasetHeadModel> {
         p {
             margin: 2px 0 0;
         }
-        .quiet {
-            color: var(--quiet);
-        }
     `;
 
     override render(): TemplateResult {

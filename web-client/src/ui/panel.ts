@@ -178,17 +178,11 @@ export class Panel extends ModelElement<PanelModel> {
             margin-top: 12px;
             border-top: 1px solid var(--line);
         }
-        summary {
-            cursor: pointer;
-        }
         summary h2 {
             display: inline-block;
         }
         p {
             margin: 2px 0 0;
-        }
-        .quiet {
-            color: var(--quiet);
         }
         [role='tablist'] {
             display: flex;

@@ -60,8 +60,96 @@ export const sharedStyles = css`
         margin: 0;
         accent-color: var(--accent);
     }
+    progress {
+        accent-color: var(--accent);
+    }
+    ul {
+        margin: 0;
+        padding: 0;
+        list-style: none;
+    }
+    dl {
+        display: grid;
+        grid-template-columns: auto 1fr;
+        gap: 2px 12px;
+        margin: 0;
+    }
+    dt,
+    .quiet {
+        color: var(--quiet);
+    }
+    dd {
+        margin: 0;
+        text-align: right;
+    }
+    dd,
+    .value {
+        font-variant-numeric: tabular-nums;
+    }
+    summary {
+        cursor: pointer;
+    }
+    /* A name with something behind it, and a box before its words. */
+    .row {
+        display: flex;
+        justify-content: space-between;
+        align-items: center;
+        gap: 8px;
+    }
+    .check {
+        display: flex;
+        align-items: center;
+        gap: 8px;
+    }
+    .check input {
+        margin: 0;
+        accent-color: var(--accent);
+    }
+    .hint {
+        margin: 6px 0 0;
+        color: var(--quiet);
+        font-size: 12px;
+    }
+    /* Words that end in dots where there is no room. */
+    .cut {
+        overflow: hidden;
+        text-overflow: ellipsis;
+        white-space: nowrap;
+    }
+    /* A number among others, where there is little room. */
+    input.narrow {
+        width: 100%;
+        min-width: 0;
+        padding: 3px 6px;
+        text-align: right;
+        font-variant-numeric: tabular-nums;
+        appearance: textfield;
+    }
+    input.narrow::-webkit-inner-spin-button {
+        appearance: none;
+    }
     :focus-visible {
         outline: 2px solid var(--accent);
         outline-offset: 2px;
+    }
+`;
+
+/** Dialogs over the page end in a row of buttons. */
+export const dialogStyles = css`
+    dialog {
+        padding: 16px 20px;
+        border: 1px solid var(--line);
+        border-radius: 10px;
+        background: var(--ground);
+        color: var(--text);
+    }
+    dialog::backdrop {
+        background: rgb(0 0 0 / 0.4);
+    }
+    .answers {
+        display: flex;
+        justify-content: flex-end;
+        gap: 8px;
+        margin-top: 12px;
     }
 `;

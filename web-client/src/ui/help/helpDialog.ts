@@ -1,7 +1,7 @@
 // What mouse and keys do, and the tour again.
 import { css, html, type TemplateResult } from 'lit';
 import type { ViewState } from '../../state/viewState.ts';
-import { dialogStyles } from '../base/dialogStyles.ts';
+import { dialogStyles } from '../base/sharedStyles.ts';
 import { ModelElement } from '../base/signalElement.ts';
 import { isTyping } from '../base/typing.ts';
 
@@ -39,16 +39,15 @@ export class HelpDialog extends ModelElement<HelpModel> {
                 font-size: 16px;
             }
             dl {
-                display: grid;
-                grid-template-columns: auto 1fr;
                 gap: 5px 16px;
-                margin: 0;
             }
             dt {
                 font-weight: 600;
+                color: inherit;
             }
             dd {
-                margin: 0;
+                text-align: left;
+                font-variant-numeric: normal;
             }
             a {
                 margin: auto auto auto 0;

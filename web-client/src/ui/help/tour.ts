@@ -37,14 +37,8 @@ export class Tour extends ModelElement<TourModel> {
         p {
             margin: 0 0 10px;
         }
-        .row {
-            display: flex;
-            align-items: center;
-            gap: 8px;
-        }
         .quiet {
             flex: 1;
-            color: var(--quiet);
         }
         @media (max-width: 760px), (max-height: 500px) {
             section {

@@ -3,7 +3,8 @@ import { html, nothing, type TemplateResult } from 'lit';
 import type { BodyFlow } from '../../session/picture/bodyFlow.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
-import { checkRow, lookStyles } from './lookStyles.ts';
+import { checkRow } from '../base/rows.ts';
+import { lookStyles } from './lookStyles.ts';
 import { ModelElement } from '../base/signalElement.ts';
 
 export interface BodyModel {
@@ -28,7 +29,7 @@ export class BodyPanel extends ModelElement<BodyModel> {
         const none = state.dataset.value?.obstacle !== true;
         const said = none ? 'There is no body in this dataset.' : words[bodyFlow.standing.value];
         return html`
-            ${checkRow('body-texture', 'Show the flow along the body', bodyTexture.value, (on) => (bodyTexture.value = on), none)}
+            ${checkRow('Show the flow along the body', bodyTexture.value, (on) => (bodyTexture.value = on), { id: 'body-texture', disabled: none })}
             ${said === '' ? nothing : html`<p class="quiet" role="status">${said}</p>`}
         `;
     }

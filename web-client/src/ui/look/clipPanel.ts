@@ -4,7 +4,8 @@ import { coordinateText } from '../../session/picture/writtenNumbers.ts';
 import type { ClipPlane, ClipPlanes } from '../../state/clipPlanes.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
-import { checkRow, lookStyles } from './lookStyles.ts';
+import { checkRow } from '../base/rows.ts';
+import { lookStyles } from './lookStyles.ts';
 import { ModelElement } from '../base/signalElement.ts';
 
 const axes = ['x', 'y', 'z'] as const;
@@ -39,7 +40,7 @@ export class ClipPanel extends ModelElement<ClipModel> {
         const { planes, body } = view.clip.value;
         return html`
             ${axes.map((axis, i) => this.plane(axis, i, planes[i]!))}
-            ${checkRow('clip-body', 'Cut the body too', body, (on) => this.change({ body: on }))}
+            ${checkRow('Cut the body too', body, (on) => this.change({ body: on }), { id: 'clip-body' })}
             <p class="quiet">Planes cut all surfaces in the picture.</p>
         `;
     }
@@ -49,7 +50,7 @@ export class ClipPanel extends ModelElement<ClipModel> {
         const [low, high] = [bounds[2 * index] ?? 0, bounds[2 * index + 1] ?? 1];
         const place = coordinateText(this.model.state, index, low + plane.at * (high - low));
         return html`<div class="plane" role="group" aria-label=${`Plane across ${axis}`}>
-            ${checkRow(`clip-${axis}`, `Cut ${axis}`, plane.on, (on) => this.changePlane(index, { on }))}
+            ${checkRow(`Cut ${axis}`, plane.on, (on) => this.changePlane(index, { on }), { id: `clip-${axis}` })}
             <input
                 id=${`clip-${axis}-at`}
                 type="range"

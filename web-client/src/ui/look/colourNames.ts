@@ -13,7 +13,7 @@ import {
 } from '../../session/picture/surfaceStyleOf.ts';
 import type { ColourMap } from '../../state/surfaceLook.ts';
 import { noUnits, type Units } from '../../state/units.ts';
-import type { Choice } from './lookStyles.ts';
+import type { Choice } from '../base/rows.ts';
 
 export const mapNames: Record<ColourMap, string> = {
     viridis: 'Viridis',

@@ -11,8 +11,8 @@ import type { ViewState } from '../../state/viewState.ts';
 import { colourChoices, mapNames } from './colourNames.ts';
 import '../share/ownCopy.ts';
 import type { OwnCopyButton } from '../share/ownCopy.ts';
-import { checkRow, lookStyles, pairRow, selectRow } from './lookStyles.ts';
-import { ModelElement } from '../base/signalElement.ts';
+import { checkRow, numberField, pairRow, selectRow } from '../base/rows.ts';
+import { LookGroup, lookStyles } from './lookStyles.ts';
 
 export interface ColourModel {
     state: AppState;
@@ -22,7 +22,7 @@ export interface ColourModel {
     ownCopy: OwnCopyButton['model'];
 }
 
-export class ColourPanel extends ModelElement<ColourModel> {
+export class ColourPanel extends LookGroup<ColourModel> {
     static override styles = [
         lookStyles,
         css`
@@ -73,7 +73,7 @@ export class ColourPanel extends ModelElement<ColourModel> {
                 display: grid;
                 grid-template-columns: 1fr 1fr;
             }
-            .centre {
+            .checks [type='number'] {
                 width: 80px;
                 text-align: right;
             }
@@ -81,13 +81,13 @@ export class ColourPanel extends ModelElement<ColourModel> {
     ];
 
     override render(): TemplateResult {
-        const { state, view, scene } = this.model;
+        const { state, scene } = this.model;
         const id = state.activeSurface.value;
         const record = state.surface.value;
         // Again with every state on the screen: automatic ranges follow it.
         void state.displayed.value;
         if (id === null || record === undefined) return html``;
-        const look = view.lookOf(id);
+        const { look } = this;
         const isThere = (field: string): boolean => state.role.value !== 'viewer' || record.fields.includes(field);
         const choices = colourChoices(state.dataset.value, record.kind, isThere);
         const range = look.range ?? scene.surfaces.spanOf(id)?.colours ?? ([0, 1] as const);
@@ -106,15 +106,9 @@ export class ColourPanel extends ModelElement<ColourModel> {
         `;
     }
 
-    private change(change: Partial<SurfaceLook>): void {
-        const { state, view } = this.model;
-        const id = state.activeSurface.value;
-        if (id !== null) view.changeLook(id, change);
-    }
-
     private colourBy(colourBy: string): void {
-        const { state, view, edits } = this.model;
-        const before = view.lookOf(state.activeSurface.value);
+        const { state, edits } = this.model;
+        const { look: before } = this;
         const field = fieldOf(colourBy);
         const record = state.surface.value;
         if (field !== null && record !== undefined && !record.fields.includes(field)) {
@@ -141,7 +135,7 @@ export class ColourPanel extends ModelElement<ColourModel> {
     private constant(look: SurfaceLook): TemplateResult {
         const colour = look.colour ?? this.model.state.rake.value?.colour ?? '#8fb8de';
         const own = look.colour !== null;
-        return html`${checkRow('own-colour', 'A different colour from the rake', own, (on) => this.change({ colour: on ? colour : null }))}
+        return html`${checkRow('A different colour from the rake', own, (on) => this.change({ colour: on ? colour : null }), { id: 'own-colour' })}
             <label class="row" for="surface-colour"
                 ><span>Colour</span>
                 <input
@@ -180,40 +174,34 @@ export class ColourPanel extends ModelElement<ColourModel> {
         return html`
             ${
                 known
-                    ? checkRow('data-range', 'Over all the data, not this surface', !locked && look.rangeOf === 'data', (on) =>
-                          this.change({ range: null, rangeOf: on ? 'data' : 'surface' }),
+                    ? checkRow(
+                          'Over all the data, not this surface',
+                          !locked && look.rangeOf === 'data',
+                          (on) => this.change({ range: null, rangeOf: on ? 'data' : 'surface' }),
+                          { id: 'data-range' },
                       )
                     : nothing
             }
-            ${checkRow('lock-range', locked ? 'Range locked at' : 'Lock the range', locked, (on) =>
-                this.change({ range: on ? range : null }),
-            )}
-            ${pairRow('range', 'Range', range, false, (pair) => this.change({ range: pair }))}
+            ${checkRow(locked ? 'Range locked at' : 'Lock the range', locked, (on) => this.change({ range: on ? range : null }), {
+                id: 'lock-range',
+            })}
+            ${pairRow('range', 'Range', range, (pair) => this.change({ range: pair }))}
             <div class="checks">
-                ${checkRow('invert', 'Inverted', look.invert, (invert) => this.change({ invert }))}
-                ${checkRow('log', 'Logarithmic', look.log, (log) => this.change({ log, centre: log ? null : look.centre }))}
-                ${checkRow('centred', 'Symmetric around', look.centre !== null, (on) =>
-                    this.change({ centre: on ? 0 : null, log: on ? false : look.log }),
+                ${checkRow('Inverted', look.invert, (invert) => this.change({ invert }), { id: 'invert' })}
+                ${checkRow('Logarithmic', look.log, (log) => this.change({ log, centre: log ? null : look.centre }), { id: 'log' })}
+                ${checkRow(
+                    'Symmetric around',
+                    look.centre !== null,
+                    (on) => this.change({ centre: on ? 0 : null, log: on ? false : look.log }),
+                    { id: 'centred' },
                 )}
-                <input
-                    class="centre"
-                    type="number"
-                    step="any"
-                    aria-label="Value at the centre"
-                    .value=${String(look.centre ?? 0)}
-                    ?disabled=${look.centre === null}
-                    @change=${this.centreChanged}
-                />
+                ${numberField({
+                    ...{ label: 'Value at the centre', shown: String(look.centre ?? 0), disabled: look.centre === null },
+                    change: (centre) => this.change({ centre }),
+                })}
             </div>
             <p class="quiet">Values outside the range have the colours of its ends${look.log ? '; values below zero are grey' : ''}.</p>
         `;
-    }
-
-    private centreChanged(event: Event): void {
-        const { state, view } = this.model;
-        const field = event.target as HTMLInputElement;
-        if (Number.isFinite(field.valueAsNumber)) this.change({ centre: field.valueAsNumber });
-        else field.value = String(view.lookOf(state.activeSurface.value).centre ?? 0);
     }
 
     protected override updated(): void {

@@ -8,8 +8,8 @@ import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import '../share/ownCopy.ts';
 import type { OwnCopyButton } from '../share/ownCopy.ts';
-import { checkRow, type Choice, lookStyles, selectRow, sliderRow } from './lookStyles.ts';
-import { ModelElement } from '../base/signalElement.ts';
+import { checkRow, type Choice, selectRow, sliderRow } from '../base/rows.ts';
+import { LookGroup } from './lookStyles.ts';
 
 const kinds: readonly Choice<LineKind>[] = [
     { value: 'none', words: 'None' },
@@ -26,17 +26,15 @@ export interface LinesModel {
     ownCopy: OwnCopyButton['model'];
 }
 
-export class LinesPanel extends ModelElement<LinesModel> {
-    static override styles = lookStyles;
-
+export class LinesPanel extends LookGroup<LinesModel> {
     override render(): TemplateResult {
-        const { state, view } = this.model;
-        const look = view.lookOf(state.activeSurface.value);
+        const { state } = this.model;
+        const { look } = this;
         const { lines, density, texture, animated } = look;
         return html`
             ${selectRow('lines', 'Stripes', kinds, lines, (chosen) => this.change({ lines: chosen }))}
-            ${checkRow('texture', 'Flow texture', texture, (on) => this.textured(on), this.locked(look))}
-            ${checkRow('animated', 'Moving with the flow', animated, (on) => this.change({ animated: on }), !texture)}
+            ${checkRow('Flow texture', texture, (on) => this.textured(on), { id: 'texture', disabled: this.locked(look) })}
+            ${checkRow('Moving with the flow', animated, (on) => this.change({ animated: on }), { id: 'animated', disabled: !texture })}
             ${
                 matchMedia('(prefers-reduced-motion: reduce)').matches && animated && state.surface.value?.kind === 'stream'
                     ? html`<p class="quiet">Animation is off: your system asks for reduced motion.</p>`
@@ -53,8 +51,8 @@ export class LinesPanel extends ModelElement<LinesModel> {
 
     /** The velocity travels with the surface from then on, for everyone. */
     private textured(on: boolean): void {
-        const { state, view, edits } = this.model;
-        const look = view.lookOf(state.activeSurface.value);
+        const { state, edits } = this.model;
+        const { look } = this;
         const record = state.surface.value;
         if (on && record !== undefined && !hasFlow(record)) {
             askForFields({ edits, state }, record, { ...look, texture: true });
@@ -83,12 +81,6 @@ export class LinesPanel extends ModelElement<LinesModel> {
         return html`<p class="quiet" role="status">
             The texture appears when the velocity arrives from the server. If it does not, choose Flow texture again.
         </p>`;
-    }
-
-    private change(change: Partial<SurfaceLook>): void {
-        const { state, view } = this.model;
-        const id = state.activeSurface.value;
-        if (id !== null) view.changeLook(id, change);
     }
 }
 

@@ -1,29 +1,20 @@
-// How the controls of a look are laid out, and the rows that recur in them.
-import { css, html, type TemplateResult } from 'lit';
-import { fieldNumber, resolutionOf } from '../../scene/base/numbers.ts';
+// How the groups of a look are laid out, and what all of them do.
+import { css, type CSSResultGroup } from 'lit';
+import type { AppState } from '../../state/appState.ts';
+import type { SurfaceLook } from '../../state/surfaceLook.ts';
+import type { ViewState } from '../../state/viewState.ts';
+import { ModelElement } from '../base/signalElement.ts';
 
 export const lookStyles = css`
     .row {
-        display: flex;
-        justify-content: space-between;
-        align-items: center;
-        gap: 8px;
         min-height: 30px;
     }
     .row select,
     .row input[type='number'] {
         width: 168px;
-        box-sizing: border-box;
     }
     .check {
-        display: flex;
-        align-items: center;
-        gap: 8px;
         min-height: 28px;
-    }
-    .check input {
-        margin: 0;
-        accent-color: var(--accent);
     }
     .pair {
         display: grid;
@@ -32,22 +23,8 @@ export const lookStyles = css`
         align-items: center;
         margin: 2px 0 4px;
     }
-    .pair input {
-        width: 100%;
-        min-width: 0;
-        text-align: right;
-        font-variant-numeric: tabular-nums;
-        appearance: textfield;
-    }
-    .pair input::-webkit-inner-spin-button {
-        appearance: none;
-    }
-    .value {
-        font-variant-numeric: tabular-nums;
-    }
     .quiet {
         margin: 2px 0 6px;
-        color: var(--quiet);
         font-size: 12px;
     }
     .buttons {
@@ -64,104 +41,22 @@ export const lookStyles = css`
     }
 `;
 
-export function checkRow(
-    id: string,
-    words: string,
-    checked: boolean,
-    change: (on: boolean) => void,
-    disabled = false,
-): TemplateResult {
-    return html`<label class="check" for=${id}>
-        <input
-            id=${id}
-            type="checkbox"
-            .checked=${checked}
-            ?disabled=${disabled}
-            @change=${(event: Event) => change((event.target as HTMLInputElement).checked)}
-        />${words}
-    </label>`;
+/** What a group takes whose settings are those of the selected surface. */
+export interface LookGroupModel {
+    state: Pick<AppState, 'activeSurface'>;
+    view: Pick<ViewState, 'changeLook' | 'lookOf'>;
 }
 
-export interface SliderRow {
-    id: string;
-    words: string;
-    value: number;
-    /** The value in words. */
-    shown: string;
-    low: number;
-    high: number;
-    step: number;
-    change: (value: number) => void;
-}
+/** Settings of the selected surface's look. */
+export abstract class LookGroup<Model extends LookGroupModel> extends ModelElement<Model> {
+    static override styles: CSSResultGroup = lookStyles;
 
-export function sliderRow({ id, words, value, shown, low, high, step, change }: SliderRow): TemplateResult {
-    return html`<label class="row" for=${id}><span>${words}</span><span class="value">${shown}</span></label>
-        <input
-            id=${id}
-            type="range"
-            min=${low}
-            max=${high}
-            step=${step}
-            .value=${String(value)}
-            @input=${(event: Event) => change((event.target as HTMLInputElement).valueAsNumber)}
-        />`;
-}
+    protected get look(): SurfaceLook {
+        return this.model.view.lookOf(this.model.state.activeSurface.value);
+    }
 
-export interface Choice<Value extends string> {
-    value: Value;
-    words: string;
-    disabled?: boolean;
-}
-
-export function selectRow<Value extends string>(
-    id: string,
-    words: string,
-    choices: readonly Choice<Value>[],
-    chosen: string,
-    change: (value: Value) => void,
-): TemplateResult {
-    const changed = (event: Event): void => {
-        const { value } = event.target as HTMLSelectElement;
-        const choice = choices.find((each) => each.value === value);
-        if (choice !== undefined) change(choice.value);
-    };
-    return html`<label class="row" for=${id}
-        ><span>${words}</span>
-        <select id=${id} @change=${changed}>
-            ${choices.map(
-                (each) =>
-                    html`<option value=${each.value} ?disabled=${each.disabled} .selected=${each.value === chosen}>
-                        ${each.words}
-                    </option>`,
-            )}
-        </select></label
-    >`;
-}
-
-/** Two numbers, from and to; `change` gets them only when they make a span. */
-export function pairRow(
-    id: string,
-    words: string,
-    [low, high]: readonly [number, number],
-    disabled: boolean,
-    change: (pair: [number, number]) => void,
-): TemplateResult {
-    const shown = (value: number): string => fieldNumber(value, resolutionOf(low, high));
-    const field = (part: 'from' | 'to', value: number): TemplateResult => html`<input
-        id=${`${id}-${part}`}
-        type="number"
-        step="any"
-        aria-label=${`${words} ${part}`}
-        .value=${shown(value)}
-        ?disabled=${disabled}
-        @change=${(event: Event) => {
-            const input = event.target as HTMLInputElement;
-            const pair: [number, number] = part === 'from' ? [input.valueAsNumber, high] : [low, input.valueAsNumber];
-            if (pair[0] <= pair[1]) change(pair);
-            else input.value = shown(value);
-        }}
-    />`;
-    return html`<div class="pair" role="group" aria-label=${words}>
-        ${field('from', low)} <span aria-hidden="true">to</span> ${field('to', high)}
-    </div>`;
+    protected change(change: Partial<SurfaceLook>): void {
+        const id = this.model.state.activeSurface.value;
+        if (id !== null) this.model.view.changeLook(id, change);
+    }
 }

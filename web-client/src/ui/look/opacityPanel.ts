@@ -3,8 +3,8 @@ import { html, type TemplateResult } from 'lit';
 import type { BackSide, SurfaceLook } from '../../state/surfaceLook.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
-import { checkRow, type Choice, lookStyles, selectRow, sliderRow } from './lookStyles.ts';
-import { ModelElement } from '../base/signalElement.ts';
+import { checkRow, type Choice, selectRow, sliderRow } from '../base/rows.ts';
+import { LookGroup } from './lookStyles.ts';
 
 const sides: readonly Choice<BackSide>[] = [
     { value: 'shaded', words: 'A little darker' },
@@ -17,12 +17,10 @@ export interface OpacityModel {
     view: Pick<ViewState, 'changeLook' | 'exactWhenStill' | 'lookOf'>;
 }
 
-export class OpacityPanel extends ModelElement<OpacityModel> {
-    static override styles = lookStyles;
-
+export class OpacityPanel extends LookGroup<OpacityModel> {
     override render(): TemplateResult {
-        const { state, view } = this.model;
-        const look = view.lookOf(state.activeSurface.value);
+        const { look } = this;
+        const { view } = this.model;
         const percent = (part: number): string => `${Math.round(100 * part)} %`;
         const slider = { low: 0, high: 1, step: 0.05 };
         return html`
@@ -31,8 +29,11 @@ export class OpacityPanel extends ModelElement<OpacityModel> {
                 shown: percent(look.opacity),
                 change: (opacity) => this.change({ opacity }),
             })}
-            ${checkRow('angle-opacity', 'More opaque when seen edge-on', look.angleOpacity, (angleOpacity) =>
-                this.change({ angleOpacity, ...dimmed(look, angleOpacity) }),
+            ${checkRow(
+                'More opaque when seen edge-on',
+                look.angleOpacity,
+                (angleOpacity) => this.change({ angleOpacity, ...dimmed(look, angleOpacity) }),
+                { id: 'angle-opacity' },
             )}
             ${sliderRow({
                 ...{ ...slider, id: 'smoke', words: 'Smoke', value: look.smoke },
@@ -40,20 +41,19 @@ export class OpacityPanel extends ModelElement<OpacityModel> {
                 change: (smoke) => this.change({ smoke, ...dimmed(look, smoke > 0, 0.9) }),
             })}
             <p class="quiet">Smoke thins where the surface has been stretched, and with age.</p>
-            ${checkRow('points', 'Points instead of cells', look.points, (points) => this.change({ points }))}
-            ${checkRow('silhouettes', 'Outlines', look.silhouettes, (silhouettes) => this.change({ silhouettes }))}
+            ${checkRow('Points instead of cells', look.points, (points) => this.change({ points }), { id: 'points' })}
+            ${checkRow('Outlines', look.silhouettes, (silhouettes) => this.change({ silhouettes }), { id: 'silhouettes' })}
             ${selectRow('back-side', 'Other side', sides, look.backSide, (backSide) => this.change({ backSide }))}
-            ${checkRow('exact-order', 'Exact order when still', view.exactWhenStill.value, (on) => {
-                view.exactWhenStill.value = on;
-            })}
+            ${checkRow(
+                'Exact order when still',
+                view.exactWhenStill.value,
+                (on) => {
+                    view.exactWhenStill.value = on;
+                },
+                { id: 'exact-order' },
+            )}
             <p class="quiet">Applies to all transparent surfaces. While the view moves, transparency is approximate; pictures and films are always exact.</p>
         `;
-    }
-
-    private change(change: Partial<SurfaceLook>): void {
-        const { state, view } = this.model;
-        const id = state.activeSurface.value;
-        if (id !== null) view.changeLook(id, change);
     }
 }
 

@@ -5,8 +5,8 @@ import { partsAtMost, type SurfaceLook } from '../../state/surfaceLook.ts';
 import type { Brush, ViewState } from '../../state/viewState.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { AppState } from '../../state/appState.ts';
-import { checkRow, lookStyles, sliderRow } from './lookStyles.ts';
-import { ModelElement } from '../base/signalElement.ts';
+import { checkRow, sliderRow } from '../base/rows.ts';
+import { LookGroup, lookStyles } from './lookStyles.ts';
 import { countWords } from '../base/statusWords.ts';
 
 const listedAtMost = 12;
@@ -17,7 +17,7 @@ export interface PaintModel {
     scene: Pick<FlowScene, 'surfaces' | 'loop'>;
 }
 
-export class PaintPanel extends ModelElement<PaintModel> {
+export class PaintPanel extends LookGroup<PaintModel> {
     static override styles = [
         lookStyles,
         css`
@@ -32,11 +32,11 @@ export class PaintPanel extends ModelElement<PaintModel> {
     ];
 
     override render(): TemplateResult {
-        const { state, view } = this.model;
+        const { look } = this;
+        const { state } = this.model;
         const id = state.activeSurface.value;
-        const look = view.lookOf(id);
         return html`
-            ${checkRow('painting', 'Show only what the brush has revealed', look.painting, (on) => this.startPainting(on))}
+            ${checkRow('Show only what the brush has revealed', look.painting, (on) => this.startPainting(on), { id: 'painting' })}
             ${look.painting ? this.brush(look) : nothing}
             <h2>Connected parts</h2>
             ${this.parts(look, state.parts.value.get(id ?? '') ?? [])}
@@ -97,8 +97,11 @@ export class PaintPanel extends ModelElement<PaintModel> {
             ${parts
                 .slice(0, listedAtMost)
                 .map((part, i) =>
-                    checkRow(`part-${i + 1}`, `Part ${i + 1}: ${countWords(part.cells)} quads`, !part.hidden, (on) =>
-                        this.showPart(look, parts, part, on),
+                    checkRow(
+                        `Part ${i + 1}: ${countWords(part.cells)} quads`,
+                        !part.hidden,
+                        (on) => this.showPart(look, parts, part, on),
+                        { id: `part-${i + 1}` },
                     ),
                 )}
             ${more > 0 ? html`<p class="quiet">and ${more} more; to hide one, click it in the picture</p>` : nothing}
@@ -134,12 +137,6 @@ export class PaintPanel extends ModelElement<PaintModel> {
         if (id === null) return;
         scene.surfaces.revealAll(id, reveal);
         scene.loop.request();
-    }
-
-    private change(change: Partial<SurfaceLook>): void {
-        const { state, view } = this.model;
-        const id = state.activeSurface.value;
-        if (id !== null) view.changeLook(id, change);
     }
 }
 

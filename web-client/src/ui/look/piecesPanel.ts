@@ -6,8 +6,8 @@ import { askForFields } from '../../session/picture/surfaceFields.ts';
 import { hasFlow, pieceLengths } from '../../session/picture/surfaceStyleOf.ts';
 import type { SurfaceRecord } from '../../protocol/messages.ts';
 import type { LinesModel } from './linesPanel.ts';
-import { type Choice, lookStyles, selectRow } from './lookStyles.ts';
-import { ModelElement } from '../base/signalElement.ts';
+import { type Choice, numberRow, selectRow } from '../base/rows.ts';
+import { LookGroup } from './lookStyles.ts';
 
 function choicesFor({ kind }: Pick<SurfaceRecord, 'kind'>): Choice<PieceKind>[] {
     const along = seedLinesOf(kind);
@@ -24,12 +24,10 @@ function choicesFor({ kind }: Pick<SurfaceRecord, 'kind'>): Choice<PieceKind>[] 
     ];
 }
 
-export class PiecesPanel extends ModelElement<LinesModel> {
-    static override styles = lookStyles;
-
+export class PiecesPanel extends LookGroup<LinesModel> {
     override render(): TemplateResult | typeof nothing {
-        const { state, view } = this.model;
-        const look = view.lookOf(state.activeSurface.value);
+        const { state } = this.model;
+        const { look } = this;
         const record = state.surface.value;
         if (record === undefined) return nothing;
         const { pieces } = look;
@@ -44,21 +42,17 @@ export class PiecesPanel extends ModelElement<LinesModel> {
     }
 
     private length(id: string, words: string, value: number, change: (value: number) => Partial<SurfaceLook>): TemplateResult {
-        const changed = (event: Event): void => {
-            const input = event.target as HTMLInputElement;
-            if (input.valueAsNumber > 0) this.change(change(input.valueAsNumber));
-            else input.value = String(value);
+        const changed = (typed: number): boolean => {
+            if (typed > 0) this.change(change(typed));
+            return typed > 0;
         };
-        return html`<label class="row" for=${id}
-            ><span>${words}</span>
-            <input id=${id} type="number" min="0" step="any" .value=${String(Number(value.toPrecision(4)))} @change=${changed} />
-        </label>`;
+        return numberRow(words, { id, min: 0, shown: String(Number(value.toPrecision(4))), change: changed });
     }
 
     /** Arrows point the way of the velocity, which travels with the surface from then on, for everyone. */
     private choose(pieces: PieceKind): void {
-        const { state, view, edits } = this.model;
-        const look = view.lookOf(state.activeSurface.value);
+        const { state, edits } = this.model;
+        const { look } = this;
         const record = state.surface.value;
         if (pieces === 'arrows' && record !== undefined && !hasFlow(record) && state.role.value !== 'viewer') {
             askForFields({ edits, state }, record, { ...look, pieces });
@@ -74,12 +68,6 @@ export class PiecesPanel extends ModelElement<LinesModel> {
             return html`<p class="quiet">The velocity does not come with this surface, so it has no arrows.</p>`;
         }
         return html`<p class="quiet" role="status">Arrows appear when the velocity arrives from the server.</p>`;
-    }
-
-    private change(change: Partial<SurfaceLook>): void {
-        const { state, view } = this.model;
-        const id = state.activeSurface.value;
-        if (id !== null) view.changeLook(id, change);
     }
 }
 

@@ -7,9 +7,9 @@ import { askForFields } from '../../session/picture/surfaceFields.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { ageName } from './colourNames.ts';
-import { checkRow, lookStyles, sliderRow } from './lookStyles.ts';
+import { checkRow, sliderRow } from '../base/rows.ts';
+import { LookGroup } from './lookStyles.ts';
 import { countWords } from '../base/statusWords.ts';
-import { ModelElement } from '../base/signalElement.ts';
 
 type Window = 'sWindow' | 'ageWindow';
 type Span = readonly [number, number];
@@ -21,14 +21,12 @@ export interface WindowsModel {
     edits: Pick<Edits, 'changeSurface'>;
 }
 
-export class WindowsPanel extends ModelElement<WindowsModel> {
-    static override styles = lookStyles;
-
+export class WindowsPanel extends LookGroup<WindowsModel> {
     override render(): TemplateResult {
-        const { state, view, scene } = this.model;
+        const { state, scene } = this.model;
         void state.displayed.value;
         const id = state.activeSurface.value ?? '';
-        const look = view.lookOf(id);
+        const { look } = this;
         const span = scene.surfaces.spanOf(id);
         if (span === null) return html`<p class="quiet">There is no surface yet.</p>`;
         const trimmed = state.trimmed.value.get(id) ?? 0;
@@ -38,11 +36,11 @@ export class WindowsPanel extends ModelElement<WindowsModel> {
             ${this.window('ageWindow', 'age-window', ageName(state.surface.value?.kind), look.ageWindow, span.age)}
             ${
                 shown
-                    ? html`<div class="buttons"><button id="show-whole" type="button" @click=${this.reset}>Show all of it</button></div>`
+                    ? html`<div class="buttons"><button id="show-whole" type="button" @click=${() => this.change({ sWindow: null, ageWindow: null })}>Show all of it</button></div>`
                     : nothing
             }
-            ${checkRow('trimmed', 'Trim torn borders', look.trimmed, (on) => view.changeLook(id, { trimmed: on }))}
-            ${checkRow('curved', 'Curved cells when still', look.curved, (on) => this.curved(id, on))}
+            ${checkRow('Trim torn borders', look.trimmed, (on) => this.change({ trimmed: on }), { id: 'trimmed' })}
+            ${checkRow('Curved cells when still', look.curved, (on) => this.curved(on), { id: 'curved' })}
             <p class="quiet">
                 ${trimmed === 0 ? 'Nothing is trimmed.' : `Of ${countWords(trimmed)} ${trimmed === 1 ? 'quad' : 'quads'} at torn borders a part is not drawn.`}
                 Meshes, lines and numbers always have all of it.
@@ -51,12 +49,12 @@ export class WindowsPanel extends ModelElement<WindowsModel> {
     }
 
     /** The normals travel with the surface from then on, for everyone; who may only look has those of the picture. */
-    private curved(id: string, on: boolean): void {
-        const { state, view, edits } = this.model;
+    private curved(on: boolean): void {
+        const { state, edits } = this.model;
         const record = state.surface.value;
-        const look = { ...view.lookOf(id), curved: on };
+        const look = { ...this.look, curved: on };
         if (on && record !== undefined && state.role.value !== 'viewer') askForFields({ edits, state }, record, look);
-        view.changeLook(id, { curved: on });
+        this.change({ curved: on });
     }
 
     private window(name: Window, id: string, words: string, window: Span | null, whole: Span): TemplateResult {
@@ -74,25 +72,16 @@ export class WindowsPanel extends ModelElement<WindowsModel> {
                     shown: placeNumber(Math.abs(value) < step / 2 ? 0 : value, resolutionOf(...whole)),
                 },
                 ...{ low: whole[0], high: whole[1], step },
-                change: (at) => this.change(name, end === 'from' ? [at, Math.max(at, high)] : [Math.min(at, low), at], whole),
+                change: (at) => this.setWindow(name, end === 'from' ? [at, Math.max(at, high)] : [Math.min(at, low), at], whole),
             });
         return html`${slider('from', low)} ${slider('to', high)}`;
     }
 
     /** A window that holds everything is none, and goes on to do so. */
-    private change(name: Window, [low, high]: Span, whole: Span): void {
-        const { state, view } = this.model;
-        const id = state.activeSurface.value;
-        if (id === null) return;
+    private setWindow(name: Window, [low, high]: Span, whole: Span): void {
         const slack = (whole[1] - whole[0]) / 400;
         const open = low <= whole[0] + slack && high >= whole[1] - slack;
-        view.changeLook(id, { [name]: open ? null : [low, high] });
-    }
-
-    private reset(): void {
-        const { state, view } = this.model;
-        const id = state.activeSurface.value;
-        if (id !== null) view.changeLook(id, { sWindow: null, ageWindow: null });
+        this.change({ [name]: open ? null : [low, high] });
     }
 }
 

@@ -9,7 +9,7 @@ import type { ScriptStep } from '../../session/out/scriptStep.ts';
 import { baseUrl, readFragment } from '../../session/view/urlState.ts';
 import type { AppState } from '../../state/appState.ts';
 import { copyText } from '../base/copyText.ts';
-import { dialogStyles } from '../base/dialogStyles.ts';
+import { dialogStyles } from '../base/sharedStyles.ts';
 import { ModelElement } from '../base/signalElement.ts';
 
 const languages = { Python: pythonScript, curl: curlScript };

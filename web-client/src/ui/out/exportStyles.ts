@@ -5,15 +5,11 @@ export const exportStyles = css`
     :host {
         display: block;
     }
-    label,
-    .row {
-        display: flex;
-        justify-content: space-between;
-        align-items: center;
-        gap: 8px;
+    .row,
+    .check {
         margin-top: 6px;
     }
-    .row {
+    div.row {
         justify-content: flex-start;
         flex-wrap: wrap;
     }
@@ -25,15 +21,12 @@ export const exportStyles = css`
         text-align: right;
         font-variant-numeric: tabular-nums;
     }
-    input[type='checkbox'] {
+    .check {
+        gap: 6px;
+    }
+    .check input {
         width: 16px;
         height: 16px;
-        margin: 0 6px 0 0;
-        accent-color: var(--accent);
-    }
-    label.check {
-        justify-content: flex-start;
-        gap: 0;
     }
     .checks {
         display: grid;
@@ -44,12 +37,6 @@ export const exportStyles = css`
     }
     progress {
         width: 100%;
-        accent-color: var(--accent);
-    }
-    p {
-        margin: 6px 0 0;
-        color: var(--quiet);
-        font-size: 12px;
     }
     p[role='alert'] {
         color: var(--warm);

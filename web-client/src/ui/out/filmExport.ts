@@ -14,9 +14,10 @@ import { fileName, saveFile } from '../base/saveFile.ts';
 import { ModelElement } from '../base/signalElement.ts';
 import '../share/ownCopy.ts';
 import type { OwnCopyButton } from '../share/ownCopy.ts';
+import { checkRow, numberRow, selectRow } from '../base/rows.ts';
 import { SizeChoice } from './sizeChoice.ts';
 
-const rates = [12, 24, 25, 30, 60];
+const rates = [12, 24, 25, 30, 60].map((value) => ({ value, words: String(value) }));
 // Kept while the panel shows another tab.
 const choice = new SizeChoice('film', [
     { width: 1280, height: 720 },
@@ -44,9 +45,9 @@ export class FilmExport extends ModelElement<FilmExportModel> {
     override render(): TemplateResult {
         const { film, figure, playback, state } = this.model;
         const reason = this.whyNot();
-        if (reason !== null) return html`<p>${reason}</p>`;
+        if (reason !== null) return html`<p class="hint">${reason}</p>`;
         if (state.role.value === 'viewer') {
-            return html`<p>
+            return html`<p class="hint">
                 Recording changes the time for everyone, which your link does not allow.
                 <wakesurf-own-copy .model=${this.model.ownCopy}></wakesurf-own-copy>
             </p>`;
@@ -59,38 +60,20 @@ export class FilmExport extends ModelElement<FilmExportModel> {
         const others = state.participants.value.size > 1 && playback.mode.value === 'clock';
         return html`
             ${choice.render(figure.shownSize)}
-            <label
-                >Frames per second
-                <select
-                    id="film-fps"
-                    @change=${(event: Event) => (fps.value = Number((event.target as HTMLSelectElement).value))}
-                >
-                    ${rates.map((rate) => html`<option value=${rate} .selected=${rate === fps.value}>${rate}</option>`)}
-                </select>
-            </label>
-            <label
-                >Length in seconds
-                <input
-                    id="film-seconds"
-                    type="number"
-                    min="0.1"
-                    step="any"
-                    .value=${String(seconds.value)}
-                    @change=${this.lengthTyped}
-                />
-            </label>
-            <label class="check"
-                ><input
-                    type="checkbox"
-                    .checked=${time.value}
-                    @change=${(event: Event) => (time.value = (event.target as HTMLInputElement).checked)}
-                />Time in the picture</label
-            >
+            ${selectRow('film-fps', 'Frames per second', rates, fps.value, (rate) => (fps.value = rate))}
+            ${numberRow('Length in seconds', {
+                ...{ id: 'film-seconds', min: 0.1, shown: String(seconds.value) },
+                change: (typed) => {
+                    if (typed > 0) seconds.value = Math.min(typed, framesAtMost / fps.value);
+                    return false;
+                },
+            })}
+            ${checkRow('Time in the picture', time.value, (on) => (time.value = on))}
             <div class="row">
                 <button type="button" id="record-film" @click=${this.record}>Record WebM</button>
             </div>
-            ${words === '' ? nothing : html`<p role="alert">${words}</p>`}
-            <p>
+            ${words === '' ? nothing : html`<p class="hint" role="alert">${words}</p>`}
+            <p class="hint">
                 From t = ${timeText(state, from)} to ${timeText(state, to)} in ${frames} frames, each drawn when its
                 surface is there. Colours mean the same in all of them: their range is looked up first. Background, bar, axes and rake as above.
                 ${others ? 'The others in this session see the time change while you record.' : ''}
@@ -100,10 +83,10 @@ export class FilmExport extends ModelElement<FilmExportModel> {
 
     private recording({ state, done, frames }: FilmProgress): TemplateResult {
         const words = state === 'measuring' ? 'Looking up the range of the colours' : 'Frame';
-        return html`<label for="film-progress">${words} ${done} of ${frames}</label>
+        return html`<label class="row" for="film-progress">${words} ${done} of ${frames}</label>
             <progress id="film-progress" max=${frames} .value=${done}></progress>
             <div class="row"><button type="button" @click=${() => this.model.film.cancel()}>Cancel</button></div>
-            <p>Keep this page visible: browsers do not draw hidden pages.</p>`;
+            <p class="hint">Keep this page visible: browsers do not draw hidden pages.</p>`;
     }
 
     private whyNot(): string | null {
@@ -112,13 +95,6 @@ export class FilmExport extends ModelElement<FilmExportModel> {
             return 'Recording needs a current browser over HTTPS (or on localhost).';
         }
         return playback.mode.value === 'none' ? 'The data have only one time-step: there is nothing to play.' : null;
-    }
-
-    private lengthTyped(event: Event): void {
-        const field = event.target as HTMLInputElement;
-        const value = field.valueAsNumber;
-        if (value > 0) seconds.value = Math.min(value, framesAtMost / fps.value);
-        field.value = String(seconds.value);
     }
 
     private async record(): Promise<void> {

@@ -11,16 +11,14 @@ import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import './copyAs.ts';
 import { exportStyles } from './exportStyles.ts';
+import { checkRow, type Choice, selectRow } from '../base/rows.ts';
 import { fileName, saveFile } from '../base/saveFile.ts';
 import { ModelElement } from '../base/signalElement.ts';
 
-interface Choice extends MeshFile {
-    value: string;
-    words: string;
-}
+type FileChoice = MeshFile & Choice<string>;
 
-const vtp: Choice = { value: 'vtp', format: 'vtp', words: '.vtp for ParaView and VTK' };
-const choices: readonly Choice[] = [
+const vtp: FileChoice = { value: 'vtp', format: 'vtp', words: '.vtp for ParaView and VTK' };
+const choices: readonly FileChoice[] = [
     vtp,
     { value: 'glb-plain', format: 'glb', draco: false, words: '.glb for ParaView and any glTF viewer' },
     { value: 'glb', format: 'glb', words: '.glb, small, for the web and Blender' },
@@ -28,7 +26,7 @@ const choices: readonly Choice[] = [
     { value: 'obj', format: 'obj', words: '.obj for most 3D programs' },
     { value: 'drc', format: 'drc', words: '.drc for programs that read Draco' },
 ];
-const chosen = signal<Choice>(vtp);
+const chosen = signal<FileChoice>(vtp);
 /** Lines, ribbons and arrows that are shown of the surface go into the file instead of its mesh. */
 const asShown = signal(true);
 
@@ -46,14 +44,9 @@ export class MeshExport extends ModelElement<MeshExportModel> {
         const { state: progress, words } = mesh.progress.value;
         const waiting = progress === 'waiting';
         return html`
-            <label
-                >Format
-                <select id="mesh-format" @change=${this.formatChosen}>
-                    ${choices.map(
-                        (each) => html`<option value=${each.value} .selected=${each === chosen.value}>${each.words}</option>`,
-                    )}
-                </select>
-            </label>
+            ${selectRow('mesh-format', 'Format', choices, chosen.value.value, (value) => {
+                chosen.value = choices.find((each) => each.value === value) ?? vtp;
+            })}
             ${this.piecesRow()}
             <div class="row">
                 <button
@@ -67,8 +60,8 @@ export class MeshExport extends ModelElement<MeshExportModel> {
                 ${meshIsCoarse(state) ? html`<button type="button" @click=${() => downloadMesh(this.model, true)}>As it is now</button>` : nothing}
                 ${waiting ? html`<button type="button" @click=${() => mesh.cancel()}>Cancel</button>` : nothing}
             </div>
-            <p id="mesh-time">${meshTimeWords(state, view)}</p>
-            ${words === '' ? nothing : html`<p role=${progress === 'failed' ? 'alert' : 'status'}>${words}</p>`}
+            <p class="hint" id="mesh-time">${meshTimeWords(state, view)}</p>
+            ${words === '' ? nothing : html`<p class="hint" role=${progress === 'failed' ? 'alert' : 'status'}>${words}</p>`}
             <wakesurf-copy-as
                 .model=${this.model}
                 .calls=${() => meshSteps(state, wanted(this.model))}
@@ -81,20 +74,7 @@ export class MeshExport extends ModelElement<MeshExportModel> {
         if (pieces === null) return nothing;
         const none = chosen.value.format === 'drc';
         const words = none ? 'The whole mesh: a .drc has no lines' : `Only what is shown of it, as ${pieces.split(':')[0]}`;
-        return html`<label class="check"
-            ><input
-                id="mesh-pieces"
-                type="checkbox"
-                .checked=${asShown.value && !none}
-                ?disabled=${none}
-                @change=${(event: Event) => (asShown.value = (event.target as HTMLInputElement).checked)}
-            />${words}</label
-        >`;
-    }
-
-    private formatChosen(event: Event): void {
-        const { value } = event.target as HTMLSelectElement;
-        chosen.value = choices.find((each) => each.value === value) ?? vtp;
+        return checkRow(words, asShown.value && !none, (on) => (asShown.value = on), { id: 'mesh-pieces', disabled: none });
     }
 }
 

@@ -10,11 +10,12 @@ import { shownTime } from '../../session/time/shownTime.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { exportStyles } from './exportStyles.ts';
+import { checkRow, type Choice, selectRow } from '../base/rows.ts';
 import { fileName, saveFile } from '../base/saveFile.ts';
 import { ModelElement } from '../base/signalElement.ts';
 import { SizeChoice } from './sizeChoice.ts';
 
-const backgrounds: readonly { value: FigureBackground; words: string }[] = [
+const backgrounds: readonly Choice<FigureBackground>[] = [
     { value: 'shown', words: 'as shown' },
     { value: 'white', words: 'white' },
     { value: 'clear', words: 'transparent' },
@@ -41,41 +42,20 @@ export class PictureExport extends ModelElement<PictureExportModel> {
         const { figure, state, view } = this.model;
         return html`
             ${choice.render(figure.shownSize)}
-            <label
-                >Background
-                <select id="background" @change=${this.backgroundChosen}>
-                    ${backgrounds.map(
-                        ({ value, words }) =>
-                            html`<option value=${value} .selected=${value === figure.background.value}>
-                                ${words}
-                            </option>`,
-                    )}
-                </select>
-            </label>
+            ${selectRow('background', 'Background', backgrounds, figure.background.value, (chosen) => (figure.background.value = chosen))}
             <div class="checks">
                 ${this.check('Scalar bar', figure.bar)} ${this.check('Box and axes', figure.axes)}
                 ${this.check('Rake', figure.rake)}
                 ${pictureIsCoarse(state) ? this.check('Say that it is coarse', figure.coarse) : nothing}
             </div>
             <div class="row"><button type="button" id="save-picture" @click=${this.save}>Save PNG</button></div>
-            <p id="picture-time">As it is shown, at t = ${timeWords(state, view, shownTime(state))}. The name of the file says so.</p>
-            ${this.fault.value === '' ? nothing : html`<p role="alert">${this.fault.value}</p>`}
+            <p class="hint" id="picture-time">As it is shown, at t = ${timeWords(state, view, shownTime(state))}. The name of the file says so.</p>
+            ${this.fault.value === '' ? nothing : html`<p class="hint" role="alert">${this.fault.value}</p>`}
         `;
     }
 
     private check(label: string, on: Signal<boolean>): TemplateResult {
-        return html`<label class="check"
-            ><input
-                type="checkbox"
-                .checked=${on.value}
-                @change=${(event: Event) => (on.value = (event.target as HTMLInputElement).checked)}
-            />${label}</label
-        >`;
-    }
-
-    private backgroundChosen(event: Event): void {
-        const { value } = event.target as HTMLSelectElement;
-        this.model.figure.background.value = backgrounds.find((each) => each.value === value)?.value ?? 'shown';
+        return checkRow(label, on.value, (checked) => (on.value = checked));
     }
 
     private async save(): Promise<void> {

@@ -2,6 +2,7 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { signal } from '@preact/signals-core';
 import type { ScreenSize } from '../../scene/base/view.ts';
+import { numberField, selectRow } from '../base/rows.ts';
 
 export class SizeChoice {
     private readonly id: string;
@@ -22,16 +23,12 @@ export class SizeChoice {
     render(shown: ScreenSize): TemplateResult {
         const { id } = this;
         const chosen = this.chosen.value;
-        const option = (value: string, label: string): TemplateResult =>
-            html`<option value=${value} .selected=${chosen === value}>${label}</option>`;
-        return html`<label
-                >Size
-                <select id=${`${id}-size`} @change=${(event: Event) => this.choose(event, shown)}>
-                    ${option('shown', `as shown, ${words(shown)}`)}
-                    ${this.presets.map((preset) => option(words(preset), words(preset)))}
-                    ${option('typed', 'other')}
-                </select>
-            </label>
+        const sizes = [
+            { value: 'shown', words: `as shown, ${words(shown)}` },
+            ...this.presets.map((preset) => ({ value: words(preset), words: words(preset) })),
+            { value: 'typed', words: 'other' },
+        ];
+        return html`${selectRow(`${id}-size`, 'Size', sizes, chosen, (value) => this.choose(value, shown))}
             ${
                 chosen === 'typed'
                     ? html`<div class="row">${this.number('width', shown)} × ${this.number('height', shown)}</div>`
@@ -40,22 +37,14 @@ export class SizeChoice {
     }
 
     private number(side: 'width' | 'height', shown: ScreenSize): TemplateResult {
-        return html`<input
-            id=${`${this.id}-${side}`}
-            type="number"
-            min="16"
-            step="1"
-            aria-label=${`${side === 'width' ? 'Width' : 'Height'} in pixels`}
-            .value=${String(this.size(shown)[side])}
-            @change=${(event: Event) => {
-                const value = (event.target as HTMLInputElement).valueAsNumber;
-                this.typed.value = { ...this.size(shown), [side]: value };
-            }}
-        />`;
+        return numberField({
+            ...{ id: `${this.id}-${side}`, label: `${side === 'width' ? 'Width' : 'Height'} in pixels`, min: 16, step: 1 },
+            shown: String(this.size(shown)[side]),
+            change: (value) => void (this.typed.value = { ...this.size(shown), [side]: value }),
+        });
     }
 
-    private choose(event: Event, shown: ScreenSize): void {
-        const { value } = event.target as HTMLSelectElement;
+    private choose(value: string, shown: ScreenSize): void {
         if (value === 'typed') this.typed.value = this.size(shown);
         this.chosen.value = value;
     }

@@ -26,9 +26,7 @@ export class RakeList extends ModelElement<RakeListModel> {
             gap: 2px;
             max-height: 168px;
             margin: 0 -6px;
-            padding: 0;
             overflow-y: auto;
-            list-style: none;
         }
         li {
             display: grid;
@@ -79,15 +77,8 @@ export class RakeList extends ModelElement<RakeListModel> {
         svg {
             display: block;
         }
-        .name,
-        .about {
-            overflow: hidden;
-            text-overflow: ellipsis;
-            white-space: nowrap;
-        }
         .about {
             max-width: 84px;
-            color: var(--quiet);
             font-size: 12px;
             font-weight: 400;
         }
@@ -103,7 +94,7 @@ export class RakeList extends ModelElement<RakeListModel> {
             padding-inline: 7px;
         }
         .own {
-            grid-template-columns: 34px 1fr;
+            grid-template-columns: 34px minmax(0, 1fr);
         }
         input[type='color'] {
             width: 34px;
@@ -113,20 +104,6 @@ export class RakeList extends ModelElement<RakeListModel> {
             border-radius: 6px;
             background: var(--raised);
             cursor: pointer;
-        }
-        input[type='text'] {
-            width: 100%;
-            min-width: 0;
-            min-height: 28px;
-            padding: 3px 8px;
-            border: 1px solid var(--line);
-            border-radius: 6px;
-            background: var(--raised);
-        }
-        p {
-            margin: 6px 0 0;
-            color: var(--quiet);
-            font-size: 12px;
         }
     `;
 
@@ -138,7 +115,7 @@ export class RakeList extends ModelElement<RakeListModel> {
         const { history, actions } = edits;
         const locked = state.locked.value;
         return html`
-            ${rakes.length === 0 ? html`<p>No rake: nothing is released into the flow.</p>` : nothing}
+            ${rakes.length === 0 ? html`<p class="hint">No rake: nothing is released into the flow.</p>` : nothing}
             <ul aria-label="Rakes">
                 ${rakes.map((record) => this.entry(record, record === chosen))}
             </ul>
@@ -186,7 +163,7 @@ export class RakeList extends ModelElement<RakeListModel> {
                 ${this.turn('Undo', '↶', 'Ctrl+Z', history.undoable.value, () => void edits.undo())}
                 ${this.turn('Redo', '↷', 'Ctrl+Shift+Z', history.redoable.value, () => void edits.redo())}
             </div>
-            <p role="status" ?hidden=${history.words.value === ''}>${history.words.value}</p>
+            <p class="hint" role="status" ?hidden=${history.words.value === ''}>${history.words.value}</p>
         `;
     }
 
@@ -210,8 +187,8 @@ export class RakeList extends ModelElement<RakeListModel> {
                 @click=${() => edits.chooseRake(record.rake)}
             >
                 ${swatch(rakeColour(record, state.rakes.value))}
-                <span class="name">${nameOf(record)}</span>
-                <span class="about">${about}</span>
+                <span class="cut">${nameOf(record)}</span>
+                <span class="about cut quiet">${about}</span>
             </button>
             ${this.switch(isLocked, 'locked', 'free', `Lock ${nameOf(record)}`, 'Keep it from being moved on this page', () =>
                 view.changeVisibility({ lockedRakes: toggled(lockedRakes, record.rake) }),
@@ -259,7 +236,6 @@ export class RakeList extends ModelElement<RakeListModel> {
                 @change=${(event: Event) => edits.changeRake(record.rake, { colour: change(event) })}
             />
             <input
-                type="text"
                 id="rake-name"
                 aria-label="Name of the rake"
                 maxlength="60"

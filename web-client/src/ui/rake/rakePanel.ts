@@ -19,6 +19,7 @@ import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { handleNameOf, handleRows } from './rakeRows.ts';
 import { rakePanelStyles } from './rakePanelStyles.ts';
+import { checkRow, numberRow } from '../base/rows.ts';
 import { ModelElement } from '../base/signalElement.ts';
 
 type Axis = 0 | 1 | 2;
@@ -132,7 +133,7 @@ export class RakePanel extends ModelElement<RakeModel> {
                 </select>
             </label>
             <label>Seeds
-                <input id="seeds" type="number" min="2" max=${mostSeeds} step="1"
+                <input id="seeds" class="narrow" type="number" min="2" max=${mostSeeds} step="1"
                     .value=${String(edits.seeds.value)} @change=${this.seedsChanged} />
             </label>
         </div>`;
@@ -147,7 +148,7 @@ export class RakePanel extends ModelElement<RakeModel> {
                 return html`<input
                     type="number"
                     step="any"
-                    class=${text.length > roomySigns ? 'long' : ''}
+                    class=${text.length > roomySigns ? 'narrow long' : 'narrow'}
                     title=${at[k] ?? 0}
                     aria-label=${`${name} ${axis}`}
                     .value=${text}
@@ -194,31 +195,27 @@ export class RakePanel extends ModelElement<RakeModel> {
     }
 
     private pointChoice(count: number): TemplateResult {
-        return html`<label class="pair-row">Point (1 to ${count})
-            <input type="number" id="point-number" min="2" max=${count - 1} step="1"
-                .value=${String(this.shownPoint.value + 1)}
-                @change=${(event: Event) => {
-                    const field = event.target as HTMLInputElement;
-                    const wanted = Math.round(field.valueAsNumber) - 1;
-                    if (wanted > 0 && wanted < count - 1) this.shownPoint.value = wanted;
-                    field.value = String(this.shownPoint.value + 1);
-                }} />
-        </label>`;
+        return numberRow(`Point (1 to ${count})`, {
+            ...{ id: 'point-number', narrow: true, min: 2, max: count - 1, step: 1, shown: String(this.shownPoint.value + 1) },
+            change: (typed) => {
+                const wanted = Math.round(typed) - 1;
+                const may = wanted > 0 && wanted < count - 1;
+                if (may) this.shownPoint.value = wanted;
+                return may;
+            },
+        });
     }
 
     private radius(): TemplateResult {
         const { state, edits } = this.model;
         const circle = circleOf(state.rakeShape.value);
-        const change = (event: Event): void => {
-            const field = event.target as HTMLInputElement;
-            const radius = field.valueAsNumber;
-            if (radius > 0) edits.setShape(circleShape({ ...circle, radius }));
-            field.value = this.radiusText(circleOf(state.rakeShape.value).radius);
-        };
-        return html`<label class="pair-row">${this.inUnits('Radius')}
-            <input type="number" id="radius" min="0" step="any"
-                .value=${this.radiusText(circle.radius)} @change=${change} />
-        </label>`;
+        return numberRow(this.inUnits('Radius'), {
+            ...{ id: 'radius', narrow: true, min: 0, shown: this.radiusText(circle.radius) },
+            change: (radius) => {
+                if (radius > 0) edits.setShape(circleShape({ ...circle, radius }));
+                return radius > 0;
+            },
+        });
     }
 
     private radiusText(radius: number): string {
@@ -234,7 +231,7 @@ export class RakePanel extends ModelElement<RakeModel> {
         const placing = view.tool.value === 'place';
         const nudge = (axis: Axis, sign: 1 | -1) => () => scene.interaction.nudge(target, this.along(axis, sign));
         return html`<div class="tools" role="group" aria-label=${`Move ${name}`}>
-            <div class="pair-row">
+            <div class="row">
                 <span>Move <strong>${name}</strong> by</span>
                 <select id="nudge-step" aria-label="Length of a step" ?disabled=${this.snapping.value}
                     @change=${(event: Event) => (this.stepIndex.value = Number((event.target as HTMLSelectElement).value))}>
@@ -294,14 +291,11 @@ export class RakePanel extends ModelElement<RakeModel> {
     private snapChoice(): TemplateResult {
         const { state, scene } = this.model;
         const step = gridStep(state.dataset.value!.bounds);
-        const change = (event: Event): void => {
-            this.snapping.value = (event.target as HTMLInputElement).checked;
-            scene.interaction.step = this.snapping.value ? step : null;
+        const change = (on: boolean): void => {
+            this.snapping.value = on;
+            scene.interaction.step = on ? step : null;
         };
-        return html`<label class="check">
-                <input type="checkbox" id="snap" .checked=${this.snapping.value} @change=${change} />
-                Snap to a grid of ${this.inUnits(step)}
-            </label>
+        return html`${checkRow(`Snap to a grid of ${this.inUnits(step)}`, this.snapping.value, change, { id: 'snap' })}
             <p class="hint">Hold Shift while dragging to stay on one axis.</p>`;
     }
 

@@ -16,29 +16,15 @@ export const rakePanelStyles = css`
         gap: 8px;
         align-items: center;
     }
-    .pair-row {
-        display: flex;
-        justify-content: space-between;
-        align-items: center;
-        gap: 8px;
+    .row {
         margin-top: 8px;
     }
-    .pair-row input,
-    .pair-row select {
+    .row input,
+    .row select {
         width: 84px;
     }
     select {
         min-width: 0;
-    }
-    input[type='number'] {
-        min-width: 0;
-        padding: 3px 6px;
-        text-align: right;
-        font-variant-numeric: tabular-nums;
-        appearance: textfield;
-    }
-    input::-webkit-inner-spin-button {
-        appearance: none;
     }
     .point {
         display: grid;
@@ -46,9 +32,6 @@ export const rakePanelStyles = css`
         gap: 6px;
         align-items: center;
         margin-top: 6px;
-    }
-    .point input {
-        width: 100%;
     }
     .point input.long {
         padding-inline: 2px;
@@ -93,19 +76,7 @@ export const rakePanelStyles = css`
         margin-top: 8px;
     }
     .check {
-        display: flex;
-        gap: 8px;
-        align-items: center;
         margin-top: 10px;
         cursor: pointer;
-    }
-    .check input {
-        margin: 0;
-        accent-color: var(--accent);
-    }
-    .hint {
-        margin: 6px 0 0;
-        color: var(--quiet);
-        font-size: 12px;
     }
 `;

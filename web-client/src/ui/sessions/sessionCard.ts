@@ -38,7 +38,7 @@ export function sessionCard(entry: SessionEntry, card: CardState, acts: CardActs
     return html`<li class="card ${card.here ? 'here' : ''}" data-session=${session}>
         ${picture(entry, card, card.here ? `Continue in ${name}` : `Open ${name}`, () => acts.open(entry))}
         <div class="about">
-            <p class="name"><span title=${name}>${name}</span>${card.here ? html`<span class="badge">you are here</span>` : nothing}</p>
+            <p class="name"><span class="cut" title=${name}>${name}</span>${card.here ? html`<span class="badge">you are here</span>` : nothing}</p>
             <p class="quiet">${useWords(entry, others, card.here)}</p>
             <p class="quiet">${contentWords(entry)}</p>
             ${people(entry)}
@@ -74,7 +74,7 @@ export function trashCard(
     return html`<li class="card trash" data-session=${session}>
         ${picture(entry, pictures, `Restore ${name}`, () => acts.restore(entry))}
         <div class="about">
-            <p class="name"><span title=${name}>${name}</span></p>
+            <p class="name"><span class="cut" title=${name}>${name}</span></p>
             <p class="quiet">Deleted ${agoWords(deletedAt)}, kept until ${dayWords(deletedUntil)}</p>
             <p class="quiet">${contentWords(entry)}</p>
             ${people(entry)}
@@ -114,7 +114,7 @@ function people({ people: all }: SessionEntry): TemplateResult {
     const names = all.map(({ name }) => name).join(', ');
     return html`<p class="people quiet" title=${names}>
         ${all.map(({ colour }) => html`<span class="dot" data-colour=${colour}></span>`)}
-        <span class="names">${names}</span>
+        <span class="cut">${names}</span>
     </p>`;
 }
 

@@ -17,15 +17,9 @@ export class SessionHead extends ModelElement<SessionHeadModel> {
             align-items: center;
             margin: 4px 0 2px;
         }
-        .quiet {
-            color: var(--quiet);
-        }
         .name {
             flex: 1;
             min-width: 0;
-            overflow: hidden;
-            text-overflow: ellipsis;
-            white-space: nowrap;
         }
     `;
 
@@ -34,7 +28,7 @@ export class SessionHead extends ModelElement<SessionHeadModel> {
         const name = state.gone.value === null ? state.sessionName.value : '';
         const words = name !== '' ? name : state.gone.value === null ? '' : 'No session';
         return html`<div>
-                <span class="name" title=${words}><span class="quiet">Session</span> <span id="session-name">${words}</span></span>
+                <span class="name cut" title=${words}><span class="quiet">Session</span> <span id="session-name">${words}</span></span>
                 <button type="button" aria-haspopup="dialog" @click=${() => (view.sessionsShown.value = true)}>Sessions</button>
             </div>
             <wakesurf-sessions .model=${this.model}></wakesurf-sessions>`;

@@ -6,8 +6,7 @@ import type { SessionEntry } from '../../protocol/messages.ts';
 import type { SessionShelf } from '../../session/sessions/sessionShelf.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
-import { dialogStyles } from '../base/dialogStyles.ts';
-import { listStyles } from '../base/listStyles.ts';
+import { dialogStyles } from '../base/sharedStyles.ts';
 import { fileName, saveFile } from '../base/saveFile.ts';
 import { ModelElement } from '../base/signalElement.ts';
 import { type CardActs, type Question, sessionCard, trashCard } from './sessionCard.ts';
@@ -31,7 +30,7 @@ export class SessionsDialog extends ModelElement<SessionsModel> {
     private look = 0;
     private watching = false;
 
-    static override styles = [dialogStyles, listStyles, sessionsStyles];
+    static override styles = [dialogStyles, sessionsStyles];
 
     private readonly acts: CardActs = {
         open: (entry) => (this.isHere(entry) ? this.close() : this.model.shelf.enter(entry.session)),

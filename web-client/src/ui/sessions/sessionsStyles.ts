@@ -145,9 +145,6 @@ export const sessionsStyles = css`
     }
     .name > span:first-child {
         flex: 1;
-        overflow: hidden;
-        text-overflow: ellipsis;
-        white-space: nowrap;
     }
     .badge {
         flex: none;
@@ -162,11 +159,6 @@ export const sessionsStyles = css`
         gap: 4px;
         align-items: center;
         min-height: 18px;
-    }
-    .names {
-        overflow: hidden;
-        white-space: nowrap;
-        text-overflow: ellipsis;
     }
     .dot {
         flex: none;

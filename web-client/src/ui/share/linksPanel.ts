@@ -11,7 +11,6 @@ import { momentWords } from '../base/timeWords.ts';
 import './ownCopy.ts';
 import type { OwnCopyButton } from './ownCopy.ts';
 import { roleWords } from './roleWords.ts';
-import { listStyles } from '../base/listStyles.ts';
 import { ModelElement } from '../base/signalElement.ts';
 
 /** The first is the server's, which is less for who came by a link that ends before. */
@@ -40,62 +39,59 @@ export class LinksPanel extends ModelElement<LinksModel> {
     private readonly asked = signal<string | null>(null);
     private readonly copied = signal(false);
 
-    static override styles = [
-        listStyles,
-        css`
-            .new,
-            .made {
-                display: grid;
-                grid-template-columns: 1fr 1fr;
-                gap: 6px;
-            }
-            .new button {
-                grid-column: 1 / 3;
-            }
-            .made {
-                grid-template-columns: minmax(0, 1fr) auto;
-                margin-top: 8px;
-            }
-            input {
-                min-width: 0;
-            }
-            ul {
-                margin-top: 8px;
-            }
-            li {
-                display: flex;
-                flex-wrap: wrap;
-                justify-content: space-between;
-                align-items: center;
-                gap: 4px 8px;
-                padding: 5px 0;
-                border-top: 1px solid var(--line);
-            }
-            li > span {
-                flex: 1;
-                min-width: 60%;
-            }
-            li small {
-                display: block;
-                font-size: 12px;
-                color: var(--quiet);
-            }
-            li button {
-                flex: none;
-            }
-            li p {
-                flex: 1 1 100%;
-                margin: 2px 0;
-                color: var(--warm);
-            }
-            a {
-                color: var(--accent);
-            }
-            p {
-                margin: 6px 0;
-            }
-        `,
-    ];
+    static override styles = css`
+        .new,
+        .made {
+            display: grid;
+            grid-template-columns: 1fr 1fr;
+            gap: 6px;
+        }
+        .new button {
+            grid-column: 1 / 3;
+        }
+        .made {
+            grid-template-columns: minmax(0, 1fr) auto;
+            margin-top: 8px;
+        }
+        input {
+            min-width: 0;
+        }
+        ul {
+            margin-top: 8px;
+        }
+        li {
+            display: flex;
+            flex-wrap: wrap;
+            justify-content: space-between;
+            align-items: center;
+            gap: 4px 8px;
+            padding: 5px 0;
+            border-top: 1px solid var(--line);
+        }
+        li > span {
+            flex: 1;
+            min-width: 60%;
+        }
+        li small {
+            display: block;
+            font-size: 12px;
+            color: var(--quiet);
+        }
+        li button {
+            flex: none;
+        }
+        li p {
+            flex: 1 1 100%;
+            margin: 2px 0;
+            color: var(--warm);
+        }
+        a {
+            color: var(--accent);
+        }
+        p {
+            margin: 6px 0;
+        }
+    `;
 
     override connectedCallback(): void {
         super.connectedCallback();

@@ -3,7 +3,7 @@ import { css, html, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import type { Calls } from '../../session/base/calls.ts';
 import type { ViewState } from '../../state/viewState.ts';
-import { dialogStyles } from '../base/dialogStyles.ts';
+import { dialogStyles } from '../base/sharedStyles.ts';
 import { ModelElement } from '../base/signalElement.ts';
 
 /** The server takes 4 KiB; letters of other alphabets take up to four bytes. */
@@ -27,11 +27,6 @@ export class NoteDialog extends ModelElement<NoteModel> {
                 display: grid;
                 gap: 6px;
                 font-weight: 600;
-            }
-            p {
-                margin: 6px 0 0;
-                color: var(--quiet);
-                font-size: 12px;
             }
             textarea {
                 min-height: 90px;
@@ -59,7 +54,7 @@ export class NoteDialog extends ModelElement<NoteModel> {
                         @keydown=${this.pressed}
                     ></textarea>
                 </label>
-                <p>Ctrl+Enter saves. Escape closes and keeps the text.</p>
+                <p class="hint">Ctrl+Enter saves. Escape closes and keeps the text.</p>
                 <div class="answers">
                     <button type="button" @click=${() => this.model.view.endNote(null)}>Discard</button>
                     <button type="submit">Save</button>

@@ -5,7 +5,6 @@ import type { FlowScene } from '../../scene/scene.ts';
 import type { Calls } from '../../session/base/calls.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
-import { listStyles } from '../base/listStyles.ts';
 import { ModelElement } from '../base/signalElement.ts';
 
 export interface NotesModel {
@@ -16,19 +15,22 @@ export interface NotesModel {
 }
 
 export class NotesPanel extends ModelElement<NotesModel> {
-    static override styles = [
-        listStyles,
-        css`
-            li {
-                margin-bottom: 10px;
-            }
-            .text {
-                margin: 0 0 4px;
-                overflow-wrap: anywhere;
-                white-space: pre-wrap;
-            }
-        `,
-    ];
+    static override styles = css`
+        li {
+            margin-bottom: 10px;
+        }
+        .row {
+            gap: 6px;
+        }
+        .row > :first-child {
+            flex: 1;
+        }
+        .text {
+            margin: 0 0 4px;
+            overflow-wrap: anywhere;
+            white-space: pre-wrap;
+        }
+    `;
 
     override render(): TemplateResult {
         const notes = [...this.model.state.annotations.value.values()];

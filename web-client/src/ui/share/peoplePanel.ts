@@ -6,7 +6,6 @@ import type { People } from '../../session/people/people.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { roleWords } from './roleWords.ts';
-import { listStyles } from '../base/listStyles.ts';
 import { ModelElement } from '../base/signalElement.ts';
 
 const roles: readonly Role[] = ['viewer', 'editor', 'host'];
@@ -21,38 +20,30 @@ export interface PeopleModel {
 }
 
 export class PeoplePanel extends ModelElement<PeopleModel> {
-    static override styles = [
-        listStyles,
-        css`
-            li {
-                display: grid;
-                grid-template-columns: 12px minmax(0, 1fr) auto auto;
-                gap: 8px;
-                align-items: center;
-                min-height: 32px;
-            }
-            .dot {
-                width: 12px;
-                height: 12px;
-                border-radius: 6px;
-            }
-            .name {
-                overflow: hidden;
-                text-overflow: ellipsis;
-                white-space: nowrap;
-            }
-            input {
-                min-width: 0;
-            }
-            .away {
-                opacity: 0.6;
-            }
-            .leave {
-                margin: 6px 0 0;
-                text-align: right;
-            }
-        `,
-    ];
+    static override styles = css`
+        li {
+            display: grid;
+            grid-template-columns: 12px minmax(0, 1fr) auto auto;
+            gap: 8px;
+            align-items: center;
+            min-height: 32px;
+        }
+        .dot {
+            width: 12px;
+            height: 12px;
+            border-radius: 6px;
+        }
+        input {
+            min-width: 0;
+        }
+        .away {
+            opacity: 0.6;
+        }
+        .leave {
+            margin: 6px 0 0;
+            text-align: right;
+        }
+    `;
 
     override render(): TemplateResult {
         const people = [...this.model.state.participants.value.values()];
@@ -85,7 +76,7 @@ export class PeoplePanel extends ModelElement<PeopleModel> {
                       .value=${name}
                       @change=${(event: Event) => this.model.rename((event.target as HTMLInputElement).value.trim())}
                   />`
-                    : html`<span class="name" title=${name}>${name}${connected ? '' : ' (away)'}</span>`
+                    : html`<span class="cut" title=${name}>${name}${connected ? '' : ' (away)'}</span>`
             }
             ${this.mayDo(person, you)} ${you ? nothing : this.follow(person)}
         </li>`;

@@ -54,7 +54,6 @@ export class Banner extends ModelElement<BannerModel> {
         }
         progress {
             width: 140px;
-            accent-color: var(--accent);
         }
     `;
 

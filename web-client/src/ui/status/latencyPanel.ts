@@ -27,31 +27,18 @@ export class LatencyPanel extends ModelElement<LatencyModel> {
         :host {
             display: block;
         }
-        summary {
-            color: var(--quiet);
-            cursor: pointer;
-        }
         summary span {
             float: right;
             color: var(--text);
         }
         dl {
-            display: grid;
             grid-template-columns: 1fr 70px auto;
             gap: 2px 8px;
             align-items: center;
             margin: 4px 0 0;
             font-size: 12px;
         }
-        dt {
-            color: var(--quiet);
-        }
-        dd {
-            margin: 0;
-            text-align: right;
-        }
-        summary,
-        dd {
+        summary {
             font-variant-numeric: tabular-nums;
         }
         meter {
@@ -64,7 +51,7 @@ export class LatencyPanel extends ModelElement<LatencyModel> {
         const sample = this.model.state.latency.value;
         const roundTrip = this.model.state.roundTripMs.value;
         return html`<details id="latency" @toggle=${(event: Event) => (this.open.value = (event.target as HTMLDetailsElement).open)}>
-            <summary>
+            <summary class="quiet">
                 Edit to picture
                 <span id="latency-total">${sample === null ? '–' : `${Math.round(sample.milliseconds)} ms`}</span>
             </summary>

@@ -20,7 +20,6 @@ export class LongPass extends ModelElement<LongPassModel> {
     static override styles = css`
         p {
             margin: 0 0 4px;
-            font-variant-numeric: tabular-nums;
         }
         [role='group'] {
             display: flex;
@@ -34,7 +33,7 @@ export class LongPass extends ModelElement<LongPassModel> {
         const { state, view } = this.model;
         const standing = state.progress.value;
         if (standing === null || standing.lasting === 'briefly') return html``;
-        return html`<p id="standing">${standingWords(standing, state, view)}</p>
+        return html`<p class="value" id="standing">${standingWords(standing, state, view)}</p>
             ${standing.lasting === 'long' ? this.offers() : nothing}`;
     }
 

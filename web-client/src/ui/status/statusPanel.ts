@@ -36,23 +36,10 @@ export class StatusPanel extends ModelElement<StatusModel> {
             color: var(--warm);
         }
         dl {
-            display: grid;
-            grid-template-columns: auto 1fr;
             gap: 3px 12px;
-            margin: 0;
-        }
-        dt {
-            color: var(--quiet);
-        }
-        dd {
-            margin: 0;
-            text-align: right;
-            font-variant-numeric: tabular-nums;
         }
         .counts {
             margin: 2px 0 0;
-            color: var(--quiet);
-            font-variant-numeric: tabular-nums;
         }
         .progress {
             display: flex;
@@ -64,7 +51,6 @@ export class StatusPanel extends ModelElement<StatusModel> {
         progress {
             flex: 1;
             min-width: 0;
-            accent-color: var(--accent);
         }
         .final {
             color: var(--good);
@@ -108,7 +94,7 @@ export class StatusPanel extends ModelElement<StatusModel> {
                 <dt>Surface</dt>
                 <dd class=${phase === 'final' && isDoubtful(outcome) ? 'doubtful' : phase}><span role="status">${displayed === undefined && phase === 'stopped' ? phaseWords.error : statusWords(phase, outcome, view.units.value.length)}</span></dd>
             </dl>
-            <p class="counts">
+            <p class="counts quiet value">
                 ${count(displayed?.cells)} quads${trimmed === 0 ? '' : ` (${countWords(trimmed)} trimmed)`}, ${count(displayed?.vertices)} vertices, separation
                 ${withUnit(shortNumber(state.surface.value?.separation ?? Number.NaN), view.units.value.length)}
             </p>

@@ -6,6 +6,7 @@ import type { DatasetDescription } from '../../protocol/messages.ts';
 import { fieldNumber, resolutionOf, shortNumber } from '../../scene/base/numbers.ts';
 import type { Edits } from '../../session/edits/edits.ts';
 import { describedRange, levelFields, levelOf } from '../../session/edits/levelFields.ts';
+import { numberRow, selectRow } from '../base/rows.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { Families, FamilyChoice } from '../../session/surface/families.ts';
 
@@ -42,18 +43,14 @@ export class LevelRows {
         const range = this.range(dataset, field);
         const names = levelFields(dataset);
         // A field that is no more is still what the surface is asked for.
-        const choices = names.includes(field) ? names : [field, ...names];
+        const all = names.includes(field) ? names : [field, ...names];
+        const choices = all.map((name) => ({ value: name, words: fieldWords(name, dataset) }));
         return html`
-            <label class="row" for="level-field">
-                <span>Field</span>
-                <select id="level-field" @change=${this.fieldChanged}>
-                    ${choices.map((name) => html`<option value=${name} .selected=${live(name === field)}>${fieldWords(name, dataset)}</option>`)}
-                </select>
-            </label>
-            <label class="row" for="level-value">
-                <span>Level</span>
-                <input id="level-value" type="number" step="any" .value=${live(this.text(level, range))} @change=${this.levelTyped} />
-            </label>
+            ${selectRow('level-field', 'Field', choices, field, (name) => edits.changeSurface(levelOf(dataset, name)))}
+            ${numberRow('Level', {
+                ...{ id: 'level-value', shown: this.text(level, range) },
+                change: (typed) => edits.changeSurface({ level: typed }),
+            })}
             ${
                 range === null
                     ? nothing
@@ -108,22 +105,8 @@ export class LevelRows {
         return range === null ? String(level) : fieldNumber(level, resolutionOf(0, range[1] - range[0]));
     }
 
-    private readonly fieldChanged = (event: Event): void => {
-        const dataset = this.model.state.dataset.value;
-        const field = (event.target as HTMLSelectElement).value;
-        if (dataset !== null) this.model.edits.changeSurface(levelOf(dataset, field));
-    };
-
     private readonly levelSlid = (event: Event): void => {
         this.model.edits.changeSurface({ level: (event.target as HTMLInputElement).valueAsNumber });
-    };
-
-    /** What is no number is put back. */
-    private readonly levelTyped = (event: Event): void => {
-        const input = event.target as HTMLInputElement;
-        const level = input.valueAsNumber;
-        if (Number.isFinite(level)) this.model.edits.changeSurface({ level });
-        else input.value = String(this.model.edits.intent.value?.level);
     };
 }
 

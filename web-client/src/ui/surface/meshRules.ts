@@ -4,28 +4,27 @@ import { live } from 'lit/directives/live.js';
 import { surfaceSetRanges } from '../../protocol/generated/surface.ts';
 import type { SurfaceIntent } from '../../session/edits/surfaceIntent.ts';
 import type { Edits } from '../../session/edits/edits.ts';
+import { numberRow } from '../base/rows.ts';
 import { ModelElement } from '../base/signalElement.ts';
 
 type Rule = 'maxQuads' | 'merge' | 'angle';
 
-const rules: readonly { rule: Rule; words: string; title: string; step: string }[] = [
+const rules: readonly { rule: Rule; words: string; title: string; step?: number }[] = [
     {
         rule: 'maxQuads',
         words: 'Quad limit',
         title: 'With more quads than this the surface is made coarser, and says so',
-        step: '1',
+        step: 1,
     },
     {
         rule: 'merge',
         words: 'Join below',
         title: 'Quads smaller than this part of the separation are joined; 0: never',
-        step: 'any',
     },
     {
         rule: 'angle',
         words: 'Refine above (°)',
         title: 'Neighbouring quads at a larger angle are refined; 180: never',
-        step: 'any',
     },
 ];
 
@@ -38,15 +37,7 @@ export class MeshRules extends ModelElement<MeshRulesModel> {
         :host {
             display: block;
         }
-        summary {
-            color: var(--quiet);
-            cursor: pointer;
-        }
         .row {
-            display: flex;
-            gap: 8px;
-            align-items: center;
-            justify-content: space-between;
             margin-top: 6px;
         }
         input[type='number'] {
@@ -58,7 +49,7 @@ export class MeshRules extends ModelElement<MeshRulesModel> {
         const intent = this.model.edits.intent.value;
         if (intent === null) return html``;
         return html`<details id="mesh-rules">
-            <summary>Mesh</summary>
+            <summary class="quiet">Mesh</summary>
             ${rules.map((each) => this.field(each, intent))}
             <label
                 class="row"
@@ -77,25 +68,14 @@ export class MeshRules extends ModelElement<MeshRulesModel> {
 
     private field({ rule, words, title, step }: (typeof rules)[number], intent: SurfaceIntent): TemplateResult {
         const [least, most] = surfaceSetRanges[rule];
-        return html`<label class="row" for=${rule} title=${title}>
-            <span>${words}</span>
-            <input
-                id=${rule}
-                type="number"
-                min=${least}
-                max=${most}
-                step=${step}
-                .value=${live(String(intent[rule]))}
-                @change=${(event: Event) => this.changed(event, rule)}
-            />
-        </label>`;
-    }
-
-    /** What cannot be is put back. */
-    private changed(event: Event, rule: Rule): void {
-        const field = event.target as HTMLInputElement;
-        if (field.value !== '' && field.checkValidity()) this.model.edits.changeSurface({ [rule]: Number(field.value) });
-        else this.requestUpdate();
+        return numberRow(words, {
+            ...{ id: rule, title, min: least, max: most, step, shown: String(intent[rule]) },
+            change: (value) => {
+                const may = value >= least && value <= most && (step === undefined || Number.isInteger(value / step));
+                if (may) this.model.edits.changeSurface({ [rule]: value });
+                return may;
+            },
+        });
     }
 }
 

@@ -32,24 +32,11 @@ export class QualityPanel extends ModelElement<QualityModel> {
         :host {
             display: block;
         }
-        summary {
-            color: var(--quiet);
-            cursor: pointer;
-        }
         dl {
-            display: grid;
             grid-template-columns: 1fr auto;
             gap: 2px 8px;
             margin: 4px 0 0;
             font-size: 12px;
-        }
-        dt {
-            color: var(--quiet);
-        }
-        dd {
-            margin: 0;
-            text-align: right;
-            font-variant-numeric: tabular-nums;
         }
     `;
 
@@ -60,7 +47,7 @@ export class QualityPanel extends ModelElement<QualityModel> {
         if (this.open.value && displayed !== undefined) this.ask(id, displayed.stateSum);
         const stats = this.stats.value;
         return html`<details id="quality" @toggle=${(event: Event) => (this.open.value = (event.target as HTMLDetailsElement).open)}>
-            <summary>Quality</summary>
+            <summary class="quiet">Quality</summary>
             ${stats === null || stats.surface !== id ? nothing : this.list(stats)}
         </details>`;
     }

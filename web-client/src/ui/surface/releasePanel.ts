@@ -1,6 +1,5 @@
 // How long a surface is released for, and how old its particles get.
 import { css, html, type TemplateResult } from 'lit';
-import { live } from 'lit/directives/live.js';
 import { shortNumber } from '../../scene/base/numbers.ts';
 import type { Edits } from '../../session/edits/edits.ts';
 import type { SurfaceIntent } from '../../session/edits/surfaceIntent.ts';
@@ -9,6 +8,7 @@ import { withUnit } from '../../session/picture/unitsInPicture.ts';
 import { timeWords } from '../../session/picture/writtenNumbers.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
+import { checkRow, sliderRow } from '../base/rows.ts';
 import { ModelElement } from '../base/signalElement.ts';
 
 export interface ReleaseModel {
@@ -33,26 +33,12 @@ interface Span {
 
 export class ReleasePanel extends ModelElement<ReleaseModel> {
     static override styles = css`
-        .row,
-        .check {
-            display: flex;
-            gap: 8px;
-            align-items: center;
-            margin-top: 6px;
-        }
         .row {
-            justify-content: space-between;
-        }
-        .value {
-            font-variant-numeric: tabular-nums;
+            margin-top: 6px;
         }
         .check {
             margin-top: 8px;
             cursor: pointer;
-        }
-        .check input {
-            margin: 0;
-            accent-color: var(--accent);
         }
     `;
 
@@ -83,34 +69,13 @@ export class ReleasePanel extends ModelElement<ReleaseModel> {
     private span({ id, box, label, title, words, shown, longest, says, change }: Span): TemplateResult {
         const value = Math.min(shown ?? longest, longest);
         const set = (to: number | null): void => this.model.edits.changeSurface(change(to));
-        const slid = (event: Event): void => {
-            const to = (event.target as HTMLInputElement).valueAsNumber;
+        const slid = (to: number): void => {
             if (to > longest * 0.999) set(null);
             else if (to > 0) set(to);
         };
-        return html`<label class="check">
-                <input
-                    type="checkbox"
-                    title=${title}
-                    id=${box}
-                    .checked=${live(value > longest * 0.999)}
-                    @change=${(event: Event) => set((event.target as HTMLInputElement).checked ? null : longest / 2)}
-                />
-                ${label}
-            </label>
-            <label class="row" for=${id}>
-                <span>${words}</span>
-                <span class="value">${says(value)}</span>
-            </label>
-            <input
-                id=${id}
-                type="range"
-                min=${longest / 50}
-                max=${longest}
-                step=${longest / 50}
-                .value=${live(String(value))}
-                @input=${slid}
-            />`;
+        const step = longest / 50;
+        return html`${checkRow(label, value > longest * 0.999, (on) => set(on ? null : longest / 2), { id: box, title })}
+        ${sliderRow({ id, words, value, shown: says(value), low: step, high: longest, step, change: slid })}`;
     }
 }
 

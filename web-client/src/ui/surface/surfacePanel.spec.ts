@@ -54,7 +54,7 @@ describe('the kinds of surface', () => {
         expect(surface().from).toBeGreaterThan(8.5);
         const { sweep } = surface();
         expect(sweep?.map((each) => each !== 0)).toEqual([false, true, false]);
-        await panel.enter('#sweep-z', 'Sweep along z', 0.5);
+        await panel.enter('input', 'Sweep along z', 0.5);
         expect(surface().sweep).toEqual([0, sweep![1], 0.5]);
         await choose('Path');
         expect(surface().sweep).toBeUndefined();

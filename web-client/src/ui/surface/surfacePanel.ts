@@ -8,8 +8,8 @@ import type {
     Interpolation,
     SurfaceKind,
     SurfaceRecord,
-    Vec3,
 } from '../../protocol/messages.ts';
+import { surfaceKinds } from '../../protocol/generated/surface.ts';
 import { fieldNumber, resolutionOf, shortNumber } from '../../scene/base/numbers.ts';
 import { diagonal } from '../../scene/camera/fitting.ts';
 import { surfacesOf } from '../../session/edits/selection.ts';
@@ -25,6 +25,7 @@ import './meshRules.ts';
 import { LevelRows } from './levelPanel.ts';
 import './releasePanel.ts';
 import './timeEnds.ts';
+import { type Choice, selectRow, sliderRow, vectorFields } from '../base/rows.ts';
 import { ModelElement } from '../base/signalElement.ts';
 
 /** Separation as a multiple of the finest spacing of the dataset's grid. */
@@ -35,21 +36,21 @@ const separations = [
     { factor: 4, words: 'coarse' },
 ];
 
-const directions: [Direction, string][] = [
-    ['forward', 'Forward, downstream'],
-    ['backward', 'Backward, upstream'],
-    ['both', 'Both directions'],
+const directions: readonly Choice<Direction>[] = [
+    { value: 'forward', words: 'Forward, downstream' },
+    { value: 'backward', words: 'Backward, upstream' },
+    { value: 'both', words: 'Both directions' },
 ];
 
-const accuracies: [Accuracy, string][] = [
-    ['fast', 'Fast, for exploring'],
-    ['balanced', 'Balanced'],
-    ['exact', 'Exact, for figures'],
+const accuracies: readonly Choice<Accuracy>[] = [
+    { value: 'fast', words: 'Fast, for exploring' },
+    { value: 'balanced', words: 'Balanced' },
+    { value: 'exact', words: 'Exact, for figures' },
 ];
 
-const interpolations: [Interpolation, string][] = [
-    ['linear', 'Linear, as in ParaView'],
-    ['smooth', 'Smooth, cubic'],
+const interpolations: readonly Choice<Interpolation>[] = [
+    { value: 'linear', words: 'Linear, as in ParaView' },
+    { value: 'smooth', words: 'Smooth, cubic' },
 ];
 
 const kindNames: Record<SurfaceKind, string> = {
@@ -59,8 +60,6 @@ const kindNames: Record<SurfaceKind, string> = {
     time: 'Time',
     level: 'Level set',
 };
-
-const axes = ['x', 'y', 'z'] as const;
 
 /** The ends of the slider are exact: it is parted evenly. */
 const lengthSteps = 100;
@@ -111,18 +110,10 @@ export class SurfacePanel extends ModelElement<SurfaceModel> {
             accent-color: var(--accent);
         }
         .row {
-            display: flex;
-            justify-content: space-between;
-            align-items: center;
-            gap: 8px;
             margin-top: 6px;
-        }
-        .value {
-            font-variant-numeric: tabular-nums;
         }
         .quiet {
             margin: 4px 0 0;
-            color: var(--quiet);
             font-size: 12px;
         }
         select {
@@ -144,17 +135,6 @@ export class SurfacePanel extends ModelElement<SurfaceModel> {
             align-items: center;
             margin-top: 8px;
         }
-        .sweep input {
-            width: 100%;
-            min-width: 0;
-            padding: 3px 6px;
-            text-align: right;
-            font-variant-numeric: tabular-nums;
-            appearance: textfield;
-        }
-        .sweep input::-webkit-inner-spin-button {
-            appearance: none;
-        }
     `;
 
     override render(): TemplateResult {
@@ -170,11 +150,7 @@ export class SurfacePanel extends ModelElement<SurfaceModel> {
             <fieldset class="edits" ?disabled=${state.locked.value}>
                 <fieldset class="kinds">
                     <legend>Kind of surface</legend>
-                    ${this.kindChoice('stream', 'Stream', dataset)}
-                    ${this.kindChoice('path', 'Path', dataset)}
-                    ${this.kindChoice('streak', 'Streak', dataset)}
-                    ${this.kindChoice('time', 'Time', dataset)}
-                    ${this.kindChoice('level', 'Level set', dataset)}
+                    ${surfaceKinds.map((kind) => this.kindChoice(kind, dataset))}
                 </fieldset>
                 ${intent.kind === 'level' ? (this.level ??= new LevelRows(this.model)).rows() : this.followedRows(intent, dataset)}
                 <p class="quiet" id="surface-remark" role="status" ?hidden=${edits.remark.value === null}>${edits.remark.value}</p>
@@ -186,38 +162,31 @@ export class SurfacePanel extends ModelElement<SurfaceModel> {
 
     /** Of surfaces that follow particles. */
     private followedRows(intent: SurfaceIntent, dataset: DatasetDescription): TemplateResult {
-        const { state } = this.model;
+        const { state, edits } = this.model;
         const shown = followed(intent, state.times.value, dataset.steady);
         const { longest, dataEnd } = this.longest(intent, dataset);
         const step = longest / lengthSteps;
         return html`
-                <label class="row" for="length">
-                    <span>Integration time</span>
-                    <span class="value">${this.time(shown)}</span>
-                </label>
-                <input
-                    id="length"
-                    type="range"
-                    min=${step}
-                    max=${longest}
-                    step=${step}
-                    .value=${live(String(shown))}
-                    @input=${this.lengthChanged}
-                />
+                ${sliderRow({
+                    ...{ id: 'length', words: 'Integration time', value: shown, shown: this.time(shown) },
+                    ...{ low: step, high: longest, step },
+                    change: (length) => edits.changeSurface({ length }),
+                })}
                 <wakesurf-time-ends .model=${this.model}></wakesurf-time-ends>
                 <p class="quiet" id="data-end" ?hidden=${!dataEnd || shown < longest * 0.999}>To the end of the data.</p>
                 <wakesurf-release .model=${this.model}></wakesurf-release>
                 ${intent.kind === 'time' ? this.secondCurve(intent) : ''}
-                <label class="row" for="separation">
-                    <span>Separation</span>
-                    <select id="separation" @change=${this.separationChanged}>
-                        ${this.separationChoices(dataset, intent.separation)}
-                    </select>
-                </label>
-                ${this.choice('direction', 'Direction', directionChoices(intent), intent.direction, (direction) => ({ direction }))}
+                ${this.separation(dataset, intent.separation)}
+                ${selectRow('direction', 'Direction', directionChoices(intent), intent.direction, (direction) => edits.changeSurface({ direction }))}
                 ${this.cutBack(intent, dataset)}
-                ${this.choice('accuracy', 'Accuracy', accuracies, intent.accuracy, (accuracy) => ({ accuracy }))}
-                ${dataset.smooth ? this.interpolation(intent) : nothing}
+                ${selectRow('accuracy', 'Accuracy', accuracies, intent.accuracy, (accuracy) => edits.changeSurface({ accuracy }))}
+                ${
+                    dataset.smooth
+                        ? selectRow('interpolation', 'Interpolation', interpolations, intent.interpolation, (interpolation) =>
+                              edits.changeSurface({ interpolation }),
+                          )
+                        : nothing
+                }
         `;
     }
 
@@ -229,28 +198,6 @@ export class SurfacePanel extends ModelElement<SurfaceModel> {
         const usual = suggestion.value?.surfaces.find(({ kind }) => kind === intent.kind);
         const longest = Math.max(intent.length, 2 * (usual === undefined ? intent.length : usual.to - usual.from));
         return { longest, dataEnd: false };
-    }
-
-    private interpolation({ interpolation: current }: SurfaceIntent): TemplateResult {
-        return this.choice('interpolation', 'Interpolation', interpolations, current, (interpolation) => ({ interpolation }));
-    }
-
-    private choice<Value extends string>(
-        id: string,
-        label: string,
-        choices: readonly [Value, string][],
-        current: Value,
-        changed: (value: Value) => Partial<SurfaceIntent>,
-    ): TemplateResult {
-        const change = (event: Event): void => {
-            this.model.edits.changeSurface(changed((event.target as HTMLSelectElement).value as Value));
-        };
-        return html`<label class="row" for=${id}>
-            <span>${label}</span>
-            <select id=${id} @change=${change}>
-                ${choices.map(([value, words]) => html`<option value=${value} .selected=${live(value === current)}>${words}</option>`)}
-            </select>
-        </label>`;
     }
 
     /** Both ways, but not as long back as forward. */
@@ -327,7 +274,7 @@ export class SurfacePanel extends ModelElement<SurfaceModel> {
         return withUnit(shortNumber(value), this.model.view.units.value.length);
     }
 
-    private kindChoice(kind: SurfaceKind, label: string, { times, steady, points }: DatasetDescription): TemplateResult {
+    private kindChoice(kind: SurfaceKind, { times, steady, points }: DatasetDescription): TemplateResult {
         const { edits, state } = this.model;
         // A formula has no nodes.
         const still = kind === 'level' ? points === 0 : kind !== 'stream' && times.length < 2 && !steady;
@@ -340,7 +287,7 @@ export class SurfacePanel extends ModelElement<SurfaceModel> {
                 ?disabled=${disabled}
                 .checked=${live(edits.intent.value?.kind === kind)}
                 @change=${() => this.model.chooseKind(kind)}
-            />${label}
+            />${kindNames[kind]}
         </label>`;
     }
 
@@ -351,24 +298,19 @@ export class SurfacePanel extends ModelElement<SurfaceModel> {
             const name = rakes.get(rake2 ?? '')?.name ?? 'another rake';
             return html`<p class="quiet">Released between this rake and ${name}.</p>`;
         }
+        const resolution = resolutionOf(0, diagonal(this.model.state.dataset.value!.bounds));
+        const written = (_axis: number, value: number): string => fieldNumber(value, resolution);
         return html`<div class="sweep" role="group" aria-label="Sweep">
             <span>Sweep</span>
-            ${axes.map(
-                (axis, k) =>
-                    html`<input
-                        id=${`sweep-${axis}`}
-                        type="number"
-                        step="any"
-                        aria-label=${`Sweep along ${axis}`}
-                        title=${`Sweep along ${axis}`}
-                        .value=${live(this.sweepText(sweep[k] ?? 0))}
-                        @change=${(event: Event) => this.sweepChanged(event, sweep, k)}
-                    />`,
-            )}
+            ${vectorFields('Sweep along', sweep, written, (along) => {
+                const may = along.some((each) => each !== 0);
+                if (may) this.model.edits.changeSurface({ sweep: along });
+                return may;
+            })}
         </div>`;
     }
 
-    private separationChoices({ finestSpacing, points }: DatasetDescription, current: number): TemplateResult[] {
+    private separation({ finestSpacing, points }: DatasetDescription, current: number): TemplateResult {
         const { suggestion } = this.model.state;
         const kind = this.model.edits.intent.value?.kind;
         const suggested = suggestion.value?.surfaces.find((each) => each.kind === kind)?.separation;
@@ -384,35 +326,14 @@ export class SurfacePanel extends ModelElement<SurfaceModel> {
         }
         if (!known(current)) choices.push({ value: current, words: this.length(current) });
         choices.sort((a, b) => a.value - b.value);
-        return choices.map(({ value, words }) => html`<option value=${value} .selected=${live(close(value))}>${words}</option>`);
-    }
-
-    private lengthChanged(event: Event): void {
-        const length = (event.target as HTMLInputElement).valueAsNumber;
-        if (length > 0) this.model.edits.changeSurface({ length });
-    }
-
-    private sweepChanged(event: Event, before: Vec3, axis: number): void {
-        const field = event.target as HTMLInputElement;
-        const sweep: Vec3 = [...before];
-        sweep[axis] = field.valueAsNumber;
-        if (sweep.every(Number.isFinite) && sweep.some((each) => each !== 0)) {
-            this.model.edits.changeSurface({ sweep });
-        } else field.value = this.sweepText(before[axis] ?? 0);
-    }
-
-    private sweepText(value: number): string {
-        return fieldNumber(value, resolutionOf(0, diagonal(this.model.state.dataset.value!.bounds)));
-    }
-
-    private separationChanged(event: Event): void {
-        const separation = Number((event.target as HTMLSelectElement).value);
-        if (separation > 0) this.model.edits.changeSurface({ separation });
+        return selectRow('separation', 'Separation', choices, close, (separation) =>
+            this.model.edits.changeSurface({ separation }),
+        );
     }
 }
 
-function directionChoices({ kind }: SurfaceIntent): [Direction, string][] {
-    return directions.filter(([direction]) => directionsOf(kind).includes(direction));
+function directionChoices({ kind }: SurfaceIntent): Choice<Direction>[] {
+    return directions.filter(({ value }) => directionsOf(kind).includes(value));
 }
 
 function surfaceWords({ kind, direction }: SurfaceRecord, index: number): string {

@@ -1,10 +1,10 @@
 // When a surface begins and ends, to be typed; of a stream surface, when its field is frozen.
 import { css, html, nothing, type TemplateResult } from 'lit';
-import { live } from 'lit/directives/live.js';
 import type { Edits } from '../../session/edits/edits.ts';
 import { endOf, type TypedTime, typedFrom, typedTo } from '../../session/edits/surfaceTimes.ts';
 import { timeField } from '../../session/picture/writtenNumbers.ts';
 import type { AppState } from '../../state/appState.ts';
+import { numberField } from '../base/rows.ts';
 import { ModelElement } from '../base/signalElement.ts';
 
 export interface TimeEndsModel {
@@ -27,15 +27,6 @@ export class TimeEnds extends ModelElement<TimeEndsModel> {
         }
         input {
             flex: 1;
-            width: 100%;
-            min-width: 0;
-            padding: 3px 6px;
-            text-align: right;
-            font-variant-numeric: tabular-nums;
-            appearance: textfield;
-        }
-        input::-webkit-inner-spin-button {
-            appearance: none;
         }
     `;
 
@@ -53,29 +44,17 @@ export class TimeEnds extends ModelElement<TimeEndsModel> {
     }
 
     private field(id: string, words: string, value: number, typed: Typed): TemplateResult {
-        const { state } = this.model;
-        return html`<label for=${id}>${words}</label>
-            <input
-                id=${id}
-                type="number"
-                step="any"
-                ?disabled=${state.locked.value}
-                .value=${live(timeField(state, value))}
-                @change=${(event: Event) => this.typed(event, typed, value)}
-            />`;
-    }
-
-    /** What was not taken does not stay in the field: no signal changes that would tell it. */
-    private typed(event: Event, typed: Typed, before: number): void {
         const { state, edits } = this.model;
-        const field = event.target as HTMLInputElement;
-        const value = field.valueAsNumber;
-        const { change, told } = Number.isFinite(value) ? typed(value) : { change: null, told: null };
-        if (change !== null) edits.changeSurface(change, undefined, told);
-        else {
-            edits.remark.value = told;
-            field.value = timeField(state, before);
-        }
+        return html`<label for=${id}>${words}</label>
+            ${numberField({
+                ...{ id, narrow: true, shown: timeField(state, value), disabled: state.locked.value },
+                change: (to) => {
+                    const { change, told } = typed(to);
+                    if (change !== null) edits.changeSurface(change, undefined, told);
+                    else edits.remark.value = told;
+                    return change !== null;
+                },
+            })}`;
     }
 }
 

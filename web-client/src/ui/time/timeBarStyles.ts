@@ -9,9 +9,8 @@ export const timeBarStyles = css`
         border-top: 1px solid var(--line);
     }
     .row {
-        display: flex;
         flex-wrap: wrap;
-        align-items: center;
+        justify-content: normal;
         gap: 4px 10px;
         min-height: 28px;
     }

@@ -7,7 +7,6 @@ import type { Calls } from '../../session/base/calls.ts';
 import type { ClockControl } from '../../session/time/clockControl.ts';
 import type { Views } from '../../session/view/views.ts';
 import type { AppState } from '../../state/appState.ts';
-import { listStyles } from '../base/listStyles.ts';
 import { ModelElement } from '../base/signalElement.ts';
 
 export interface BookmarksModel {
@@ -18,31 +17,25 @@ export interface BookmarksModel {
 }
 
 export class BookmarksPanel extends ModelElement<BookmarksModel> {
-    static override styles = [
-        listStyles,
-        css`
-            form {
-                display: grid;
-                grid-template-columns: minmax(0, 1fr) auto;
-                gap: 6px;
-            }
-            ul {
-                margin-top: 6px;
-            }
-            li {
-                display: grid;
-                grid-template-columns: minmax(0, 1fr) auto;
-                gap: 6px;
-                margin-top: 4px;
-            }
-            .go {
-                overflow: hidden;
-                text-align: left;
-                text-overflow: ellipsis;
-                white-space: nowrap;
-            }
-        `,
-    ];
+    static override styles = css`
+        form {
+            display: grid;
+            grid-template-columns: minmax(0, 1fr) auto;
+            gap: 6px;
+        }
+        ul {
+            margin-top: 6px;
+        }
+        li {
+            display: grid;
+            grid-template-columns: minmax(0, 1fr) auto;
+            gap: 6px;
+            margin-top: 4px;
+        }
+        .go {
+            text-align: left;
+        }
+    `;
 
     override render(): TemplateResult {
         const { state } = this.model;
@@ -66,7 +59,7 @@ export class BookmarksPanel extends ModelElement<BookmarksModel> {
     private row(record: BookmarkRecord, viewer: boolean): TemplateResult {
         const { bookmark, name, time } = record;
         return html`<li>
-            <button type="button" class="go" title=${name} @click=${() => this.show(record)}>
+            <button type="button" class="go cut" title=${name} @click=${() => this.show(record)}>
                 ${name}${time === undefined ? nothing : html` <span class="quiet">t = ${timeText(this.model.state, time)}</span>`}
             </button>
             ${

@@ -11,7 +11,7 @@ import type { ProbeReading, ViewState } from '../../state/viewState.ts';
 import type { Probing } from '../../session/tools/probing.ts';
 import type { AppState } from '../../state/appState.ts';
 import { ModelElement } from '../base/signalElement.ts';
-import { vectorInput } from '../base/vectorInput.ts';
+import { vectorFields } from '../base/rows.ts';
 
 export interface ProbeModel {
     state: Pick<AppState, 'dataset' | 'surfaces'>;
@@ -26,34 +26,9 @@ export class ProbePanel extends ModelElement<ProbeModel> {
             grid-template-columns: repeat(3, 1fr);
             gap: 6px;
         }
-        input {
-            width: 100%;
-            min-width: 0;
-            padding: 3px 6px;
-            text-align: right;
-            font-variant-numeric: tabular-nums;
-            appearance: textfield;
-        }
-        input::-webkit-inner-spin-button {
-            appearance: none;
-        }
-        dl {
-            display: grid;
-            grid-template-columns: auto 1fr;
-            gap: 2px 12px;
+        dl,
+        p {
             margin: 6px 0;
-        }
-        dt {
-            color: var(--quiet);
-        }
-        dd {
-            margin: 0;
-            text-align: right;
-            font-variant-numeric: tabular-nums;
-        }
-        .quiet {
-            margin: 6px 0;
-            color: var(--quiet);
         }
     `;
 
@@ -64,10 +39,12 @@ export class ProbePanel extends ModelElement<ProbeModel> {
         const reading = view.probe.value;
         const written = (axis: number, value: number): string => coordinateField(state, axis, value);
         return html`
-            ${vectorInput('Probe', view.probePlace.value ?? centreOf(bounds), written, (point) => {
-                view.tool.value = 'probe';
-                probing.probeThere(point);
-            })}
+            <div class="vector" role="group" aria-label="Probe">
+                ${vectorFields('Probe', view.probePlace.value ?? centreOf(bounds), written, (point) => {
+                    view.tool.value = 'probe';
+                    probing.probeThere(point);
+                })}
+            </div>
             ${
                 reading === null
                     ? html`<p class="quiet" id="probe-hint">

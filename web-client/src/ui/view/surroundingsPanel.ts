@@ -4,12 +4,13 @@ import { limits } from '../../protocol/generated/limits.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { Units } from '../../state/units.ts';
 import type { Theme, ViewState } from '../../state/viewState.ts';
+import { type Choice, selectRow } from '../base/rows.ts';
 import { ModelElement } from '../base/signalElement.ts';
 
-const themes: readonly { theme: Theme; words: string }[] = [
-    { theme: 'system', words: 'follow the system' },
-    { theme: 'dark', words: 'dark' },
-    { theme: 'light', words: 'light' },
+const themes: readonly Choice<Theme>[] = [
+    { value: 'system', words: 'follow the system' },
+    { value: 'dark', words: 'dark' },
+    { value: 'light', words: 'light' },
 ];
 
 export interface SurroundingsModel {
@@ -29,26 +30,14 @@ export class SurroundingsPanel extends ModelElement<SurroundingsModel> {
         label + label {
             margin-top: 6px;
         }
-        label {
-            display: flex;
-            justify-content: space-between;
-            align-items: center;
-        }
     `;
 
     override render(): TemplateResult {
         const { state, view } = this.model;
         const { lengthUnit, timeUnit } = state.dataset.value ?? {};
         return html`${this.unit('length', lengthUnit)} ${this.unit('time', timeUnit)}
-            <label
-            >Colours of the page
-            <select id="theme" @change=${this.choose}>
-                ${themes.map(
-                    ({ theme, words }) => html`<option value=${theme} .selected=${theme === view.theme.value}>${words}</option>`,
-                )}
-            </select>
-        </label>
-        <label title="In pictures that stand still, and in figures"
+            ${selectRow('theme', 'Colours of the page', themes, view.theme.value, (theme) => (view.theme.value = theme))}
+        <label class="row" title="In pictures that stand still, and in figures"
             >Shade where things touch
             <input
                 id="contact-shade"
@@ -64,7 +53,7 @@ export class SurroundingsPanel extends ModelElement<SurroundingsModel> {
     /** @param known by the reader of the data */
     private unit(of: keyof Units, known: string | undefined): TemplateResult {
         const { state, typeUnits } = this.model;
-        return html`<label title="For everyone in this session. Empty: as the data say."
+        return html`<label class="row" title="For everyone in this session. Empty: as the data say."
             >Unit of ${of}
             <input
                 id=${`${of}-unit`}
@@ -75,11 +64,6 @@ export class SurroundingsPanel extends ModelElement<SurroundingsModel> {
                 @change=${(event: Event) => typeUnits({ [of]: (event.target as HTMLInputElement).value.trim() })}
             />
         </label>`;
-    }
-
-    private choose(event: Event): void {
-        const { value } = event.target as HTMLSelectElement;
-        this.model.view.theme.value = themes.find(({ theme }) => theme === value)?.theme ?? 'system';
     }
 }
 

@@ -1,0 +1,177 @@
+// Rows of a panel: words, and the control behind or before them. What a row shows is what its panel holds, also where an edit is refused.
+import { html, nothing, type TemplateResult } from 'lit';
+import { live } from 'lit/directives/live.js';
+import type { Vec3 } from '../../protocol/messages.ts';
+import { fieldNumber, resolutionOf } from '../../scene/base/numbers.ts';
+
+const axes = ['x', 'y', 'z'] as const;
+
+/** Names what a box needs beside its words: an id, and why it is there. */
+export interface CheckOptions {
+    id?: string;
+    title?: string;
+    disabled?: boolean;
+}
+
+export function checkRow(
+    words: string,
+    checked: boolean,
+    change: (on: boolean) => void,
+    { id, title, disabled = false }: CheckOptions = {},
+): TemplateResult {
+    return html`<label class="check"
+        ><input
+            id=${id ?? nothing}
+            type="checkbox"
+            title=${title ?? nothing}
+            .checked=${live(checked)}
+            ?disabled=${disabled}
+            @change=${(event: Event) => change((event.target as HTMLInputElement).checked)}
+        />${words}</label
+    >`;
+}
+
+export interface SliderRow {
+    id: string;
+    words: string;
+    value: number;
+    /** Says the value in words. */
+    shown: string;
+    low: number;
+    high: number;
+    step: number;
+    change: (value: number) => void;
+}
+
+export function sliderRow({ id, words, value, shown, low, high, step, change }: SliderRow): TemplateResult {
+    return html`<label class="row" for=${id}><span>${words}</span><span class="value">${shown}</span></label>
+        <input
+            id=${id}
+            type="range"
+            min=${low}
+            max=${high}
+            step=${step}
+            .value=${live(String(value))}
+            @input=${(event: Event) => change((event.target as HTMLInputElement).valueAsNumber)}
+        />`;
+}
+
+export interface Choice<Value extends string | number> {
+    value: Value;
+    words: string;
+    disabled?: boolean;
+}
+
+export function selectRow<Value extends string | number>(
+    id: string,
+    words: string,
+    choices: readonly Choice<Value>[],
+    chosen: Value | ((value: Value) => boolean),
+    change: (value: Value) => void,
+): TemplateResult {
+    const isChosen = typeof chosen === 'function' ? chosen : (value: Value): boolean => value === chosen;
+    const changed = (event: Event): void => {
+        const choice = choices[(event.target as HTMLSelectElement).selectedIndex];
+        if (choice !== undefined) change(choice.value);
+    };
+    return html`<label class="row" for=${id}
+        ><span>${words}</span>
+        <select id=${id} @change=${changed}>
+            ${choices.map(
+                (each) =>
+                    html`<option value=${each.value} ?disabled=${each.disabled} .selected=${live(isChosen(each.value))}>
+                        ${each.words}
+                    </option>`,
+            )}
+        </select></label
+    >`;
+}
+
+export interface NumberField {
+    id?: string;
+    /** Names the field where no label does. */
+    label?: string;
+    title?: string;
+    /** Puts it among other numbers, where there is little room. */
+    narrow?: boolean;
+    min?: number;
+    max?: number;
+    step?: number;
+    shown: string;
+    disabled?: boolean;
+    /** Takes what was typed; `false`: it cannot be, and what was shown before is put back. */
+    change: (value: number) => boolean | void;
+}
+
+export function numberField(field: NumberField): TemplateResult {
+    const { id, label, title, narrow = false, min, max, step, shown, disabled = false, change } = field;
+    const changed = (event: Event): void => {
+        const input = event.target as HTMLInputElement;
+        if (!Number.isFinite(input.valueAsNumber) || change(input.valueAsNumber) === false) input.value = shown;
+    };
+    return html`<input
+        id=${id ?? nothing}
+        class=${narrow ? 'narrow' : nothing}
+        type="number"
+        min=${min ?? nothing}
+        max=${max ?? nothing}
+        step=${step ?? 'any'}
+        title=${title ?? nothing}
+        aria-label=${label ?? nothing}
+        .value=${live(shown)}
+        ?disabled=${disabled}
+        @change=${changed}
+    />`;
+}
+
+export function numberRow(words: string, field: NumberField & { id: string }): TemplateResult {
+    const { title, ...rest } = field;
+    return html`<label class="row" for=${field.id} title=${title ?? nothing}><span>${words}</span>${numberField(rest)}</label>`;
+}
+
+/** Two numbers, from and to; `change` gets them only when they make a span. */
+export function pairRow(
+    id: string,
+    words: string,
+    [low, high]: readonly [number, number],
+    change: (pair: [number, number]) => void,
+): TemplateResult {
+    const field = (part: 'from' | 'to', value: number, paired: (typed: number) => [number, number]): TemplateResult =>
+        numberField({
+            ...{ id: `${id}-${part}`, label: `${words} ${part}`, narrow: true },
+            shown: fieldNumber(value, resolutionOf(low, high)),
+            change: (typed) => {
+                const pair = paired(typed);
+                if (pair[0] <= pair[1]) change(pair);
+                return pair[0] <= pair[1];
+            },
+        });
+    return html`<div class="pair" role="group" aria-label=${words}>
+        ${field('from', low, (typed) => [typed, high])} <span aria-hidden="true">to</span>
+        ${field('to', high, (typed) => [low, typed])}
+    </div>`;
+}
+
+/**
+ * Three fields for a point or a direction.
+ * @param name  stands before the axis in the name of each field
+ * @param written  writes a coordinate as its field shows it
+ * @param changed  `false`: it cannot be, and what was shown before is put back
+ */
+export function vectorFields(
+    name: string,
+    point: Vec3,
+    written: (axis: number, value: number) => string,
+    changed: (point: Vec3) => boolean | void,
+): TemplateResult[] {
+    return axes.map((axis, k) =>
+        numberField({
+            ...{ label: `${name} ${axis}`, title: `${name} ${axis}`, narrow: true, shown: written(k, point[k] ?? 0) },
+            change: (typed) => {
+                const moved: Vec3 = [...point];
+                moved[k] = typed;
+                return changed(moved);
+            },
+        }),
+    );
+}
