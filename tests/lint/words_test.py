@@ -37,6 +37,9 @@ DECLARED = re.compile(r"^[ \t]*(?:struct|class|enum class|enum|using)[ \t]+(\w+)
 ROOMS_OF_SENTENCES = re.compile(r"(core|store|importer|command|protocol/(wire|files)|tests/support|server/(net|cli|app|service/(live|web|zarr|bricks|levels|catalogue|journal|metrics|base)))/.*\.(hpp|cpp)$")
 WITHOUT_SUBJECT = re.compile(r"(Of|As|The same|What|Whether|Who|How|So many|That)\b(?! is why)")
 LONGEST_COMMENT = 110
+# The page's comments: those that stand alone or behind code; one in front of a declaration may begin on the line below its `/**`.
+PAGE_OF_SENTENCES = re.compile(r"web-client/src/(?!.*\bgenerated/).*\.ts$")
+PAGE_COMMENT = re.compile(r"^\s*(//|/\*\*|\*) |[;,{}()] // ")
 
 
 def line_of(text, offset):
@@ -67,12 +70,15 @@ def word_away_from_home(path, text):
 
 
 def comment_that_is_no_sentence(path, text):
-    """A comment in front of a declaration, or at the head of a header, begins with a word that leaves out its subject or its verb."""
-    if not ROOMS_OF_SENTENCES.match(path):
+    """A comment in front of a declaration, or at the head of a file, begins with a word that leaves out its subject or its verb."""
+    page = PAGE_OF_SENTENCES.match(path)
+    if not page and not ROOMS_OF_SENTENCES.match(path):
         return
+    document = r"\s*/\*\* ?(.*)" if page else r"\s*///(?!<) ?(.*)"
     before = ""
-    for number, line in enumerate(text.split("\n"), 1):
-        comment = re.match(r"\s*///(?!<) ?(.*)" if number > 1 else r"//+ (.*)", line)
+    # What stands on the line below a lone `/**` begins that comment.
+    for number, line in enumerate(re.sub(r"/\*\*\n\s*\* ", "\n/** ", text).split("\n") if page else text.split("\n"), 1):
+        comment = re.match(document if number > 1 else r"//+ (.*)", line)
         begins = comment is not None and WITHOUT_SUBJECT.match(comment.group(1))
         if begins and not before.startswith("//"):
             yield (f"{path}:{number}: {begins.group(1)}: say it in a sentence with subject and verb: `Returns ...`, `Holds ...`, "
@@ -82,6 +88,11 @@ def comment_that_is_no_sentence(path, text):
 
 def comment_out_of_its_place(path, text):
     """A comment that goes beyond a column, or stands behind a declaration that it breaks into lines."""
+    if PAGE_OF_SENTENCES.match(path):
+        for number, line in enumerate(text.split("\n"), 1):
+            if len(line) > LONGEST_COMMENT and PAGE_COMMENT.search(line):
+                yield f"{path}:{number}: a comment ends before column {LONGEST_COMMENT}"
+        return
     if not ROOMS_OF_SENTENCES.match(path):
         return
     before = ""
@@ -108,6 +119,11 @@ BAD = [
     (comment_that_is_no_sentence, "core/a.cpp", "/// The same of a text.\nvoid f();\n"),
     (comment_that_is_no_sentence, "store/a.cpp", "/// What it takes.\nint bytes();\n"),
     (comment_that_is_no_sentence, "store/a.hpp", "int a;\n/// Whether it is there, in a\n/// sentence of two lines.\nbool b;\n"),
+    (comment_that_is_no_sentence, "web-client/src/a.ts", "// How far it is.\nconst far = 1;\n"),
+    (comment_that_is_no_sentence, "web-client/src/a.ts", "const a = 1;\n/** Of the budget. */\nconst part = 2;\n"),
+    (comment_that_is_no_sentence, "web-client/src/a.ts", "const a = 1;\n/**\n * Whether it is there.\n */\nfunction is() {}\n"),
+    (comment_out_of_its_place, "web-client/src/a.ts", "/** " + "word " * 22 + "*/\n"),
+    (comment_out_of_its_place, "web-client/src/a.ts", "const a = 1; // " + "word " * 20 + "\n"),
     (comment_out_of_its_place, "core/a.hpp", "    double from =\n        0.0; ///< where it starts\n"),
     (comment_out_of_its_place, "core/a.hpp", "    double to; ///< where it\n               ///< ends\n"),
     (comment_out_of_its_place, "core/a.cpp", "/// " + "word " * 22 + "\n"),
@@ -125,6 +141,10 @@ GOOD = [
     (comment_that_is_no_sentence, "core/a.cpp", "    // What fits is kept.\n    keep();\n"),
     (comment_that_is_no_sentence, "core/a.cpp", "/// Asks for more.\nvoid f();\n"),
     (comment_that_is_no_sentence, "server/a.hpp", "/// What it takes.\nint bytes();\n"),
+    (comment_that_is_no_sentence, "web-client/src/a.ts", "const a = 1;\n/** Returns what it takes. */\nfunction takes() {}\n"),
+    (comment_that_is_no_sentence, "web-client/src/a.ts", "/** Returns bytes.\n *  What is free is left out. */\nfunction b() {}\n"),
+    (comment_that_is_no_sentence, "web-client/src/protocol/generated/a.ts", "/** Of the budget. */\nconst part = 2;\n"),
+    (comment_out_of_its_place, "web-client/src/a.ts", "const a = 'https://x.org'; const b = '" + "word " * 22 + "';\n"),
     (comment_out_of_its_place, "core/a.hpp", "    double to = 1.0; ///< where it ends\n    double from; ///< and begins\n"),
     (comment_out_of_its_place, "core/a.hpp", "  private:\n    double to; ///< where it ends\n"),
     (comment_out_of_its_place, "core/a.hpp", "enum A {\n    B, ///< one\n    C ///< the other\n};\n"),

@@ -10,7 +10,8 @@ const assets = built ? readdirSync(`${dist}assets`) : [];
 
 const text = (file: string): string => readFileSync(dist + file, 'utf8');
 
-/** What the page names, and what that names, other than by `import()`: this is fetched before anything is shown. */
+/** Returns what the page names, and what that names, other than by `import()`: this is fetched before
+ *  anything is shown. */
 function loadedAtStart(): string[] {
     const found: string[] = [];
     const follow = (source: string): void => {

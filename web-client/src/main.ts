@@ -1,6 +1,6 @@
 // Puts the page together. The path of a datum: worker/ (socket, decoding) -> session/ (records,
-// newest state) -> scene/ (pixels); the path of an edit: scene/ or ui/ -> session/edits -> worker/. Each part is made of parts
-// that are made above it, and each panel is handed what it uses.
+// newest state) -> scene/ (pixels); the path of an edit: scene/ or ui/ -> session/edits -> worker/. Each part
+// is made of parts that are made above it, and each panel is handed what it uses.
 import { OwnServer } from './connection/ownServer.ts';
 import { probeGraphics } from './scene/graphics.ts';
 import { FlowScene } from './scene/scene.ts';

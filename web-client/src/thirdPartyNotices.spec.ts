@@ -1,4 +1,4 @@
-// What the page is made of is said beside it, with licences, in a build that is there.
+// Checks that what the page is made of is said beside it, with licences, in a build that is there.
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -15,13 +15,13 @@ interface LockedPackage {
     dependencies?: Record<string, string>;
 }
 
-/** What is said in each of the licences that the packages have. */
+/** Holds what is said in each of the licences that the packages have. */
 const licenceWords = /Permission is hereby granted|Redistribution and use|TERMS AND CONDITIONS FOR USE|Mozilla Public License/;
 
 /** Types leave no code behind, and lit's stand-in for a DOM is for servers. */
 const notInBrowsers = /^@types\/|^@lit-labs\/ssr-dom-shim$/;
 
-/** What package.json names for the page, and what that needs. */
+/** Returns what package.json names for the page, and what that needs. */
 function packagesOfThePage(): Map<string, LockedPackage> {
     const lock = JSON.parse(readFileSync(fromRoot('package-lock.json'), 'utf8')) as { packages: Record<string, LockedPackage> };
     const found = new Map<string, LockedPackage>();

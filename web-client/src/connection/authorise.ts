@@ -9,16 +9,17 @@ import { HopelessError, type OpenSocket } from './liveSocket.ts';
 const requestTimeoutMs = 8000;
 
 export interface Credentials {
-    /** Of the server or of a link. */
+    /** Is the token of the server, or of a link. */
     token: string | null;
-    /** That this browser has: of the token's, it is given another week. */
+    /** Is the login that this browser has; one of the token's is extended by a week. */
     login: string | null;
 }
 
 /** The login that was shown is not good, and no token was. */
 export class EndedLogin extends HopelessError {}
 
-/** Null: the server lets everybody in. Error: HopelessError when it refuses what we have, or asks for what we do not have. */
+/** Null: the server lets every user in. Error: HopelessError when it refuses what we have, or asks for what
+ *  we do not have. */
 export async function authorise(baseUrl: string, shown: Credentials): Promise<KeptLogin | null> {
     const response = await request(baseUrl, shown);
     if (response.status === 401 && shown.token === null && shown.login !== null) throw new EndedLogin(endedLogin);

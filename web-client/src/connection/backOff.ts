@@ -1,4 +1,4 @@
-// How long to wait before the next attempt to connect: doubling from 250 ms to 5 s, each wait drawn
+// Says how long to wait before the next attempt to connect: doubling from 250 ms to 5 s, each wait drawn
 // from its upper half so that many clients of one restarted server do not return in step.
 
 export const firstWaitMs = 250;

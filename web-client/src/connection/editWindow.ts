@@ -1,5 +1,6 @@
 // Edits on their way to the server: at most one is sent a frame, at most four are unanswered, and
-// of those still waiting only the newest counts. A queue of edits never forms (docs/measurements.md, Edits in flight).
+// of those still waiting only the newest counts. A queue of edits never forms (docs/measurements.md, Edits in
+// flight).
 
 export const editsInFlight = 4;
 

@@ -1,8 +1,8 @@
-// The logins that this browser has at this address. Storage belongs to one origin, port included, so no other program can read them, as
-// it could a cookie; pages below other paths of the same origin can.
+// The logins that this browser has at this address. Storage belongs to one origin, port included, so no other
+// program can read them, as it could a cookie; pages below other paths of the same origin can.
 
 export interface KeptLogin {
-    /** What the server takes for a while in place of the token. */
+    /** Holds what the server takes for a while in place of the token. */
     login: string;
     /** The only session it is good for; null: every one. */
     session: string | null;
@@ -20,7 +20,8 @@ export class KeptLogins {
     }
 
     /**
-     * This window's own for that session, and else one of the browser's: a window goes from a session to a copy and back.
+     * This window's own for that session, and else one of the browser's: a window goes from a session to a
+     * copy and back.
      * @param session that is to be shown, if it is known
      */
     recall(session: string | null): KeptLogin | null {
@@ -29,7 +30,7 @@ export class KeptLogins {
         return own.find(fits) ?? this.shared(session) ?? own[0] ?? null;
     }
 
-    /** The one that lets in most: a link that somebody has others open takes nothing from who has more. */
+    /** The one that lets in most: a link that a user has others open takes nothing from who has more. */
     shared(session: string | null): KeptLogin | null {
         const all = this.read(() => localStorage);
         return (
@@ -83,7 +84,7 @@ export class KeptLogins {
     }
 }
 
-/** Of one login the server makes several texts, which begin alike. */
+/** Tells texts of one login: the server makes several texts, which begin alike. */
 function sameLogin(a: string, b: string): boolean {
     return a.split('.')[0] === b.split('.')[0];
 }

@@ -1,6 +1,6 @@
 // A socket that stays: it connects, notices silence, and connects again by itself until stopped.
-// A network that drops packets closes nothing (docs/measurements.md, Broken networks), so only a heartbeat can tell:
-// a ping every 4 s must keep messages coming, and 10 s without any message count as down.
+// A network that drops packets closes nothing (docs/measurements.md, Broken networks), so only a heartbeat
+// can tell: a ping every 4 s must keep messages coming, and 10 s without any message count as down.
 import { BackOff } from './backOff.ts';
 import type { Clock, Timer } from './clock.ts';
 
@@ -9,8 +9,8 @@ export const downAfterMs = 10_000;
 
 const linkEnded = 4003;
 /**
- * Closings after which coming back by oneself is of no use (protocol/api/README.md). Two pages that displace each other
- * would do so for ever.
+ * Closings after which coming back by oneself is of no use (protocol/api/README.md). Two pages that displace
+ * each other would do so for ever.
  */
 const endings: ReadonlyMap<number, string> = new Map([
     [4001, 'This session was opened in a newer window, so this window was disconnected.'],

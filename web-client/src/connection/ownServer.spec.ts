@@ -22,7 +22,7 @@ beforeEach(() => {
 
 afterEach(() => vi.unstubAllGlobals());
 
-/** As the browser has another window: with what is shared, without what is a window's own. */
+/** Acts as another window of the browser: with what is shared, without what is a window's own. */
 function anotherWindow(): void {
     vi.stubGlobal('sessionStorage', new FakeStorage());
 }
@@ -33,7 +33,7 @@ describe('the login of a page', () => {
         new OwnServer(base).took(viewer);
         expect(new OwnServer(base, 'session-3').login).toBe(viewer.login);
         anotherWindow();
-        // A link that somebody made us open does not make us a viewer.
+        // A link that a user made us open does not make us a viewer.
         expect(new OwnServer(base, 'session-3').login).toBe(host.login);
         expect(new OwnServer(base).login).toBe(host.login);
     });

@@ -46,7 +46,8 @@ export class OwnServer {
         return fetch(new URL(path, this.base), signed(this.login, init));
     }
 
-    /** Ends this browser's login, with all that came by it. Error: in words. @returns what is to be said of it; empty: nothing */
+    /** Ends this browser's login, with all that came by it. Error: in words. @returns what is to be said of
+     *  it; empty: nothing */
     async logOut(): Promise<string> {
         const { login } = this;
         if (login === null) return '';

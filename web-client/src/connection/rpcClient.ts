@@ -1,5 +1,5 @@
-// Calls over one socket: numbers requests, matches replies, and takes no answer that is not what its method answers. Knows the
-// envelope, not the socket.
+// Calls over one socket: numbers requests, matches replies, and takes no answer that is not what its method
+// answers. Knows the envelope, not the socket.
 import { encodeNotification, encodeRequest, type Incoming, RpcError } from '../protocol/jsonRpc.ts';
 import type { MethodName, ParamsOf, ResultOf } from '../protocol/messages.ts';
 import { resultChecks } from '../protocol/results.ts';
@@ -50,7 +50,7 @@ export class RpcClient {
         if (this.pending.has(id)) this.send(encodeNotification('$/cancelRequest', { id }));
     }
 
-    /** Takes a reply; one that no one waits for is ignored. */
+    /** Takes a reply; one that no user waits for is ignored. */
     receive(incoming: Incoming): void {
         if (incoming.type === 'notification' || incoming.id === null) return;
         const waiting = this.pending.get(incoming.id);

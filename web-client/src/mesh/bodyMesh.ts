@@ -1,4 +1,4 @@
-// What the worker hands to the scene of the body in the flow.
+// Declares what the worker hands to the scene of the body in the flow.
 export interface BodyMesh {
     /** xyz of vertices. */
     positions: Float32Array;

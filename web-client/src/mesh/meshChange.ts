@@ -1,7 +1,8 @@
-// What the worker hands to the scene of a surface: arrays for the GPU, only what is new in them. Declared here because neither
-// of the two knows the other; session/ carries it from the one to the other.
+// Declares what the worker hands to the scene of a surface: arrays for the GPU, only what is new in them.
+// Declared here because neither of the two knows the other; session/ carries it from the one to the other.
 
-/** What is new since the change before: each array from some vertex, or some index, to the last; what is before is as it was. */
+/** Describes what is new since the change before: each array from some vertex, or some index, to the last;
+ *  what is before is as it was. */
 export interface MeshChange {
     vertices: number;
     triangles: number;
@@ -14,7 +15,8 @@ export interface MeshChange {
     /** s and t less tFrom, which do not change once a vertex is there. */
     fromSeed: number;
     seeds: Float32Array;
-    /** Release times may be seconds since 1970, of which 32 bits keep minutes. Another one comes with all vertices. */
+    /** Release times may be seconds since 1970, of which 32 bits keep minutes. Another one comes with all
+     *  vertices. */
     tFrom: number;
     scalars: readonly ScalarChange[];
     fromIndex: number;
@@ -24,13 +26,15 @@ export interface MeshChange {
     parts: readonly SurfacePart[] | null;
     /** Null: as before. */
     cut: Cut | null;
-    /** How long units of s and of t are on the surface, of every vertex. Null: as before, or not asked for. */
+    /** Says how long units of s and of t are on the surface, of every vertex. Null: as before, or not asked
+     *  for. */
     units: Float32Array | null;
-    /** What a fixed grid cannot resolve, of every vertex (worker/unresolved.ts). Null: as before, or not asked for. */
+    /** Holds what a fixed grid cannot resolve, of every vertex (worker/unresolved.ts). Null: as before, or
+     *  not asked for. */
     unresolved: Float32Array | null;
 }
 
-/** The same, of one simulation time. */
+/** Is a change that has one simulation time. */
 export interface TimedMeshChange extends MeshChange {
     time: number;
 }
@@ -41,17 +45,17 @@ export interface ScalarChange {
     values: Float32Array;
 }
 
-/** Of the surface's normal, which curved cells are made from. */
+/** Name the components of the surface's normal, which curved cells are made from. */
 export const normalNames = ['normal_x', 'normal_y', 'normal_z'] as const;
 
 /** Nothing is drawn where levels, between vertices as they come, are higher. */
 export const cutLevel = 63;
-/** Of what is not drawn at all. */
+/** Is the level of what is not drawn at all. */
 export const wholeCut = 255;
 
-/** What is not drawn: hidden parts, and what is trimmed at torn borders. */
+/** Describes what is not drawn: hidden parts, and what is trimmed at torn borders. */
 export interface Cut {
-    /** Of each vertex; empty: nothing is cut. */
+    /** Has a level for each vertex; empty: nothing is cut. */
     levels: Uint8Array;
     /** Cells that are trimmed, most of them in part. */
     trimmedCells: number;

@@ -1,4 +1,5 @@
-// The numbers that an update begins with: varints, deflated. protocol/wire/FORMAT.md, Update. Twin: protocol/wire/numbers.hpp.
+// The numbers that an update begins with: varints, deflated. protocol/wire/FORMAT.md, Update. Twin:
+// protocol/wire/numbers.hpp.
 import { inflateSync } from 'fflate';
 import { FrameError } from './frameError.ts';
 
@@ -10,7 +11,8 @@ export function unzigzag(code: number): number {
     return (code >>> 1) ^ -(code & 1);
 }
 
-/** Reads one number, seven bits a byte and at most 32 in all, lowest first, into `into[count]`; where the next one begins. */
+/** Reads one number, seven bits a byte and at most 32 in all, lowest first, into `into[count]`; where the
+ *  next one begins. */
 function readVarint(bytes: Uint8Array, from: number, into: Uint32Array, count: number): number {
     let value = 0;
     for (let at = from, shift = 0; at < bytes.length; ++at, shift += 7) {
@@ -38,12 +40,12 @@ function inflated(bytes: Uint8Array, size: number): Uint8Array {
 
 /** Numbers, to be taken one after the other. */
 export class Numbers {
-    /** What follows the numbers. */
+    /** Holds what follows the numbers. */
     readonly rest: Uint8Array;
     private readonly all: Uint32Array;
     private at = 0;
 
-    /** Of the bytes of a whole update. Throws FrameError. Allocates O(bytes). */
+    /** Reads the bytes of a whole update. Throws FrameError. Allocates O(bytes). */
     constructor(update: Uint8Array) {
         const lengths = new Uint32Array(2);
         const begin = readVarint(update, readVarint(update, 0, lengths, 0), lengths, 1);

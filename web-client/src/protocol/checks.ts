@@ -1,13 +1,13 @@
-// Checks of values from the wire, each of which says what is wrong with a value and where. generated/ puts them together to
-// shapes, member by member; members that a shape does not name are left to newer servers. Functions without side effects are marked,
-// so that the bundle has only the shapes that the page checks.
+// Checks of values from the wire, each of which says what is wrong with a value and where. generated/ puts
+// them together to shapes, member by member; members that a shape does not name are left to newer servers.
+// Functions without side effects are marked, so that the bundle has only the shapes that the page checks.
 import { isObject } from './jsonRpc.ts';
 import { isVec3, type Vec3 } from './vec3.ts';
 
-/** What is wrong with a value that should be a T, beginning with the path to it; null: nothing. */
+/** Returns what is wrong with a value that should be a T, beginning with the path to it; null: nothing. */
 export type Check<T> = ((value: unknown) => string | null) & { readonly of?: T };
 
-/** Whether a value is what a check asks for. */
+/** Returns whether a value is what a check asks for. */
 export function is<T>(value: unknown, check: Check<T>): value is T {
     return check(value) === null;
 }

@@ -6,7 +6,8 @@ const table = Int32Array.from({ length: 256 }, (_, byte) => {
     return remainder;
 });
 
-/** Of `bytes`, or of what `before` is the checksum of and `bytes` behind it; unsigned. */
+/** Returns the checksum of `bytes`, or of what `before` is the checksum of and `bytes` behind it;
+ *  unsigned. */
 export function crc32(bytes: Uint8Array, before = 0): number {
     let crc = ~before;
     for (let i = 0; i < bytes.length; ++i) crc = (crc >>> 8) ^ table[(crc ^ bytes[i]!) & 0xff]!;

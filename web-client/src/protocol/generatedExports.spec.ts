@@ -1,4 +1,4 @@
-// What is made from the description of the API is there to be used: nothing of it is carried along for nothing.
+// Checks that all that is made from the description of the API is used.
 import { readdirSync, readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { expect, test } from 'vitest';

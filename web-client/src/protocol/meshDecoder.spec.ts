@@ -195,7 +195,7 @@ describe('what is announced', () => {
     });
 });
 
-/** The same frame, where some vertices have no value of the attributes whose bits are set. */
+/** Returns the frame where some vertices have no value of the attributes whose bits are set. */
 function withGaps(frame: Uint8Array, bits: number): Uint8Array {
     const bytes = frame.slice();
     bytes[23] = bits;

@@ -1,5 +1,6 @@
-// From frames back to states. Twin: protocol/wire/mesh_decoder.hpp; unlike there, an update is kept as bytes until all its
-// frames are in, and then changes the one state in place: what is shown has been copied out of it.
+// From frames back to states. Twin: protocol/wire/mesh_decoder.hpp; unlike there, an update is kept as bytes
+// until all its frames are in, and then changes the one state in place: what is shown has been copied out of
+// it.
 import { Numbers } from './bytes.ts';
 import type { DracoPoints } from './dracoPoints.ts';
 import { FrameError } from './frameError.ts';
@@ -9,7 +10,7 @@ import { applyEdit, type TopologyEdit } from './wireEdit.ts';
 import { type AttributeRange, WireMesh } from './wireMesh.ts';
 import { PointsReader } from './wirePoints.ts';
 
-/** Of an update that is not whole yet. */
+/** Limits the bytes of an update that is not whole yet. */
 export const maxUpdateBytes = 256 << 20;
 
 /** An update in pieces, as they come. */
@@ -37,8 +38,8 @@ export class MeshDecoder {
     private surface: number | undefined;
 
     /**
-     * `attributeCount`: how many attributes the frames carry; null: as many as each KEY has, because an edit of a surface's
-     * fields changes them.
+     * `attributeCount`: how many attributes the frames carry; null: as many as each KEY has, because an edit
+     * of a surface's fields changes them.
      */
     constructor(draco: DracoPoints, lattice: Lattice, attributeCount: number | null) {
         this.points = new PointsReader(draco);
@@ -46,7 +47,7 @@ export class MeshDecoder {
         this.attributeCount = attributeCount;
     }
 
-    /** Of the newest whole update. */
+    /** Returns the header of the newest whole update. */
     get newest(): FrameHeader | undefined {
         return this.header;
     }
@@ -56,15 +57,16 @@ export class MeshDecoder {
         return this.state;
     }
 
-    /** The same surface goes on under another subscription, on another connection: an unfinished update is void. */
+    /** Continues the same surface under another subscription, on another connection: an unfinished update is
+     *  void. */
     continueAs(subscription: number): void {
         this.surface = subscription;
         this.update = undefined;
     }
 
     /**
-     * Gives the update that the frame made whole. Throws FrameError when the frame is damaged or does not continue what
-     * is there; after that only a frame that starts a KEY is taken.
+     * Gives the update that the frame made whole. Throws FrameError when the frame is damaged or does not
+     * continue what is there; after that only a frame that starts a KEY is taken.
      */
     fold(bytes: Uint8Array): AppliedUpdate | undefined {
         try {

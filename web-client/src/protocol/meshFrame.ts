@@ -1,5 +1,5 @@
-// The envelope of one binary message: a header, and a piece of an update. protocol/wire/FORMAT.md has the byte map.
-// Twin: protocol/wire/mesh_frame.hpp.
+// The envelope of one binary message: a header, and a piece of an update. protocol/wire/FORMAT.md has the
+// byte map. Twin: protocol/wire/mesh_frame.hpp.
 import { crc32 } from './crc32.ts';
 import { FrameError } from './frameError.ts';
 import { maxLatticeBits } from './lattice.ts';
@@ -17,7 +17,7 @@ export const maxBlockVertices = 1 << 16;
 
 export const flag = { key: 1, lossless: 2 } as const;
 
-/** How good a state is: what is shown, and whether more is to come. */
+/** Says how good a state is: what is shown, and whether more is to come. */
 export const phases = ['coarse', 'refined', 'final', 'live'] as const;
 export type Phase = (typeof phases)[number];
 
@@ -45,7 +45,7 @@ export interface MeshFrame {
     body: Uint8Array;
 }
 
-/** Whether two frames can be of one update: alike but for their index. */
+/** Returns whether two frames can be of one update: alike but for their index. */
 export function sameUpdate(a: FrameHeader, b: FrameHeader): boolean {
     const names = Object.keys(a) as (keyof FrameHeader)[];
     return names.every((name) => name === 'frameIndex' || Object.is(a[name], b[name]));

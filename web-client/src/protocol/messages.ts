@@ -1,5 +1,5 @@
-// The methods of the server, under the names that this client has for what they take and answer. Made from the description of the
-// API: generated/methods.ts.
+// The methods of the server, under the names that this client has for what they take and answer. Made from
+// the description of the API: generated/methods.ts.
 import type { Methods as Described } from './generated/methods.ts';
 import type { Joined } from './generated/session.ts';
 import type { SessionSnapshot } from './records.ts';
@@ -32,8 +32,8 @@ export type MethodName = keyof Methods;
 export type ParamsOf<M extends MethodName> = Methods[M]['params'];
 export type ResultOf<M extends MethodName> = Methods[M]['result'];
 
-/** What history.undo and history.redo answer. */
+/** Describes what history.undo and history.redo answer. */
 export type HistoryDepth = Omit<ResultOf<'history.undo'>, 'undone'>;
 
-/** What surface.set takes from this page: a surface that says when it begins. */
+/** Describes what surface.set takes from this page: a surface that says when it begins. */
 export type SurfaceSetting = Methods['surface.set']['params'] & { from: number };

@@ -1,5 +1,5 @@
-// What predictions need of the cells: for each vertex its neighbours of lower index. protocol/wire/FORMAT.md, Neighbours.
-// Twin: protocol/wire/wire_topology.hpp.
+// Finds what predictions need of the cells: for each vertex its neighbours of lower index.
+// protocol/wire/FORMAT.md, Neighbours. Twin: protocol/wire/wire_topology.hpp.
 import { cellStride } from './cell.ts';
 import { roomFor } from './room.ts';
 
@@ -15,7 +15,8 @@ export class Neighbours {
     opposite = new Int32Array(0); // o(v); none where p and n are the ends of the side the vertex hangs on
     private known = 0; // vertices
 
-    /** Of all vertices; what cells below `from` say is known already, unless `from` is 0. Cost: O(vertices + cells from there). */
+    /** Finds the neighbours of all vertices; what cells below `from` say is known already, unless `from` is
+     *  0. Cost: O(vertices + cells from there). */
     find(cells: Int32Array, from: number, vertices: number): void {
         const known = from === 0 ? 0 : this.known;
         for (const name of ['highest', 'lowest', 'beside', 'beside2', 'opposite'] as const) {
@@ -25,7 +26,8 @@ export class Neighbours {
         this.add(cells, from);
     }
 
-    /** Without function calls for a cell without mids: this is done for every cell of a surface that changes. */
+    /** Without function calls for a cell without mids: this is done for every cell of a surface that
+     *  changes. */
     private add(cells: Int32Array, from: number): void {
         const { highest, lowest, beside, beside2, opposite } = this;
         for (let at = from * cellStride; at < cells.length; at += cellStride) {
@@ -54,7 +56,7 @@ export class Neighbours {
         }
     }
 
-    /** That a vertex hangs says more of its place than a cell that it is a corner of. */
+    /** Adds hanging vertices: that one hangs says more of its place than a cell that it is a corner of. */
     private addMids(cells: Int32Array, at: number): void {
         for (let i = 0; i < 4; ++i) {
             const mid = cells[at + 4 + i]!;

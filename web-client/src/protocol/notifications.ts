@@ -1,5 +1,5 @@
-// Notifications of the server, checked as they come: what this client does not know is left out, and of what it cannot trust it says
-// why. Shapes: docs/api.md.
+// Notifications of the server, checked as they come: what this client does not know is left out, and of what
+// it cannot trust it says why. Shapes: docs/api.md.
 import type { Check } from './checks.ts';
 import { heldChangeCheck } from './generated/dataset.ts';
 import { notificationChecks, type Notifications, type SessionPatched } from './generated/notifications.ts';
@@ -16,10 +16,10 @@ export type { ParticipantChange } from './generated/presence.ts';
 type PatchType = keyof typeof recordChecks;
 type RecordOf<Type extends PatchType> = (typeof recordChecks)[Type] extends Check<infer Kept> ? Kept : never;
 
-/** What there is one of in every session. */
+/** Describes what there is one of in every session. */
 type Lasting = 'clock' | 'session';
 
-/** As described, and with the record that its type says. */
+/** Is a patch as described, with the record that its type says. */
 export type Patch =
     | { [Type in PatchType]: { op: 'put'; type: Type; id: string; record: RecordOf<Type> } }[PatchType]
     | { op: 'delete'; type: Exclude<PatchType, Lasting>; id: string };
@@ -33,7 +33,7 @@ export type Notification = { [Method in keyof Told]: { method: Method } & Told[M
 export interface Reading {
     /** Null: this client does not know it, or cannot trust it. */
     notification: Notification | null;
-    /** What is wrong with it, or with those of its parts that are left out. */
+    /** Holds what is wrong with it, or with those of its parts that are left out. */
     faults: string[];
 }
 
@@ -41,7 +41,7 @@ const newer = Symbol('of a newer server');
 
 interface Sieve {
     list: string;
-    /** What is wrong with an entry; null: nothing. */
+    /** Returns what is wrong with an entry; null: nothing. */
     faultOf: (entry: unknown) => string | null | typeof newer;
 }
 

@@ -1,5 +1,5 @@
-// The records of a session, of datasets and of people, under the names that this client has for them. Shapes and checks are made from
-// the description of the API: generated/.
+// The records of a session, of datasets and of people, under the names that this client has for them. Shapes
+// and checks are made from the description of the API: generated/.
 import { is } from './checks.ts';
 import { type AnnotationRecord, annotationRecordCheck } from './generated/annotation.ts';
 import { type BookmarkRecord, bookmarkRecordCheck } from './generated/bookmark.ts';
@@ -63,7 +63,7 @@ export function readError(error: unknown): ReportedError | null {
     };
 }
 
-/** What went wrong and what to do, as one text. */
+/** Returns what went wrong and what to do, as one text. */
 export function errorWords({ message, hint }: ReportedError): string {
     return hint === undefined || hint === '' ? message : `${message}: ${hint}`;
 }

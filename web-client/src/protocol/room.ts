@@ -3,8 +3,8 @@
 type Numbers = Int32Array | Uint32Array;
 
 /**
- * `array` itself if it has `length` numbers, else one with the same beginning and room for half as many more: pages that are
- * not used cost nothing, growing soon again costs a copy.
+ * `array` itself if it has `length` numbers, else one with the same beginning and room for half as many more:
+ * pages that are not used cost nothing, growing soon again costs a copy.
  */
 export function roomFor<Kind extends Numbers>(array: Kind, length: number): Kind {
     if (array.length >= length) return array;

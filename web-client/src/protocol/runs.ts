@@ -1,5 +1,5 @@
-// Which things of a list are meant, as runs of consecutive ones; and what becomes of a list when some go. Twin:
-// protocol/wire/runs.hpp.
+// Which things of a list are meant, as runs of consecutive ones; and what becomes of a list when some go.
+// Twin: protocol/wire/runs.hpp.
 import type { Numbers } from './bytes.ts';
 import { FrameError } from './frameError.ts';
 

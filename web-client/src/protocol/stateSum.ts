@@ -1,5 +1,5 @@
-// A checksum of 32 bit words that scripts and vector units compute fast: sums, and sums of sums, in four lanes.
-// protocol/wire/FORMAT.md, State sum. Twin: protocol/wire/state_sum.hpp.
+// A checksum of 32 bit words that scripts and vector units compute fast: sums, and sums of sums, in four
+// lanes. protocol/wire/FORMAT.md, State sum. Twin: protocol/wire/state_sum.hpp.
 
 function stir(sum: number, word: number): number {
     const x = sum ^ word;
@@ -55,7 +55,7 @@ export class WordSum {
     }
 }
 
-/** Of the words as an unsigned number. */
+/** Returns the sum of the words, as an unsigned number. */
 export function wordSum(words: Int32Array): number {
     const sum = new WordSum();
     sum.add(words);

@@ -1,6 +1,7 @@
-// What the server sends and this page does not understand, in words: both are not of one version, or one of them is at fault.
+// Says in words what the server sends and this page does not understand: both are not of one version, or one
+// of them is at fault.
 
-/** What is wrong in something with a name; a check of it has found that. */
+/** Returns what is wrong in something with a name; a check of it has found that. */
 export function faultIn(what: string, fault: string): string {
     return fault.startsWith(' ') ? what + fault : `in ${what}, ${fault.replace(/^\./, '')}`;
 }

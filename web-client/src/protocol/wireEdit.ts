@@ -17,8 +17,9 @@ export interface TopologyEdit {
 }
 
 /**
- * Reads the topology of an update that leads to a mesh of the size that its header says, and makes the mesh so. Throws FrameError; the mesh is then
- * unusable. Cost: O(state) where cells go, come or change. Allocates O(numbers + state) at most.
+ * Reads the topology of an update that leads to a mesh of the size that its header says, and makes the mesh
+ * so. Throws FrameError; the mesh is then unusable. Cost: O(state) where cells go, come or change. Allocates
+ * O(numbers + state) at most.
  */
 export function applyEdit(mesh: WireMesh, numbers: Numbers, after: FrameHeader): TopologyEdit {
     const verticesBefore = mesh.vertices;
@@ -77,7 +78,8 @@ function checkCorners(cells: Int32Array): void {
     }
 }
 
-/** Of each slot: the one of the same cell that a new vertex is near; corners 0 and 1 have that of the cell before. */
+/** Gives for each slot the one of the same cell that a new vertex is near; corners 0 and 1 have that of the
+ *  cell before. */
 const near = [0, 1, 1, 0, 0, 1, 2, 3];
 
 /** Slot by slot, each vertex as the difference from the one it replaces, or else from one that it is near. */

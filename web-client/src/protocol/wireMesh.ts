@@ -1,12 +1,13 @@
 // The state of a surface on the wire: integers that the server and all its clients hold alike.
-// protocol/wire/FORMAT.md, State. Twin: protocol/wire/wire_mesh.hpp; unlike there, updates change it in place.
+// protocol/wire/FORMAT.md, State. Twin: protocol/wire/wire_mesh.hpp; unlike there, updates change it in
+// place.
 import { cellStride } from './cell.ts';
 import { Neighbours } from './neighbours.ts';
 import { roomFor } from './room.ts';
 import { removeRuns, type Runs } from './runs.ts';
 import { WordSum, wordSum } from './stateSum.ts';
 
-/** What the codes 0 and the last one of an attribute stand for, until the next KEY. */
+/** Describes what the codes 0 and the last one of an attribute stand for, until the next KEY. */
 export interface AttributeRange {
     lo: number;
     hi: number;
@@ -98,7 +99,8 @@ export class WireMesh {
         this.cellCount += cells.length / cellStride;
     }
 
-    /** After cells have changed: those below `unchanged`, and the numbers of their vertices, are as they were. */
+    /** After cells have changed: those below `unchanged`, and the numbers of their vertices, are as they
+     *  were. */
     cellsChanged(unchanged: number): void {
         const from = unchanged === this.cellCount ? 0 : unchanged;
         if (from === 0) this.cellSum = new WordSum();

@@ -1,5 +1,5 @@
-// The points of an update: residuals of the vertices that moved or came, block by block put into the mesh as they are read.
-// protocol/wire/FORMAT.md, Points. Twin: protocol/wire/wire_points.hpp.
+// The points of an update: residuals of the vertices that moved or came, block by block put into the mesh as
+// they are read. protocol/wire/FORMAT.md, Points. Twin: protocol/wire/wire_points.hpp.
 import { type Numbers, unzigzag } from './bytes.ts';
 import type { DracoPoints } from './dracoPoints.ts';
 import { FrameError } from './frameError.ts';
@@ -12,7 +12,7 @@ import { append, changePredictor, changeSeries, move, predictorsOf, type Series 
 
 const maxTolerance = 32767;
 
-/** What a block says of one of its channels. */
+/** Describes what a block says of one of its channels. */
 interface Coding {
     predictor: number;
     scale: number; // what a residual of 1 stands for
@@ -29,7 +29,8 @@ export class PointsReader {
         this.draco = draco;
     }
 
-    /** All points of an update whose topology has been applied to the mesh. Throws FrameError; the mesh is then unusable. */
+    /** All points of an update whose topology has been applied to the mesh. Throws FrameError; the mesh is
+     *  then unusable. */
     read(mesh: WireMesh, edit: TopologyEdit, numbers: Numbers): void {
         const { neighbours, vertices } = mesh;
         const stayed = vertices - edit.addedVertices;

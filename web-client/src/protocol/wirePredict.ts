@@ -1,14 +1,16 @@
 // The predictors: what both ends expect of a vertex before its residual. protocol/wire/FORMAT.md, Points.
-// Sums are exact in double precision and cut to 32 bits once, which is to wrap. Twin: protocol/wire/wire_predict.hpp.
+// Sums are exact in double precision and cut to 32 bits once, which is to wrap. Twin:
+// protocol/wire/wire_predict.hpp.
 import { type Neighbours, none } from './neighbours.ts';
 
 export const predictorsOf = { moved: 4, appended: 6 } as const;
-/** Of the changes of appended vertices. */
+/** Predicts the changes of appended vertices. */
 export const changePredictor = 4;
 
 const largestChange = 1 << 20;
 
-/** What is predicted: the positions, the codes of an attribute, or the changes of appended vertices. */
+/** Describes what is predicted: the positions, the codes of an attribute, or the changes of appended
+ *  vertices. */
 export interface Series {
     components: number;
     first: number; // values are first .. last

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { sizeFault, withoutBackground } from './capture.ts';
 
-/** What is seen of a colour with this opacity before a ground, as browsers compose it. */
+/** Holds what is seen of a colour with this opacity before a ground, as browsers compose it. */
 const before = (ground: number, value: number, alpha: number): number => Math.round(value * alpha + ground * (1 - alpha));
 
 describe('withoutBackground', () => {

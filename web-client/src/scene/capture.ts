@@ -1,5 +1,6 @@
-// A figure: the picture at any size, with another background or none, and with the text that lies over it. Drawn in the drawing
-// buffer of the canvas, in tiles where it is large; the canvas has its own size again before the browser shows it.
+// A figure: the picture at any size, with another background or none, and with the text that lies over it.
+// Drawn in the drawing buffer of the canvas, in tiles where it is large; the canvas has its own size again
+// before the browser shows it.
 import { Color } from 'three';
 import { type Cover, coverOf, placeOf } from './base/cover.ts';
 import { DomainOutline } from './domain/domainOutline.ts';
@@ -26,12 +27,12 @@ export interface FigureSetting {
     caption: string | null;
 }
 
-/** What browsers make canvases of, and what pictures on paper need. */
+/** Holds what browsers make canvases of, and what pictures on paper need. */
 const longestSide = 16_384;
 const pixelsAtMost = 128e6;
 /** Drawn at once; peeling needs some 60 bytes a pixel. */
 const tileSide = 2048;
-/** Of handles, which reach from one tile into another; in pixels of CSS. */
+/** Leaves room for handles, which reach from one tile into another; in pixels of CSS. */
 const tileMargin = 24;
 
 /** Why a figure of this size cannot be drawn; null if it can be tried. */
@@ -46,7 +47,7 @@ export function sizeFault({ width, height }: ScreenSize): string | null {
     return `A picture can have at most ${pixelsAtMost / 1e6} million pixels. Choose a smaller picture.`;
 }
 
-/** What the graphics draw at once. */
+/** Returns what the graphics draw at once. */
 function drawnSide(scene: FlowScene, pixelRatio: number): number {
     const gl = scene.renderer.getContext();
     const dims = gl.getParameter(gl.MAX_VIEWPORT_DIMS) as Int32Array;
@@ -110,8 +111,9 @@ export function capture(scene: FlowScene, setting: FigureSetting, side?: number)
 }
 
 /**
- * Opacity and colours from the same picture before black and before white: what is seen of a background differs by all of it.
- * Works for whatever the picture is made of, also for what lets light through. Changes `onBlack` to the result.
+ * Opacity and colours from the same picture before black and before white: what is seen of a background
+ * differs by all of it. Works for whatever the picture is made of, also for what lets light through. Changes
+ * `onBlack` to the result.
  */
 export function withoutBackground(onBlack: Uint8ClampedArray, onWhite: Uint8ClampedArray): void {
     for (let i = 0; i < onBlack.length; i += 4) {

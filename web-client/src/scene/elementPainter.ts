@@ -1,5 +1,5 @@
-// Draws elements of the page into a picture, where they are and as they are styled: grounds, borders, canvases and text. Enough
-// for the labels and the scalar bar; no browser offers this by itself.
+// Draws elements of the page into a picture, where they are and as they are styled: grounds, borders,
+// canvases and text. Enough for the labels and the scalar bar; no browser offers this by itself.
 import type { ScreenPoint } from './base/view.ts';
 
 /** `shift`: from the window to the picture. Elements that are skipped are so with all in them. */

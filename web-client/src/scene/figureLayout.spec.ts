@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { barIn, layoutOf } from './figureLayout.ts';
 
-/** That of one field. */
+/** Is the scalar bar of one field. */
 const bar = { width: 288, height: 66, right: 12, bottom: 12 };
 const number = 12;
 

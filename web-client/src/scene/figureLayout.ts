@@ -1,15 +1,16 @@
-// How a figure is laid out: in pixels of CSS, like a page of its shape, so that text, lines and handles have their share of it and can be
-// read, however small the figure or the page is.
+// Lays a figure out: in pixels of CSS, like a page of its shape, so that text, lines and handles have their
+// share of it and can be read, however small the figure or the page is.
 import type { Cover } from './base/cover.ts';
 import type { ScreenSize } from './base/view.ts';
 
-/** In pixels of CSS: a number of an axis, 12 of them high, has a sixtieth to a thirtieth of the height of a figure. */
+/** In pixels of CSS: a number of an axis, 12 of them high, has a sixtieth to a thirtieth of the height of a
+ *  figure. */
 const [lowest, tallest] = [360, 720];
 /** Less where it is narrow, so that the scalar bar, 288 wide, has room. */
 const narrowest = 360;
 /** Pixels of the figure for one of CSS, at least, so that such a number has nine. */
 const leastRatio = 0.75;
-/** Of the width and of the height, for the bar; more would hide what it is about. */
+/** Limits the bar to parts of the width and of the height; more would hide what it is about. */
 const barAtMost = { width: 0.95, height: 0.4 };
 
 export interface FigureLayout extends ScreenSize {

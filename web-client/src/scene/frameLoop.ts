@@ -1,7 +1,8 @@
 // Draws when something changed and not otherwise: one animation frame for any number of requests, and
 // the next one only when the GPU has finished the last. A queue of frames would be a queue of delays.
 
-/** @param finished to be called when it is done, or will not come  @param changed false: only a better picture is wanted */
+/** @param finished to be called when it is done, or will not come @param changed false: only a better picture
+ *  is wanted */
 export type Draw = (finished: () => void, changed: boolean) => void;
 
 export class FrameLoop {
@@ -29,14 +30,15 @@ export class FrameLoop {
         this.requestBetter();
     };
 
-    /** The same picture, which can be better. */
+    /** Asks for the same picture in better quality. */
     requestBetter(): void {
         if (this.requested) return;
         this.requested = true;
         if (!this.drawing) this.schedule(this.frame);
     }
 
-    /** For what is done at the start of a frame, and is to go on in the next one. What it changes is in its own frame. */
+    /** For what is done at the start of a frame, and is to go on in the next one. What it changes is in its
+     *  own frame. */
     requestNext(): void {
         this.another = true;
     }

@@ -2,8 +2,8 @@
 // latency taken without this would leave out the drawing itself.
 
 /**
- * Calls back with performance.now() at the moment all commands up to now are done, or with null when they never
- * will be: the context is lost.
+ * Calls back with performance.now() at the moment all commands up to now are done, or with null when they
+ * never will be: the context is lost.
  */
 export function whenDrawn(gl: WebGL2RenderingContext, done: (time: number | null) => void): void {
     const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);

@@ -1,4 +1,4 @@
-// Whether and how well this browser can draw.
+// Tells whether and how well this browser can draw.
 
 export interface Graphics {
     software: boolean;

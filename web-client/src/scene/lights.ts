@@ -1,4 +1,5 @@
-// The light on bodies: from over the viewer's shoulder, like the light of the surfaces, and a little from the sky.
+// The light on bodies: from over the viewer's shoulder, like the light of the surfaces, and a little from the
+// sky.
 import { DirectionalLight, Group, HemisphereLight } from 'three';
 import type { Layer, View } from './base/view.ts';
 

@@ -1,10 +1,10 @@
-// Whether things move in the picture. What is drawn while they do is drawn again soon, and should rather be quick than sharp;
-// what stands still is worth the time.
+// Tells whether things move in the picture. What is drawn while they do is drawn again soon, and should
+// rather be quick than sharp; what stands still is worth the time.
 
 /** So long after the last picture or touch nothing moves any more. */
 export const restMs = 150;
 
-/** Surfaces that change as often are played, or dragged by someone. */
+/** Surfaces that change as often are played, or dragged by a user. */
 const flowMs = 1000;
 
 /** Times are those of performance.now(). */
@@ -34,7 +34,7 @@ export class Movement {
         this.stir(now);
     }
 
-    /** Whether a picture that begins now is one of a movement. */
+    /** Returns whether a picture that begins now is one of a movement. */
     at(now: number): boolean {
         return this.held || now - this.last < restMs;
     }

@@ -1,7 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { leastRatio, limitMs, MovingResolution } from './movingResolution.ts';
 
-/** Draws on graphics that take so long for the picture, and so long for a whole pixel of CSS; ratios as they come. */
+/** Draws on graphics that take so long for the picture, and so long for a whole pixel of CSS; ratios as they
+ *  come. */
 function drawOn(resolution: MovingResolution, pictures: number, fixedMs: number, msPerPixel: number): number[] {
     return Array.from({ length: pictures }, () => {
         const { ratio } = resolution;

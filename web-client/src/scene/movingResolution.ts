@@ -1,6 +1,7 @@
-// How sharp the picture is while things move: as sharp as it can be drawn in the time that 15 pictures a second leave, by what
-// the last ones took. Halves the pixels where they took too long. Doubles them only where they took so little that twice the
-// time is still within the limit, so that it does not go to and fro.
+// Decides how sharp the picture is while things move: as sharp as it can be drawn in the time that 15
+// pictures a second leave, by what the last ones took. Halves the pixels where they took too long. Doubles
+// them only where they took so little that twice the time is still within the limit, so that it does not go
+// to and fro.
 
 /** Pixels drawn for one of CSS, along one side: below this nothing can be made out any more. */
 export const leastRatio = 0.35;
@@ -19,7 +20,8 @@ export class MovingResolution {
     private step: number;
     private took: number[] = [];
 
-    /** @param full ratio of a picture that stands still  @param first ratio to begin with, until there are measurements */
+    /** @param full ratio of a picture that stands still @param first ratio to begin with, until there are
+     *  measurements */
     constructor(full: number, first: number) {
         this.full = full;
         this.lastStep = Math.max(0, Math.floor(2 * Math.log2(full / leastRatio)));

@@ -1,6 +1,7 @@
-// Antialiasing whatever the graphics are: a picture is drawn several times, each time moved by another part of a pixel, and the
-// mean of all is shown. What is thinner than a pixel, and every edge, has its share of the pixel then, also of what can be seen
-// through and of lines. Means are of light, not of the numbers that stand for it on a screen.
+// Antialiasing whatever the graphics are: a picture is drawn several times, each time moved by another part
+// of a pixel, and the mean of all is shown. What is thinner than a pixel, and every edge, has its share of
+// the pixel then, also of what can be seen through and of lines. Means are of light, not of the numbers that
+// stand for it on a screen.
 import {
     type Camera,
     Color,
@@ -15,7 +16,8 @@ import {
 } from 'three';
 import { fullScreen } from './surface/fullScreen.ts';
 
-/** Where in a pixel it is looked at, from its middle, in pixels: no two in one row or one column, and the mean is the middle. */
+/** Where in a pixel it is looked at, from its middle, in pixels: no two in one row or one column, and the
+ *  mean is the middle. */
 export function samplePlaces(samples: 4 | 8): readonly (readonly [number, number])[] {
     return samples === 4 ? four : eight;
 }
@@ -40,7 +42,7 @@ const eight = [
 interface Buffers {
     /** One picture, as it is on the screen. */
     drawn: FramebufferTexture;
-    /** Of all; their number is in alpha. */
+    /** Is the sum of all; their number is in alpha. */
     sum: WebGLRenderTarget;
 }
 
@@ -63,8 +65,8 @@ export class SampledPicture {
     }
 
     /**
-     * Of another picture from now on. @param encoded its means are of the numbers on the screen: as programs mix a picture without
-     * ground and what they lay it on
+     * Begins another picture. @param encoded its means are of the numbers on the screen: as programs mix a
+     * picture without ground and what they lay it on
      */
     begin(encoded = false): void {
         this.count = 0;

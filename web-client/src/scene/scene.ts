@@ -1,5 +1,5 @@
-// The picture: surfaces, rake, domain and body, drawn on demand. Knows nothing of the server; session/ feeds it and listens
-// to it.
+// The picture: surfaces, rake, domain and body, drawn on demand. Knows nothing of the server; session/ feeds
+// it and listens to it.
 import { type Color, Scene, WebGLRenderer } from 'three';
 import type { BodyMesh } from '../mesh/bodyMesh.ts';
 import type { TimedMeshChange } from '../mesh/meshChange.ts';
@@ -29,10 +29,11 @@ import type { Part } from './tiles.ts';
 import { type Cover, coverOf } from './base/cover.ts';
 import { type Layer, type ScreenPoint, type ScreenSize, View } from './base/view.ts';
 
-/** Of software rendering, while nothing is known of its speed. */
+/** Is the pixel ratio of software rendering, while nothing is known of its speed. */
 const firstSoftwareRatio = 0.5;
 const exactAfterMs = 300;
-/** Where pictures are slow, so are the hands that wait for them: a sharp picture must not come between two of a movement. */
+/** Where pictures are slow, so are the hands that wait for them: a sharp picture must not come between two of
+ *  a movement. */
 const picturesOfRest = 3;
 const longestRestMs = 600;
 
@@ -60,7 +61,7 @@ export class FlowScene {
     /** Lies over the canvas. */
     readonly labels: HTMLElement;
     framesDrawn = 0;
-    /** How the last picture shows what can be seen through. */
+    /** Says how the last picture shows what can be seen through. */
     transparency: 'none' | 'blended' | 'exact' = 'none';
     /** When the domain was on the screen first, on performance.now()'s clock. */
     firstPictureMs: number | null = null;
@@ -91,7 +92,7 @@ export class FlowScene {
     /** While a figure is drawn, which has another size than the canvas. */
     private figureSize: ScreenSize | null = null;
     private outline: DomainOutline | null = null;
-    /** What lies over the picture, over that of a figure too. */
+    /** Holds what lies over the picture, over that of a figure too. */
     private cover: Cover | null = null;
 
     constructor(options: FlowSceneOptions) {
@@ -144,7 +145,7 @@ export class FlowScene {
         return this.sampled.count;
     }
 
-    /** Whether the picture gets no better. */
+    /** Returns whether the picture gets no better. */
     get isAtRest(): boolean {
         return this.sampled.count === this.places.length;
     }
@@ -174,7 +175,7 @@ export class FlowScene {
         this.loop.request();
     }
 
-    /** Of lengths; empty: unknown. */
+    /** Sets the unit of lengths; empty: unknown. */
     setUnit(unit: string): void {
         this.unit = unit;
         this.outline?.setUnit(unit);
@@ -192,14 +193,16 @@ export class FlowScene {
         for (const each of [element, this.labels]) sizes.observe(each);
     }
 
-    /** Whether a picture that stands still is drawn once more, with everything transparent in its exact order. */
+    /** Sets whether a picture that stands still is drawn once more, with everything transparent in its exact
+     *  order. */
     setExactWhenStill(on: boolean): void {
         if (on === this.exactWhenStill) return;
         this.exactWhenStill = on;
         this.loop.request();
     }
 
-    /** Whether there is shade where things are near each other, in pictures that stand still and in figures. */
+    /** Sets whether there is shade where things are near each other, in pictures that stand still and in
+     *  figures. */
     setContactShade(on: boolean): void {
         if (on === this.contactShade) return;
         this.contactShade = on;
@@ -277,7 +280,7 @@ export class FlowScene {
         return this.view().project(point);
     }
 
-    /** What of surfaces and body is seen at a canvas position. */
+    /** Returns what of surfaces and body is seen at a canvas position. */
     pick(at: ScreenPoint): PickHit | null {
         return this.picker.at(this.view(), this.body.geometry, at);
     }
@@ -299,8 +302,8 @@ export class FlowScene {
     }
 
     /**
-     * What is on the screen, cut to this shape and made as small. Drawn once more for that, because browsers keep nothing of it; null
-     * where that takes long, or nothing can be seen.
+     * Returns what is on the screen, cut to this shape and made as small. Drawn once more for that, because
+     * browsers keep nothing of it; null where that takes long, or nothing can be seen.
      */
     copySmall({ width, height }: ScreenSize): HTMLCanvasElement | null {
         const exact = this.transparency === 'exact';
@@ -320,9 +323,10 @@ export class FlowScene {
     }
 
     /**
-     * For capture.ts: as if the canvas were of this size, with so many pixels for one of CSS, without what is not for figures, with
-     * smooth edges, and with everything transparent in its exact order. `use` may draw before several backgrounds, and part by
-     * part; the drawing is gone when it returns. `encoded`: see SampledPicture.begin; `cover`: what will lie over it.
+     * For capture.ts: as if the canvas were of this size, with so many pixels for one of CSS, without what is
+     * not for figures, with smooth edges, and with everything transparent in its exact order. `use` may draw
+     * before several backgrounds, and part by part; the drawing is gone when it returns. `encoded`: see
+     * SampledPicture.begin; `cover`: what will lie over it.
      */
     drawAside<T>(
         size: ScreenSize,
@@ -367,7 +371,8 @@ export class FlowScene {
         }
     }
 
-    /** @param part the only one of the picture that is drawn  @param sample which one of a mean, and shaded where things are near each other */
+    /** @param part the only one of the picture that is drawn @param sample which one of a mean, and shaded
+     *  where things are near each other */
     private draw(exact = false, part: (Part & { pixelRatio: number }) | null = null, sample: number | null = null): void {
         const { camera, size } = this.view();
         if (size.width === 0 || size.height === 0) return;

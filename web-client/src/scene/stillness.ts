@@ -1,6 +1,7 @@
-// Tells, once, when nothing has been drawn for a while and nothing is held: time for a picture that takes longer.
+// Tells, once, when nothing has been drawn for a while and nothing is held: time for a picture that takes
+// longer.
 
-/** As setTimeout and clearTimeout. */
+/** Works like setTimeout and clearTimeout. */
 export interface Timers {
     set(act: () => void, ms: number): unknown;
     clear(timer: unknown): void;
@@ -28,7 +29,8 @@ export class Stillness {
         this.timers = timers;
     }
 
-    /** Something has been drawn that is worth a better picture, or is not. @param atLeastMs longer than usual, if need be */
+    /** Something has been drawn that is worth a better picture, or is not. @param atLeastMs longer than
+     *  usual, if need be */
     drawn(worth: boolean, atLeastMs = 0): void {
         this.worth = worth;
         this.waitMs = Math.max(this.restMs, atLeastMs);

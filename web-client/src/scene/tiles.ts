@@ -1,5 +1,5 @@
-// A picture larger than the graphics draw at once, in tiles: parts that cover each of its pixels once, each drawn with a margin
-// in which whatever begins outside of it and reaches into it has room.
+// A picture larger than the graphics draw at once, in tiles: parts that cover each of its pixels once, each
+// drawn with a margin in which whatever begins outside of it and reaches into it has room.
 import type { ScreenSize } from './base/view.ts';
 
 /** In pixels of the whole picture; may reach beyond it. */
@@ -9,16 +9,16 @@ export interface Part extends ScreenSize {
 }
 
 export interface Tile {
-    /** What is drawn. */
+    /** Holds what is drawn. */
     drawn: Part;
-    /** What of it is taken. */
+    /** Holds what of it is taken. */
     kept: Part;
 }
 
 /**
- * All are drawn equally large, at most `side` pixels a side; even offsets keep differences between neighbouring pixels the same.
- * A margin of more than a quarter of a tile is cut down to that: tiles that were little but margin would be too many.
- * REQUIRES: side >= 8
+ * All are drawn equally large, at most `side` pixels a side; even offsets keep differences between
+ * neighbouring pixels the same. A margin of more than a quarter of a tile is cut down to that: tiles that
+ * were little but margin would be too many. REQUIRES: side >= 8
  */
 export function tilesOf({ width, height }: ScreenSize, side: number, margin: number): Tile[] {
     const edge = 2 * Math.ceil(Math.floor(Math.min(margin, side / 4)) / 2);
@@ -38,7 +38,7 @@ interface Stretch {
     keptLength: number;
 }
 
-/** Of one side of the picture. */
+/** Divides one side of the picture. */
 function stretchesOf(length: number, side: number, edge: number): Stretch[] {
     if (length <= side) return [{ drawn: 0, drawnLength: length, kept: 0, keptLength: length }];
     const count = Math.ceil(length / (2 * Math.floor((side - 2 * edge) / 2)));

@@ -1,5 +1,5 @@
-// Waits for the import of the dataset that is opened, as one of all who do, until this page's user stops it: the last one who
-// does ends the import (server/service/catalogue/README.md).
+// Waits for the import of the dataset that is opened, as one of all who do, until this page's user stops it:
+// the last one who does ends the import (server/service/catalogue/README.md).
 import { effect, signal, untracked } from '@preact/signals-core';
 import { errorCodes } from '../protocol/generated/errors.ts';
 import type { DatasetEntry } from '../protocol/messages.ts';
@@ -12,7 +12,7 @@ export interface ImportWaitOptions {
 }
 
 export class ImportWait {
-    /** This user does not wait any more, or someone has stopped the import. */
+    /** This user does not wait any more, or a user has stopped the import. */
     readonly left = signal(false);
     private readonly options: ImportWaitOptions;
     private waiting: AbortController | null = null;
@@ -86,7 +86,7 @@ export class ImportWait {
             this.own = false;
         }
         if (state !== 'importing' || this.own || this.waiting !== null) return;
-        // The entry may be older than the news that someone has stopped: to wait at once would have it go on.
+        // The entry may be older than the news that a user has stopped: to wait at once would have it go on.
         if (this.left.value && !this.seenStopped) return;
         void this.begin(dataset);
     }

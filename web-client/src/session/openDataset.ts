@@ -1,4 +1,5 @@
-// The dataset that the page shows: waits for its import, puts its domain and body into the picture, follows its growth.
+// The dataset that the page shows: waits for its import, puts its domain and body into the picture, follows
+// its growth.
 import { type DatasetDescription, type DatasetEntry, errorWords, type HeldChange } from '../protocol/messages.ts';
 import type { FlowScene } from '../scene/scene.ts';
 import type { AppState } from '../state/appState.ts';
@@ -18,7 +19,7 @@ export interface OpenDatasetOptions {
 export class OpenDataset {
     private readonly options: OpenDatasetOptions;
     private readonly stepsHeld: StepsHeld;
-    /** What the values of the data that are shown are told from others by. */
+    /** Holds what the values of the data that are shown are told from others by. */
     private values: string | undefined;
 
     constructor(options: OpenDatasetOptions) {
@@ -26,7 +27,8 @@ export class OpenDataset {
         this.stepsHeld = new StepsHeld(options.state, options.worker);
     }
 
-    /** Until some of its time-steps can be used, and as long as its user wants to wait; null when `gone`. @param id null: the first one */
+    /** Until some of its time-steps can be used, and as long as its user wants to wait; null when `gone`.
+     *  @param id null: the first one */
     async wait(id: string | null, gone: () => boolean): Promise<DatasetEntry | null> {
         const { worker, state, imports } = this.options;
         while (!gone()) {
@@ -35,11 +37,11 @@ export class OpenDataset {
             const entry = id === null ? datasets[0] : datasets.find(({ dataset }) => dataset === id);
             if (entry === undefined) throw new Error(noDataset(id));
             state.datasetEntry.value = entry;
-            // Until somebody says which field the velocity is.
+            // Until a user says which field the velocity is.
             const unclear = velocitiesOf(entry).length > 0;
             if (entry.state === 'failed' && !unclear) throw new Error(importFailed(entry));
             const usable = entry.state === 'ready' || entry.steps.ready > 0;
-            // What someone has stopped stays so where there is something to see.
+            // What a user has stopped stays so where there is something to see.
             const wanted = entry.state === 'importing' || (entry.state === 'stopped' && !usable);
             if (wanted && !imports.left.value) void imports.begin(entry.dataset);
             const leaving = imports.left.value && entry.state === 'importing' && state.stage.value === 'importing';
@@ -92,7 +94,8 @@ export class OpenDataset {
     }
 }
 
-/** A word each for the grid, the first time-step and all of them: "0-... 1-... 16-...". A longer series begins with the same. */
+/** A word each for the grid, the first time-step and all of them: "0-... 1-... 16-...". A longer series
+ *  begins with the same. */
 function sameValues(before: string | undefined, now: string | undefined): boolean {
     const [grid, first, all] = (before ?? '').split(' ');
     const [gridNow, firstNow, allNow] = (now ?? '').split(' ');
@@ -104,7 +107,7 @@ function sameGrid(before: string | undefined, now: string | undefined): boolean 
     return (before ?? '').split(' ')[0] === (now ?? '').split(' ')[0];
 }
 
-/** What the velocity of a dataset could be, which is not clear from its files. */
+/** Returns what the velocity of a dataset could be, which is not clear from its files. */
 export function velocitiesOf({ state, velocities }: DatasetEntry): readonly string[] {
     return state === 'failed' ? (velocities ?? []) : [];
 }

@@ -1,13 +1,14 @@
-// The server's records as this page holds them: a snapshot replaces all of them, a patch some. Nothing else writes them.
+// The server's records as this page holds them: a snapshot replaces all of them, a patch some. Nothing else
+// writes them.
 import type { Patch, SessionSnapshot, SurfaceEpoch } from '../protocol/messages.ts';
 import type { AppState } from '../state/appState.ts';
 import { noUnits } from '../state/units.ts';
 
-/** What has become of surfaces. */
+/** Describes what has become of surfaces. */
 export interface SurfaceNews {
     added: string[];
     removed: string[];
-    /** Of those that were set, new or not, the epoch that was asked for. */
+    /** Holds, for those that were set, new or not, the epoch that was asked for. */
     asked: SurfaceEpoch[];
 }
 

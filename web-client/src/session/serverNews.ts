@@ -1,4 +1,4 @@
-// What the server tells by itself, handed to whom it concerns: records, surfaces, people, datasets, notices.
+// Hands what the server tells by itself to whom it concerns: records, surfaces, people, datasets, notices.
 import type { Notification, ReportedError, SurfaceDone } from '../protocol/messages.ts';
 import { unreadableWords } from '../protocol/unreadable.ts';
 import type { AppState } from '../state/appState.ts';
@@ -80,7 +80,8 @@ export class ServerNews {
         }
     }
 
-    /** What the page shows is not all there is, until it is loaded by a server that it understands. */
+    /** Says that what the page shows is not all there is, until it is loaded by a server that it
+     *  understands. */
     unreadable(faults: readonly string[]): void {
         const [first] = faults;
         if (first === undefined) return;

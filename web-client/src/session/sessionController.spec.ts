@@ -37,7 +37,7 @@ class Bench {
     beforeSubscribed: (surface: string) => void = () => undefined;
     controller: SessionController;
     token = 't';
-    /** So many calls had been made when the undo history was cleared. */
+    /** Is the number of calls that had been made when the undo history was cleared. */
     clearedAfter = 0;
     private made = 1;
 
@@ -77,7 +77,7 @@ class Bench {
         for (let i = 0; i < 20; ++i) await settled();
     }
 
-    /** Someone else makes or deletes a surface. */
+    /** Another user makes or deletes a surface. */
     patch(op: 'put' | 'delete', id: string): void {
         const surfaces = this.records.surfaces.filter((record) => record.surface !== id);
         this.records.surfaces = op === 'put' ? [...surfaces, surfaceOf(id)] : surfaces;
@@ -183,7 +183,7 @@ describe('the session on a page', () => {
         expect(bench.records.rakes.map(({ name }) => name)).toEqual(['r1', 'r2']);
         expect(bench.records.surfaces).toHaveLength(1);
         expect(bench.calls).not.toContain('session.create');
-        // The records that were made anew are no one's to undo.
+        // The records that were made anew are no user's to undo.
         expect(bench.clearedAfter).toBeGreaterThan(bench.calls.lastIndexOf('surface.set'));
     });
 

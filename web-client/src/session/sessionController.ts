@@ -1,5 +1,6 @@
-// The life of a session on this page: connect, join, wait for data, mirror the server's records, and do the same again after every
-// interruption. It makes no session by itself: what the server does not have (any more) is said, with what can be done about it.
+// The life of a session on this page: connect, join, wait for data, mirror the server's records, and do the
+// same again after every interruption. It makes no session by itself: what the server does not have (any
+// more) is said, with what can be done about it.
 import type { ConnectionState } from '../connection/liveSocket.ts';
 import type { JoinedSession, Patch, SessionSnapshot } from '../protocol/messages.ts';
 import { apiLevel } from '../protocol/version.ts';
@@ -24,7 +25,7 @@ import type { Views } from './view/views.ts';
 
 /** Pages that have lost the same session make it again in turn, lest each does. */
 const turnMs = 1500;
-/** Someone else may bring a session back from the trash. */
+/** Another user may bring a session back from the trash. */
 const lookAgainMs = 5000;
 /** Between two tries of what the server refuses. */
 const longestPauseMs = 60_000;
@@ -45,13 +46,15 @@ export interface SessionControllerOptions {
 export class SessionController {
     private readonly options: SessionControllerOptions;
     private readonly arrival: Arrival;
-    /** Counts connections, and new beginnings in one; what an earlier one began must not go on in the next. */
+    /** Counts connections, and new beginnings in one; what an earlier one began must not go on in the
+     *  next. */
     private beginning = 0;
     /** Beginnings in a row that the server has refused. */
     private failures = 0;
     /** The page has shown this session. */
     private shown = false;
-    /** What is to be made again where the server has lost it; while there is such, the page keeps showing it. */
+    /** Holds what is to be made again where the server has lost it; while there is such, the page keeps
+     *  showing it. */
     private lost: Remembered | null = null;
 
     constructor(options: SessionControllerOptions) {
@@ -73,7 +76,8 @@ export class SessionController {
         if (connection.state === 'open') void this.begin();
     }
 
-    /** How others see this page's user, here and from now on; the server may add a number to tell two apart. */
+    /** Sets how other users see that of this page, here and from now on; the server may add a number to tell
+     *  two apart. */
     async rename(name: string): Promise<void> {
         keep(nameKept, name);
         const { session, resumeToken } = this.arrival;
@@ -113,7 +117,8 @@ export class SessionController {
         });
     }
 
-    /** Someone has changed records; what is of another session, or of one that is being made again, is not taken. */
+    /** A user has changed records; what is of another session, or of one that is being made again, is not
+     *  taken. */
     patched(session: string, patches: readonly Patch[]): void {
         const { state, feed, edits, thumbnails } = this.options;
         if (session !== this.arrival.session || this.lost !== null) return;
@@ -209,7 +214,7 @@ export class SessionController {
         people.joined(joined);
     }
 
-    /** Whether an empty session has lost what this page or its link remembers. */
+    /** Checks whether an empty session has lost what this page or its link remembers. */
     private async look(session: string): Promise<void> {
         const { state, url, worker } = this.options;
         const remembered = rememberedOf(state, url);
@@ -261,7 +266,7 @@ export class SessionController {
         );
     }
 
-    /** The session is not there; where it is in the trash, someone may restore it. */
+    /** The session is not there; where it is in the trash, a user may restore it. */
     private async missing(): Promise<void> {
         const { state, worker, url } = this.options;
         const beginning = ++this.beginning;
@@ -310,7 +315,8 @@ export class SessionController {
         }
     }
 
-    /** One that someone has added since. A lost connection is told of elsewhere, and all are subscribed again after it. */
+    /** One that a user has added since. A lost connection is told of elsewhere, and all are subscribed again
+     *  after it. */
     private async subscribeLate(surface: string): Promise<void> {
         try {
             await this.subscribe(surface);

@@ -1,4 +1,5 @@
-// Where what the worker sends goes: a surface straight to its feed, the server's news and the connection to those who follow them.
+// Where what the worker sends goes: a surface straight to its feed, the server's news and the connection to
+// those who follow them.
 import type { OwnServer } from '../connection/ownServer.ts';
 import type { AppState } from '../state/appState.ts';
 import type { WorkerEvent } from '../worker/workerClient.ts';

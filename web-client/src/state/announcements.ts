@@ -1,8 +1,8 @@
-// What is said to the user over the picture, by what it is about: the newest words about a thing count, and go when that thing
-// is well again or they are sent away; what is said of other things stays.
+// Holds what is said to the user over the picture, by what it is about: the newest words about a thing count,
+// and go when that thing is well again or they are sent away; what is said of other things stays.
 import { signal } from '@preact/signals-core';
 
-/** What can be done about it, at once. */
+/** Describes what can be done about it, at once. */
 export interface Remedy {
     label: string;
     act: () => void;
@@ -14,7 +14,7 @@ export type Passing = 'edit' | 'press';
 export class Announcements {
     readonly all = signal<ReadonlyMap<string, string>>(new Map());
     private readonly remedies = new Map<string, Remedy>();
-    /** What is said of something that was done, and is old news after the next. */
+    /** Holds what is said of something that was done, and is old news after the next. */
     private readonly passing = new Map<string, Passing>();
 
     /** @param about the record or control concerned, or the kind of a notice */

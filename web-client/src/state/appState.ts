@@ -1,4 +1,4 @@
-// What the page knows, as signals: the connection, and mirrors of the server's records. Written by
+// Holds what the page knows, as signals: the connection, and mirrors of the server's records. Written by
 // session/, read by ui/.
 import { computed, signal } from '@preact/signals-core';
 import type { ConnectionState } from '../connection/liveSocket.ts';
@@ -25,7 +25,7 @@ import { Announcements } from './announcements.ts';
 import { noUnits, type Units } from './units.ts';
 import type { LatencySample } from './latency.ts';
 
-/** What is on the screen of one surface. */
+/** Describes what is on the screen of one surface. */
 export interface DisplayedSurface {
     surface: string;
     epoch: number;
@@ -39,7 +39,8 @@ export interface DisplayedSurface {
     /** Updates from which it came, since the page knows it: whole states, and changes of the one before. */
     keys: number;
     deltas: number;
-    /** Attributes that came with it and are not here; those that a look needs follow when the worker knows of it. */
+    /** Attributes that came with it and are not here; those that a look needs follow when the worker knows of
+     *  it. */
     withheld: readonly string[];
     /** Drawn of curved cells. */
     curved: boolean;
@@ -63,7 +64,8 @@ export interface GoneSession {
     remembered: boolean;
 }
 
-/** How much of the dataset's time-steps is in the server's memory, or on its way there; of large ones a part, which is read by brick. */
+/** Describes how much of the dataset's time-steps is in the server's memory, or on its way there; of large
+ *  ones a part, which is read by brick. */
 export interface HeldSteps {
     /** Bytes of each. */
     steps: readonly StepHeld[];
@@ -79,7 +81,7 @@ export class AppState {
     readonly retryAt = signal(0);
     readonly everConnected = signal(false);
     readonly stage = signal<Stage>('starting');
-    /** What the server says it can do; what is not named here it cannot. */
+    /** Holds what the server says it can do; what is not named here it cannot. */
     readonly capabilities = signal<readonly string[]>([]);
     /** All that the server has. */
     readonly datasets = signal<readonly DatasetEntry[]>([]);
@@ -89,14 +91,14 @@ export class AppState {
     readonly surfaces = signal<ReadonlyMap<string, SurfaceRecord>>(new Map());
     readonly bookmarks = signal<ReadonlyMap<string, BookmarkRecord>>(new Map());
     readonly annotations = signal<ReadonlyMap<string, AnnotationRecord>>(new Map());
-    /** Everyone in the session, this page too. */
+    /** Every user in the session, this page too. */
     readonly participants = signal<ReadonlyMap<string, Participant>>(new Map());
     readonly you = signal<string | null>(null);
     readonly session = signal<string | null>(null);
     readonly sessionName = signal('');
     /** The session that this one was copied from; null: none. */
     readonly copyOf = signal<{ session: string; name: string } | null>(null);
-    /** That people of this session have typed; an empty one is as the dataset says. */
+    /** Are the units that people of this session have typed; an empty one is as the dataset says. */
     readonly typedUnits = signal<Units>(noUnits);
     readonly gone = signal<GoneSession | null>(null);
     /** Empty where it is not told. */
@@ -104,7 +106,8 @@ export class AppState {
     /** The surface that the panel and the time bar act on: one of the active rake's, if that has any. */
     readonly activeSurface = signal<string | null>(null);
     readonly activeRake = signal<string | null>(null);
-    /** The active rake as the user has it on the screen, ahead of the server's record while an edit is on its way. */
+    /** The active rake as the user has it on the screen, ahead of the server's record while an edit is on its
+     *  way. */
     readonly rakeShape = signal<ShownRake>({ kind: 'line', points: [] });
     readonly rakePoints = computed(() => this.rakeShape.value.points);
     /** Surfaces that this page does not show, and is sent nothing of. */
@@ -116,9 +119,9 @@ export class AppState {
     readonly parts = signal<ReadonlyMap<string, readonly SurfacePart[]>>(new Map());
     /** The newest epoch that an answer or a record of the server has named, by surface. */
     readonly requestedEpochs = signal<ReadonlyMap<string, number>>(new Map());
-    /** What the server counted on the newest finished state of a surface. */
+    /** Holds what the server counted on the newest finished state of a surface. */
     readonly outcomes = signal<ReadonlyMap<string, SurfaceStats>>(new Map());
-    /** What the values of a surface range over since it began to play, as everybody is told. */
+    /** Holds what the values of a surface range over since it began to play, as every user is told. */
     readonly valueRanges = signal<ReadonlyMap<string, readonly ValueRange[]>>(new Map());
     readonly surfaceErrors = signal<ReadonlyMap<string, SurfaceFailure>>(new Map());
     /** Surfaces of which older states were left out, because this client is slower than the server. */
@@ -129,17 +132,17 @@ export class AppState {
     /** Nothing of the session can be changed from here: it is for looking on, or the server does not hear. */
     readonly locked = computed(() => this.role.value === 'viewer' || this.stage.value !== 'running');
     readonly editsPending = signal(false);
-    /** What was refused or has failed. */
+    /** Holds what was refused or has failed. */
     readonly problems = new Announcements();
-    /** What is good to know, by its kind. */
+    /** Holds what is good to know, by its kind. */
     readonly notices = new Announcements();
-    /** Of the selected surface, while it takes long. */
+    /** Is the progress of the selected surface, while it takes long. */
     readonly progress = signal<SurfaceStanding | null>(null);
-    /** Of a message to the server and back. */
+    /** Is the time of a message to the server and back, in milliseconds. */
     readonly roundTripMs = signal<number | null>(null);
-    /** What the server suggests to begin with in the dataset; null: not known yet. */
+    /** Holds what the server suggests to begin with in the dataset; null: not known yet. */
     readonly suggestion = signal<({ dataset: string } & ResultOf<'dataset.suggest'>) | null>(null);
-    /** Of the newest edit that is on the screen. */
+    /** Belongs to the newest edit that is on the screen. */
     readonly latency = signal<LatencySample | null>(null);
 
     readonly surface = computed(() => this.surfaces.value.get(this.activeSurface.value ?? ''));
@@ -163,7 +166,7 @@ export class AppState {
         const ready = this.datasetEntry.value?.steps?.ready ?? times.length;
         return times.slice(0, Math.max(1, ready));
     });
-    /** Of the velocity, over the whole dataset: colours mean the same at all times. */
+    /** Is the range of the speed over the whole dataset: colours mean the same at all times. */
     readonly speedRange = computed((): [number, number] => {
         const dataset = this.dataset.value;
         const field = dataset?.fields.find(({ name }) => name === dataset.velocity);
@@ -173,10 +176,10 @@ export class AppState {
     });
 }
 
-/** How far the server has come with a surface; null: not known. */
+/** Describes how far the server has come with a surface; null: not known. */
 export interface SurfaceStanding {
     surface: string;
-    /** Of the way to the final one. */
+    /** Is the part of the way to the final one, 0 to 1. */
     fraction: number | null;
     message: string;
     /** Simulation time that a streak or time surface has come to. */
@@ -184,7 +187,7 @@ export interface SurfaceStanding {
     quads: number | null;
     /** Seconds that it may still take. */
     remaining: number | null;
-    /** How long people have been waiting. */
+    /** Says how long people have been waiting. */
     lasting: 'briefly' | 'a while' | 'long';
 }
 
@@ -192,7 +195,7 @@ export interface SurfaceStanding {
 export interface SurfaceFailure {
     epoch: number;
     text: string;
-    /** Someone did not want to wait for it. */
+    /** A user did not want to wait for it. */
     stopped: boolean;
 }
 

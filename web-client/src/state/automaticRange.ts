@@ -1,8 +1,8 @@
-// What colours stand for where no one has said it, by what they show.
+// Says what colours stand for where no user has said it, by what they show.
 import type { SurfaceRecord, ValueRange } from '../protocol/messages.ts';
 import type { SurfaceLook } from './surfaceLook.ts';
 
-/** Of one field, on some surfaces. */
+/** Is the range of one field, on some surfaces. */
 export interface AutomaticRange extends Omit<ValueRange, 'attribute'> {
     surfaces: number;
 }
@@ -10,7 +10,8 @@ export interface AutomaticRange extends Omit<ValueRange, 'attribute'> {
 /** By meaningOf(). */
 export type AutomaticRanges = ReadonlyMap<string, AutomaticRange>;
 
-/** Surfaces whose colours mean the same have the same name here. Across a patch age is not what it is elsewhere. */
+/** Surfaces whose colours mean the same have the same name here. Across a patch age is not what it is
+ *  elsewhere. */
 export function meaningOf({ colourBy }: SurfaceLook, { kind }: Pick<SurfaceRecord, 'kind'>): string {
     return colourBy === 'age' && kind === 'time' ? 'patch' : colourBy;
 }

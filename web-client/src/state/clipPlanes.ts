@@ -4,7 +4,7 @@ export interface ClipPlane {
     on: boolean;
     /** Where it crosses its axis, 0 .. 1 of the domain. */
     at: number;
-    /** What lies beyond it is cut away; flipped, what lies before it. */
+    /** Places the plane: what lies beyond it is cut away; flipped, what lies before it. */
     flipped: boolean;
 }
 
@@ -33,7 +33,7 @@ function planeOf(value: unknown): ClipPlane {
     return { on: on === true, at: place, flipped: flipped === true };
 }
 
-/** As (nx, ny, nz, w): cut away is where n . point > w. Planes that are off cut nothing. */
+/** Returns planes as (nx, ny, nz, w): cut away is where n . point > w. Planes that are off cut nothing. */
 export function planeNumbers({ planes }: ClipPlanes, bounds: readonly number[]): [number, number, number, number][] {
     return planes.map(({ on, at, flipped }, axis) => {
         const [low, high] = [bounds[2 * axis] ?? 0, bounds[2 * axis + 1] ?? 0];

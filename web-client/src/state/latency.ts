@@ -1,5 +1,5 @@
-// From an edit to the picture of its surface, and where the time went. The server's answer to an edit names the epochs it
-// started; the frame that shows one of them ends the measurement.
+// From an edit to the picture of its surface, and where the time went. The server's answer to an edit names
+// the epochs it started; the frame that shows one of them ends the measurement.
 import type { PassSeconds } from '../protocol/messages.ts';
 
 const samplesKept = 2000;
@@ -16,7 +16,7 @@ export interface LatencySample {
     parts: Record<LatencyPart, number>;
 }
 
-/** What is measured of a picture besides when it was there. */
+/** Describes what is measured of a picture besides when it was there. */
 export interface Drawn {
     decodeMs: number;
     drawMs: number;
@@ -42,7 +42,7 @@ export class LatencyLog {
         else remember(this.editedAt, key, time);
     }
 
-    /** What the first pass of an epoch took on the server. */
+    /** Takes what the first pass of an epoch took on the server. */
     passed(surface: string, epoch: number, seconds: PassSeconds): void {
         const key = keyOf(surface, epoch);
         if (!this.passes.has(key)) remember(this.passes, key, seconds);

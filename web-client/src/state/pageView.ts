@@ -1,5 +1,5 @@
-// What a link or a bookmark remembers of a page: how the session is looked at. Comes from strangers and from older versions, so
-// that anything may be missing or wrong in it.
+// Reads and writes what a link or a bookmark remembers of a page: how the session is looked at. Comes from
+// strangers and from older versions, so that anything may be missing or wrong in it.
 import { isVec3, type Vec3 } from '../protocol/messages.ts';
 import { type ClipPlanes, decodeClip } from './clipPlanes.ts';
 import { decodeLook, encodeLook, type SurfaceLook } from './surfaceLook.ts';
@@ -16,7 +16,7 @@ export interface PageView {
     bodyTexture?: true;
     /** By surface, what the painter has revealed, as the scene encodes it. */
     masks?: Record<string, string>;
-    /** What is hidden or locked, as visibility.ts encodes it; not there: nothing. */
+    /** Holds what is hidden or locked, as visibility.ts encodes it; not there: nothing. */
     shown?: object;
 }
 
@@ -49,7 +49,8 @@ export function readPageView(value: unknown): PageView {
     return view;
 }
 
-/** Of the same surfaces under other names; what is of one that is not among them is left out. */
+/** Returns the view of the same surfaces under other names; what is of one that is not among them is left
+ *  out. */
 export function renamedView(
     { surface, looks, masks, shown, ...kept }: PageView,
     names: ReadonlyMap<string, string>,

@@ -1,5 +1,6 @@
-// How someone wants a surface to look: plain values, kept by this page alone, and by links and bookmarks. What comes back from
-// those may be of strangers or of older versions; whatever is wrong in it becomes the usual.
+// Describes how a user wants a surface to look: plain values, kept by this page alone, and by links and
+// bookmarks. What comes back from those may be of strangers or of older versions; whatever is wrong in it
+// becomes the usual.
 
 export const colourMaps = ['viridis', 'cividis', 'inferno', 'plasma', 'coolToWarm', 'grey', 'turbo'] as const;
 export type ColourMap = (typeof colourMaps)[number];
@@ -10,14 +11,16 @@ export type PieceKind = (typeof pieceKinds)[number];
 export const backSides = ['shaded', 'same', 'tinted'] as const;
 export type BackSide = (typeof backSides)[number];
 
-/** Colours over what there is on the surface, or over what there is in all the data: the same at all times and on all surfaces. */
+/** Colours over what there is on the surface, or over what there is in all the data: the same at all times
+ *  and on all surfaces. */
 export const rangesOf = ['surface', 'data'] as const;
 export type RangeOf = (typeof rangesOf)[number];
 
 type Pair = readonly [number, number];
 
 export interface SurfaceLook {
-    /** 'constant', 'speed', 'age', 's', what the server derives ('deformation', 'approximated', 'error', 'vorticity', 'q_criterion'), or 'field:' and the name of a field of the dataset. */
+    /** 'constant', 'speed', 'age', 's', what the server derives ('deformation', 'approximated', 'error',
+     *  'vorticity', 'q_criterion'), or 'field:' and the name of a field of the dataset. */
     colourBy: string;
     /** #rrggbb where `colourBy` is 'constant'; null: as the rake. */
     colour: string | null;
@@ -39,7 +42,7 @@ export interface SurfaceLook {
     smoke: number;
     silhouettes: boolean;
     lines: LineKind;
-    /** What is left of the surface: all, or lines, ribbons or arrows on it. */
+    /** Holds what is left of the surface: all, or lines, ribbons or arrows on it. */
     pieces: PieceKind;
     /** Lengths: from one to the next, and of ribbons and arrows' heads; null: as the dataset is large. */
     pieceEvery: number | null;
@@ -47,7 +50,7 @@ export interface SurfaceLook {
     density: number;
     texture: boolean;
     animated: boolean;
-    /** What of s and of the age is shown. */
+    /** Holds what of s and of the age is shown. */
     sWindow: Pair | null;
     ageWindow: Pair | null;
     /** Each names the part of the surface it lies on, by s and t. */
@@ -93,7 +96,7 @@ export const usualLook: SurfaceLook = {
 };
 
 const longestName = 200;
-/** That links and bookmarks keep. */
+/** Is the number of hidden parts that links and bookmarks keep. */
 export const partsAtMost = 64;
 
 const isNumber = (value: unknown): value is number => typeof value === 'number' && Number.isFinite(value);
@@ -138,7 +141,7 @@ const checks: Record<keyof SurfaceLook, (value: unknown) => boolean> = {
     faded: isPart,
 };
 
-/** What differs from the usual, for a link or a bookmark. */
+/** Returns what differs from the usual, for a link or a bookmark. */
 export function encodeLook(look: SurfaceLook): Partial<SurfaceLook> {
     const differs = (name: keyof SurfaceLook): boolean => JSON.stringify(look[name]) !== JSON.stringify(usualLook[name]);
     const kept = { ...look, hiddenParts: look.hiddenParts.slice(0, partsAtMost) };

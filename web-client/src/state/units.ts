@@ -1,4 +1,4 @@
-// What the numbers of the data mean: names of units, which are written and never computed with.
+// Says what the numbers of the data mean: names of units, which are written and never computed with.
 
 export interface Units {
     length: string;

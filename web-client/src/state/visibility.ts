@@ -1,9 +1,10 @@
-// What of the session this page shows, and which rakes it lets be moved: each person's own, as the camera is. Links and saved views
-// have it too; what comes back from those may be of strangers, and what is wrong in it is left out.
+// Holds what of the session this page shows, and which rakes it lets be moved: each person's own, as the
+// camera is. Links and saved views have it too; what comes back from those may be of strangers, and what is
+// wrong in it is left out.
 
 export interface Visibility {
     hiddenRakes: ReadonlySet<string>;
-    /** Of rakes that are shown. */
+    /** Holds hidden surfaces of rakes that are shown. */
     hiddenSurfaces: ReadonlySet<string>;
     /** Only the chosen rake is shown, with its surfaces. */
     alone: boolean;
@@ -31,7 +32,8 @@ export function toggled(ids: ReadonlySet<string>, id: string): ReadonlySet<strin
     return changed;
 }
 
-/** Of the same records under other names; those that are not among them are left out. */
+/** Returns the visibility of the same records under other names; those that are not among them are left
+ *  out. */
 export function renamedVisibility(
     { hiddenRakes, hiddenSurfaces, alone, lockedRakes }: Visibility,
     rakes: ReadonlyMap<string, string>,

@@ -55,7 +55,7 @@ export class Bench {
         for (let i = 0; i < 6; ++i) await settled();
     }
 
-    /** What the problems that are told are about. */
+    /** Returns what the problems that are told are about. */
     get told(): string[] {
         return [...this.state.problems.all.value.keys()];
     }

@@ -1,5 +1,5 @@
-// The page's session without picture and network, for tests of panels: the server keeps what it is asked for and tells it back. The data are
-// like those of the bundled flow.
+// The page's session without picture and network, for tests of panels: the server keeps what it is asked for
+// and tells it back. The data are like those of the bundled flow.
 import { Calls } from '../session/base/calls.ts';
 import { Edits } from '../session/edits/edits.ts';
 import { adoptSnapshot, applyPatches } from '../session/recordMirror.ts';
@@ -27,7 +27,7 @@ export class PageBench {
     readonly state = new AppState();
     readonly view = new ViewState();
     readonly calls: Call[] = [];
-    /** What the server says to a method instead, or throws. */
+    /** Holds what the server says to a method instead, or throws. */
     readonly answers: Partial<Record<MethodName, (params: Asked) => unknown>> = {};
     readonly worker = answering((method, params) => this.answer(method, params));
     readonly edits: Edits;
@@ -83,7 +83,7 @@ export class PageBench {
         return this.calls.filter(([name]) => name === method).map(([, params]) => params);
     }
 
-    /** As the server does when someone has changed records. */
+    /** Tells patches, as the server does when a user has changed records. */
     tell(patches: readonly Patch[]): void {
         for (const { surface, epoch } of applyPatches(this.state, patches).asked) {
             const { requestedEpochs, displayed } = this.state;

@@ -16,7 +16,7 @@ export function datasetOf(change: Partial<DatasetDescription> = {}): DatasetDesc
     };
 }
 
-/** As the server makes one for a flow along x that is known from 0 to 10. */
+/** Returns a suggestion as the server makes one for a flow along x that is known from 0 to 10. */
 export function suggestionOf(): ResultOf<'dataset.suggest'> {
     const points: ResultOf<'dataset.suggest'>['rake']['points'] = [
         [0.2, 0.5, 0.1],

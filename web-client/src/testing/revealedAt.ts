@@ -1,4 +1,4 @@
-// What a painted mask shows at a place of its surface, as the shader looks it up.
+// Says what a painted mask shows at a place of its surface, as the shader looks it up.
 import { maskSize } from '../scene/surface/maskCode.ts';
 import type { SurfaceMask } from '../scene/surface/surfaceMask.ts';
 

@@ -21,7 +21,7 @@ import type { TourModel } from './help/tour.ts';
 import './view/viewButtons.ts';
 import type { ViewButtonsModel } from './view/viewButtons.ts';
 
-/** What each part of the page takes, by the name of the part. */
+/** Describes what each part of the page takes, by the name of the part. */
 export interface PageModel {
     state: Pick<AppState, 'fatal'>;
     scalarBar: ScalarBarModel;
@@ -262,7 +262,8 @@ export class App extends SignalElement {
         this.failure.value = reason;
     }
 
-    /** A drag that begins on the bar turns the view, as on the picture: the canvas takes the pointer, and what follows comes to it. */
+    /** A drag that begins on the bar turns the view, as on the picture: the canvas takes the pointer, and
+     *  what follows comes to it. */
     private handOn(event: PointerEvent): void {
         this.canvas.dispatchEvent(new PointerEvent('pointerdown', event));
     }

@@ -1,5 +1,6 @@
-// What is shown: the dataset and how large it is; where the server has several, a choice. Another dataset is another session, the
-// one in which this browser saw it last or a new one, so that no one is taken away from what they look at.
+// Shows the dataset and how large it is; where the server has several, a choice. Another dataset is another
+// session, the one in which this browser saw it last or a new one, so that no user is taken away from what
+// they look at.
 import { signal } from '@preact/signals-core';
 import { css, html, nothing, type TemplateResult } from 'lit';
 import type { DatasetEntry } from '../protocol/messages.ts';
@@ -79,7 +80,8 @@ export class DatasetHead extends ModelElement<DatasetHeadModel> {
     }
 }
 
-/** Files of the same name are told apart by what the server calls them; and how much there is, before it is opened. */
+/** Files of the same name are told apart by what the server calls them; and how much there is, before it is
+ *  opened. */
 function optionWords({ dataset, name, steps, state }: DatasetEntry, all: readonly DatasetEntry[]): string {
     const which = all.filter((each) => each.name === name).length > 1 ? [dataset] : [];
     const times = steps.total > 1 ? [`${steps.total} time-steps`] : [];

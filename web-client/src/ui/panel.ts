@@ -1,5 +1,5 @@
-// The panel at the side: what is shown and how it may be changed, a tab for each subject; below, always in sight, how far the
-// server has come.
+// The panel at the side: what is shown and how it may be changed, a tab for each subject; below, always in
+// sight, how far the server has come.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { signal } from '@preact/signals-core';
 import { bookmarkSteps, noteSteps, probeSteps, rakeSteps, surfaceSteps } from '../session/out/panelSteps.ts';
@@ -39,9 +39,9 @@ import type { SurfaceModel } from './surface/surfacePanel.ts';
 import './view/surroundingsPanel.ts';
 import type { SurroundingsModel } from './view/surroundingsPanel.ts';
 
-/** What each of its parts takes, by the name of the part. */
+/** Describes what each of its parts takes, by the name of the part. */
 export interface PanelModel {
-    /** What the scripts that are offered below a part are made of. */
+    /** Holds what the scripts that are offered below a part are made of. */
     state: AppState;
     view: ViewState;
     ownCopy: OwnCopy;
@@ -263,7 +263,8 @@ export class Panel extends ModelElement<PanelModel> {
         `;
     }
 
-    /** What may be done here, where it is not everything; and whose session it is, where it is a copy. */
+    /** Returns what may be done here, where it is not everything; and whose session it is, where it is a
+     *  copy. */
     private place(): TemplateResult | typeof nothing {
         const { state, ownCopy } = this.model;
         if (state.role.value === 'viewer') {

@@ -1,5 +1,5 @@
-// What the attributes of a surface's frames are called. Frames carry numbers alone; which ones depends on the fields that the
-// surface had at their epoch.
+// Says what the attributes of a surface's frames are called. Frames carry numbers alone; which ones depends
+// on the fields that the surface had at their epoch.
 
 /** protocol/wire/README.md, Attributes: these come first, then the surface's fields. */
 export const everySurface: readonly string[] = ['speed', 's', 't'];
@@ -15,7 +15,7 @@ export class AttributeNames {
         if (epochs.size > epochsKept && oldest !== undefined) epochs.delete(oldest);
     }
 
-    /** Of frames of an epoch, `count` of them: those that are known for sure. */
+    /** Returns names of the `count` attributes of an epoch's frames: those that are known for sure. */
     of(surface: string, epoch: number, count: number): readonly string[] {
         const epochs = [...(this.known.get(surface) ?? [])].filter(([known]) => known <= epoch);
         const newest = epochs.sort(([a], [b]) => b - a)[0]?.[1];

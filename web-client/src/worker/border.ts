@@ -16,8 +16,8 @@ export function eachSide(cells: Int32Array, gone: Uint8Array, use: (from: number
 }
 
 /**
- * 1 for each vertex on a border. Inside, each neighbour is met by two cells, and what is written of it twice is gone again; of a
- * vertex on the border two neighbours are met once.
+ * 1 for each vertex on a border. Inside, each neighbour is met by two cells, and what is written of it twice
+ * is gone again; of a vertex on the border two neighbours are met once.
  */
 export function borderOf(cells: Int32Array, vertices: number, gone: Uint8Array): Uint8Array {
     const met = new Int32Array(vertices);

@@ -6,13 +6,15 @@ export interface TornSurface {
     cells: Int32Array;
     vertices: number;
     positions: Float32Array;
-    /** Whether a vertex is where the surface was meant to end: an end of the rake, the first or the last time. */
+    /** Returns whether a vertex is where the surface was meant to end: an end of the rake, the first or the
+     *  last time. */
     isEnd: (vertex: number) => boolean;
 }
 
-/** Of a quad's depth: the cord stays within the outermost quads. */
+/** Limits the cord to this part of a quad's depth: the cord stays within the outermost quads. */
 const deepest = 0.75;
-/** Smoothing that leaves alone what is larger than a few vertices (Taubin 1995): inwards and outwards in turns. */
+/** Smoothing that leaves alone what is larger than a few vertices (Taubin 1995): inwards and outwards in
+ *  turns. */
 const steps = Array.from({ length: 12 }, (_, i) => (i % 2 === 0 ? 0.6 : -0.63));
 const cuts = 4;
 
@@ -26,7 +28,7 @@ export class BorderCord {
     private readonly after: Int32Array;
     /** From the vertex to those inside that it is joined with, xyz. */
     private readonly inward: Float64Array;
-    /** Of the way inwards: where the border is, and where a smooth one would be; below 0 outside of it. */
+    /** Is measured inwards: where the border is, and where a smooth one would be; below 0 outside of it. */
     private readonly depth: Float64Array;
     private readonly wanted: Float64Array;
 
@@ -56,7 +58,8 @@ export class BorderCord {
         return all.filter((_, i) => before[i]! >= 0);
     }
 
-    /** Cuts off what sticks out of the border as smoothed: without what is left of dents, which the next cut makes less of. */
+    /** Cuts off what sticks out of the border as smoothed: without what is left of dents, which the next cut
+     *  makes less of. */
     private cut(): void {
         const { before, inward, depth, wanted } = this;
         const here = new Float64Array(inward.length);

@@ -43,7 +43,7 @@ interface Corner {
     face: number[];
 }
 
-/** Of all triangles, with the normals of these. */
+/** Returns the corners of all triangles, with the normals of these. */
 function cornersOf({ positions, normals, indices }: BodyMesh): Corner[] {
     const at = (array: Float32Array, i: number): number[] => [...array.subarray(3 * i, 3 * i + 3)];
     return Array.from(indices, (vertex, corner) => {

@@ -1,13 +1,14 @@
-// Normals of a body that is round where its faces meet at a small angle, and has edges elsewhere. The faces about a corner are
-// joined across every edge at which two of them meet at less than the crease angle; each group has the mean of its normals, by
-// the angle that a face has there. A corner with several groups becomes several vertices, the first of them in its old place.
+// Normals of a body that is round where its faces meet at a small angle, and has edges elsewhere. The faces
+// about a corner are joined across every edge at which two of them meet at less than the crease angle; each
+// group has the mean of its normals, by the angle that a face has there. A corner with several groups becomes
+// several vertices, the first of them in its old place.
 import type { BodyMesh } from '../mesh/bodyMesh.ts';
 
 /** At which a body begins to have an edge. */
 export const creaseAngle = Math.PI / 6;
 
 export interface DividedBody extends BodyMesh {
-    /** Of each vertex, that of before which is at its place. */
+    /** Gives for each vertex that of before which is at its place. */
     from: Uint32Array;
 }
 
@@ -33,7 +34,7 @@ export function creaseNormals(positions: Float32Array, indices: Uint32Array, ang
     };
 }
 
-/** Of length 1; 0 of a face without area. */
+/** Returns normals of length 1; 0 of a face without area. */
 function faceNormals(p: Float32Array, indices: Uint32Array): Float64Array {
     const normals = new Float64Array(indices.length);
     for (let i = 0; i < indices.length; i += 3) {
@@ -77,7 +78,7 @@ function after(corner: number): number {
     return corner % 3 === 2 ? corner - 2 : corner + 1;
 }
 
-/** Of the triangle, at one of its corners. */
+/** Returns the angle of the triangle at one of its corners. */
 function cornerAngle(p: Float32Array, indices: Uint32Array, corner: number): number {
     const [a, b, c] = [3 * indices[corner]!, 3 * indices[after(corner)]!, 3 * indices[after(after(corner))]!];
     const [ux, uy, uz] = [p[b]! - p[a]!, p[b + 1]! - p[a + 1]!, p[b + 2]! - p[a + 2]!];
@@ -87,9 +88,10 @@ function cornerAngle(p: Float32Array, indices: Uint32Array, corner: number): num
     return Math.acos(Math.min(1, Math.max(-1, (ux * vx + uy * vy + uz * vz) / lengths)));
 }
 
-/** Corners of triangles in groups; a corner whose triangle is turned the other way than its group's first has the sign -1. */
+/** Corners of triangles in groups; a corner whose triangle is turned the other way than its group's first has
+ *  the sign -1. */
 class CornerGroups {
-    /** Of the corner whose root was asked for last. */
+    /** Is the sign of the corner whose root was asked for last. */
     sign = 1;
     private readonly parent: Int32Array;
     /** Against the parent. */
@@ -122,16 +124,19 @@ class CornerGroups {
     }
 }
 
-/** Joined across edges that exactly two triangles have: where more meet, there is no telling which of them are one side. */
+/** Joined across edges that exactly two triangles have: where more meet, there is no telling which of them
+ *  are one side. */
 function joinedCorners(indices: Uint32Array, places: Uint32Array, faces: Float64Array, cosine: number): CornerGroups {
     const groups = new CornerGroups(indices.length);
-    /** By edge, the corner that it leads from first; and from there the second, or -2 where there are more. */
+    /** By edge, the corner that it leads from first; and from there the second, or -2 where there are
+     *  more. */
     const firsts = new Map<number, number>();
     const seconds = new Int32Array(indices.length).fill(-1);
     const placeOf = (corner: number): number => places[indices[corner]!]!;
     for (let corner = 0; corner < indices.length; ++corner) {
         const [a, b] = [placeOf(corner), placeOf(after(corner))];
-        // Walls of triangles come as quads of which two corners are one: half of each has no area, and is not there.
+        // Walls of triangles come as quads of which two corners are one: half of each has no area, and is not
+        // there.
         if (a === b || a === placeOf(after(after(corner))) || b === placeOf(after(after(corner)))) continue;
         const key = Math.min(a, b) * places.length + Math.max(a, b);
         const first = firsts.get(key);
@@ -172,7 +177,8 @@ class Vertices {
     readonly positions: number[];
     readonly normals: number[];
     readonly from: number[];
-    /** Of a vertex: the group and side that it has been taken for, and the next vertex at its place; 0: none. */
+    /** Holds for a vertex the group and side that it has been taken for, and the next vertex at its place; 0:
+     *  none. */
     private readonly takenFor: number[];
     private readonly next: number[];
 

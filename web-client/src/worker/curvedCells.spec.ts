@@ -83,7 +83,8 @@ describe('curved cells', () => {
             addNormals(change.positions, change.indices, 0, change.normals);
             return rms(curvedChange(change, cells, 1e6), change.vertices);
         });
-        // Exact normals: of fourth order. Means of the triangles round a vertex: of third, less at the border.
+        // Exact normals: of fourth order. Means of the triangles round a vertex: of third, less at the
+        // border.
         for (const k of [0, 1]) expect(Math.log2(errors[k]! / errors[k + 1]!)).toBeGreaterThan(2.5);
     });
 

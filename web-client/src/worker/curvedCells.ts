@@ -1,17 +1,20 @@
-// Cells cut into smaller ones on curved patches, for a picture that stands still: sides are cubics that set out along the tangent planes of
-// their ends (Vlachos et al., Curved PN Triangles, 2001), cells blend their sides (Coons, 1967). Of fourth order with the normals that the
-// surface's tangents have, where they come with it; with means of the triangles round a vertex, of third.
+// Cells cut into smaller ones on curved patches, for a picture that stands still: sides are cubics that set
+// out along the tangent planes of their ends (Vlachos et al., Curved PN Triangles, 2001), cells blend their
+// sides (Coons, 1967). Of fourth order with the normals that the surface's tangents have, where they come
+// with it; with means of the triangles round a vertex, of third.
 import { type MeshChange, normalNames } from '../mesh/meshChange.ts';
 import { cellStride, noVertex } from '../protocol/cell.ts';
 import { triangleCount, triangulate } from '../protocol/triangulate.ts';
 
 const finest = 8;
-/** Of the picture: more would take longer to upload than it is worth. */
+/** Limits the quads of the picture: more would take longer to upload than it is worth. */
 const mostQuads = 400_000;
-/** Sine of the angle between a side and the tangent plane, beyond which the side stays straight: there is an edge. */
+/** Sine of the angle between a side and the tangent plane, beyond which the side stays straight: there is an
+ *  edge. */
 const steepest = 0.4;
 
-/** With normals from the server, where they are among the scalars, in place of its own, turned the way of those. REQUIRES: of all vertices */
+/** With normals from the server, where they are among the scalars, in place of its own, turned the way of
+ *  those. REQUIRES: of all vertices */
 export function withSentNormals(change: MeshChange): MeshChange {
     const [x, y, z] = normalNames.map((name) => change.scalars.find((each) => each.name === name)?.values);
     if (x === undefined || y === undefined || z === undefined) return change;
@@ -25,7 +28,8 @@ export function withSentNormals(change: MeshChange): MeshChange {
     return { ...change, normals };
 }
 
-/** All of a surface: each array from its first vertex on. @param pixels a unit of length has in the picture */
+/** All of a surface: each array from its first vertex on. @param pixels a unit of length has in the
+ *  picture */
 export function curvedChange(flat: MeshChange, cells: Int32Array, pixels: number): MeshChange {
     const change = withSentNormals(flat);
     const sides = new Sides(change, cells);
@@ -33,14 +37,14 @@ export function curvedChange(flat: MeshChange, cells: Int32Array, pixels: number
     return pieces === 1 ? change : new Cutter(change, cells, sides, pieces).change();
 }
 
-/** So many that no piece is off by more than a pixel. */
+/** Returns so many that no piece is off by more than a pixel. */
 function piecesFor(pixels: number, cells: number): number {
     const wanted = Math.ceil(Math.sqrt(pixels));
     const allowed = Math.floor(Math.sqrt(mostQuads / Math.max(cells, 1)));
     return Math.max(1, Math.min(wanted, allowed, finest));
 }
 
-/** What two cells share: from one vertex to the next along their outlines, each once. */
+/** Describes what two cells share: from one vertex to the next along their outlines, each once. */
 class Sides {
     readonly ends: number[] = [];
     /** The farthest from its chord that a side is. */
@@ -86,7 +90,8 @@ class Sides {
 }
 
 interface Leaning {
-    /** Of the chord over its length, along the normals at both ends; 0 where the side stays straight. */
+    /** Is the lean of the chord over its length, along the normals at both ends; 0 where the side stays
+     *  straight. */
     lean: readonly [number, number];
     length: number;
 }

@@ -1,5 +1,5 @@
-// The state of a surface as the GPU takes it: float32 positions, normals, s and t, the attributes that are shown, triangles.
-// Keeps what it has made, so that a surface that only grows costs what has grown.
+// The state of a surface as the GPU takes it: float32 positions, normals, s and t, the attributes that are
+// shown, triangles. Keeps what it has made, so that a surface that only grows costs what has grown.
 import { cellStride } from '../protocol/cell.ts';
 import { type Cut, type MeshChange, normalNames, type ScalarChange, type SurfacePart } from '../mesh/meshChange.ts';
 import { dequantise, type Lattice } from '../protocol/lattice.ts';
@@ -26,13 +26,14 @@ export class DisplayArrays {
     private cutAsked = false;
     private unitsAsked = false;
     private unresolvedAsked = false;
-    /** What was given away last is of curved cells: nothing of it stays. Only take() changes it. */
+    /** Says whether what was given away last is of curved cells: nothing of it stays. Only take() changes
+     *  it. */
     curved = false;
     private positions = new Float32Array(0);
     private indices = new Uint32Array(0);
     private triangles = 0;
     private cellsCut = 0;
-    /** What has changed since take(). */
+    /** Holds what has changed since take(). */
     private fromVertex = 0;
     private fromNormal = 0;
     private fromSeed = 0;
@@ -44,12 +45,12 @@ export class DisplayArrays {
         this.attributes = attributes;
     }
 
-    /** What the frames carry and take() leaves out, since it has not been asked for. */
+    /** Returns what the frames carry and take() leaves out, since it has not been asked for. */
     get withheld(): string[] {
         return this.attributes.filter((name) => !this.shown.has(name));
     }
 
-    /** Whether take() has anything new to give because of it. */
+    /** Returns whether take() has anything new to give because of it. */
     show(wish: ShowWish): boolean {
         const { attributes, parts, trimmed, units } = wish;
         const before = this.wish;
@@ -102,7 +103,8 @@ export class DisplayArrays {
         return this.wish.curved !== undefined;
     }
 
-    /** All that has been noted, in arrays to give away. @param curve makes them of curved cells, where those are wanted: all is new then, and the next time */
+    /** All that has been noted, in arrays to give away. @param curve makes them of curved cells, where those
+     *  are wanted: all is new then, and the next time */
     take(mesh: WireMesh, curve: CurveCells | null = null): MeshChange {
         const { curved: pixels } = this.wish;
         const curved = pixels !== undefined && curve !== null;
@@ -228,7 +230,8 @@ export class DisplayArrays {
         return mesh.ranges[this.attributes.indexOf(name)];
     }
 
-    /** The values of an attribute, less `origin`, from some vertex on, NaN where there is none; those of one that does not come stay 0. */
+    /** The values of an attribute, less `origin`, from some vertex on, NaN where there is none; those of one
+     *  that does not come stay 0. */
     private fill(
         mesh: WireMesh,
         name: string,
@@ -248,7 +251,8 @@ export class DisplayArrays {
     }
 }
 
-/** Where a surface was meant to end: at the ends of the rake, and at the first and the last t. @param seeds s and t in turns */
+/** Where a surface was meant to end: at the ends of the rake, and at the first and the last t. @param seeds s
+ *  and t in turns */
 function endsOf(seeds: Float32Array): (vertex: number) => boolean {
     let [low, high] = [Infinity, -Infinity];
     for (let i = 1; i < seeds.length; i += 2) {

@@ -1,4 +1,5 @@
-// The body of a dataset: the frames of one KEY, one after the other, each after its length in bytes. At a time it has the flow along it.
+// The body of a dataset: the frames of one KEY, one after the other, each after its length in bytes. At a
+// time it has the flow along it.
 import { signed } from '../connection/ownServer.ts';
 import type { BodyMesh } from '../mesh/bodyMesh.ts';
 import type { DracoPoints } from '../protocol/dracoPoints.ts';
@@ -21,7 +22,8 @@ export interface Wanted {
 /** Speed, s and t come before it. */
 const velocityAt = 3;
 
-/** Where the vertices of the body that was read last come from: its edges are not looked for again at each time. */
+/** Where the vertices of the body that was read last come from: its edges are not looked for again at each
+ *  time. */
 let last: { nodes: Int32Array; from: Uint32Array } | null = null;
 
 /** Null when the dataset has no obstacle. */

@@ -1,10 +1,10 @@
-// Connected parts of a surface: a tear leaves several. Found by joining the vertices of each cell (disjoint sets with path
-// halving, Tarjan and van Leeuwen 1984).
+// Connected parts of a surface: a tear leaves several. Found by joining the vertices of each cell (disjoint
+// sets with path halving, Tarjan and van Leeuwen 1984).
 import { cellStride, noVertex } from '../protocol/cell.ts';
 import { type SurfacePart, wholeCut } from '../mesh/meshChange.ts';
 import type { PartsWish } from './workerMessages.ts';
 
-/** Of each vertex, the first vertex of its part. */
+/** Returns for each vertex the first vertex of its part. */
 export function rootsOf(cells: Int32Array, vertices: number): Int32Array {
     const parent = new Int32Array(vertices);
     for (let i = 0; i < vertices; ++i) parent[i] = i;
@@ -31,7 +31,8 @@ export function rootsOf(cells: Int32Array, vertices: number): Int32Array {
     return parent;
 }
 
-/** Connected parts, and the levels (`Cut`) of those that are hidden. @param seeds s and t less tFrom of each vertex */
+/** Connected parts, and the levels (`Cut`) of those that are hidden. @param seeds s and t less tFrom of each
+ *  vertex */
 export function findParts(
     cells: Int32Array,
     vertices: number,

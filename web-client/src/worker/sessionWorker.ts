@@ -30,7 +30,7 @@ class SessionWorker {
     private readonly rpc = new RpcClient((text) => this.socket.send(text));
     private readonly folder: SurfaceFolder;
     private readonly socket: LiveSocket;
-    /** Of the calls that are open. */
+    /** Cancels the calls that are open, by their id. */
     private readonly cancels = new Map<number, AbortController>();
 
     constructor(port: WorkerPort, draco: DracoPoints, baseUrl: string, shown: Credentials) {
@@ -123,7 +123,8 @@ class SessionWorker {
         return result;
     }
 
-    /** Goes on from the state that is here, if the server can; else, or where it will not hear of that, with a whole one. */
+    /** Goes on from the state that is here, if the server can; else, or where it will not hear of that, with
+     *  a whole one. */
     private async subscribe({ surface }: ParamsOf<'surface.subscribe'>): Promise<ResultOf<'surface.subscribe'>> {
         const from = this.folder.placeOf(surface);
         const whole = (): Promise<ResultOf<'surface.subscribe'>> => this.rpc.call('surface.subscribe', { surface });
@@ -135,8 +136,8 @@ class SessionWorker {
     }
 
     /**
-     * A server that knows us gives our token back. Any other, as after a restart, may call its session, its surfaces and
-     * their epochs as before, and mean others.
+     * A server that knows us gives our token back. Any other, as after a restart, may call its session, its
+     * surfaces and their epochs as before, and mean others.
      */
     private joined(sent: string | undefined, received: string): void {
         if (sent === undefined || sent !== received) this.folder.forgetAll();

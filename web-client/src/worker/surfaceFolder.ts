@@ -1,5 +1,6 @@
-// Folds the frames of all subscriptions into states. What the page has not taken yet waits here as a note of what has
-// changed: a page that is slow or hidden gets the newest state when it asks, and no state in between.
+// Folds the frames of all subscriptions into states. What the page has not taken yet waits here as a note of
+// what has changed: a page that is slow or hidden gets the newest state when it asks, and no state in
+// between.
 import type { Subscription, SurfaceRecord } from '../protocol/messages.ts';
 import type { DracoPoints } from '../protocol/dracoPoints.ts';
 import { MeshDecoder } from '../protocol/meshDecoder.ts';
@@ -55,7 +56,7 @@ export class SurfaceFolder {
         this.options = options;
     }
 
-    /** What a new subscription of the surface may go on from. */
+    /** Returns what a new subscription of the surface may go on from. */
     placeOf(surface: string): UpdatePlace | undefined {
         const decoder = this.followed.get(surface)?.decoder;
         if (decoder?.newest === undefined || decoder.mesh === undefined) return undefined;
@@ -164,7 +165,7 @@ export class SurfaceFolder {
         this.offer(followed);
     }
 
-    /** What moves stays flat: curved cells take as long as many states. */
+    /** Curves what is at rest; what moves stays flat: curved cells take as long as many states. */
     private curveAtRest(followed: Followed): void {
         clearTimeout(followed.rest);
         if (!followed.display.wantsCurves) return;

@@ -45,7 +45,8 @@ class Grid {
         );
     }
 
-    /** How much of the quads in column x is drawn along their left sides: what the GPU leaves of the levels between vertices. */
+    /** Returns how much of the quads in column x is drawn along their left sides: what the GPU leaves of the
+     *  levels between vertices. */
     drawn(x: number, high: number): number {
         const levels = this.trimmed?.levels;
         let sum = 0;

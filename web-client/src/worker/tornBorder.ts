@@ -1,6 +1,7 @@
-// What is not drawn of a surface where it is torn, so that its border is as smooth as one would draw it: quads that stick out one
-// by one, crumbs, and of the quads along the border what lies outside of a smooth line. Levels of the vertices say so, and the GPU
-// cuts where levels between vertices pass `cutLevel`: cells, triangles and vertices stay as the server has sent them.
+// Cuts what is not drawn of a surface where it is torn, so that its border is as smooth as one would draw it:
+// quads that stick out one by one, crumbs, and of the quads along the border what lies outside of a smooth
+// line. Levels of the vertices say so, and the GPU cuts where levels between vertices pass `cutLevel`: cells,
+// triangles and vertices stay as the server has sent them.
 import { cutLevel, wholeCut } from '../mesh/meshChange.ts';
 import { cellStride, noVertex } from '../protocol/cell.ts';
 import { borderOf } from './border.ts';
@@ -8,15 +9,15 @@ import { BorderCord, type TornSurface } from './borderCord.ts';
 import { rootsOf } from './parts.ts';
 
 export interface Trimming {
-    /** Of each vertex. */
+    /** Has a level for each vertex. */
     levels: Uint8Array;
-    /** Of which something is cut. */
+    /** Is the number of cells of which something is cut. */
     cells: number;
 }
 
 /** Longer rows of single quads are what the flow has made of the surface, not what tearing has left of it. */
 const longestTooth = 12;
-/** Of crumbs, in cells, where the whole has so many times more. */
+/** Limits crumbs, in cells, where the whole has so many times more. */
 const largestCrumb = 8;
 const wholeOverCrumb = 50;
 
@@ -80,7 +81,7 @@ function leftOut({ cells, vertices, isEnd }: TornSurface, torn: Uint8Array): Uin
     }
     for (const tooth of chainsOf(thinCells, cells)) {
         const root = roots[cells[tooth[0]!]!]!;
-        // A surface that is narrow as a whole is what someone asked for.
+        // A surface that is narrow as a whole is what a user asked for.
         if (tooth.length > longestTooth || 2 * thin[root]! > size[root]!) continue;
         for (const base of tooth) gone[base / cellStride] = 1;
     }

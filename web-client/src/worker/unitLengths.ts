@@ -1,5 +1,6 @@
-// How long a unit of s, and one of t, is on a surface: what even distances are measured by (core/surface/even_lines, lengths_per_unit). At a
-// vertex it is the inverse of the gradient's mean over its triangles.
+// Measures how long a unit of s, and one of t, is on a surface: what even distances are measured by
+// (core/surface/even_lines, lengths_per_unit). At a vertex it is the inverse of the gradient's mean over its
+// triangles.
 
 /**
  * Two a vertex; 0 where the parameter does not change.

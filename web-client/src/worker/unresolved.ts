@@ -1,20 +1,22 @@
-// What a fixed grid cannot resolve of a surface (after von Funck, Weinkauf, Theisel, Seidel, Smoke Surfaces, 2008): smoke hides it. Of a
-// triangle of area A with sides a, b, c the paper's factor of shape is 4 A / (sqrt 3 max(ab, bc, ca)), 1 where they are equal; here it is
-// counted from half a square, which a grid begins with. Its factor of curvature falls with the greatest |n . e| / |e| of a vertex with
-// normal n, over the sides e that meet there.
+// Finds what a fixed grid cannot resolve of a surface (after von Funck, Weinkauf, Theisel, Seidel, Smoke
+// Surfaces, 2008): smoke hides it. Of a triangle of area A with sides a, b, c the paper's factor of shape is
+// 4 A / (sqrt 3 max(ab, bc, ca)), 1 where they are equal; here it is counted from half a square, which a grid
+// begins with. Its factor of curvature falls with the greatest |n . e| / |e| of a vertex with normal n, over
+// the sides e that meet there.
 
 export interface Triangles {
     positions: Float32Array;
-    /** Of length 1. */
+    /** Have length 1. */
     normals: Float32Array;
     indices: Uint32Array;
     vertices: number;
 }
 
-/** Of half a square: 4 (1/2) / (sqrt 3 sqrt 2). */
+/** Is the value of half a square: 4 (1/2) / (sqrt 3 sqrt 2). */
 const halfSquare = Math.sqrt(2 / 3);
 
-/** Two a vertex: what shape takes away, the mean over its triangles by their area; the sine of how far sides there leave its plane. */
+/** Two a vertex: what shape takes away, the mean over its triangles by their area; the sine of how far sides
+ *  there leave its plane. */
 export function unresolved({ positions, normals, indices, vertices }: Triangles): Float32Array {
     const found = new Float32Array(2 * vertices);
     const areas = new Float32Array(vertices);

@@ -1,5 +1,5 @@
-// Notices a worker that hangs, from outside: it is asked every second and has two to answer. Bytes that make a decoder run
-// for ever can then cost one worker, not the page.
+// Notices a worker that hangs, from outside: it is asked every second and has two to answer. Bytes that make
+// a decoder run for ever can then cost one worker, not the page.
 import type { Clock, Timer } from '../connection/clock.ts';
 
 const askEveryMs = 1000;

@@ -7,7 +7,8 @@ import { errorWords, type MethodName, type ParamsOf, type ResultOf } from '../pr
 import type { CallFailure, FromWorker, MessageOf, ShowWish, ToWorker } from './workerMessages.ts';
 import { Watchdog } from './watchdog.ts';
 
-/** A call that the server refused, that no connection carried, or of which this page does not understand the answer. */
+/** A call that the server refused, that no connection carried, or of which this page does not understand the
+ *  answer. */
 export class CallError extends Error {
     readonly failure: CallFailure;
 
@@ -45,7 +46,8 @@ export class WorkerClient {
         });
     }
 
-    /** Connects, and stays connected. `onEvent` hears of everything that is no answer to a call, from now on. */
+    /** Connects, and stays connected. `onEvent` hears of everything that is no answer to a call, from now
+     *  on. */
     start(baseUrl: string, shown: Credentials, onEvent: (event: WorkerEvent) => void): void {
         this.onEvent = onEvent;
         this.origin = { baseUrl, ...shown };
@@ -105,7 +107,7 @@ export class WorkerClient {
         this.post({ type: 'taken', surface });
     }
 
-    /** What of a surface is drawn; until told, the speed. */
+    /** Says what of a surface is drawn; until told, the speed. */
     show(surface: string, wish: ShowWish): void {
         this.post({ type: 'show', surface, ...wish });
     }
@@ -120,7 +122,7 @@ export class WorkerClient {
         this.post({ type: 'logIn', token });
     }
 
-    /** What another window got, where this one is not let in. */
+    /** Takes what another window got, where this one is not let in. */
     takeLogin(login: string): void {
         this.post({ type: 'logIn', login });
     }

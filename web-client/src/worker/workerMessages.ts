@@ -19,11 +19,12 @@ export interface ToWorker {
     obstacleFlow: { id: number; dataset: string; lattice: Lattice; time: number };
     /** A state of this surface is on the screen: the next one may come. */
     taken: { surface: string };
-    /** Of the surface's attributes, the page wants these; of its parts, what is asked here. */
+    /** Says which of the surface's attributes the page wants; of its parts, what is asked here. */
     show: { surface: string } & ShowWish;
     /** The surface is no more. */
     forget: { surface: string };
-    /** Another token; or a login, for a page that is not let in with what it has. Connects, if it was refused. */
+    /** Another token; or a login, for a page that is not let in with what it has. Connects, if it was
+     *  refused. */
     logIn: { token: string; login?: undefined } | { token?: undefined; login: string };
     /** The browser believes that it is online again. */
     retryNow: object;
@@ -40,13 +41,13 @@ export interface FromWorker {
     reply: { id: number; result: unknown };
     failure: { id: number; failure: CallFailure };
     notification: { notification: Notification };
-    /** What of a notification the page would not understand, in words. */
+    /** Holds what of a notification the page would not understand, in words. */
     unreadable: { faults: string[] };
     surface: SurfaceState;
     /** Frames of a surface did not fit together; it has to be subscribed again. */
     frameTrouble: { surface: string; subscription: number; reason: string };
     here: object;
-    /** How long a message to the server and back takes. */
+    /** Says how long a message to the server and back takes. */
     roundTrip: { ms: number };
 }
 
@@ -64,12 +65,13 @@ export interface SurfaceState extends TimedMeshChange {
     phase: Phase;
     stateSum: number;
     cells: number;
-    /** Of the mesh: those of the arrays are more where cells are curved. */
+    /** Counts the vertices of the mesh: those of the arrays are more where cells are curved. */
     meshVertices: number;
     /** Updates applied so far: whole states, and changes of the state before. */
     keys: number;
     deltas: number;
-    /** Attributes that came with it and stayed in the worker: until then the page had not said that it wants them. */
+    /** Attributes that came with it and stayed in the worker: until then the page had not said that it wants
+     *  them. */
     withheld: readonly string[];
     /** The arrays are of curved cells. */
     curved: boolean;
@@ -77,17 +79,19 @@ export interface SurfaceState extends TimedMeshChange {
     decodeMs: number;
 }
 
-/** What the page wants of a surface. */
+/** Describes what the page wants of a surface. */
 export interface ShowWish {
     attributes: readonly string[];
     parts: PartsWish | null;
     /** Smooth borders where it is torn. */
     trimmed: boolean;
-    /** Cells of states that stand still are curved: pixels that a unit of length has in the picture. Left out: flat. */
+    /** Cells of states that stand still are curved: pixels that a unit of length has in the picture. Left
+     *  out: flat. */
     curved?: number;
-    /** How long units of s and t are, on a surface whose rake is open or closed; left out: no one needs to know. */
+    /** Says how long units of s and t are, on a surface whose rake is open or closed; left out: no user needs
+     *  to know. */
     units?: 'open' | 'closed';
-    /** What a fixed grid cannot resolve, which smoke hides. */
+    /** Holds what a fixed grid cannot resolve, which smoke hides. */
     unresolved?: true;
 }
 

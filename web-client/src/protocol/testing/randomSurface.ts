@@ -32,7 +32,7 @@ export interface Step {
     options: WriteOptions;
 }
 
-/** What comes after `before`; a KEY starts from nothing. */
+/** Returns what comes after `before`; a KEY starts from nothing. */
 export function randomStep(before: PlainState, dice: Dice, seq: number, key: boolean): Step {
     const from = key ? emptyState() : before;
     const edit = randomEdit(from, dice);

@@ -1,5 +1,5 @@
-// Writes frames as protocol/wire/FORMAT.md has them, slowly and plainly: every list is searched, every number is a BigInt or
-// small. Shares no code with the reader but the byte counts, so that each checks the other.
+// Writes frames as protocol/wire/FORMAT.md has them, slowly and plainly: every list is searched, every number
+// is a BigInt or small. Shares no code with the reader but the byte counts, so that each checks the other.
 import { deflateRawSync } from 'node:zlib';
 import { crc32 } from '../crc32.ts';
 import { frameCrcAt, frameHeaderBytes } from '../meshFrame.ts';
@@ -39,8 +39,8 @@ export function emptyState(): PlainState {
 }
 
 /**
- * The frames from `before` to about `wanted`, and the state that a reader must have after them: `wanted` to within the
- * tolerances that chance chose. `wanted.changes` are looked at with `history` only.
+ * The frames from `before` to about `wanted`, and the state that a reader must have after them: `wanted` to
+ * within the tolerances that chance chose. `wanted.changes` are looked at with `history` only.
  */
 export function writeUpdate(
     before: PlainState,
@@ -146,7 +146,8 @@ function dracoBlock(residuals: number[][], channels: number[][]): number[] {
     const attributes = channels.flatMap((parts, i) => [4, 5, parts.length, 0, i]);
     const values = channels.flatMap((parts) => {
         const symbols = Uint32Array.from(residuals.flatMap((r) => parts.map((i) => (r[i]! << 1) ^ (r[i]! >> 31))));
-        return [0xfe, 0, 4, ...new Uint8Array(symbols.buffer)]; // no prediction, no compression, bytes a value
+        // No prediction, no compression, bytes a value.
+        return [0xfe, 0, 4, ...new Uint8Array(symbols.buffer)];
     });
     const coding = channels.map(() => 1);
     return [...start, 2, 3, 0, 0, 0, 0, ...count, 1, channels.length, ...attributes, ...coding, ...values];

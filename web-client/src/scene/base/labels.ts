@@ -1,5 +1,5 @@
-// Words over the picture: DOM text, sharp at any size and readable by assistive tools. Elements are used again from frame to
-// frame, because text is costly to lay out.
+// Words over the picture: DOM text, sharp at any size and readable by assistive tools. Elements are used
+// again from frame to frame, because text is costly to lay out.
 import type { ScreenPoint } from './view.ts';
 
 /** The middle of the words is there, or their beginning. */

@@ -1,8 +1,9 @@
-// How numbers are written, wherever the page does. What has a place in a range, as a coordinate or a time, is written as finely
-// as the range and the step ask for, however large it is; what is a size of its own, as a speed, with four digits.
+// Writes numbers, wherever the page does. What has a place in a range, as a coordinate or a time, is written
+// as finely as the range and the step ask for, however large it is; what is a size of its own, as a speed,
+// with four digits.
 
 const minus = '\u2212';
-/** Of what is written without an exponent. */
+/** Limits what is written without an exponent. */
 const mostWhole = 1e6;
 const leastPlain = 1e-3;
 /** A number of more digits than these was computed, not typed. */
@@ -19,7 +20,8 @@ export function shortNumber(value: number): string {
     return signed(String(Number(value.toPrecision(Math.max(4, whole)))));
 }
 
-/** What a place in a range is written to: a thousandth of the range, or the step in it where that is finer. */
+/** Returns what a place in a range is written to: a thousandth of the range, or the step in it where that is
+ *  finer. */
 export function resolutionOf(low: number, high: number, step = Number.POSITIVE_INFINITY): number {
     return Math.min((high - low) / 1000, step);
 }
@@ -40,7 +42,8 @@ export function placeNumber(value: number, resolution: number): string {
     return signed(rounded(value, resolution));
 }
 
-/** A value of a field: four digits, and as many more as the field's range asks for. An end of the range that is null is unknown. */
+/** A value of a field: four digits, and as many more as the field's range asks for. An end of the range that
+ *  is null is unknown. */
 export function valueNumber(value: number, [low, high]: readonly (number | null)[] = []): string {
     const range = (high ?? Number.NaN) - (low ?? Number.NaN);
     if (!Number.isFinite(value) || value === 0 || !(range > 0)) return shortNumber(value);
@@ -53,8 +56,8 @@ export function placeNumbers(values: readonly number[], resolution: number): str
 }
 
 /**
- * For a field that one types into: what was typed stays as it was typed, what was computed is rounded a hundred times as finely as
- * for reading. Without a number, empty.
+ * For a field that one types into: what was typed stays as it was typed, what was computed is rounded a
+ * hundred times as finely as for reading. Without a number, empty.
  */
 export function fieldNumber(value: number, resolution: number): string {
     if (!Number.isFinite(value)) return '';
@@ -64,9 +67,10 @@ export function fieldNumber(value: number, resolution: number): string {
     return size !== 0 && size < leastPlain ? exponential(value, typedDigits) : String(value);
 }
 
-/** How labels along a line are written: what they share is said once. */
+/** Describes how labels along a line are written: what they share is said once. */
 export interface LabelForm {
-    /** As `×1e-6 +0.1`: a label times this and this more is the number. Empty: labels are the numbers. */
+    /** Reads like `×1e-6 +0.1`: a label times this and this more is the number. Empty: labels are the
+     *  numbers. */
     shared: string;
     label: (value: number) => string;
 }

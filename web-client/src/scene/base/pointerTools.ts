@@ -1,24 +1,26 @@
-// Who gets the pointer on the canvas: tools are asked in turn, and what none of them takes is left to the camera. Listens
-// before the camera controls do, so that the camera stays still while a tool holds the pointer.
+// Decides who gets the pointer on the canvas: tools are asked in turn, and what none of them takes is left to
+// the camera. Listens before the camera controls do, so that the camera stays still while a tool holds the
+// pointer.
 import type { ScreenPoint } from './view.ts';
 
 export interface Pointer {
     at: ScreenPoint;
-    /** Of the event, on performance.now()'s clock. */
+    /** Is the time of the event in milliseconds, on performance.now()'s clock. */
     time: number;
     shift: boolean;
 }
 
 /** One way to act on the picture with the pointer. Whatever it leaves out it does not do. */
 export interface PointerTool {
-    /** True takes the pointer until it is let go. */
+    /** True takes the pointer until it is released. */
     press?(pointer: Pointer): boolean;
     /** Only while held. */
     move?(pointer: Pointer): void;
     release?(pointer: Pointer, cancelled: boolean): void;
-    /** A press that no one took and that was let go where it was; true: done. */
+    /** A press that no tool took has ended where it began; true: done. */
     click?(pointer: Pointer): boolean;
-    /** The pointer passes over the canvas (null: it left): how the cursor should look here, if this tool cares. */
+    /** The pointer passes over the canvas (null: it left): how the cursor should look here, if this tool
+     *  cares. */
     hover?(pointer: Pointer | null): string | null;
     /** Held or passing, whichever tool has the pointer. */
     watch?(pointer: Pointer | null): void;

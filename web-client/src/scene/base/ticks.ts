@@ -8,7 +8,7 @@ export interface Tick {
 
 export interface Ticks {
     ticks: readonly Tick[];
-    /** What all labels share, said once: `×1e−6`, `+5.423e6`. Empty: nothing. */
+    /** Holds what all labels share, said once: `×1e−6`, `+5.423e6`. Empty: nothing. */
     shared: string;
 }
 

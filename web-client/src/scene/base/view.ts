@@ -15,7 +15,7 @@ export interface ScreenSize {
 
 export type SceneCamera = PerspectiveCamera | OrthographicCamera;
 
-/** What is drawn beside the surfaces: brought in line with camera and canvas before every frame. */
+/** Describes what is drawn beside the surfaces: brought in line with camera and canvas before every frame. */
 export interface Layer {
     readonly object: Object3D;
     /** True of what people work with, as pointers of others: no part of a figure. */
@@ -23,11 +23,12 @@ export interface Layer {
     update(view: View): void;
 }
 
-/** As it is for one frame or one event; a snapshot of neither. REQUIRES: the camera's matrices are up to date. */
+/** Is valid for one frame or one event; a snapshot of neither. REQUIRES: the camera's matrices are up to
+ *  date. */
 export class View {
     readonly camera: SceneCamera;
     readonly size: ScreenSize;
-    /** What of it is drawn at once: less where a picture is drawn in tiles. */
+    /** Holds what of it is drawn at once: less where a picture is drawn in tiles. */
     readonly drawnSize: ScreenSize;
     /** Pixels for one of CSS, along one side. */
     readonly pixelRatio: number;
@@ -60,7 +61,8 @@ export class View {
         return projectToScreen(point, this.camera, this.size);
     }
 
-    /** The point under a canvas position at the depth of `anchor`: on the plane through it that faces the camera. */
+    /** The point under a canvas position at the depth of `anchor`: on the plane through it that faces the
+     *  camera. */
     pointAtDepth(pointer: ScreenPoint, anchor: Vec3): Vec3 {
         const depth = new Vector3(...anchor).project(this.camera).z;
         return this.unproject(pointer, depth);
@@ -71,7 +73,7 @@ export class View {
         return [this.unproject(pointer, -1), this.unproject(pointer, 0.5)];
     }
 
-    /** How long a CSS pixel is at a place in space. */
+    /** Returns how long a CSS pixel is at a place in space. */
     worldPerPx(at: Vec3): number {
         const { camera } = this;
         if (isOrthographic(camera)) return (camera.top - camera.bottom) / camera.zoom / this.size.height;
@@ -86,7 +88,8 @@ export class View {
     }
 }
 
-/** Canvas position of a point in world coordinates; null behind the camera, which without perspective sees there too. */
+/** Canvas position of a point in world coordinates; null behind the camera, which without perspective sees
+ *  there too. */
 export function projectToScreen(point: Vec3, camera: SceneCamera, size: ScreenSize): ScreenPoint | null {
     const view = new Vector3(...point).applyMatrix4(camera.matrixWorldInverse);
     if (view.z >= 0 && !isOrthographic(camera)) return null;

@@ -1,5 +1,6 @@
-// Straight lines of a width that is the same on every screen: what of a pixel a line covers is worked out, so that it looks as bold
-// in a picture of few pixels, as while things move, as in one of many, and is smooth by itself.
+// Straight lines of a width that is the same on every screen: what of a pixel a line covers is worked out, so
+// that it looks as bold in a picture of few pixels, as while things move, as in one of many, and is smooth by
+// itself.
 import {
     AddEquation,
     type Color,
@@ -55,7 +56,7 @@ uniform float pixelRatio;
 varying float across;
 varying vec4 shown;
 
-/** How much of a pixel lies to one side of an edge that is so many pixels away from its middle. */
+/** Returns how much of a pixel lies to one side of an edge that is so many pixels away from its middle. */
 float beyond(float distance) {
     return clamp(distance + 0.5, 0.0, 1.0);
 }
@@ -72,7 +73,7 @@ void main() {
 export interface WideLinesOptions {
     /** In pixels of CSS. */
     width: number;
-    /** Whether what is before them hides them. */
+    /** Says whether what is before them hides them. */
     hidden: boolean;
     /** Drawn among what is opaque, and so before all that can be seen through. */
     early?: boolean;
@@ -118,7 +119,7 @@ export class WideLines {
     }
 }
 
-/** As `tint` takes it. */
+/** Returns a colour as `tint` takes it. */
 export function tintOf({ r, g, b }: Color, opacity = 1): [number, number, number, number] {
     return [r, g, b, opacity];
 }

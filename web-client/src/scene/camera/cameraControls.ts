@@ -1,4 +1,5 @@
-// The camera: orbit, pan and zoom with the mouse, in perspective or without; views that show the whole domain.
+// The camera: orbit, pan and zoom with the mouse, in perspective or without; views that show the whole
+// domain.
 import { OrthographicCamera, PerspectiveCamera, Quaternion, Spherical, Vector3 } from 'three';
 import type { Vec3 } from '../../protocol/messages.ts';
 import { type Bounds, centreOf } from '../domain/domainAxes.ts';
@@ -20,7 +21,8 @@ const viewDirections: Record<ViewName, Vec3> = {
     '-z': [0, -0.0005, -1],
 };
 
-/** Where the camera is and what it looks at; without perspective, what is seen is what would be at the target's distance. */
+/** Where the camera is and what it looks at; without perspective, what is seen is what would be at the
+ *  target's distance. */
 export interface CameraPose {
     position: Vec3;
     target: Vec3;
@@ -36,9 +38,9 @@ const poleGap = 0.0005;
 
 export interface CameraControlsOptions {
     requestFrame: () => void;
-    /** The view has been taken or let go. */
+    /** The view has been taken or released. */
     onHold: (held: boolean) => void;
-    /** Someone turns, moves or zooms it bit by bit, other than by `place`. */
+    /** A user turns, moves or zooms it bit by bit, other than by `place`. */
     onTurn: () => void;
 }
 
@@ -50,14 +52,14 @@ export class CameraControls {
     private readonly onTurn: () => void;
     private bounds: Bounds = [-1, 1, -1, 1, -1, 1];
     private orthographic = false;
-    /** The camera follows someone else's just now. */
+    /** The camera follows another user's just now. */
     private led = false;
     private placing = false;
-    /** No one has moved it since it showed a new domain by itself. */
+    /** No user has moved it since it showed a new domain by itself. */
     private untouched = false;
-    /** What it shows by itself while no one has moved it. */
+    /** Holds what it shows by itself while no user has moved it. */
     private shownPart: Bounds | null = null;
-    /** Of the picture when the camera was last placed or moved. */
+    /** Is the width of the picture over its height when the camera was last placed or moved. */
     private placedAspect = 1;
 
     constructor({ requestFrame, onHold, onTurn }: CameraControlsOptions) {
@@ -125,8 +127,8 @@ export class CameraControls {
     }
 
     /**
-     * The picture on the page has another shape: what was seen in its width stays in it. A figure, which has a shape of its own, is drawn
-     * from where the camera is.
+     * The picture on the page has another shape: what was seen in its width stays in it. A figure, which has
+     * a shape of its own, is drawn from where the camera is.
      */
     resized(aspect: number): void {
         const before = this.perspective.aspect;
@@ -152,7 +154,8 @@ export class CameraControls {
         this.untouched = true;
     }
 
-    /** Shows this part of the domain as it would show all of it, unless someone has moved it. False: it has been. */
+    /** Shows this part of the domain as it would show all of it, unless a user has moved it. False: it has
+     *  been. */
     offer(part: Bounds): boolean {
         if (!this.untouched) return false;
         this.lookAt(part, 'oblique');
@@ -209,7 +212,7 @@ export class CameraControls {
         this.move(new Vector3().setFromSpherical(place).applyQuaternion(zToY.clone().invert()).add(target), target);
     }
 
-    /** What is seen moves by parts of the height of the picture. */
+    /** Moves what is seen by parts of the height of the picture. */
     pan(right: number, up: number): void {
         const { camera, orbit } = this;
         const offset = this.offset();
@@ -234,14 +237,14 @@ export class CameraControls {
         this.onTurn();
     }
 
-    /** As someone else looks: no one is told that this camera has moved. */
+    /** Takes the pose of another user: nothing is told that this camera has moved. */
     follow(pose: CameraPose): void {
         this.led = true;
         this.place(pose);
         this.led = false;
     }
 
-    /** As large as the perspective shows what is at `distance`. */
+    /** Shows things as large as the perspective shows what is at `distance`. */
     private scaleParallel(distance: number, size: number): void {
         const { parallel } = this;
         const half = distance * Math.tan((this.perspective.fov * Math.PI) / 360);

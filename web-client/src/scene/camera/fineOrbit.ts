@@ -1,9 +1,9 @@
-// Orbit controls for domains of any size: three's own tell of no movement shorter than a thousandth of a unit, which in a domain of
-// micrometres is every one, so that nothing would be drawn again.
+// Orbit controls for domains of any size: three's own tell of no movement shorter than a thousandth of a
+// unit, which in a domain of micrometres is every one, so that nothing would be drawn again.
 import { Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
-/** Of the distance to the target: far less than a pixel. */
+/** Is a part of the distance to the target: far less than a pixel. */
 const leastMovement = 1e-6;
 
 export class FineOrbit extends OrbitControls {

@@ -1,5 +1,5 @@
-// The edges of the domain. They are the ground of the picture: nothing of them lies over what is in the domain. Those nearest to the
-// eye, which would cross it, are pale.
+// The edges of the domain. They are the ground of the picture: nothing of them lies over what is in the
+// domain. Those nearest to the eye, which would cross it, are pale.
 import type { Color } from 'three';
 import type { View } from '../base/view.ts';
 import { tintOf, WideLines } from '../base/wideLines.ts';

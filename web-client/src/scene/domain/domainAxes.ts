@@ -50,7 +50,8 @@ export function centreOf(bounds: Bounds): Vec3 {
     return [(bounds[0] + bounds[1]) / 2, (bounds[2] + bounds[3]) / 2, (bounds[4] + bounds[5]) / 2];
 }
 
-/** The ends of the twelve edges of the box, about its centre, so that float32 holds them wherever the box is. */
+/** The ends of the twelve edges of the box, about its centre, so that float32 holds them wherever the box
+ *  is. */
 export function boxEdges(bounds: Bounds): Float32Array {
     const ends: number[] = [];
     const halves = [0, 1, 2].map((axis) => (bounds[2 * axis + 1]! - bounds[2 * axis]!) / 2);
@@ -65,7 +66,8 @@ export function boxEdges(bounds: Bounds): Float32Array {
     return new Float32Array(ends);
 }
 
-/** Of the edges of boxEdges, those between two faces that are turned to the eye: what is in the box is behind them. */
+/** Returns, of the edges of boxEdges, those between two faces that are turned to the eye: what is in the box
+ *  is behind them. */
 export function edgesBeforeBox(bounds: Bounds, eye: Vec3): boolean[] {
     const before: boolean[] = [];
     for (let corner = 0; corner < 8; ++corner) {

@@ -65,7 +65,7 @@ export class DomainOutline implements Layer {
         this.lines.setColour(colour);
     }
 
-    /** Of lengths, behind the names of the axes; empty: unknown. */
+    /** Sets the unit of lengths, behind the names of the axes; empty: unknown. */
     setUnit(unit: string): void {
         this.unit = unit;
         this.placedFor = '';

@@ -1,10 +1,10 @@
-// Where at the edge of the picture something is to be announced that lies outside it: on the way there from the middle, the
-// shortest turn for what is behind the camera.
+// Where at the edge of the picture something is to be announced that lies outside it: on the way there from
+// the middle, the shortest turn for what is behind the camera.
 import { Vector3 } from 'three';
 import type { Vec3 } from '../../protocol/messages.ts';
 import type { ScreenPoint, View } from '../base/view.ts';
 
-/** How far from the edges, in CSS pixels. */
+/** Says how far from the edges, in CSS pixels. */
 export interface Insets {
     left: number;
     right: number;
@@ -14,7 +14,8 @@ export interface Insets {
 
 export interface EdgeHint {
     at: ScreenPoint;
-    /** How far along what the insets leave, from the left and from the top: words held there by the same share of theirs lie in it. */
+    /** Says how far along what the insets leave, from the left and from the top: words held there by the same
+     *  share of theirs lie in it. */
     share: ScreenPoint;
     /** On the screen, to the right and down; of length 1. */
     towards: ScreenPoint;

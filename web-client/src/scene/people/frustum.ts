@@ -1,14 +1,15 @@
-// The lines of a camera in space: from the eye to the corners of what it looks at, a quarter of the way there.
+// The lines of a camera in space: from the eye to the corners of what it looks at, a quarter of the way
+// there.
 import { Vector3 } from 'three';
 import type { CameraPlace, Vec3 } from '../../protocol/messages.ts';
 import type { View } from '../base/view.ts';
 
-/** How far its far side is, as a share of the way to the target. */
+/** Says how far its far side is, as a share of the way to the target. */
 const reach = 0.25;
 const aspect = 1.6;
 const openingWithoutPerspective = 12;
 
-/** Whether a camera is where the view's own is: its lines would be a frame round the picture. */
+/** Returns whether a camera is where the view's own is: its lines would be a frame round the picture. */
 export function looksFromHere(view: View, { position, target }: CameraPlace): boolean {
     const reachOfEye = new Vector3(...position).distanceTo(new Vector3(...target));
     return new Vector3(...position).distanceTo(view.camera.position) < 0.02 * reachOfEye;

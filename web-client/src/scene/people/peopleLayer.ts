@@ -1,5 +1,5 @@
-// The others in the picture: where they look from, as the lines of their camera, and what they point at, each in their colour
-// and with their name.
+// The others in the picture: where they look from, as the lines of their camera, and what they point at, each
+// in their colour and with their name.
 import { Color, Group, Mesh, MeshBasicMaterial, SphereGeometry } from 'three';
 import type { Participant, Vec3 } from '../../protocol/messages.ts';
 import { Labels } from '../base/labels.ts';
@@ -14,7 +14,7 @@ const nameGapPx = 14;
 const hintInsets = { left: 8, right: 100, top: 48, bottom: 8 };
 const frustumWidthPx = 1.5;
 
-/** What is drawn of one person. */
+/** Describes what is drawn of one person. */
 class Figure {
     readonly object = new Group();
     participant: Participant;
@@ -57,7 +57,8 @@ export class PeopleLayer implements Layer {
         this.labels = new Labels(layer);
     }
 
-    /** All but the person at this page, and the one whose view it takes: their camera would fill the picture. */
+    /** All but the person at this page, and the one whose view it takes: their camera would fill the
+     *  picture. */
     set(people: readonly Participant[]): void {
         const here = new Set(people.map(({ participant }) => participant));
         for (const [id, figure] of this.figures) {
@@ -100,7 +101,8 @@ export class PeopleLayer implements Layer {
         this.labels.end();
     }
 
-    /** Someone of whom nothing is in the picture, at the edge of it: towards what they point at, else where they look from. */
+    /** A user of whom nothing is in the picture, at the edge of it: towards what they point at, else where
+     *  they look from. */
     private hint(view: View, places: readonly Vec3[], { name, colour }: Participant): void {
         const hints = places.map((place) => edgeHint(view, place, hintInsets));
         const [hint] = hints;

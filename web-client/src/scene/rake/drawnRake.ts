@@ -3,7 +3,7 @@ import type { Vec3 } from '../../protocol/messages.ts';
 import type { Handle } from './rakeHandles.ts';
 import type { RakeShape } from './rakeShape.ts';
 
-/** Someone else who moves a rake just now. */
+/** Another user who moves a rake just now. */
 export interface RakeHolder {
     name: string;
     colour: string;

@@ -1,5 +1,6 @@
-// The handles of a rake as points of constant size on the screen, which show through what is before them, paler: a handle that
-// cannot be seen cannot be dragged, and one behind a body must not look as if it were in front. The shader draws what each is for.
+// The handles of a rake as points of constant size on the screen, which show through what is before them,
+// paler: a handle that cannot be seen cannot be dragged, and one behind a body must not look as if it were in
+// front. The shader draws what each is for.
 import {
     BufferGeometry,
     Color,
@@ -16,7 +17,7 @@ import { isOrthographic, type View } from '../base/view.ts';
 import type { Handle } from './rakeHandles.ts';
 import { distance } from './vec3.ts';
 
-/** What a handle looks like. */
+/** Holds what a handle looks like. */
 const marks = { point: 0, middle: 1, rotate: 2, tilt: 3, dot: 4 } as const;
 export type Mark = keyof typeof marks;
 
@@ -30,7 +31,7 @@ export interface HandleSprite {
     colour?: string;
 }
 
-/** Of what is behind something. */
+/** Is the opacity of what is behind something. */
 const hiddenOpacity = 0.42;
 /** Nearer to the eye by so much, so that what a handle stands on does not hide half of it. */
 const liftPx = 14;
@@ -60,8 +61,9 @@ void main() {
 }
 `;
 
-// Discs, rings and strokes by their distance in pixels: sharp at any size. What moves the whole is dark with a sign (a cross,
-// most of a circle with an arrow's head, a ring seen aslant), what moves a point has the rake's colour.
+// Discs, rings and strokes by their distance in pixels: sharp at any size. What moves the whole is dark with
+// a sign (a cross, most of a circle with an arrow's head, a ring seen aslant), what moves a point has the
+// rake's colour.
 const fragmentShader = /* glsl */ `
 uniform float opacity;
 varying vec3 colour;

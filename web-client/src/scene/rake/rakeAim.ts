@@ -1,5 +1,6 @@
-// What shows where the chosen rake is in depth, and what aims it: a line from the rake down to the floor of the domain with its
-// print there, and at the handle that was used last an arrow along each axis, which moves it along that axis alone.
+// Shows where the chosen rake is in depth, and what aims it: a line from the rake down to the floor of the
+// domain with its print there, and at the handle that was used last an arrow along each axis, which moves it
+// along that axis alone.
 import { Group } from 'three';
 import type { Vec3 } from '../../protocol/messages.ts';
 import type { Layer, ScreenPoint, View } from '../base/view.ts';
@@ -62,7 +63,7 @@ export class RakeAim implements Layer {
         this.armed = { rake: this.layer.chosenId, handle };
     }
 
-    /** What the arrows move. */
+    /** Returns what the arrows move. */
     get handle(): Handle {
         const { kind, points } = this.layer.shape;
         const { rake, handle } = this.armed;
@@ -131,7 +132,8 @@ export function arrowsAt(from: Vec3, view: View, handles: readonly (ScreenPoint 
     });
 }
 
-/** From the first point down, along the print of the rake on the floor, and up to the last; of others, from the middle down. */
+/** From the first point down, along the print of the rake on the floor, and up to the last; of others, from
+ *  the middle down. */
 export function dropLine(shape: RakeShape, floor: number): Vec3[] {
     const { kind, points } = shape;
     const [first, last] = [points[0], points.at(-1)];

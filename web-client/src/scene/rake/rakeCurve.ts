@@ -1,6 +1,6 @@
-// A curve in space as a ribbon of constant width on the screen, with a dark edge so that it shows on any colour. Each piece is
-// an instance of one quad, widened in the vertex shader: thousands of pieces are one draw call, and none is touched when only
-// the camera moves.
+// A curve in space as a ribbon of constant width on the screen, with a dark edge so that it shows on any
+// colour. Each piece is an instance of one quad, widened in the vertex shader: thousands of pieces are one
+// draw call, and none is touched when only the camera moves.
 import {
     Color,
     Float32BufferAttribute,
@@ -17,8 +17,9 @@ import type { View } from '../base/view.ts';
 import { isOrthographic } from '../base/view.ts';
 import { distance } from './vec3.ts';
 
-// Lifted towards the eye, so that the surface that starts here does not hide half of it. What is behind the eye has no place on
-// the screen and is cut off just before. Half a width further at both ends fills the gaps at bends.
+// Lifted towards the eye, so that the surface that starts here does not hide half of it. What is behind the
+// eye has no place on the screen and is cut off just before. Half a width further at both ends fills the gaps
+// at bends.
 const vertexShader = /* glsl */ `
 uniform vec2 size;
 uniform float width;
@@ -84,11 +85,11 @@ export interface CurveStyle {
     opacity: number;
     /** Length of a dash with its gap in pixels; 0: unbroken. */
     dashPx: number;
-    /** Of the white line on both sides, inside the dark edge; 0: none. */
+    /** Is the width of the white line on both sides, inside the dark edge; 0: none. */
     haloPx: number;
 }
 
-/** Of the part behind something: it shows through, faint and dashed. */
+/** Is the opacity of the part behind something: it shows through, faint and dashed. */
 const hiddenOpacity = 0.5;
 const hiddenDashPx = 7;
 

@@ -1,4 +1,5 @@
-// What dragging a handle does to a rake: from where the pointer was and is to the new shape, held to an axis or a grid if asked.
+// Applies what dragging a handle does to a rake: from where the pointer was and is to the new shape, held to
+// an axis or a grid if asked.
 import { Vector3 } from 'three';
 import type { Vec3 } from '../../protocol/messages.ts';
 import { shortNumber } from '../base/numbers.ts';
@@ -21,7 +22,7 @@ export interface Drag {
 export interface Snap {
     /** Keep to an axis: to this one, or to the one that the movement is nearest to. */
     axis: Axis | 'nearest' | null;
-    /** Of the grid; null: none. */
+    /** Is the spacing of the grid; null: no grid. */
     step: number | null;
 }
 
@@ -31,7 +32,7 @@ export interface Dragged {
     at: Vec3;
     /** Kept to, and from where. */
     axis: { axis: Axis; from: Vec3 } | null;
-    /** What the snapping does, in words. */
+    /** Holds what the snapping does, in words. */
     words: string;
 }
 
@@ -108,7 +109,8 @@ function sized({ start, anchor }: Drag, target: ScreenPoint, view: View, snap: S
     return { shape: resized(start, rim), at: rim, axis: null, words };
 }
 
-/** As a ball is turned: the handle stays on the sphere round the circle, under the pointer while that is over the sphere. */
+/** Turns the circle like a ball: the handle stays on the sphere round the circle, under the pointer while
+ *  that is over the sphere. */
 function tipped({ start, anchor }: Drag, target: ScreenPoint, view: View): Dragged {
     const { centre, radius } = circleOf(start);
     const [eye, further] = view.sightLine(target);

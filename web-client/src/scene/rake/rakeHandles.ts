@@ -4,7 +4,8 @@ import type { ScreenPoint, View } from '../base/view.ts';
 import { curveOf, middleOf, type RakeShape } from './rakeShape.ts';
 import { between, plus, times } from './vec3.ts';
 
-/** Index of a point of the rake, the handle that moves all of them, or the one that turns them about their middle. */
+/** Index of a point of the rake, the handle that moves all of them, or the one that turns them about their
+ *  middle. */
 export type Handle = number | 'middle' | 'rotate';
 
 export interface PlacedHandle {
@@ -33,7 +34,7 @@ export function handlesOf(shape: RakeShape): Handle[] {
     return [...(kind === 'circle' ? ofPoints.slice(1) : ofPoints), 'middle', 'rotate'];
 }
 
-/** Of the handle that moves all: on the rake and, of a polyline, on none of its points. */
+/** Returns the place of the handle that moves all: on the rake and, of a polyline, on none of its points. */
 export function gripOf(shape: RakeShape): Vec3 {
     const { kind, points } = shape;
     if (kind !== 'polyline') return middleOf(shape);
@@ -47,7 +48,8 @@ export function positionOf(handle: Handle, shape: RakeShape, view: View): Vec3 {
     return shape.points[handle] ?? [0, 0, 0];
 }
 
-/** The end of a stem of constant length on the screen that stands off the rake's middle at right angles to it. */
+/** The end of a stem of constant length on the screen that stands off the rake's middle at right angles to
+ *  it. */
 function stemEnd(shape: RakeShape, view: View): Vec3 {
     const middle = middleOf(shape);
     const at = view.project(middle);
@@ -99,7 +101,8 @@ export function handleUnder(pointer: ScreenPoint, shape: RakeShape, view: View):
     return nearest;
 }
 
-/** How far a rake's curve is from a canvas position, in pixels; null where that is too far for a click to mean it. */
+/** Returns how far a rake's curve is from a canvas position, in pixels; null where that is too far for a
+ *  click to mean it. */
 export function curveUnder(pointer: ScreenPoint, shape: RakeShape, view: View): number | null {
     let nearest = lineHitPx;
     let found = false;

@@ -1,5 +1,5 @@
-// Pointer and keyboard on the rakes: handles of the chosen one are dragged, others are chosen by a click, and a point can be
-// put where the next click is, for those who cannot drag.
+// Pointer and keyboard on the rakes: handles of the chosen one are dragged, others are chosen by a click, and
+// a point can be put where the next click is, for those who cannot drag.
 import type { Vec3 } from '../../protocol/messages.ts';
 import type { Pointer, PointerTool } from '../base/pointerTools.ts';
 import type { ScreenPoint, View } from '../base/view.ts';
@@ -22,20 +22,20 @@ export interface RakeInteractionOptions {
     layer: RakeLayer;
     aim: Pick<RakeAim, 'arm' | 'arrowUnder' | 'handle' | 'setHighlighted'>;
     view: () => View;
-    /** What is under a canvas position: a place on a surface or a body. */
+    /** Returns what is under a canvas position: a place on a surface or a body. */
     pick: (at: ScreenPoint) => Vec3 | null;
     requestFrame: () => void;
-    /** A handle has been taken or let go. */
+    /** A handle has been taken or released. */
     onHold: (held: boolean) => void;
 }
 
-/** What the user may do with rakes, and what becomes of it. */
+/** Describes what the user may do with rakes, and what becomes of it. */
 export interface RakeUser {
-    /** Whether rakes can be changed, now. */
+    /** Returns whether rakes can be changed, now. */
     mayMove: () => boolean;
-    /** Someone has pulled at a handle that is locked. */
+    /** A user has pulled at a handle that is locked. */
     refused: () => void;
-    /** Whether the pointer is for rakes: no other tool is chosen. */
+    /** Returns whether the pointer is for rakes: no other tool is chosen. */
     hasPointer: () => boolean;
     moved: (move: RakeMove) => void;
     chose: (rake: string) => void;
@@ -55,12 +55,12 @@ const noOne: RakeUser = {
 };
 
 export class RakeInteraction implements PointerTool {
-    /** Of the grid that dragged points are held to; null: none. */
+    /** Is the spacing of the grid that dragged points are held to; null: none. */
     step: number | null = null;
     private readonly options: RakeInteractionOptions;
     private user = noOne;
     private drag: Drag | null = null;
-    /** Of the arrow that is dragged. */
+    /** Is the axis of the arrow that is dragged. */
     private axis: Axis | null = null;
     private moved = false;
     private nudged = false;
@@ -79,7 +79,8 @@ export class RakeInteraction implements PointerTool {
         return this.drag !== null || this.nudged;
     }
 
-    /** Moves one handle by a step along one axis. `more`: others follow, all of them one edit, until `endNudge`. */
+    /** Moves one handle by a step along one axis. `more`: others follow, all of them one edit, until
+     *  `endNudge`. */
     nudge(handle: Handle, by: Vec3, more = false): void {
         const shape = movedHandle(this.options.layer.shape, handle, by);
         this.nudged = more;
@@ -158,7 +159,8 @@ export class RakeInteraction implements PointerTool {
         const { layer } = this.options;
         this.options.onHold(false);
         layer.setGuide(null);
-        // A press alone moves nothing, not even to the next point of the grid; it may mean the rake under the handle.
+        // A press alone moves nothing, not even to the next point of the grid; it may mean the rake under the
+        // handle.
         if (!this.moved) this.chooseAt(pointer.at);
         else this.apply(cancelled ? layer.shape : this.dragged(pointer, drag).shape, false, pointer.time);
     }
@@ -179,7 +181,7 @@ export class RakeInteraction implements PointerTool {
         return this.user.hasPointer() && this.chooseAt(at);
     }
 
-    /** Whether this rake can be changed, and the pointer is for it. */
+    /** Returns whether this rake can be changed, and the pointer is for it. */
     get movable(): boolean {
         return this.user.mayMove() && this.user.hasPointer() && this.options.layer.movable;
     }

@@ -12,7 +12,7 @@ import { RakeWidget } from './rakeWidget.ts';
 import type { Axis } from './snapping.ts';
 import { distance } from './vec3.ts';
 
-/** What is shown while a handle is moved. */
+/** Describes what is shown while a handle is moved. */
 export interface Guide {
     held: HeldHandle;
     axis: { axis: Axis; from: Vec3 } | null;
@@ -57,7 +57,7 @@ export class RakeLayer implements Layer {
         return this.chosen?.rake?.rake ?? null;
     }
 
-    /** Of the chosen rake. */
+    /** Returns the shape of the chosen rake. */
     get shape(): RakeShape {
         return this.chosen?.shape ?? nothing;
     }
@@ -70,7 +70,7 @@ export class RakeLayer implements Layer {
         return [...this.widgets.values()].flatMap(({ rake }) => rake ?? []);
     }
 
-    /** The chosen rake can be moved: it is not locked, and no one else moves it. */
+    /** The chosen rake can be moved: it is not locked, and no other user moves it. */
     get movable(): boolean {
         const rake = this.chosen?.rake;
         return rake?.holder === null && !rake.locked;
@@ -97,7 +97,8 @@ export class RakeLayer implements Layer {
         return nearest === this.chosen?.rake?.rake ? null : nearest;
     }
 
-    /** The place of a rake, or of the disc of a round one, that is seen at a canvas position; null: none is. */
+    /** The place of a rake, or of the disc of a round one, that is seen at a canvas position; null: none
+     *  is. */
     pointUnder(pointer: ScreenPoint, view: View): Vec3 | null {
         let nearest: Vec3 | null = null;
         for (const { shape } of this.widgets.values()) {

@@ -1,5 +1,5 @@
-// The shape of a rake: what its points mean, the curve they stand for, and what moves, turns and changes them. Twin of the
-// seeding curve: core/surface/rake.cpp.
+// The shape of a rake: what its points mean, the curve they stand for, and what moves, turns and changes
+// them. Twin of the seeding curve: core/surface/rake.cpp.
 import type { RakeKind, Vec3 } from '../../protocol/messages.ts';
 import { across, between, cross, distance, dot, minus, plus, times, turned, unit } from './vec3.ts';
 
@@ -26,7 +26,7 @@ export function circleOf({ points }: RakeShape): Circle {
     const u = unit(minus(a, centre));
     const toB = minus(b, centre);
     const v = unit(minus(toB, times(u, dot(u, toB))));
-    // Where the points lie on a line, as they may while someone types them, any plane is as good.
+    // Where the points lie on a line, as they may while a user types them, any plane is as good.
     return { centre, radius: distance(a, centre), u, v: dot(v, v) > 0.5 ? v : across(u) };
 }
 
@@ -48,7 +48,8 @@ export function curveOf(shape: RakeShape): readonly Vec3[] {
     });
 }
 
-/** What the rake turns about: half-way along a line, the centre of a circle, the mean of a curve's length. */
+/** Returns what the rake turns about: half-way along a line, the centre of a circle, the mean of a curve's
+ *  length. */
 export function middleOf({ kind, points }: RakeShape): Vec3 {
     const first = points[0] ?? [0, 0, 0];
     if (kind === 'circle') return first;
@@ -93,7 +94,8 @@ export function resized(shape: RakeShape, rim: Vec3): RakeShape {
     return circleShape({ ...circle, radius, u, v });
 }
 
-/** A circle turned about its centre the shortest way to where its second rim point lies in the direction of `towards`. */
+/** A circle turned about its centre the shortest way to where its second rim point lies in the direction of
+ *  `towards`. */
 export function tilted(shape: RakeShape, towards: Vec3): RakeShape {
     const circle = circleOf(shape);
     const to = unit(minus(towards, circle.centre));
@@ -104,7 +106,8 @@ export function tilted(shape: RakeShape, towards: Vec3): RakeShape {
     return circleShape({ ...circle, u: turned(circle.u, times(axis, 1 / sine), angle), v: to });
 }
 
-/** A circle moved, and if need be made smaller, so that it lies in the domain: the server would cut it open. */
+/** A circle moved, and if need be made smaller, so that it lies in the domain: the server would cut it
+ *  open. */
 export function fitted(shape: RakeShape, bounds: Bounds): RakeShape {
     if (shape.kind !== 'circle') return shape;
     const circle = circleOf(shape);
@@ -125,7 +128,8 @@ export function fitted(shape: RakeShape, bounds: Bounds): RakeShape {
     return same ? shape : circleShape({ ...circle, centre, radius });
 }
 
-/** A further point of a polyline, half-way from a point to the next; at the end, as far on as the last piece is long. */
+/** A further point of a polyline, half-way from a point to the next; at the end, as far on as the last piece
+ *  is long. */
 export function withPointAfter({ points }: RakeShape, index: number): RakeShape {
     const here: Vec3 = points[index] ?? [0, 0, 0];
     const next = points[index + 1];
@@ -140,7 +144,8 @@ export function withoutPoint({ kind, points }: RakeShape, index: number): RakeSh
     return { kind, points: points.filter((_, i) => i !== index) };
 }
 
-/** The same rake as another kind, in the same place; a circle stands across `flow`, as far as it can and contain the line. */
+/** Returns the same rake as another kind, in the same place; a circle stands across `flow`, as far as it can
+ *  and contain the line. */
 export function asKind(shape: RakeShape, kind: RakeKind, flow: Vec3): RakeShape {
     if (kind === shape.kind) return shape;
     const middle = middleOf(shape);

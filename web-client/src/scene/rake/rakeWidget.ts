@@ -88,7 +88,8 @@ export class RakeWidget {
         this.setDots(rake);
     }
 
-    /** At the ends of a rake that is not chosen, and at every point of a list, which has no handles for them. */
+    /** At the ends of a rake that is not chosen, and at every point of a list, which has no handles for
+     *  them. */
     private setDots({ shape, chosen, colour }: DrawnRake): void {
         const { points, kind } = shape;
         const every = Math.ceil(points.length / mostDots);

@@ -8,7 +8,7 @@ export type Axis = 0 | 1 | 2;
 
 export const turnStep = Math.PI / 12;
 
-/** Of a grid that divides the domain's longest side into twenty to forty. */
+/** Returns the spacing of a grid that divides the domain's longest side into twenty to forty. */
 export function gridStep(bounds: readonly number[]): number {
     const sides = [0, 1, 2].map((axis) => (bounds[2 * axis + 1] ?? 1) - (bounds[2 * axis] ?? 0));
     return niceStep(Math.max(...sides) / 40);
@@ -24,7 +24,8 @@ export function toStep(value: number, step: number): number {
     return Number(rounded.toPrecision(12));
 }
 
-/** The axis through a point that a movement of the pointer is nearest to as it is seen; null where it has not moved. */
+/** The axis through a point that a movement of the pointer is nearest to as it is seen; null where it has not
+ *  moved. */
 export function nearestAxis(from: Vec3, movement: ScreenPoint, view: View): Axis | null {
     let best: Axis | null = null;
     let least = Number.POSITIVE_INFINITY;

@@ -1,5 +1,5 @@
-// A coordinate of a rake that is typed. One outside the domain stops at its edge alone: the other coordinates stay, where a rake
-// that is clipped would move along itself.
+// A coordinate of a rake that is typed. One outside the domain stops at its edge alone: the other coordinates
+// stay, where a rake that is clipped would move along itself.
 import { rounding } from '../base/rounding.ts';
 import type { Bounds } from '../domain/domainAxes.ts';
 import { gripOf, type Handle } from './rakeHandles.ts';

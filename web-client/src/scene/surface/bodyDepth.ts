@@ -1,11 +1,11 @@
-// What lies on a body is seen, and not the body through it: in depth alone, the body is drawn a little further from the eye than it
-// is. Its outline stays where it is.
+// Keeps what lies on a body in sight before the body: in depth alone, the body is drawn a little further from
+// the eye than it is. Its outline stays where it is.
 import type { MeshLambertMaterial } from 'three';
 
-/** Of the domain's diagonal: as deep as the flat quads of a surface reach into what is round. */
+/** Is a part of the domain's diagonal: as deep as the flat quads of a surface reach into what is round. */
 export const bodyPush = 1 / 500;
 
-/** Of a vertex shader: to be called when gl_Position is set. */
+/** Belongs to a vertex shader, to be called when gl_Position is set. */
 export const pushBackGlsl = `
 uniform float push;
 

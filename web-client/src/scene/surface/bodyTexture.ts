@@ -1,4 +1,5 @@
-// The flow texture of bodies: that of surfaces (flowTextureShader.ts), in the material that the scene lights. Its programs light vertices, not pixels: what that saves, the texture takes.
+// The flow texture of bodies: that of surfaces (flowTextureShader.ts), in the material that the scene lights.
+// Its programs light vertices, not pixels: what that saves, the texture takes.
 import type { MeshLambertMaterial } from 'three';
 import { flowTextureGlsl, flowVertexGlsl } from './flowTextureShader.ts';
 import { type FlowTexture, type SharedUniforms, textureDefines } from './surfaceMaterial.ts';
@@ -10,7 +11,7 @@ attribute vec3 flow;
 out vec3 light;
 ${flowVertexGlsl}
 
-/** As MeshLambertMaterial has it. */
+/** Returns the light as MeshLambertMaterial has it. */
 vec3 lightOn(vec3 n) {
     vec3 sum = vec3(0.0);
     for (int i = 0; i < NUM_DIR_LIGHTS; ++i) {

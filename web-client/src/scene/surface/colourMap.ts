@@ -1,5 +1,5 @@
-// From a number to a colour: tables of 256 sRGB entries and a range. The same table fills the texture of the surface and the
-// scalar bar, so that they cannot disagree.
+// From a number to a colour: tables of 256 sRGB entries and a range. The same table fills the texture of the
+// surface and the scalar bar, so that they cannot disagree.
 import { coolToWarm } from './coolToWarm.ts';
 import { infernoHex, plasmaHex } from './infernoPlasma.ts';
 import { viridisHex } from './viridis.ts';
@@ -11,7 +11,8 @@ export type Range = readonly [number, number];
 
 type Rgb = [number, number, number];
 
-/** What a logarithmic range reaches down to where it would begin at 0 or below, as a part of its upper end. */
+/** Holds what a logarithmic range reaches down to where it would begin at 0 or below, as a part of its upper
+ *  end. */
 const leastLogarithmic = 1e-3;
 
 const coloursOf: Record<ColourMapName, (i: number) => Rgb> = {
@@ -25,7 +26,8 @@ const coloursOf: Record<ColourMapName, (i: number) => Rgb> = {
     grey: (i) => [0, 1, 2].map(() => Math.round(40 + (205 * i) / (tableSize - 1))) as Rgb,
 };
 
-/** Cividis (Nunez, Anderton, Renslow, 2018) and Turbo (Mikhailov, Google, 2019), both as the polynomials of d3-scale-chromatic (ISC). */
+/** Cividis (Nunez, Anderton, Renslow, 2018) and Turbo (Mikhailov, Google, 2019), both as the polynomials of
+ *  d3-scale-chromatic (ISC). */
 const cividisCoefficients = [
     [-4.54, -35.34, 2381.73, -6402.7, 7024.72, -2710.57],
     [32.49, 170.73, 52.82, -131.46, 176.58, -67.37],
@@ -73,7 +75,8 @@ export function drawnRange([low, high]: Range, logarithmic: boolean, centre: num
     return high > low ? [low, high] : [low, low + (Math.abs(low) || 1)];
 }
 
-/** Position 0 .. 1 of a value in a range; values outside stick to the ends, and those without a logarithm to the lower one. */
+/** Position 0 .. 1 of a value in a range; values outside stick to the ends, and those without a logarithm to
+ *  the lower one. */
 export function fractionOf(value: number, [low, high]: Range, logarithmic = false): number {
     if (!(high > low)) return 0;
     const scaled = (each: number): number => (logarithmic ? Math.log(each) : each);

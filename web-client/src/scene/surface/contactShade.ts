@@ -1,7 +1,7 @@
-// Shade where things are near each other, so that one sees whether a sheet touches a body. Looks at depth alone: on a plane the
-// depths of two pixels on opposite sides of a third have that of the third for their mean, with perspective as without. Where both
-// together are nearer than that, less light gets in. Each picture looks at a few pairs of pixels, and the next one of the same
-// mean (sampledPicture.ts) at others.
+// Shade where things are near each other, so that one sees whether a sheet touches a body. Looks at depth
+// alone: on a plane the depths of two pixels on opposite sides of a third have that of the third for their
+// mean, with perspective as without. Where both together are nearer than that, less light gets in. Each
+// picture looks at a few pairs of pixels, and the next one of the same mean (sampledPicture.ts) at others.
 import {
     type Camera,
     Color,
@@ -21,17 +21,18 @@ import {
 import { drawDepth } from './depthOnly.ts';
 import { fullScreen } from './fullScreen.ts';
 
-/** Of what is shaded, and shades: neither rakes nor words. */
+/** Is the layer of what is shaded, and shades: neither rakes nor words. */
 export const shadedLayer = 1;
-/** How far it reaches, in pixels of CSS: less than the margin of tiles, and the same in figures of all sizes. */
+/** Says how far it reaches, in pixels of CSS: less than the margin of tiles, and the same in figures of all
+ *  sizes. */
 export const furthestPx = 20;
 const nearestPx = 2;
 /** For each picture of a mean: more in figures, which may take longer. */
 export const pairs = { page: 4, figure: 8 };
 
 /**
- * Which picture of how many, of a mean; how large the whole picture is; and where in it the part begins that is drawn, in pixels
- * from its upper left.
+ * Which picture of how many, of a mean; how large the whole picture is; and where in it the part begins that
+ * is drawn, in pixels from its upper left.
  */
 export interface ShadePart {
     sample: number;
@@ -45,7 +46,8 @@ export interface ShadePart {
     height: number;
 }
 
-/** From a pixel to one of each pair, in pixels of CSS: each at another angle, and nearer ones as often as those far away. */
+/** From a pixel to one of each pair, in pixels of CSS: each at another angle, and nearer ones as often as
+ *  those far away. */
 export function pairOffsets({
     sample,
     samples,
@@ -70,7 +72,7 @@ export class ContactShade {
     private readonly pairs = { value: 0 };
     private readonly inside = { value: new Vector4() };
     private readonly perspective = { value: true };
-    /** Of the camera: depths of the near and the far plane. */
+    /** Holds the camera's depths of the near and the far plane. */
     private readonly planes = { value: new Vector2() };
     private readonly pixelsPerUnit = { value: 1 };
     private target: WebGLRenderTarget | null = null;

@@ -1,6 +1,6 @@
-// From blue over light grey to red: for quantities with a sign, or round a value. Interpolates in Msh, which is CIELAB in polar
-// coordinates, so that both ends are equally far from the middle. Source: Moreland, Diverging Color Maps for Scientific
-// Visualization, ISVC 2009; his colours of both ends.
+// From blue over light grey to red: for quantities with a sign, or round a value. Interpolates in Msh, which
+// is CIELAB in polar coordinates, so that both ends are equally far from the middle. Source: Moreland,
+// Diverging Color Maps for Scientific Visualization, ISVC 2009; his colours of both ends.
 
 type Triple = [number, number, number];
 

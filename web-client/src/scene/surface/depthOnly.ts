@@ -1,4 +1,4 @@
-// What is there, drawn for its depth alone; colours are of no interest.
+// Draws what is there for its depth alone; colours are of no interest.
 import type { Camera, Scene, WebGLRenderer } from 'three';
 
 /** Into the target that is set. @param layer of what; without it, of everything */

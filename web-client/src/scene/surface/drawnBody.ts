@@ -1,4 +1,5 @@
-// The solid body in the picture: a little further away in depth than it is, cut where surfaces are, with the flow along it as a texture.
+// The solid body in the picture: a little further away in depth than it is, cut where surfaces are, with the
+// flow along it as a texture.
 import { BufferAttribute, type BufferGeometry, Group } from 'three';
 import type { BodyMesh } from '../../mesh/bodyMesh.ts';
 import type { Vec3 } from '../../protocol/messages.ts';
@@ -28,7 +29,7 @@ export class DrawnBody {
     /** It may come before the body does. */
     private flow: Float32Array | null = null;
     private moving = false;
-    /** That its programs have. */
+    /** Is the texture that its programs have. */
     private texture: FlowTexture = 'none';
 
     constructor(surfaces: Pick<SurfaceLayer, 'shared' | 'textures' | 'bodyPush'>) {
@@ -39,7 +40,7 @@ export class DrawnBody {
         return this.mesh?.geometry ?? null;
     }
 
-    /** Whether the flow along it is seen. */
+    /** Returns whether the flow along it is seen. */
     get textured(): boolean {
         return this.mesh?.geometry.hasAttribute('flow') === true;
     }

@@ -1,18 +1,20 @@
-// Flow texture: noise in space, smeared along the part of the velocity that is tangential to the surface, as Laramee et al. 2004 and
-// 2006 advect it in the picture. In space, so that it stays on the surface while the view turns, and is the same in every tile of a
-// figure.
+// Flow texture: noise in space, smeared along the part of the velocity that is tangential to the surface, as
+// Laramee et al. 2004 and 2006 advect it in the picture. In space, so that it stays on the surface while the
+// view turns, and is the same in every tile of a figure.
 import { directions, noiseGrains, waveGrains } from './smearedNoise.ts';
 
 /**
- * How often its own length a wave wanders before the next takes over, at least; at most twice as often. Over a longer way differences in
- * speed would take a wave apart. Where the flow is half as fast it may take twice as long, so slow places move too; where one time becomes
- * the other, both waves have gone a whole number of lengths, and there is no seam.
+ * Says how often its own length a wave wanders before the next takes over, at least; at most twice as often.
+ * Over a longer way differences in speed would take a wave apart. Where the flow is half as fast it may take
+ * twice as long, so slow places move too; where one time becomes the other, both waves have gone a whole
+ * number of lengths, and there is no seam.
  */
 const lengths = 8;
 /** Pixels of a grain across the flow, at usual density; up to twice as much. */
 const grainPx = 3;
 
-/** What a shared uniform says of the picture: larger grains in a unit of length at usual density, where 1 / gl_FragCoord.w is 1. */
+/** Returns what a shared uniform says of the picture: larger grains in a unit of length at usual density,
+ *  where 1 / gl_FragCoord.w is 1. */
 export function grainsPerLength(projection: readonly number[], heightPx: number, pixelRatio: number): number {
     return (projection[5]! * heightPx) / (2 * grainPx * pixelRatio);
 }
@@ -21,7 +23,8 @@ export function grainsPerLength(projection: readonly number[], heightPx: number,
 export const flowVertexGlsl = `
 // Where the noise begins: far from the origin of the data, coordinates have too few digits left.
 uniform vec3 noiseFrom;
-// In the frame of the noise: the place, the normal, the velocity along the surface, and how much of the texture is shown.
+// In the frame of the noise: the place, the normal, the velocity along the surface, and how much of the
+// texture is shown.
 out vec3 noisePlace;
 out vec3 noiseNormal;
 out vec4 alongFlow;
@@ -34,7 +37,8 @@ void placeInFlow(vec3 at, vec3 normalHere, vec3 velocity) {
     noiseNormal = aslant * normalHere;
     vec3 tangential = velocity - dot(velocity, normalHere) * normalHere;
     float whole = length(velocity);
-    // Where the flow goes through the surface rather than along it there is no direction to show (Laramee et al. 2004).
+    // Where the flow goes through the surface rather than along it there is no direction to show (Laramee et
+    // al. 2004).
     alongFlow = vec4(aslant * tangential, whole > 0.0 ? smoothstep(0.1, 0.3, length(tangential) / whole) : 0.0);
 }`;
 
@@ -59,9 +63,10 @@ vec4 onCircle(vec2 x) {
 }
 
 /**
- * The weights along the way are a wave, which wanders with the flow (Cabral and Leedom's animation). Two of them take turns, each fading out
- * before differences in speed have taken it apart.
- * @param grain  under waves: of the larger size, and of the smaller  @param often  lengths of a wave in a unit of time
+ * The weights along the way are a wave, which wanders with the flow (Cabral and Leedom's animation). Two of
+ * them take turns, each fading out before differences in speed have taken it apart.
+ * @param grain under waves: of the larger size, and of the smaller @param often lengths of a wave in a unit
+ * of time
  */
 vec2 moved(vec4 grain, float often) {
     // The power of two below it, and how many times that it is.
@@ -76,7 +81,7 @@ vec2 moved(vec4 grain, float often) {
 }
 #endif
 
-/** What is left of the colour. No branches: a software renderer takes both ways. */
+/** Returns what is left of the colour. No branches: a software renderer takes both ways. */
 float flowTexture(float facing) {
     // Of the three planes of the axes that which the surface lies in most.
     vec3 towards = abs(noiseNormal);

@@ -15,8 +15,8 @@ import {
 export type FullScreen = Mesh<BufferGeometry, ShaderMaterial>;
 
 /**
- * `over`: laid over what is there; `under`: shines through what lets light pass of that; `added` to it. Colours come multiplied by
- * alpha.
+ * `over`: laid over what is there; `under`: shines through what lets light pass of that; `added` to it.
+ * Colours come multiplied by alpha.
  */
 export type Laid = 'over' | 'under' | 'added';
 

@@ -1,5 +1,5 @@
-// The inferno and plasma colour maps of matplotlib (Smith, van der Walt; CC0), as tabulated in d3-scale-chromatic: 256 sRGB
-// colours each, six hex digits a colour. Both grow brighter all the way.
+// The inferno and plasma colour maps of matplotlib (Smith, van der Walt; CC0), as tabulated in
+// d3-scale-chromatic: 256 sRGB colours each, six hex digits a colour. Both grow brighter all the way.
 
 export const infernoHex =
     '00000401000501010601010802010a02020c02020e03021004031204031405041706041907051b08051d09061f' +

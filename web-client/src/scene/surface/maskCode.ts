@@ -1,5 +1,6 @@
-// What the painter has revealed, as a short text for links and bookmarks: as fine as there is room for. Bits by rows, each as its
-// difference from the row before, in run lengths, in base64url. What comes back may be of strangers.
+// Writes what the painter has revealed as a short text for links and bookmarks: as fine as there is room for.
+// Bits by rows, each as its difference from the row before, in run lengths, in base64url. What comes back may
+// be of strangers.
 
 /** Texels a side of a mask, over s and over its part of t. */
 export const maskSize = 512;

@@ -1,9 +1,10 @@
-// The brush on the picture: drag to reveal or erase, click to hide a part. Takes the pointer only while it is the chosen tool.
+// The brush on the picture: drag to reveal or erase, click to hide a part. Takes the pointer only while it is
+// the chosen tool.
 import type { Pointer, PointerTool } from '../base/pointerTools.ts';
 import type { ScreenPoint } from '../base/view.ts';
 
 export interface PaintToolOptions {
-    /** Of the brush; null: another tool is chosen. */
+    /** Returns the radius of the brush in pixels of CSS; null: another tool is chosen. */
     radiusPx: () => number | null;
     paint: (at: ScreenPoint) => void;
     /** Lies over the canvas and takes the outline of the brush. */

@@ -1,5 +1,6 @@
-// Stripes and lines in the surface's own coordinates s and t. Their spacing follows the screen: of the powers of
-// two it takes the two next to the wanted spacing and fades from one to the other (adaptive stripes, Hummel et al., IRIS, 2010).
+// Stripes and lines in the surface's own coordinates s and t. Their spacing follows the screen: of the powers
+// of two it takes the two next to the wanted spacing and fades from one to the other (adaptive stripes,
+// Hummel et al., IRIS, 2010).
 
 /** Width of a pair of stripes in pixels, at usual density; up to twice as much. */
 export const stripePeriodPx = 22;
@@ -10,7 +11,8 @@ uniform float lineDensity;
 // Where t is 0 for the pattern, and +1 or -1: the way it flows.
 uniform vec2 patternT;
 
-/** Frequency (a power of two) and how far it is on the way to the next one, for a change of c by \`rate\` a pixel. */
+/** Frequency (a power of two) and how far it is on the way to the next one, for a change of c by \`rate\` a
+ *  pixel. */
 vec2 levelOf(float rate, float periodPx) {
     float wanted = -log2(max(rate, 1e-30) * periodPx * pixelRatio);
     float level = floor(wanted);
@@ -22,7 +24,7 @@ float halves(float x, float rate) {
     return clamp(0.5 + (0.25 - abs(fract(x) - 0.5)) / max(rate, 1e-6), 0.0, 1.0);
 }
 
-/** How much of a pixel lies to one side of an edge that is so many pixels away from its middle. */
+/** Returns how much of a pixel lies to one side of an edge that is so many pixels away from its middle. */
 float beyond(float distance) {
     return clamp(distance + 0.5, 0.0, 1.0);
 }
@@ -44,7 +46,7 @@ float linesAt(float c, float rate) {
     return max(thinLine(c * f, rate * f), level.y * thinLine(c * 2.0 * f, rate * 2.0 * f));
 }
 
-/** What is left of the colour. */
+/** Returns what is left of the colour. */
 float pattern(vec2 place, mat2 slope) {
     if (lines == 0) return 1.0;
     vec2 c = vec2(place.x, (place.y - patternT.x) * patternT.y);

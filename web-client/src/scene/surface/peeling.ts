@@ -1,7 +1,7 @@
-// Transparency in its exact order: depth peeling (Everitt 2001). The transparent surfaces are drawn once for each layer, of which
-// every pixel keeps the nearest fragment behind the layer before; the layers are laid one under the other, as colours of the
-// screen, so that a layer before another lets through what it lets through of an opaque body. What is behind the last layer is
-// blended by weights.
+// Transparency in its exact order: depth peeling (Everitt 2001). The transparent surfaces are drawn once for
+// each layer, of which every pixel keeps the nearest fragment behind the layer before; the layers are laid
+// one under the other, as colours of the screen, so that a layer before another lets through what it lets
+// through of an opaque body. What is behind the last layer is blended by weights.
 import {
     type Camera,
     DepthTexture,
@@ -17,7 +17,7 @@ import {
 import { type FullScreen, fullScreen } from './fullScreen.ts';
 import type { WeightedBlending } from './weightedBlending.ts';
 
-/** That are in their order. */
+/** Is the number of layers that are drawn in their order. */
 export const peeledLayers = 4;
 
 /** For the materials of what is peeled. */

@@ -1,13 +1,15 @@
-// Which values of s and t have a line, a ribbon or an arrow: the shader (piecesShader.ts) needs the largest of them, and how far apart they are.
+// Which values of s and t have a line, a ribbon or an arrow: the shader (piecesShader.ts) needs the largest
+// of them, and how far apart they are.
 
-/** Two neighbours are at least so far apart: the line between them is half-way, and one of them is nearer than `every` then. */
+/** Two neighbours are at least so far apart: the line between them is half-way, and one of them is nearer
+ *  than `every` then. */
 export function nearestApart(every: number): number {
     return every / Math.SQRT2;
 }
 
 /**
- * The largest power of two that a value with a line is a multiple of; as in files (core/surface/even_lines). Where 0 is between both ends it
- * has one itself, and the others begin a power later.
+ * The largest power of two that a value with a line is a multiple of; as in files (core/surface/even_lines).
+ * Where 0 is between both ends it has one itself, and the others begin a power later.
  */
 export function coarsestPower(low: number, high: number): number {
     const largest = Math.max(Math.abs(low), Math.abs(high));

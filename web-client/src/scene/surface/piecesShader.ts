@@ -1,18 +1,20 @@
-// Pieces of a surface instead of all of it: lines, ribbons and arrows, at even distances in units of length (McLoughlin, Laramee, Zhang, Easy
-// Integral Surfaces, 2009). The same values have lines as in files of them (core/surface/even_lines): multiples of the smallest power of
-// two that lie far enough apart there.
+// Pieces of a surface instead of all of it: lines, ribbons and arrows, at even distances in units of length
+// (McLoughlin, Laramee, Zhang, Easy Integral Surfaces, 2009). The same values have lines as in files of them
+// (core/surface/even_lines): multiples of the smallest power of two that lie far enough apart there.
 
 export const piecesGlsl = `
 uniform int pieces;
 // Lengths: neighbours are at least so far apart; of ribbons and of arrows' heads.
 uniform float pieceNear;
 uniform float pieceWidth;
-// Of s and of t: the least, the greatest, the largest power of two that a line is at a multiple of, and what c is counted from.
+// Of s and of t: the least, the greatest, the largest power of two that a line is at a multiple of, and what
+// c is counted from.
 uniform vec4 pieceS;
 uniform vec4 pieceT;
 uniform bool rakeCloses;
 
-/** Of all values that may have a line, how far those apart are that have one where a unit is so long. */
+/** Returns, for all values that may have a line, how far those apart are that have one where a unit is so
+ *  long. */
 float apartFor(float unit, vec4 levels) {
     return min(exp2(ceil(log2(pieceNear / max(unit, 1e-20)))), levels.z);
 }
@@ -28,7 +30,7 @@ bool isInside(float value, float unit, vec4 levels, bool wraps) {
     return wraps ? fract(value) != 0.0 || unit >= 2.0 * pieceNear : between;
 }
 
-/** Of one parameter: whether this is on a line, or on a ribbon. */
+/** Returns for one parameter whether this is on a line, or on a ribbon. */
 bool isOnLine(float c, float rate, float unit, vec4 levels, bool wraps, bool ribbon) {
     float value = nearestValue(c, apartFor(unit, levels), levels);
     if (!isInside(value, unit, levels, wraps)) return false;
@@ -67,7 +69,8 @@ bool isOnArrow(vec2 c, mat2 slope, vec2 unit, mat2 unitSlope, mat2x3 way, vec3 v
     return false;
 }
 
-/** @param c  s and t; \`slope\` and \`unitSlope\` how c and the lengths of their units change over a pixel, \`way\` how the place does */
+/** @param c s and t; \`slope\` and \`unitSlope\` how c and the lengths of their units change over a pixel,
+ *  \`way\` how the place does */
 bool isBetweenPieces(vec2 c, mat2 slope, vec2 unit, mat2 unitSlope, mat2x3 way, vec3 velocity) {
     if (pieces == 0) return false;
     if (pieces == 5) return !isOnArrow(c, slope, unit, unitSlope, way, velocity);

@@ -1,9 +1,11 @@
-// Noise for the flow texture, smeared in advance (line integral convolution, Cabral and Leedom 1993, over so short a way that it is
-// straight): once in each of many directions, all of the same noise, so that neighbours among them hardly differ. A pixel then needs
-// one look-up, whatever the direction. It finds two sizes of grain, one half of the other, between which the texture can change over.
-// What moves is the noise under two waves a quarter of a length apart, of which each other wave along the flow is a sum.
+// Noise for the flow texture, smeared in advance (line integral convolution, Cabral and Leedom 1993, over so
+// short a way that it is straight): once in each of many directions, all of the same noise, so that
+// neighbours among them hardly differ. A pixel then needs one look-up, whatever the direction. It finds two
+// sizes of grain, one half of the other, between which the texture can change over. What moves is the noise
+// under two waves a quarter of a length apart, of which each other wave along the flow is a sum.
 
-/** Larger grains along a side of what repeats, and numbers: a grain is as wide as four, or two, so that none is a stair. */
+/** Larger grains along a side of what repeats, and numbers: a grain is as wide as four, or two, so that none
+ *  is a stair. */
 export const noiseGrains = 48;
 export const noiseSize = 4 * noiseGrains;
 /** Over half a turn; one more is the first one the other way round. The widest gap is 3.6 degrees. */
@@ -12,22 +14,23 @@ export const directions = 64;
 export const waveGrains = 5;
 /** Grains that are smeared together. */
 const smearedGrains = 14;
-/** Of the light: what is further from the middle than half is cut off. */
+/** Is that of the light: what is further from the middle than half is cut off. */
 const standardDeviation = 0.3;
 /** Numbers that are repeated round the noise, so that what is next to a place never wraps round. */
 const margin = 2 * smearedGrains + 2;
 const paddedSize = noiseSize + 2 * margin;
 
 /**
- * Of a direction in the plane, as the shader counts them: evenly in x / (|x| + |y|), which needs no arc tangent.
- * Returns a vector of any length; y is not negative.
+ * Returns a direction in the plane, as the shader counts them: evenly in x / (|x| + |y|), which needs no arc
+ * tangent. Returns a vector of any length; y is not negative.
  */
 export function directionOf(layer: number): [number, number] {
     const x = 1 - (2 * layer) / directions;
     return [x, 1 - Math.abs(x)];
 }
 
-/** Direction after direction: of each place the larger grain and the smaller one; each under both waves where it is to move. */
+/** Direction after direction: of each place the larger grain and the smaller one; each under both waves where
+ *  it is to move. */
 export function smearedNoise(moving: boolean): Uint8Array<ArrayBuffer> {
     const grains = [4, 2].map((width) => ({ width, noise: paddedNoise(width) }));
     const waves = moving ? (['cos', 'sin'] as const) : (['none'] as const);
@@ -45,14 +48,15 @@ export function smearedNoise(moving: boolean): Uint8Array<ArrayBuffer> {
     return bytes;
 }
 
-/** How far away in the padded noise, and with what weight. */
+/** Says how far away in the padded noise, and with what weight. */
 type Tap = readonly [offset: number, weight: number];
 
 /** @param grain  so many numbers are a grain */
 function kernelOf([x, y]: [number, number], grain: number, wave: 'none' | 'cos' | 'sin'): Tap[] {
     const flat = Math.abs(x) >= y;
     const slope = flat ? y / x : x / y;
-    // Along the nearer axis by whole numbers, a grain at most; across it is shared by the two numbers it lies between.
+    // Along the nearer axis by whole numbers, a grain at most; across it is shared by the two numbers it lies
+    // between.
     const step = Math.round(grain / Math.hypot(1, slope));
     const length = (step * Math.hypot(1, slope)) / grain;
     const reach = Math.floor(smearedGrains / 2 / length);

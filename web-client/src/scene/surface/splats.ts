@@ -1,6 +1,7 @@
-// A surface as points: at each vertex an elliptical disc in the plane of the surface, as large as the neighbours are away, so that discs
-// leave no holes (after Schafhitzel, Tejada, Weiskopf, Ertl, Point-based stream surfaces and path surfaces, 2007). They are made of what the
-// surface's buffers hold, and drawn by the surface's own shader.
+// A surface as points: at each vertex an elliptical disc in the plane of the surface, as large as the
+// neighbours are away, so that discs leave no holes (after Schafhitzel, Tejada, Weiskopf, Ertl, Point-based
+// stream surfaces and path surfaces, 2007). They are made of what the surface's buffers hold, and drawn by
+// the surface's own shader.
 import {
     BufferAttribute,
     type BufferGeometry,
@@ -11,7 +12,8 @@ import {
     Sphere,
 } from 'three';
 
-/** In the frame in which the farthest neighbours are 1 away along both axes, sides of triangles are 2 sqrt 2 long at most, and usually sqrt 2. */
+/** In the frame in which the farthest neighbours are 1 away along both axes, sides of triangles are 2 sqrt 2
+ *  long at most, and usually sqrt 2. */
 const reach = 0.85;
 
 export class Splats {
@@ -22,7 +24,7 @@ export class Splats {
         this.mesh.frustumCulled = false;
     }
 
-    /** Of a surface's buffers as they are now. */
+    /** Takes a surface's buffers as they are now. */
     update(of: BufferGeometry, vertices: number): void {
         const geometry = new InstancedBufferGeometry();
         for (const [name, { array, itemSize }] of Object.entries(of.attributes as Record<string, BufferAttribute>)) {

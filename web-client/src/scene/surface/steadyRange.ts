@@ -1,5 +1,6 @@
-// Ends for the colours of a surface: its own least and greatest value, rounded outward. It depends on nothing but those, so that everyone who
-// looks at the surface sees the same colours, and small changes, as while it plays, leave them as they are.
+// Ends for the colours of a surface: its own least and greatest value, rounded outward. It depends on nothing
+// but those, so that every user who looks at the surface sees the same colours, and small changes, as while
+// it plays, leave them as they are.
 import { niceStep } from '../base/ticks.ts';
 
 const parts = 10;

@@ -1,4 +1,5 @@
-// All surfaces of the session in the scene: their meshes, materials, looks and what the painter has left of them.
+// All surfaces of the session in the scene: their meshes, materials, looks and what the painter has left of
+// them.
 import { Group, type Scene, Vector2, type Vector4, WebGLRenderTarget } from 'three';
 import type { TimedMeshChange } from '../../mesh/meshChange.ts';
 import type { Bounds } from '../domain/domainAxes.ts';
@@ -14,7 +15,7 @@ import { isPlain, isTransparent, plainStyle, type SurfaceStyle } from './surface
 import { SurfaceTextures } from './surfaceTextures.ts';
 import { Transparency } from './transparency.ts';
 
-/** How many times its length a mask that was brought may be away. */
+/** Says how many times its length a mask that was brought may be away. */
 const farthestMask = 4096;
 
 type Range = [number, number];
@@ -29,15 +30,15 @@ export interface DrawnSurface {
     splats: Splats | null;
 }
 
-/** What a surface spans, as it is drawn. */
+/** Describes what a surface spans, as it is drawn. */
 export interface SurfaceSpan {
-    /** What both ends of the colours stand for. */
+    /** Holds what both ends of the colours stand for. */
     colours: Range;
     t: Range;
     s: Range;
-    /** Of what is shown now, the same as t but for streak surfaces. */
+    /** Is the age of what is shown now, the same as t but for streak surfaces. */
     age: Range;
-    /** How it is drawn now; a wish may still wait for what it shows. */
+    /** Says how it is drawn now; a wish may still wait for what it shows. */
     style: SurfaceStyle;
 }
 
@@ -47,7 +48,7 @@ export class SurfaceLayer {
     readonly shared = sharedUniforms();
     /** Planes (n, w) that cut the body: nothing is left where n . point > w. */
     readonly bodyClip = { value: noPlanes() };
-    /** How much further from the eye the body is drawn, in depth alone. */
+    /** Says how much further from the eye the body is drawn, in depth alone. */
     readonly bodyPush = { value: 0 };
     readonly transparency = new Transparency(this.shared.depthRange.value, this.shared);
     readonly shade = new ContactShade();
@@ -55,7 +56,7 @@ export class SurfaceLayer {
     private readonly styles = new Map<string, SurfaceStyle>();
     /** Masks, or their codes, for surfaces that are not painted, or not there, at the moment. */
     private readonly wishedMasks = new Map<string, string | SurfaceMask>();
-    /** How often the painter has changed something. */
+    /** Says how often the painter has changed something. */
     strokes = 0;
     private clipped = false;
 
@@ -178,13 +179,15 @@ export class SurfaceLayer {
         if (surface !== undefined) this.maskOf(surface)?.fill(reveal);
     }
 
-    /** What the painter has left of a surface, as a text; null: it is too intricate for one. Undefined: nothing is painted. */
+    /** Returns what the painter has left of a surface, as a text; null: it is too intricate for one.
+     *  Undefined: nothing is painted. */
     maskCode(id: string): string | null | undefined {
         const mask = this.surfaces.get(id)?.mask ?? this.wishedMasks.get(id);
         return mask instanceof SurfaceMask ? mask.code : mask;
     }
 
-    /** As the code says, from now on or when the surface is painted; one that cannot be read says that nothing is revealed. */
+    /** Shows what the code says, from now on or when the surface is painted; one that cannot be read says
+     *  that nothing is revealed. */
     setMask(id: string, code: string): void {
         ++this.strokes;
         this.wishedMasks.set(id, code);
@@ -213,7 +216,8 @@ export class SurfaceLayer {
         const wished = typeof kept === 'string' ? decodeMask(kept) : kept;
         this.wishedMasks.delete(id);
         const [low, high] = mesh.tRange;
-        // One of other times altogether has nothing to do with this surface, and would be doubled for long to reach it.
+        // One of other times altogether has nothing to do with this surface, and would be doubled for long to
+        // reach it.
         const near = wished !== null && Math.max(high - low, Math.abs(low - wished.tStart)) <= farthestMask * wished.tLength;
         return new SurfaceMask(mesh.tRange, near ? wished : null);
     }

@@ -1,5 +1,5 @@
-// What the painter has revealed of a surface, in its own coordinates s and t: stays where it is when the mesh is refined, moves
-// or goes on. (The surface painter of McLoughlin, Laramee and Zhang, 2009.)
+// Holds what the painter has revealed of a surface, in its own coordinates s and t: stays where it is when
+// the mesh is refined, moves or goes on. (The surface painter of McLoughlin, Laramee and Zhang, 2009.)
 import { DataTexture, LinearFilter, RedFormat, UnsignedByteType } from 'three';
 import { encodeMask, type MaskContent, maskSize } from './maskCode.ts';
 import type { PickHit } from './pickHit.ts';

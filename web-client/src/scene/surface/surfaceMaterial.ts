@@ -25,7 +25,7 @@ import type { SurfaceTextures } from './surfaceTextures.ts';
 
 export type FlowTexture = 'none' | 'standing' | 'flowing';
 
-/** Of programs with it: a software renderer computes what no pixel takes. */
+/** Selects the programs with each texture: a software renderer computes what no pixel takes. */
 export const textureDefines = { none: {}, standing: { TEXTURED: 1 }, flowing: { TEXTURED: 1, FLOWING: 1 } } as const;
 
 /** A number that nothing on a surface reaches. */
@@ -40,7 +40,7 @@ export function noPlanes(): Vector4[] {
     return [0, 1, 2].map(() => new Vector4(0, 0, 0, 1));
 }
 
-/** Of all surfaces together; the same objects in every material. */
+/** Makes the uniforms of all surfaces together; the same objects in every material. */
 export function sharedUniforms() {
     return {
         clip: { value: noPlanes() },
@@ -50,7 +50,7 @@ export function sharedUniforms() {
         flowed: { value: 0 },
         noise: { value: null as DataArrayTexture | null },
         waves: { value: null as DataArrayTexture | null },
-        /** Of the flow texture, see grainsPerLength(). */
+        /** Scales the flow texture, see grainsPerLength(). */
         noiseScale: { value: 1 },
         noiseFrom: { value: new Vector3() },
         ...peelUniforms(),
@@ -96,25 +96,25 @@ function ownUniforms(textures: SurfaceTextures) {
     };
 }
 
-/** What programs of that texture look up. */
+/** Makes what programs of that texture look up. */
 export function makeNoise(texture: FlowTexture, shared: SharedUniforms, textures: SurfaceTextures): void {
     if (texture === 'standing') shared.noise.value = textures.noise(false);
     if (texture === 'flowing') shared.waves.value = textures.noise(true);
 }
 
-/** What a style needs to know of the mesh. */
+/** Describes what a style needs to know of the mesh. */
 export interface MeshFacts {
     time: number;
     scalarRange: readonly [number, number];
     tRange: readonly [number, number];
-    /** What t is counted from in the shaders. */
+    /** Holds what t is counted from in the shaders. */
     tFrom: number;
     hasStretch: boolean;
     hasFlow: boolean;
     hasUnits: boolean;
 }
 
-/** Of t as the shaders have it, counted from the first. */
+/** Returns the lines' offset in t as the shaders have it, counted from the first. */
 function pieceT({ tRange: [low, high], tFrom }: MeshFacts): Vector4 {
     const power = coarsestPower(low, high);
     // Multiples stay the same ones without the whole turns of the largest.
@@ -131,7 +131,7 @@ export class SurfaceMaterials {
     readonly blended: ShaderMaterial;
     readonly peeled: ShaderMaterial;
     readonly pick: ShaderMaterial;
-    /** What is drawn as the two ends of the colours. */
+    /** Holds what is drawn as the two ends of the colours. */
     range: [number, number] = [0, 1];
     ages: [number, number] = [0, 1];
     private texture: FlowTexture = 'none';

@@ -20,10 +20,10 @@ type Range = [number, number];
 
 const smallestCapacity = 1 << 14;
 export const stretchName = 'deformation';
-/** Of the velocity, which the flow texture follows. */
+/** Name the components of the velocity, which the flow texture follows. */
 export const flowNames = ['velocity_x', 'velocity_y', 'velocity_z'] as const;
 
-/** What a buffer holds; those that are not always there are made when first filled. */
+/** Names what a buffer holds; those that are not always there are made when first filled. */
 const kinds = {
     position: { size: 3, array: Float32Array },
     normal: { size: 3, array: Float32Array },
@@ -47,9 +47,9 @@ export class SurfaceMesh {
     shownScalar = '';
     time = 0;
     vertices = 0;
-    /** Of all values so far, since the buffers were last filled from the start. */
+    /** Is the range of all values so far, since the buffers were last filled from the start. */
     scalarRange: Range = emptyRange();
-    /** What t is counted from in its buffer: MeshChange.tFrom. */
+    /** Holds what t is counted from in its buffer: MeshChange.tFrom. */
     tFrom = 0;
     private seenT: Range = emptyRange();
     private vertexCapacity = 0;

@@ -1,5 +1,6 @@
-// What is under the pointer: the surfaces and the body are drawn once more, only the few pixels round it, with places and
-// numbers instead of colours into float32 targets, and read back. Sees what the user sees: cut, hidden and painted alike.
+// Finds what is under the pointer: the surfaces and the body are drawn once more, only the few pixels round
+// it, with places and numbers instead of colours into float32 targets, and read back. Sees what the user
+// sees: cut, hidden and painted alike.
 import {
     type BufferGeometry,
     type Camera,
@@ -44,7 +45,7 @@ export class SurfacePick {
         });
     }
 
-    /** What is exactly there. */
+    /** Returns what is exactly there. */
     at(view: View, body: BufferGeometry | null, at: ScreenPoint, options: PickOptions = {}): PickHit | null {
         return this.grid(view, body, at, 0, options).hits[0] ?? null;
     }

@@ -1,7 +1,8 @@
-// The shader of the surfaces, one text for five programs: the first draws; PLAIN does so without planes, windows, painting, stripes and
-// outlines, which most surfaces have none of, at half the cost; BLENDED adds to the targets of transparency (weightedBlending.ts); PEELED draws one
-// of its layers (peeling.ts); the pick writes what is where (surfacePick.ts). Looks differ in uniforms, and the flow texture
-// in programs with it (TEXTURED) in which it stands or moves (FLOWING): a software renderer computes what no pixel takes.
+// The shader of the surfaces, one text for five programs: the first draws; PLAIN does so without planes,
+// windows, painting, stripes and outlines, which most surfaces have none of, at half the cost; BLENDED adds
+// to the targets of transparency (weightedBlending.ts); PEELED draws one of its layers (peeling.ts); the pick
+// writes what is where (surfacePick.ts). Looks differ in uniforms, and the flow texture in programs with it
+// (TEXTURED) in which it stands or moves (FLOWING): a software renderer computes what no pixel takes.
 import { cutLevel } from '../../mesh/meshChange.ts';
 import { flowTextureGlsl, flowVertexGlsl } from './flowTextureShader.ts';
 import { patternGlsl } from './patternShader.ts';
@@ -20,7 +21,8 @@ out vec2 onDisc;
 attribute float scalar;
 attribute float stretch;
 attribute float cut;
-// What a fixed grid cannot resolve: what shape takes away of smoke, and how far sides leave the plane of the vertex.
+// What a fixed grid cannot resolve: what shape takes away of smoke, and how far sides leave the plane of the
+// vertex.
 attribute vec2 unresolved;
 attribute float flowX;
 attribute float flowY;
@@ -130,7 +132,7 @@ bool isCut() {
     return cut;
 }
 
-/** What the painter has left of the opacity. */
+/** Returns what the painter has left of the opacity. */
 float revealed() {
     if (!painting) return 1.0;
     float at = (place.y - maskT.x) * maskT.y;
@@ -179,8 +181,8 @@ vec3 lit(vec3 base, vec3 n, vec3 toViewer) {
 }
 
 /**
- * What is left of the smoke where the surface has been stretched, and with time; and of that which a fixed grid can resolve (after von Funck
- * et al. 2008: the product of density, shape, curvature and fading).
+ * Returns what is left of the smoke where the surface has been stretched, and with time; and of that which a
+ * fixed grid can resolve (after von Funck et al. 2008: the product of density, shape, curvature and fading).
  */
 float density(float seedsPerPixel, float areaPerPixel) {
     float known = exp2(-values.z);
@@ -285,7 +287,8 @@ layout(location = 0) out vec4 drawn;
 uniform bool peeling;
 uniform sampler2D nearer;
 
-/** Whether it belongs to a layer that has been drawn, or is behind something opaque (for BLENDED the test of depth knows). */
+/** Returns whether it belongs to a layer that has been drawn, or is behind something opaque (for BLENDED the
+ *  test of depth knows). */
 bool isPeeledOff() {
     ivec2 at = ivec2(gl_FragCoord.xy);
 #ifdef PEELED

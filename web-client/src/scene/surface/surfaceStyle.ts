@@ -1,7 +1,8 @@
-// How one surface is to be drawn, with everything resolved that the shader cannot know.
+// Says how one surface is to be drawn, with everything resolved that the shader cannot know.
 import type { ColourMapName } from './colourMap.ts';
 
-/** Where the number behind the colour comes from; 'scalar': from the server, the others are made from s and t. */
+/** Where the number behind the colour comes from; 'scalar': from the server, the others are made from s and
+ *  t. */
 export type ColourSource = 'constant' | 'scalar' | 's' | 'age';
 export type LinePattern = 'none' | 'timelines' | 'streamlines' | 'grid' | 'checker';
 /** All of a surface, or what is left of it. */
@@ -38,7 +39,8 @@ export interface SurfaceStyle {
     smoke: number;
     /** Nothing was refined: smoke hides what the grid cannot resolve. */
     fixedGrid: boolean;
-    /** Area that the rake sweeps per unit of s and t as it releases; the measure of stretching where that is not sent. */
+    /** Area that the rake sweeps per unit of s and t as it releases; the measure of stretching where that is
+     *  not sent. */
     areaPerSeed: number;
     silhouettes: boolean;
     lines: LinePattern;
@@ -51,7 +53,8 @@ export interface SurfaceStyle {
     /** Stripes and texture: 1 as usual, 2 twice as many. */
     density: number;
     texture: boolean;
-    /** Whether it moves: with the time that is shown, since `from`; or by itself, in a field that stands still. */
+    /** Says whether it moves: with the time that is shown, since `from`; or by itself, in a field that stands
+     *  still. */
     textureMoves: 'no' | 'withTime' | 'byItself';
     /** When the surface begins. */
     from: number;
@@ -98,12 +101,13 @@ export const plainStyle: SurfaceStyle = {
     faded: 0,
 };
 
-/** Whether something behind the surface may be seen through it. */
+/** Returns whether something behind the surface may be seen through it. */
 export function isTransparent({ opacity, angleOpacity, smoke, painting, faded }: SurfaceStyle): boolean {
     return opacity < 1 || angleOpacity || smoke > 0 || (painting && faded > 0);
 }
 
-/** Whether only colour, light and the flow texture make the picture, which is drawn more quickly then. */
+/** Returns whether only colour, light and the flow texture make the picture, which is drawn more quickly
+ *  then. */
 export function isPlain({ silhouettes, lines, pieces, sWindow, ageWindow, painting }: SurfaceStyle): boolean {
     return !silhouettes && lines === 'none' && pieces === 'whole' && sWindow === null && ageWindow === null && !painting;
 }

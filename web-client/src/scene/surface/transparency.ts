@@ -1,6 +1,6 @@
-// What can be seen through, behind what is opaque: drawn aside before the picture, and laid over it by one triangle. Weights tell
-// the order while things move (weightedBlending.ts), layers where it has to be exact (peeling.ts). Where nothing is transparent
-// nothing of this is drawn or kept.
+// Draws what can be seen through, behind what is opaque: aside before the picture, and laid over it by one
+// triangle. Weights tell the order while things move (weightedBlending.ts), layers where it has to be exact
+// (peeling.ts). Where nothing is transparent nothing of this is drawn or kept.
 import {
     type Camera,
     Color,
@@ -23,7 +23,7 @@ import { WeightedBlending } from './weightedBlending.ts';
 
 /** The programs of something that can be seen through. */
 export interface TransparentMaterials {
-    /** As if nothing could be seen through it. */
+    /** Is drawn as if nothing could be seen through it. */
     opaque: ShaderMaterial;
     /** Little can. */
     isDense: boolean;
@@ -34,7 +34,7 @@ export interface TransparentMaterials {
 export class Transparency {
     /** Belongs into the scene. */
     readonly object = new Group();
-    /** Whether the next picture has everything in its exact order, which costs several times as much. */
+    /** Says whether the next picture has everything in its exact order, which costs several times as much. */
     exact = false;
     private readonly scene = new Scene();
     private readonly materials = new Map<Mesh, TransparentMaterials>();
@@ -55,7 +55,7 @@ export class Transparency {
         this.compose(null);
     }
 
-    /** Whether there is anything that needs it. */
+    /** Returns whether there is anything that needs it. */
     get isNeeded(): boolean {
         return this.scene.children.some(({ visible }) => visible);
     }

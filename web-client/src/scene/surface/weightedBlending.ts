@@ -1,6 +1,7 @@
-// Transparency that does not depend on the order in which surfaces, or their folds, are drawn: weighted blended (McGuire and
-// Bavoil, JCGT 2013). Transparent surfaces go to two half-float targets: the weighted sum of colours with the product of what
-// passes through, and the sum of weights. Where one is before the other the weights only guess; peeling.ts knows.
+// Transparency that does not depend on the order in which surfaces, or their folds, are drawn: weighted
+// blended (McGuire and Bavoil, JCGT 2013). Transparent surfaces go to two half-float targets: the weighted
+// sum of colours with the product of what passes through, and the sum of weights. Where one is before the
+// other the weights only guess; peeling.ts knows.
 import {
     type Camera,
     type DepthTexture,
@@ -19,7 +20,8 @@ export class WeightedBlending {
     private readonly sum: { value: Texture | null } = { value: null };
     private readonly weights: { value: Texture | null } = { value: null };
 
-    /** Lays the mean over or under a picture; encoded: as colours of the screen, where the target has them linear. */
+    /** Lays the mean over or under a picture; encoded: as colours of the screen, where the target has them
+     *  linear. */
     composite(laid: Laid, encoded: boolean): FullScreen {
         const uniforms = { sum: this.sum, weights: this.weights };
         return fullScreen(laid, { uniforms, fragmentShader, defines: encoded ? { ENCODED: 1 } : {} });

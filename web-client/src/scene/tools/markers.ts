@@ -1,5 +1,5 @@
-// Points in space that someone has set: where was probed, what was measured, where words stand. They keep their size on the
-// screen and show through what is before them.
+// Points in space that a user has set: where was probed, what was measured, where words stand. They keep
+// their size on the screen and show through what is before them.
 import { Color, Group, Mesh, MeshBasicMaterial, SphereGeometry } from 'three';
 import type { Vec3 } from '../../protocol/messages.ts';
 import { Labels } from '../base/labels.ts';

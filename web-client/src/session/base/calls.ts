@@ -6,7 +6,7 @@ import { tellUnlessCut } from './lostConnection.ts';
 
 const edits = new Set<MethodName>(['annotation.set', 'annotation.delete', 'bookmark.set', 'bookmark.delete']);
 
-/** What names an act of the user's, and counts it once the server has taken it. */
+/** Describes what names an act of the user's, and counts it once the server has taken it. */
 export interface Acts {
     begin: () => string;
     taken: (gesture: string) => void;

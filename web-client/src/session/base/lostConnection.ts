@@ -1,4 +1,5 @@
-// Calls that end with the connection: the connection's own banner says so, and what it said goes with the next connection.
+// Calls that end with the connection: the connection's own banner says so, and what it said goes with the
+// next connection.
 import type { Announcements } from '../../state/announcements.ts';
 import { CallError } from '../../worker/workerClient.ts';
 

@@ -1,12 +1,12 @@
-// Where further rakes and copies go, and what a rake is swept along, where no one has chosen. The first rake and surface are the
-// server's suggestion.
+// Where further rakes and copies go, and what a rake is swept along, where no user has chosen. The first rake
+// and surface are the server's suggestion.
 import type { DatasetDescription, Vec3 } from '../../protocol/messages.ts';
 
 type Axis = 0 | 1 | 2;
 type Bounds = DatasetDescription['bounds'];
 
 /**
- * What a time surface's rake is swept along where no one has chosen: the axis that is most
+ * Returns what a time surface's rake is swept along where no user has chosen: the axis that is most
  * perpendicular to the rake, across the flow rather than along it (along the longest side), to
  * where there is more room, a quarter of the longest side but not out of the domain.
  */
@@ -26,8 +26,9 @@ export function defaultSweep(bounds: Bounds, rake: readonly Vec3[]): Vec3 {
 }
 
 /**
- * For a further rake: half as long as the first one that the server suggests, so that it is no wall before all the rest, and beside it across the
- * flow, as near as it is clear of those there are; where nothing is clear, to where there is most room.
+ * For a further rake: half as long as the first one that the server suggests, so that it is no wall before
+ * all the rest, and beside it across the flow, as near as it is clear of those there are; where nothing is
+ * clear, to where there is most room.
  */
 export function freeRake(bounds: Bounds, first: readonly Vec3[], others: readonly (readonly Vec3[])[]): [Vec3, Vec3] {
     const start: Vec3 = first[0] ?? [0, 0, 0];

@@ -1,4 +1,4 @@
-// What becomes of an edit that the server does not take: words for the user. It goes back to what everyone sees.
+// Handles an edit that the server does not take: words for the user. It goes back to what every user sees.
 import { errorCodes } from '../../protocol/generated/errors.ts';
 import type { AppState } from '../../state/appState.ts';
 import { CallError } from '../../worker/workerClient.ts';
@@ -6,7 +6,7 @@ import { tellUnlessCut } from '../base/lostConnection.ts';
 
 const { leased } = errorCodes;
 
-/** What the server has said against an edit; null: it has not answered. */
+/** Returns what the server has said against an edit; null: it has not answered. */
 export function refusalWords(error: unknown): string | null {
     return error instanceof CallError && error.failure.kind === 'rpc' ? error.failure.message : null;
 }

@@ -1,4 +1,5 @@
-// The user's edits, whatever of: what is chosen, the rakes and surfaces on their way to the server, and the way back.
+// The user's edits, whatever of: what is chosen, the rakes and surfaces on their way to the server, and the
+// way back.
 import { limits } from '../../protocol/generated/limits.ts';
 import { effect, untracked } from '@preact/signals-core';
 import { type AppState, withEntry } from '../../state/appState.ts';
@@ -23,7 +24,7 @@ export interface EditsOptions {
     worker: Pick<WorkerClient, 'call'>;
     latency: LatencyLog;
     requestFrame: () => void;
-    /** Whether a handle is held at the moment. */
+    /** Returns whether a handle is held at the moment. */
     dragging: () => boolean;
 }
 
@@ -61,12 +62,14 @@ export class Edits {
         });
     }
 
-    /** What the controls show of the active surface: ahead of the record while edits are on their way. */
+    /** Returns what the controls show of the active surface: ahead of the record while edits are on their
+     *  way. */
     get intent(): SurfaceEdits['intent'] {
         return this.surfaces.intent;
     }
 
-    /** What became of the last change of the active surface where it is not just what was asked for. */
+    /** Returns what became of the last change of the active surface where it is not just what was asked
+     *  for. */
     get remark(): SurfaceEdits['remark'] {
         return this.surfaces.remark;
     }
@@ -85,14 +88,14 @@ export class Edits {
         this.rakes.move(move);
     }
 
-    /** What others are told of a move while it lasts. */
+    /** Returns what others are told of a move while it lasts. */
     draggedNow({ shape, dragging }: RakeMove): { rake: string; points: Vec3[] } | null {
         const rake = this.state.activeRake.value;
         if (!dragging || rake === null || shape.points.length > mostToldPoints) return null;
         return { rake, points: shape.points.map((point) => [...point] as Vec3) };
     }
 
-    /** Of the active rake. */
+    /** Changes the shape of the active rake. */
     setShape(shape: RakeShape): void {
         this.changeRake(this.state.activeRake.value ?? '', { shape });
     }
@@ -146,7 +149,7 @@ export class Edits {
         this.surfaces.reconnected();
     }
 
-    /** What was done before an undo comes before it for the server as well. */
+    /** Sends what was done before an undo ahead of it. */
     private allSent(): Promise<void> {
         ++this.history.turns.value;
         this.flush();

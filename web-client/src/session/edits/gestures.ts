@@ -1,5 +1,6 @@
-// Which edits are one act of the user's: a slider that is moved, a handle that is dragged, a button that makes two records, a
-// film that plays. The server takes back as one what bears one name (protocol/api/README.md, "Gestures").
+// Which edits are one act of the user's: a slider that is moved, a handle that is dragged, a button that
+// makes two records, a film that plays. The server takes back as one what bears one name
+// (protocol/api/README.md, "Gestures").
 
 /** Edits of one slider that follow each other faster are one act, as the wheel and the arrow keys move it. */
 const pauseMs = 1000;
@@ -33,17 +34,17 @@ export class Gestures {
         return this.started('', Number.NEGATIVE_INFINITY);
     }
 
-    /** What goes on by itself, as playing does, goes with whatever its user does meanwhile. */
+    /** Joins what goes on by itself, as playing does, to whatever its user does meanwhile. */
     get current(): string {
         return `${this.page}.${this.count}`;
     }
 
-    /** Of a button, or a key that repeats: another press is another act. */
+    /** Names the act of a button, or a key that repeats: another press is another act. */
     pressed(what: string, at: number): string {
         return this.continues(what) ? this.current : this.started(what, at);
     }
 
-    /** Of a slider or field that many edits come from. */
+    /** Names the act of a slider or field that many edits come from. */
     slid(what: string, at: number): string {
         const goesOn = this.continues(what) || (this.newest.what === what && at - this.newest.at < pauseMs);
         if (!goesOn) return this.started(what, at);

@@ -1,9 +1,10 @@
-// What a level surface may be a level set of, and where one begins: a field of the dataset, at the middle of its range.
+// Says what a level surface may be a level set of, and where one begins: a field of the dataset, at the
+// middle of its range.
 import type { DatasetDescription } from '../../protocol/messages.ts';
 
 type Level = { field: string; level: number };
 
-/** What surfaces have, and not the data. */
+/** Holds what surfaces have, and not the data. */
 const ofSurfaces = ['deformation', 'approximated', 'error'];
 
 export function levelFields({ surfaceFields, fields }: DatasetDescription): string[] {
@@ -17,13 +18,14 @@ export function describedRange({ fields }: DatasetDescription, name: string): re
     return low !== null && high !== null && low < high ? [low, high] : null;
 }
 
-/** Of a field whose range is not known zero will do: those have both signs, or say what they range over. */
+/** Returns the middle of the field's range. Zero will do where that is not known: such fields have both
+ *  signs, or say what they range over. */
 export function levelOf(dataset: DatasetDescription, field: string): Level {
     const range = describedRange(dataset, field);
     return { field, level: range === null ? 0 : Number(((range[0] + range[1]) / 2).toPrecision(4)) };
 }
 
-/** Of the first stored scalar that says more than where the body is; else of the speed. */
+/** Returns a level of the first stored scalar that says more than where the body is; else of the speed. */
 export function firstLevel(dataset: DatasetDescription): Level {
     const scalar = dataset.fields.find(
         ({ name, components }) =>

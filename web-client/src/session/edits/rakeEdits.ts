@@ -1,5 +1,5 @@
-// The user's edits of rakes on their way to the server: of each rake only the newest counts, and what is on the screen stays
-// ahead of the record until it is answered.
+// The user's edits of rakes on their way to the server: of each rake only the newest counts, and what is on
+// the screen stays ahead of the record until it is answered.
 import { signal } from '@preact/signals-core';
 import { EditWindow } from '../../connection/editWindow.ts';
 import type { RakeRecord, SurfaceEpoch } from '../../protocol/messages.ts';
@@ -14,7 +14,8 @@ import type { UndoHistory } from './undoHistory.ts';
 
 const numbersEveryMs = 200;
 
-/** Of numbers that the active rake cannot have: told where they are typed, and solved by whatever changes the same of it. */
+/** Name the problems of numbers that the active rake cannot have: told where they are typed, and solved by
+ *  whatever changes the same of it. */
 export const numberProblems = { shape: 'rake outside', seeds: 'seeds' } as const;
 
 /** All of a rake that people set. */
@@ -34,7 +35,7 @@ export type RakeChange = Partial<Pick<RakeEdit, 'shape' | 'seeds' | 'name' | 'co
 interface OneRake {
     window: EditWindow<RakeEdit>;
     newest: RakeEdit;
-    /** Of the record that the newest answer spoke of; 0 after a refusal. */
+    /** Is the revision of the record that the newest answer spoke of; 0 after a refusal. */
     answeredRev: number;
     refused: boolean;
 }
@@ -48,12 +49,12 @@ export interface RakeEditsOptions {
     requestFrame: () => void;
     onChange: () => void;
     requested: (surface: SurfaceEpoch) => void;
-    /** Whether a handle is held at the moment. */
+    /** Returns whether a handle is held at the moment. */
     dragging: () => boolean;
 }
 
 export class RakeEdits {
-    /** Of the active rake, ahead of its record. */
+    /** Is the number of seeds of the active rake, ahead of its record. */
     readonly seeds = signal(0);
     private readonly options: RakeEditsOptions;
     private readonly edited = new Map<string, OneRake>();
@@ -124,7 +125,7 @@ export class RakeEdits {
         for (const one of this.edited.values()) one.answeredRev = 0;
     }
 
-    /** What was still to be said of a rake that someone has deleted is not sent any more. */
+    /** Drops what was still to be said of a rake that has been deleted. */
     private forgetAllBut(rakes: ReadonlyMap<string, RakeRecord>): void {
         const gone = [...this.edited.keys()].filter((rake) => !rakes.has(rake));
         for (const rake of gone) {
@@ -165,7 +166,7 @@ export class RakeEdits {
         this.options.onChange();
         const one = this.edited.get(rake);
         if (one === undefined || one.window.busy || this.options.dragging()) return;
-        // What is refused goes back to where everyone else sees it.
+        // What is refused goes back to where all other users see it.
         if (one.answeredRev > 0 || one.refused) this.recordsChanged();
         one.refused = false;
     }
@@ -187,7 +188,7 @@ export class RakeEdits {
                 requested({ surface, epoch });
             }
         } catch (error) {
-            // It was deleted meanwhile, which everyone sees.
+            // It was deleted meanwhile, which every user sees.
             if (one === undefined || !this.edited.has(edit.rake)) return;
             tellFailure(state, `rake ${edit.rake}`, error);
             one.answeredRev = 0;

@@ -1,4 +1,4 @@
-// What makes, copies and deletes rakes and surfaces: buttons, one call or a few each.
+// Makes, copies and deletes rakes and surfaces: buttons, one call or a few each.
 import type { ParamsOf, RakeRecord, ResultOf, SurfaceSetting } from '../../protocol/messages.ts';
 import { type RakeShape, translated } from '../../scene/rake/rakeShape.ts';
 import type { AppState } from '../../state/appState.ts';
@@ -13,7 +13,7 @@ type Edit = 'rake.set' | 'rake.delete' | 'surface.set' | 'surface.delete';
 type CallOne = <M extends Edit>(method: M, params: ParamsOf<M>) => Promise<ResultOf<M>>;
 type Choose = (what: { rake: string } | { surface: string }) => void;
 
-/** What names an act of the user's, and what counts it. */
+/** Describes what names an act of the user's, and what counts it. */
 interface Acts {
     gestures: Gestures;
     history: UndoHistory;

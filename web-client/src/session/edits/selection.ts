@@ -1,5 +1,5 @@
-// Which rake and which surface the panel acts on. They belong together: a rake that is chosen brings one of its surfaces along,
-// and a surface its rake.
+// Which rake and which surface the panel acts on. They belong together: a rake that is chosen brings one of
+// its surfaces along, and a surface its rake.
 import { batch } from '@preact/signals-core';
 import type { AppState } from '../../state/appState.ts';
 
@@ -10,7 +10,7 @@ export function surfacesOf(state: AppState, rake: string | null): string[] {
 
 export class Selection {
     private readonly state: AppState;
-    /** Of each rake, the surface that was chosen last. */
+    /** Holds for each rake the surface that was chosen last. */
     private readonly lastOf = new Map<string, string>();
     private surface: string | null = null;
 

@@ -1,4 +1,5 @@
-// The user's edits of surfaces on their way to the server; what the controls show stays ahead of the record meanwhile.
+// The user's edits of surfaces on their way to the server; what the controls show stays ahead of the record
+// meanwhile.
 import { batch, signal } from '@preact/signals-core';
 import { EditWindow } from '../../connection/editWindow.ts';
 import type { SurfaceEpoch, SurfaceRecord, SurfaceSetting } from '../../protocol/messages.ts';
@@ -20,7 +21,7 @@ interface SurfaceEdit {
 interface OneSurface {
     window: EditWindow<SurfaceEdit>;
     last: SurfaceSetting | null;
-    /** Of the record that the newest answer spoke of; 0 after a refusal. */
+    /** Is the revision of the record that the newest answer spoke of; 0 after a refusal. */
     answeredRev: number;
 }
 
@@ -36,11 +37,11 @@ export interface SurfaceEditsOptions {
 }
 
 export class SurfaceEdits {
-    /** Of the active surface: what the controls show. */
+    /** Is what the controls show of the active surface. */
     readonly intent = signal<SurfaceIntent | null>(null);
     private readonly options: SurfaceEditsOptions;
     private readonly edited = new Map<string, OneSurface>();
-    /** What became of the last change where it is not just what was asked for: told at the controls. */
+    /** Holds what became of the last change where it is not just what was asked for: told at the controls. */
     readonly remark = signal<string | null>(null);
     private intentOf = '';
     /** The record that the intent shows; null where the intent is ahead. */
@@ -119,7 +120,7 @@ export class SurfaceEdits {
         }
     }
 
-    /** What was still to be said of a surface that someone has deleted is not sent any more. */
+    /** Drops what was still to be said of a surface that has been deleted. */
     private forgetAllBut(surfaces: ReadonlyMap<string, SurfaceRecord>): void {
         const gone = [...this.edited.keys()].filter((id) => !surfaces.has(id));
         for (const id of gone) {
@@ -169,10 +170,10 @@ export class SurfaceEdits {
             requested({ surface, epoch });
         } catch (error) {
             const one = this.edited.get(id);
-            // It was deleted meanwhile, which everyone sees.
+            // It was deleted meanwhile, which every user sees.
             if (one === undefined) return;
             tellFailure(state, `surface ${id}`, error);
-            // The newest goes back to what everyone sees; what came after this one may yet be taken.
+            // The newest goes back to what every user sees; what came after this one may yet be taken.
             if (one.last === setting) this.goBack(id, one, refusalWords(error));
         }
     }

@@ -1,4 +1,4 @@
-// What the user wants of a surface, and the setting of the server that comes nearest to it.
+// Says what the user wants of a surface, and the setting of the server that comes nearest to it.
 import type {
     Accuracy,
     DatasetDescription,
@@ -29,16 +29,16 @@ export interface SurfaceIntent {
     interpolation: Interpolation;
     /** Off: a grid that stays as the rake begins it. */
     refine: Refine;
-    /** What is carried along for colouring, beside the speed. */
+    /** Holds what is carried along for colouring, beside the speed. */
     fields: readonly string[];
-    /** How long a streak surface is released for; null: until it is shown. */
+    /** Says how long a streak surface is released for; null: until it is shown. */
     released: number | null;
-    /** How old a particle gets; null: as old as it may. */
+    /** Says how old a particle gets; null: as old as it may. */
     life: number | null;
     /** Where the patch of a time surface ends: the rake swept along this, or another rake. */
     sweep: Vec3 | null;
     rake2: string | null;
-    /** What a level surface is a level set of, and where. */
+    /** Holds what a level surface is a level set of, and where. */
     field: string | null;
     level: number | null;
 }
@@ -92,7 +92,7 @@ function levelSetting(intent: SurfaceIntent, record: SurfaceRecord, times: reado
     return { ...askedOf({ ...record, ...wanted }), surface: record.surface };
 }
 
-/** What of a record its setter asks for, and surfaces of its kind take. */
+/** Returns what of a record its setter asks for, and surfaces of its kind take. */
 function askedOf(record: SurfaceRecord): SurfaceSetting {
     const takenBy: Partial<Record<string, readonly SurfaceKind[]>> = surfaceSetOnlyFor;
     const names = surfaceAskedNames.filter(
@@ -111,7 +111,7 @@ function secondCurve({ sweep, rake2 }: SurfaceIntent): Pick<SurfaceRecord, 'swee
     return { sweep: sweep ?? undefined, rake2: sweep === null ? (rake2 ?? undefined) : undefined };
 }
 
-/** What makes a lost surface anew, on the rakes that have taken the place of its own. */
+/** Returns what makes a lost surface anew, on the rakes that have taken the place of its own. */
 export function settingAnew(record: SurfaceRecord, rakes: ReadonlyMap<string, string>): SurfaceSetting | null {
     const rake = rakes.get(record.rake);
     if (rake === undefined) return null;
@@ -122,7 +122,7 @@ export function settingAnew(record: SurfaceRecord, rakes: ReadonlyMap<string, st
     return rake2 === undefined ? null : { ...asked, rake, rake2 };
 }
 
-/** Whether a record is what a setting asked for, so that it brings no news of other people. */
+/** Returns whether a record is what a setting asked for, so that it brings no news of other people. */
 export function fulfils(record: SurfaceRecord, setting: SurfaceSetting): boolean {
     return surfaceAskedNames.every((name) => String(record[name]) === String(setting[name]));
 }

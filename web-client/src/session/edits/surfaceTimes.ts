@@ -1,10 +1,11 @@
-// Which times and directions go together: a surface starts at `from` and ends `length` later, or earlier where it goes backward. All but
-// stream surfaces stay in the data, and what has to give way for that is told.
+// Which times and directions go together: a surface starts at `from` and ends `length` later, or earlier
+// where it goes backward. All but stream surfaces stay in the data, and what has to give way for that is
+// told.
 import type { Direction, SurfaceKind } from '../../protocol/messages.ts';
 import { shortNumber } from '../../scene/base/numbers.ts';
 import { rounding } from '../../scene/base/rounding.ts';
 
-/** Of the intent of a surface. */
+/** Are the parts of a surface's intent that its times depend on. */
 interface Times {
     kind: SurfaceKind;
     from: number;
@@ -18,7 +19,8 @@ export function directionsOf(kind: SurfaceKind): readonly Direction[] {
     return kind === 'streak' || kind === 'time' ? ['forward', 'backward'] : ['forward', 'backward', 'both'];
 }
 
-/** How long it can be followed, and is as far as that is asked for; both ways, after its release. 0: no time is left. */
+/** Returns how long it can be followed, and is as far as that is asked for; both ways, after its release. 0:
+ *  no time is left. */
 export function followed(wanted: Times, times: readonly number[], steady: boolean): number {
     return isFree(wanted, steady) ? wanted.length : Math.min(wanted.length, timeLeft(wanted, times));
 }
@@ -39,11 +41,12 @@ export function endOf(wanted: Times, times: readonly number[], steady: boolean):
 export interface TypedTime {
     /** Null: it says nothing that could be done. */
     change: Partial<Times> | null;
-    /** What of it could not be so, and why; null: nothing. */
+    /** Holds what of it could not be so, and why; null: nothing. */
     told: string | null;
 }
 
-/** Another first time: the surface still ends where it did, if that is later. The field of a stream surface is frozen then. */
+/** Another first time: the surface still ends where it did, if that is later. The field of a stream surface
+ *  is frozen then. */
 export function typedFrom(wanted: Times, typed: number, times: readonly number[], steady: boolean): TypedTime {
     const from = steady ? typed : inData(typed, times);
     const told = outsideWords(typed, from, times);
@@ -74,7 +77,8 @@ function outsideWords(typed: number, taken: number, times: readonly number[]): s
     return `t = ${shortNumber(typed)} is outside the data, which go from ${first} to ${last}: ${shortNumber(taken)} is taken.`;
 }
 
-/** Where the data begin, if a path surface that goes both ways ends there before it has gone back as long as forward. */
+/** Where the data begin, if a path surface that goes both ways ends there before it has gone back as long as
+ *  forward. */
 export function cutBackAt(wanted: Times, times: readonly number[], steady: boolean): number | null {
     if (isFree(wanted, steady) || wanted.direction !== 'both') return null;
     const first = times[0] ?? wanted.from;
@@ -83,13 +87,15 @@ export function cutBackAt(wanted: Times, times: readonly number[], steady: boole
 
 export interface Adapted<Intent> {
     intent: Intent;
-    /** What was changed beside what the user has changed, and why; null: nothing. */
+    /** Holds what was changed beside what the user has changed, and why; null: nothing. */
     told: string | null;
 }
 
 /**
- * What comes nearest to a change that cannot be as it is: a direction that the kind has, and a release with time left in the data.
- * @param dragged  the release is what the user changes: it stops where no time would be left. Otherwise it goes where most is.
+ * Returns what comes nearest to a change that cannot be as it is: a direction that the kind has, and a
+ * release with time left in the data.
+ * @param dragged the release is what the user changes: it stops where no time would be left. Otherwise it
+ * goes where most is.
  */
 export function adapted<Intent extends Times>(
     wanted: Intent,

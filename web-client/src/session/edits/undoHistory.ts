@@ -1,5 +1,5 @@
-// Undo and redo as a person counts them: the server turns a whole gesture at once, and this page knows which of the steps there
-// its user has made. What it made itself, as the first rake of a session, is none of them.
+// Undo and redo as a person counts them: the server turns a whole gesture at once, and this page knows which
+// of the steps there its user has made. What it made itself, as the first rake of a session, is none of them.
 import { signal } from '@preact/signals-core';
 import type { HistoryDepth } from '../../protocol/messages.ts';
 import type { AppState } from '../../state/appState.ts';
@@ -11,7 +11,7 @@ type Way = 'undo' | 'redo';
 export class UndoHistory {
     readonly undoable = signal(0);
     readonly redoable = signal(0);
-    /** What the last step came to, for people. */
+    /** Holds what the last step came to, for people. */
     readonly words = signal('');
     /** Grows with every turn that is asked for: what goes on by itself stops then. */
     readonly turns = signal(0);
@@ -19,7 +19,7 @@ export class UndoHistory {
     readonly taken = signal(0);
     private readonly state: AppState;
     private readonly worker: Pick<WorkerClient, 'call'>;
-    /** Of the newest step; none after a turn, which ends it on the server as well. */
+    /** Names the gesture of the newest step; none after a turn, which ends it on the server as well. */
     private gesture: string | null = null;
     private last: Promise<unknown> = Promise.resolve();
 

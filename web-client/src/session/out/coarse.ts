@@ -1,4 +1,5 @@
-// Whether what is taken out of the page is not what was asked for yet: names of files, and pictures, say so.
+// Says whether what is taken out of the page is less than was asked for: names of files, and pictures, say
+// so.
 import type { AppState } from '../../state/appState.ts';
 
 export const coarseCaption = 'Coarse, not the final surface';
@@ -11,7 +12,7 @@ export function pictureIsCoarse({ displayed, hiddenSurfaces }: Pick<AppState, 'd
     );
 }
 
-/** Of the surface that is being worked on there is something, and it is not final. */
+/** Returns whether there is something of the selected surface that is not final. */
 export function meshIsCoarse({ displayed, activeSurface }: Pick<AppState, 'displayed' | 'activeSurface'>): boolean {
     const phase = displayed.value.get(activeSurface.value ?? '')?.phase;
     return phase === 'coarse' || phase === 'refined';

@@ -1,5 +1,5 @@
-// A script for a shell that does what a panel shows, with curl, and jq where an id has to be passed on (protocol/api/README.md,
-// "A tour with curl").
+// A script for a shell that does what a panel shows, with curl, and jq where an id has to be passed on
+// (protocol/api/README.md, "A tour with curl").
 import {
     type CallStep,
     callsOf,

@@ -4,7 +4,8 @@ import type { ViewState } from '../../state/viewState.ts';
 import { timeWords } from '../picture/writtenNumbers.ts';
 import { clampTo } from '../time/timeSteps.ts';
 
-/** Of the mesh of the selected surface, which the server writes as it is at the time of its clock; empty without a surface. */
+/** Returns the time of the selected surface's mesh, which the server writes as it is at the time of its
+ *  clock; empty without a surface. */
 export function meshTimeWords(state: AppState, view: Pick<ViewState, 'units'>): string {
     const record = state.surface.value;
     if (record === undefined) return '';
@@ -18,7 +19,7 @@ export function meshTimeWords(state: AppState, view: Pick<ViewState, 'units'>): 
     return `As it is at ${words(clampTo(span, time))}, the time of the clock.`;
 }
 
-/** As "t12.5". */
+/** Returns a text like "t12.5". */
 export function timeInName(time: number): string {
     return `t${Number(time.toPrecision(10))}`;
 }

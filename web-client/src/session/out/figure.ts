@@ -1,4 +1,4 @@
-// What a figure is to show, chosen once for pictures and films, and the picture as it is now.
+// Holds what a figure is to show, chosen once for pictures and films, and the picture as it is now.
 import { signal } from '@preact/signals-core';
 import { capture, type FigureBackground } from '../../scene/capture.ts';
 import type { FlowScene } from '../../scene/scene.ts';
@@ -9,7 +9,7 @@ export class Figure {
     readonly bar = signal(true);
     readonly axes = signal(true);
     readonly rake = signal(false);
-    /** Of a picture that shows a surface before it is final: it says so. */
+    /** Says whether a picture that shows a surface before it is final says so. */
     readonly coarse = signal(true);
     /** The last one that was drawn had no room for it. */
     barLeftOut = false;
@@ -22,7 +22,7 @@ export class Figure {
         this.findBar = findBar;
     }
 
-    /** Of the picture on the page, in pixels of the screen. */
+    /** Returns the size of the picture on the page, in pixels of the screen. */
     get shownSize(): ScreenSize {
         const ratio = Math.max(1, devicePixelRatio);
         const { width, height } = this.scene.size;

@@ -1,5 +1,5 @@
-// A film of a playback: for every frame the time is set, the surfaces of that time are waited for, and the picture is drawn. It
-// takes as long as it takes; no frame is left out. Afterwards the time is what it was.
+// A film of a playback: for every frame the time is set, the surfaces of that time are waited for, and the
+// picture is drawn. It takes as long as it takes; no frame is left out. Afterwards the time is what it was.
 import { effect, signal } from '@preact/signals-core';
 import type { ClockRecord, SurfaceRecord } from '../../protocol/messages.ts';
 import type { BodyFlow } from '../picture/bodyFlow.ts';
@@ -27,7 +27,7 @@ export interface FilmSetting extends ScreenSize {
     seconds: number;
     /** Writes the time into the picture. */
     time: boolean;
-    /** Of the time; empty: none. */
+    /** Is the unit of the time; empty: none. */
     unit: string;
 }
 
@@ -149,7 +149,7 @@ export class FilmMaker {
         const moving = playback.mode.value === 'clock';
         if (moving) await worker.call('time.set', { time });
         else playback.release(time, this.options.edits.gestures.current);
-        // Someone else may have moved the clock since.
+        // Another user may have moved the clock since.
         const again = moving
             ? setInterval(() => void worker.call('time.set', { time }).catch(() => undefined), askAgainMs)
             : undefined;

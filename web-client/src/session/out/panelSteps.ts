@@ -1,4 +1,4 @@
-// What the panels show, as the steps of a script that makes the same records again.
+// Writes what the panels show as the steps of a script that makes the same records again.
 import type { RakeRecord, Vec3 } from '../../protocol/messages.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
@@ -50,7 +50,7 @@ function rakeStep({ kind, seeds, name, colour }: RakeRecord, points: readonly Ve
     return { method: 'rake.set', params: { kind, points: shown, seeds, name, colour }, keep };
 }
 
-/** What the probe asks, where it is now. */
+/** Returns what the probe asks, where it is now. */
 export function probeSteps(state: AppState, view: ViewState): ScriptStep[] {
     const description = state.dataset.value;
     const reading = view.probe.value;

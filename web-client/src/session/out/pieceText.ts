@@ -1,9 +1,10 @@
-// What is left of a surface in the picture, as the server names it for files: `?lines=` of a download.
+// Names what is left of a surface in the picture, as the server names it for files: `?lines=` of a download.
 import type { DatasetDescription, SurfaceRecord } from '../../protocol/messages.ts';
 import type { SurfaceLook } from '../../state/surfaceLook.ts';
 import { pieceLengths } from '../picture/surfaceStyleOf.ts';
 
-/** What the particles of one seed form; empty for surfaces of which each point is a particle of its own. */
+/** Returns what the particles of one seed form; empty for surfaces of which each point is a particle of its
+ *  own. */
 export function seedLinesOf(kind: SurfaceRecord['kind']): '' | 'streamlines' | 'pathlines' | 'streaklines' {
     return ({ stream: 'streamlines', path: 'pathlines', streak: 'streaklines', time: '', level: '' } as const)[kind];
 }

@@ -1,4 +1,5 @@
-// A script for Python that does what a panel shows, with the client that the server gives away (protocol/python).
+// A script for Python that does what a panel shows, with the client that the server gives away
+// (protocol/python).
 import {
     type CallStep,
     KeptId,
@@ -38,7 +39,7 @@ function written(step: ScriptStep): string[] {
     return 'there' in step ? surfaceThere(step) : call(step);
 }
 
-/** Nobody who looks at the session finds a second one in it. */
+/** No user who looks at the session finds a second one in it. */
 function surfaceThere({ there, otherwise }: SurfaceStep): string[] {
     return [
         `surface = next((each for each in session.surfaces() if each.id == ${literal(there)}), None)`,
@@ -60,7 +61,8 @@ function call(step: CallStep): string[] {
     return [keep === undefined ? `print(${text})` : `${keep} = ${text}[${literal(nounOf(method))}]`];
 }
 
-/** As one would write it by hand; null where the class has no method that takes all of it. */
+/** Returns the call as one would write it by hand; null where the class has no method that takes all of
+ *  it. */
 function idiom(method: string, params: ReadonlyMap<string, unknown>): string | null {
     const known = (...names: string[]): boolean => [...params.keys()].every((name) => names.includes(name));
     const rest = (...without: string[]): string[] => [...params].filter(([name]) => !without.includes(name)).map(keywordArgument);
@@ -93,7 +95,7 @@ function idiom(method: string, params: ReadonlyMap<string, unknown>): string | n
     }
 }
 
-/** As Python spells it: maxQuads -> max_quads. */
+/** Spells a name as Python does: maxQuads -> max_quads. */
 function snake(name: string): string {
     return name.replace(/(?<=[a-z0-9])[A-Z]/g, (letter) => `_${letter.toLowerCase()}`);
 }

@@ -1,13 +1,14 @@
-// What a panel shows as calls of the server, for scripts that do the same: pythonScript.ts and curlScript.ts spell them.
+// Describes what a panel shows as calls of the server, for scripts that do the same: pythonScript.ts and
+// curlScript.ts spell them.
 
 export type MeshFormat = 'vtp' | 'glb' | 'ply' | 'obj' | 'drc';
 
 /** A file of a mesh, as the server offers it. */
 export interface MeshFile {
     format: MeshFormat;
-    /** Of a .glb: false for programs that cannot read Draco. */
+    /** Belongs to a .glb: false for programs that cannot read Draco. */
     draco?: false;
-    /** What is shown now, where that is not final yet. */
+    /** Holds what is shown now, where that is not final yet. */
     now?: true;
     /** Lines, ribbons or arrows instead of the mesh. */
     lines?: string;
@@ -34,7 +35,8 @@ export class KeptId {
 
 export interface CallStep {
     method: string;
-    /** As JSON has them, without `session`; at the top level a KeptId may stand for an id. */
+    /** Are the parameters as JSON has them, without `session`; at the top level a KeptId may stand for an
+     *  id. */
     params: object;
     /** Keeps the member of the answer that is named like the record (`rake` of rake.set) under this name. */
     keep?: string;
@@ -46,7 +48,8 @@ export interface MeshStep {
     surface: KeptId | string;
 }
 
-/** A surface that is there: of it a mesh and a file, once it is final. Where it is not there any more, it is made again. */
+/** A surface that is there: of it a mesh and a file, once it is final. Where it is not there any more, it is
+ *  made again. */
 export interface SurfaceStep {
     there: string;
     otherwise: readonly CallStep[];
@@ -68,7 +71,7 @@ export interface ScriptPlace {
 
 const sessionless: ReadonlySet<string> = new Set(['server', 'dataset', 'cache', 'probe', 'rpc']);
 
-/** Whether a method acts on a session, and takes its id. */
+/** Returns whether a method acts on a session, and takes its id. */
 export function ofSession(method: string): boolean {
     return !sessionless.has(method.split('.')[0] ?? '') && !['session.create', 'session.list'].includes(method);
 }

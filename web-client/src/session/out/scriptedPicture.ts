@@ -1,5 +1,5 @@
-// `window.wakesurf`: pictures for a program that drives this page, as the client for Python does. It says whether all that the session
-// shows is on the screen, and draws a PNG.
+// `window.wakesurf`: pictures for a program that drives this page, as the client for Python does. It says
+// whether all that the session shows is on the screen, and draws a PNG.
 import type { FigureBackground } from '../../scene/capture.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { AppState } from '../../state/appState.ts';
@@ -19,7 +19,8 @@ export interface ScriptedSetting {
     caption: string | null;
 }
 
-/** Why the picture is not whole; empty where it is. Begins with `!` where it never will be. `time`: of the clock, null: as it is. */
+/** Why the picture is not whole; empty where it is. Begins with `!` where it never will be. `time`: of the
+ *  clock, null: as it is. */
 export function unfinished(
     state: AppState,
     view: Pick<ViewState, 'lookOf'>,

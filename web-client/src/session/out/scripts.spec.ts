@@ -51,7 +51,8 @@ print(json.dumps(calls))`;
     return JSON.parse(out.trim().split('\n').at(-1)!) as unknown[];
 }
 
-/** Runs a script in a shell whose curl prints its arguments and answers with an id, or fails where they say "gone". */
+/** Runs a script in a shell whose curl prints its arguments and answers with an id, or fails where they say
+ *  "gone". */
 function curlArguments(script: string): string[][] {
     const shell = `curl() { for a in "$@"; do printf '%s\\0' "$a" >&2; done; printf '\\1' >&2; [[ $* != *gone* ]] && echo '{"result":{"rake":"r7","surface":"s8"}}'; }
 ${script}`;

@@ -46,7 +46,7 @@ class Bench {
         this.state.displayed.value = new Map([['s1', shown]]);
     }
 
-    /** An edit of this page's user, and the patch that everyone gets of it. */
+    /** An edit of this page's user, and the patch that every user gets of it. */
     edit(): void {
         this.thumbnails.patched();
         ++this.taken.value;

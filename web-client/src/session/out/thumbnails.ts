@@ -1,5 +1,6 @@
-// The small picture of the session that lists show: sent now and then by who edited last, once everything has come to rest. Taken from
-// a picture that is drawn for it in one go and is the same as the one on the screen; encoding it holds nothing up.
+// The small picture of the session that lists show: sent now and then by who edited last, once everything has
+// come to rest. Taken from a picture that is drawn for it in one go and is the same as the one on the screen;
+// encoding it holds nothing up.
 import { effect } from '@preact/signals-core';
 import { errorCodes } from '../../protocol/generated/errors.ts';
 import type { AppState } from '../../state/appState.ts';
@@ -14,22 +15,22 @@ const lookAgainMs = 1000;
 /** Patches reach the page that caused them before or after their answer. */
 const echoMs = 1000;
 export const thumbnailSize = { width: 320, height: 200 };
-/** What the server keeps at most. */
+/** Is the largest picture that the server keeps, in bytes. */
 export const mostBytes = 24 << 10;
 const qualities = [0.85, 0.7, 0.5, 0.3];
 /** So the server does not know the method, or does not want one from here. */
 const hopeless: ReadonlySet<number> = new Set([errorCodes.methodNotFound, errorCodes.notPermitted]);
 
-/** Of a canvas. */
+/** Encodes a canvas. */
 export type Encode = (picture: HTMLCanvasElement, quality: number) => Promise<Blob | null>;
 
 export interface ThumbnailsOptions {
     state: Pick<AppState, 'stage' | 'phase' | 'locked' | 'editsPending' | 'session'>;
     worker: Pick<WorkerClient, 'call'>;
     edits: { history: Pick<UndoHistory, 'taken'> };
-    /** As small as asked; null where it would take long. */
+    /** Returns the picture as small as asked; null where it would take long. */
     picture: (size: { width: number; height: number }) => HTMLCanvasElement | null;
-    /** A handle or the camera is held, or no one sees the page. */
+    /** A handle or the camera is held, or no user sees the page. */
     busy: () => boolean;
     encode?: Encode;
     now?: () => number;
@@ -40,7 +41,7 @@ export class Thumbnails {
     private readonly encode: Encode;
     private readonly now: () => number;
     private timer: ReturnType<typeof setTimeout> | null = null;
-    /** When this page's user, and when anyone, edited last. */
+    /** When this page's user, and when any user, edited last. */
     private own = Number.NEGATIVE_INFINITY;
     private any = Number.NEGATIVE_INFINITY;
     private sent = Number.NEGATIVE_INFINITY;
@@ -58,7 +59,7 @@ export class Thumbnails {
         });
     }
 
-    /** Someone has changed records. */
+    /** A user has changed records. */
     patched(): void {
         this.any = this.now();
     }
@@ -76,7 +77,7 @@ export class Thumbnails {
     private due(): void {
         this.timer = null;
         const { state, busy } = this.options;
-        // Someone else's page has the newer picture.
+        // Another user's page has the newer picture.
         if (this.any > this.own + echoMs || state.locked.value) return;
         const resting = this.now() - this.own >= restMs;
         if (resting && state.phase.value === 'final' && !state.editsPending.value && !busy()) void this.send();
@@ -93,7 +94,7 @@ export class Thumbnails {
             const image = await this.encoded(drawn);
             if (image !== null) await worker.call('session.thumbnail', { session, image });
         } catch (error) {
-            // A list without a new picture is no reason to disturb anyone.
+            // A list without a new picture is no reason to disturb any user.
             if (error instanceof CallError && hopeless.has(error.failure.code)) this.unwanted = true;
         }
     }

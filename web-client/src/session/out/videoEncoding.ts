@@ -18,7 +18,8 @@ export interface VideoSetting {
     fps: number;
 }
 
-/** Whether there is an encoder at all: browsers keep it from pages that come over http from other machines. */
+/** Returns whether there is an encoder at all: browsers keep it from pages that come over http from other
+ *  machines. */
 export function canEncode(): boolean {
     return typeof VideoEncoder === 'function';
 }

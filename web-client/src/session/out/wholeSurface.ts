@@ -1,11 +1,13 @@
-// Whether what is on the screen of a surface is all that a picture of it will have: what saved pictures and films wait for.
+// Says whether what is on the screen of a surface is all that a picture of it will have: what saved pictures
+// and films wait for.
 import type { SurfaceRecord } from '../../protocol/messages.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { attributesOf } from '../picture/surfaceStyleOf.ts';
 import { clampTo, type Span } from '../time/timeSteps.ts';
 
-/** Why it is not; empty where it is. Of a failed surface it says what is missing, for ever. `time`: of the clock, null: as it is. */
+/** Why it is not; empty where it is. Of a failed surface it says what is missing, for ever. `time`: of the
+ *  clock, null: as it is. */
 export function unfinishedSurface(
     state: Pick<AppState, 'displayed' | 'hiddenSurfaces' | 'requestedEpochs'>,
     view: Pick<ViewState, 'lookOf'>,
@@ -29,7 +31,8 @@ export function unfinishedSurface(
     return '';
 }
 
-/** Whether a surface that moves is drawn as it is at a time, or at its end that is nearer; backward ones end before `from`. */
+/** Returns whether a surface that moves is drawn as it is at a time, or at its end that is nearer; backward
+ *  ones end before `from`. */
 export function isShownAt({ from, to }: { from: number; to: number }, shown: number, time: number): boolean {
     const span: Span = [Math.min(from, to), Math.max(from, to)];
     return Math.abs(shown - clampTo(span, time)) <= 1e-6 * (span[1] - span[0]);

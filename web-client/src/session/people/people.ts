@@ -1,5 +1,5 @@
-// The people of the session: who is there, what they look at and point at; and what of ours they are told. Presence is no part
-// of the record: nothing of it is kept, and while no one else is there nothing is sent.
+// The people of the session: who is there, what they look at and point at; and what of ours they are told.
+// Presence is no part of the record: nothing of it is kept, and while no other user is there nothing is sent.
 import { batch } from '@preact/signals-core';
 import type { CameraPlace, JoinedSession, ParticipantChange, Presence, Vec3 } from '../../protocol/messages.ts';
 import type { CameraPose } from '../../scene/camera/cameraControls.ts';
@@ -7,7 +7,7 @@ import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
 
-/** As often as the server tells others at most. */
+/** Sends as often as the server tells others at most. */
 const sendEveryMs = 50;
 const upwards: Vec3 = [0, 0, 1];
 
@@ -58,7 +58,7 @@ export class People {
         for (const id of left) people.delete(id);
         state.participants.value = people;
         if (left.includes(view.following.value ?? '')) view.following.value = null;
-        // A newcomer to someone who was alone has been told nothing of them.
+        // A newcomer to a user who was alone has been told nothing of them.
         if (alone && people.size > 1) {
             this.told = {};
             this.cameraMoved();
@@ -69,7 +69,7 @@ export class People {
         requestFrame();
     }
 
-    /** Looks as someone else does from now on; null: as this page's user likes. */
+    /** Looks as another user does from now on; null: as this page's user likes. */
     startFollowing(participant: string | null): void {
         this.options.view.following.value = participant;
         this.follow();

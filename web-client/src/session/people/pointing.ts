@@ -1,4 +1,4 @@
-// What this page's pointer is on, for the others: nothing while there are none.
+// Tells the other users what this page's pointer is on: nothing while there are none.
 import type { Pointer, PointerTool } from '../../scene/base/pointerTools.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { Sight } from '../tools/aiming.ts';

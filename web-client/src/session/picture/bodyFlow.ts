@@ -1,5 +1,5 @@
-// The flow along the body for its texture: asked for while that is wanted, as the time of the picture is. One request at a time; of
-// what comes meanwhile only the newest is asked for.
+// The flow along the body for its texture: asked for while that is wanted, as the time of the picture is. One
+// request at a time; of what comes meanwhile only the newest is asked for.
 import { computed, effect, signal } from '@preact/signals-core';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { AppState } from '../../state/appState.ts';
@@ -11,7 +11,7 @@ export interface BodyFlowOptions {
     view: Pick<ViewState, 'bodyTexture'>;
     scene: Pick<FlowScene, 'setBodyFlow' | 'setBodyTime'>;
     worker: Pick<WorkerClient, 'obstacleFlow'>;
-    /** Of the picture; no number where nothing has one. */
+    /** Returns the time of the picture; no number where nothing has one. */
     time: () => number;
     /** A clock moves it. */
     moves: () => boolean;
@@ -19,7 +19,7 @@ export interface BodyFlowOptions {
 
 const about = 'body flow';
 
-/** What is wanted: the same again is not asked for twice. */
+/** Describes what is wanted: the same again is not asked for twice. */
 interface Wish {
     key: string;
     time: number;

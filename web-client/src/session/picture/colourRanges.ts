@@ -1,6 +1,6 @@
-// What colours stand for where no one has said it: one range for all surfaces that show the same field in this picture. It is the server's
-// word for everybody what a surface's values range over, so that people who come late, or reload, see the same colours; while a surface
-// plays it only grows.
+// Says what colours stand for where no user has said it: one range for all surfaces that show the same field
+// in this picture. It is the server's word for every user what a surface's values range over, so that people
+// who come late, or reload, see the same colours; while a surface plays it only grows.
 import type { AppState } from '../../state/appState.ts';
 import { type AutomaticRange, type AutomaticRanges, meaningOf } from '../../state/automaticRange.ts';
 import type { ViewState } from '../../state/viewState.ts';

@@ -1,4 +1,5 @@
-// The camera that no one has moved yet goes near to the first surface of a dataset and its rake, which may be a small part of the domain.
+// The camera that no user has moved yet goes near to the first surface of a dataset and its rake, which may
+// be a small part of the domain.
 import { effect, untracked } from '@preact/signals-core';
 import type { Vec3 } from '../../protocol/messages.ts';
 import type { CameraControls } from '../../scene/camera/cameraControls.ts';
@@ -10,11 +11,12 @@ export interface FirstLookOptions {
     state: Pick<AppState, 'activeSurface' | 'dataset' | 'displayed' | 'editsPending' | 'rakePoints'>;
     controls: Pick<CameraControls, 'offer'>;
     surfaces: Pick<SurfaceLayer, 'boxOf'>;
-    /** Whether a handle is held. */
+    /** Returns whether a handle is held. */
     dragging: () => boolean;
 }
 
-/** At what is there first, and once more when that has become final. What is edited does not move the camera. */
+/** At what is there first, and once more when that has become final. What is edited does not move the
+ *  camera. */
 export function lookAtFirst({ state, controls, surfaces, dragging }: FirstLookOptions): void {
     let done = '';
     effect(() => {

@@ -1,4 +1,5 @@
-// What looks need and their surfaces do not carry, as after a link or a bookmark: all else of the looks is drawn, and this is said.
+// Says what looks need and their surfaces do not carry, as after a link or a bookmark: all else of the looks
+// is drawn, and this is said.
 import { effect } from '@preact/signals-core';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';

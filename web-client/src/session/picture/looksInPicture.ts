@@ -68,7 +68,8 @@ export function showLooks({ state, view, scene, worker }: LooksOptions): void {
 
 const secondsAcross = 14;
 
-/** In a field that stands still the flow texture moves by itself while that is switched on, but not for those who want no motion. */
+/** In a field that stands still the flow texture moves by itself while that is switched on, but not for those
+ *  who want no motion. */
 function flowTexture({ state, scene }: Pick<LooksOptions, 'state' | 'scene'>): void {
     const calm = matchMedia('(prefers-reduced-motion: reduce)');
     let before: number | null = null;

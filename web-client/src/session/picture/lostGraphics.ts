@@ -1,5 +1,5 @@
-// Says so when the system takes the graphics away from the page, as after a standby or a fault of a driver: the picture is black
-// until they come back.
+// Says so when the system takes the graphics away from the page, as after a standby or a fault of a driver:
+// the picture is black until they come back.
 import type { AppState } from '../../state/appState.ts';
 
 const about = 'graphics';

@@ -80,7 +80,7 @@ function probeWords({ inside, values }: ProbeReading, dataset: DatasetDescriptio
 
 const noField: Partial<Pick<FieldDescription, 'range' | 'unit'>> = {};
 
-/** Of a vector its length. */
+/** Writes a value, and of a vector its length. */
 function valueWords(value: ProbeReading['values'][number]['value'], range?: FieldDescription['range']): string {
     if (value === null) return '–';
     return valueNumber(typeof value === 'number' ? value : Math.hypot(...value), range);

@@ -1,5 +1,5 @@
-// The colours of rakes that have none of their own: bright ones that differ from each other and from the maps that surfaces
-// are coloured with.
+// The colours of rakes that have none of their own: bright ones that differ from each other and from the maps
+// that surfaces are coloured with.
 import type { RakeRecord } from '../../protocol/messages.ts';
 
 export const rakeColours = ['#ff7a45', '#4cc2ff', '#ffd84d', '#ff7ab8', '#9be564', '#c79bff', '#ffffff', '#ff5c5c'] as const;

@@ -1,4 +1,5 @@
-// How many pixels a unit of length has where the camera looks, once it has come to rest: what curved cells are cut by.
+// Tells how many pixels a unit of length has where the camera looks, once it has come to rest: what curved
+// cells are cut by.
 import { effect, type Signal } from '@preact/signals-core';
 import type { CameraControls } from '../../scene/camera/cameraControls.ts';
 import type { AppState } from '../../state/appState.ts';

@@ -1,5 +1,6 @@
-// Shows the session's rakes in the scene: each as its record says, the active one as the user has it, those that others move
-// with their name and colour and, where their page says so, where they have it at the moment.
+// Shows the session's rakes in the scene: each as its record says, the active one as the user has it, those
+// that others move with their name and colour and, where their page says so, where they have it at the
+// moment.
 import { effect } from '@preact/signals-core';
 import type { RakeRecord } from '../../protocol/messages.ts';
 import type { DrawnRake, RakeHolder } from '../../scene/rake/drawnRake.ts';
@@ -36,7 +37,8 @@ export function showRakes(state: AppState, view: ViewState, scene: FlowScene): v
     });
 }
 
-/** Of a surface of the rake that is empty: why there is nothing to see where it would be. Empty: there is. */
+/** Says why there is nothing to see where an empty surface of the rake would be. Empty: there is
+ *  something. */
 function whyNothing({ displayed, outcomes, surfaces }: AppState, rake: string): string {
     for (const { surface, rake: its } of surfaces.value.values()) {
         const outcome = outcomes.value.get(surface);
@@ -46,7 +48,7 @@ function whyNothing({ displayed, outcomes, surfaces }: AppState, rake: string): 
     return '';
 }
 
-/** Null where no one else holds it. */
+/** Null where no other user holds it. */
 export function holderOf(state: AppState, record: RakeRecord): RakeHolder | null {
     const by = record.dragging ? record.leasedBy : undefined;
     if (by === undefined || by === state.you.value) return null;

@@ -1,4 +1,5 @@
-// What the user does to the rakes in the picture: edits for the server, which others see while the hand still moves.
+// Turns what the user does to the rakes in the picture into edits for the server, which others see while the
+// hand still moves.
 import type { FlowScene } from '../../scene/scene.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';

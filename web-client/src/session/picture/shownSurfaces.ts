@@ -1,5 +1,5 @@
-// Surfaces that this page hides: their subscriptions end, so that the server sends nothing of them, and they begin again when the
-// surfaces are shown.
+// Surfaces that this page hides: their subscriptions end, so that the server sends nothing of them, and they
+// begin again when the surfaces are shown.
 import { effect } from '@preact/signals-core';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';

@@ -1,5 +1,6 @@
-// How pictures that stand still are drawn, as the user of this browser has chosen: shaded where things are near each other, and in
-// exact order, at first where that costs nothing to speak of. Software rendering takes up to a second for one.
+// Says how pictures that stand still are drawn, as the user of this browser has chosen: shaded where things
+// are near each other, and in exact order, at first where that costs nothing to speak of. Software rendering
+// takes up to a second for one.
 import { effect, type Signal } from '@preact/signals-core';
 import type { FlowScene } from '../../scene/scene.ts';
 import { keep, recall } from '../../state/browserMemory.ts';
@@ -21,7 +22,7 @@ function keepChoice(name: string, choice: Signal<boolean>, usual: boolean, show:
     effect(() => {
         const on = choice.value;
         show(on);
-        // What no one has chosen may be otherwise with other graphics.
+        // What no user has chosen may be otherwise with other graphics.
         if (on !== first || before !== null) keep(name, on ? 'on' : 'off');
     });
 }

@@ -9,7 +9,8 @@ const velocity = ['velocity_x', 'velocity_y', 'velocity_z'];
 const normals = ['normal_x', 'normal_y', 'normal_z'];
 const byPressure: SurfaceLook = { ...usualLook, colourBy: 'field:p' };
 
-/** What is asked for, and what is said, when someone with this look comes to a surface with these fields. */
+/** Returns what is asked for, and what is said, when a user with this look comes to a surface with these
+ *  fields. */
 function asked(fields: string[], look: SurfaceLook) {
     const changes: string[][] = [];
     const notices = new Announcements();

@@ -1,5 +1,5 @@
-// What is sent with a surface for a look, to everybody. There is room for few fields, and other people's looks use them too: what a look
-// can do without takes nobody's place, and what has to go is said.
+// Says what is sent with a surface for a look, to every user. There is room for few fields, and other
+// people's looks use them too: what a look can do without takes no user's place, and what has to go is said.
 import { limits } from '../../protocol/generated/limits.ts';
 import type { SurfaceRecord } from '../../protocol/messages.ts';
 import { normalNames } from '../../mesh/meshChange.ts';
@@ -16,10 +16,10 @@ export interface FieldsWanted {
     missing: string[];
 }
 
-/** What goes first where there is no room: of one of these, nothing is left without the others. */
+/** Holds what goes first where there is no room: of one of these, nothing is left without the others. */
 const dispensable: readonly (readonly string[])[] = [normalNames, [deformation], flowNames];
 
-/** What a look cannot be drawn without. */
+/** Returns what a look cannot be drawn without. */
 export function neededFields(look: SurfaceLook): string[] {
     const colour = attributeOf(look.colourBy);
     return [...new Set([...(colour === null || colour === 'speed' ? [] : [colour]), ...(needsFlow(look) ? flowNames : [])])];

@@ -1,4 +1,5 @@
-// From the look that someone wants to what the picture needs: names become attributes, ranges those of the dataset.
+// From the look that a user wants to what the picture needs: names become attributes, ranges those of the
+// dataset.
 import type { DatasetDescription, FieldDescription, RakeRecord, SurfaceRecord, Vec3 } from '../../protocol/messages.ts';
 import type { ColourSource, SurfaceStyle } from '../../scene/surface/surfaceStyle.ts';
 import { niceStep } from '../../scene/base/ticks.ts';
@@ -12,7 +13,7 @@ export const deformation = 'deformation';
 export const vorticity = 'vorticity';
 export const qCriterion = 'q_criterion';
 export const estimatedError = 'error';
-/** Of the vorticity, along x, y and z. */
+/** Name the components of the vorticity along x, y and z. */
 export const vorticityComponents = ['vorticity_x', 'vorticity_y', 'vorticity_z'] as const;
 const derived: readonly string[] = [deformation, vorticity, ...vorticityComponents, qCriterion, 'approximated', estimatedError];
 const fieldMark = 'field:';
@@ -24,13 +25,14 @@ export interface StyleFacts {
     rake: RakeRecord | undefined;
     dataset: DatasetDescription | null;
     speedRange: readonly [number, number];
-    /** Of fields for which no one has said a range, by meaningOf(). */
+    /** Holds the ranges of fields for which the user has chosen none, by meaningOf(). */
     automatic: AutomaticRanges;
     /** They are those of a film. */
     fixed: boolean;
 }
 
-/** Whether the server can send it with a surface; one that does not say what it can is asked for anything. */
+/** Returns whether the server can send it with a surface; one that does not say what it can is asked for
+ *  anything. */
 export function canCome(dataset: DatasetDescription | null, field: string): boolean {
     return dataset?.surfaceFields?.includes(field) ?? true;
 }
@@ -81,7 +83,7 @@ export function needsFlow({ texture, pieces }: SurfaceLook): boolean {
     return texture || pieces === 'arrows';
 }
 
-/** Whether the server sends the velocity with the surface. */
+/** Returns whether the server sends the velocity with the surface. */
 export function hasFlow({ fields }: Pick<SurfaceRecord, 'fields'>): boolean {
     return flowNames.every((name) => fields.includes(name));
 }
@@ -162,7 +164,7 @@ function endsOf({ colourBy, log }: SurfaceLook, seen: AutomaticRange): Pick<Rang
     return { range: [low, high], beyond: [seen.least < low ? seen.least : null, seen.greatest > high ? seen.greatest : null] };
 }
 
-/** Of all the data. Null: only what has been seen tells. */
+/** Returns the range of all the data. Null: only what has been seen tells. */
 export function knownRange(
     colourBy: string,
     dataset: DatasetDescription | null,
@@ -183,7 +185,7 @@ function lengthOf(points: readonly Vec3[]): number {
     return length > 0 ? length : 1;
 }
 
-/** How far one unit of t carries, as the surface is released. */
+/** Returns how far one unit of t carries, as the surface is released. */
 function sweepOf({ kind, sweep }: SurfaceRecord, speedRange: readonly [number, number]): number {
     return kind === 'time' && sweep !== undefined ? Math.hypot(...sweep) : meanSpeed(speedRange);
 }

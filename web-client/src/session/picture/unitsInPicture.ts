@@ -1,4 +1,5 @@
-// The units in which lengths and times are meant: as people of the session have typed, or else as the reader of the data knows.
+// The units in which lengths and times are meant: as people of the session have typed, or else as the reader
+// of the data knows.
 import { effect } from '@preact/signals-core';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { AppState } from '../../state/appState.ts';
@@ -19,7 +20,7 @@ export function showUnits(
     });
 }
 
-/** For everyone in the session. An empty unit is as the data say. */
+/** For every user in the session. An empty unit is as the data say. */
 export async function typeUnits(state: AppState, calls: Pick<Calls, 'try'>, change: Partial<Units>): Promise<void> {
     const before = state.typedUnits.value;
     const typed = { ...before, ...change };

@@ -1,4 +1,5 @@
-// Times and coordinates as the page writes them: as finely as those of the dataset ask for, however large they are.
+// Times and coordinates as the page writes them: as finely as those of the dataset ask for, however large
+// they are.
 import type { Vec3 } from '../../protocol/messages.ts';
 import { fieldNumber, finestStep, placeNumber, resolutionOf } from '../../scene/base/numbers.ts';
 import type { AppState } from '../../state/appState.ts';
@@ -10,7 +11,7 @@ type PlaceState = Pick<AppState, 'dataset'>;
 
 const steps = new WeakMap<readonly number[], number>();
 
-/** Of all time-steps and surfaces; 0 where there is only one time. */
+/** Returns the resolution of all time-steps and surfaces; 0 where there is only one time. */
 export function timeResolution({ dataset, surfaces }: TimeState): number {
     const times = dataset.value?.times ?? [];
     const ends = [...surfaces.value.values()].flatMap(({ from, to }) => [from, to]);

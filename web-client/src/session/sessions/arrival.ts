@@ -1,5 +1,5 @@
-// Into a session: that of the address; else the one that this browser was in last, if it is still there; else the server's choice,
-// `main` or the share link's, where everyone meets. None is made by coming.
+// Into a session: that of the address; else the one that this browser was in last, if it is still there; else
+// the server's choice, `main` or the share link's, where every user meets. None is made by coming.
 import { errorCodes } from '../../protocol/generated/errors.ts';
 import type { JoinedSession } from '../../protocol/messages.ts';
 import { recall } from '../../state/browserMemory.ts';
@@ -15,7 +15,7 @@ export function isNotFound(error: unknown): boolean {
 
 export class Arrival {
     private readonly worker: Pick<WorkerClient, 'call'>;
-    /** That of the address, then the one that this page is in. */
+    /** Is the session of the address, then the one that this page is in. */
     session: string | null;
     resumeToken: string | undefined;
 
@@ -24,7 +24,8 @@ export class Arrival {
         this.session = session;
     }
 
-    /** Null: the session that this page is to be in is not there. @param dataset what its address asks to see; null: nothing */
+    /** Null: the session that this page is to be in is not there. @param dataset what its address asks to
+     *  see; null: nothing */
     async join(dataset: string | null): Promise<JoinedSession | null> {
         if (this.session === null) return (await this.joinLatest(dataset)) ?? this.enter(null);
         try {

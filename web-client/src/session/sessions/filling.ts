@@ -1,5 +1,6 @@
-// What a page puts into a session in which no one has edited anything: what it had there before the server lost it, or what its link
-// carries; else the rake and surface that the server suggests, so that there is something to see.
+// Puts what a page has into a session in which no user has edited anything: what it had there before the
+// server lost it, or what its link carries; else the rake and surface that the server suggests, so that there
+// is something to see.
 import { errorCodes } from '../../protocol/generated/errors.ts';
 import type { SessionSnapshot } from '../../protocol/messages.ts';
 import type { AppState } from '../../state/appState.ts';
@@ -10,13 +11,13 @@ export function isEmpty({ rakes, surfaces, bookmarks, annotations }: SessionSnap
     return rakes.length + surfaces.length + bookmarks.length + annotations.length === 0;
 }
 
-/** Whether anyone has: who has taken everything away wants it so. */
+/** Returns whether any user has: who has taken everything away wants it so. */
 export async function wasEdited(worker: Pick<WorkerClient, 'call'>, session: string): Promise<boolean> {
     const { sessions } = await worker.call('session.list', {});
     return sessions.find((each) => each.session === session)?.edited ?? true;
 }
 
-/** No edit of anyone's for the server, which takes it only where it is the first. False: it was not. */
+/** No edit of any user's for the server, which takes it only where it is the first. False: it was not. */
 export async function addDefaultScene(
     {
         worker,

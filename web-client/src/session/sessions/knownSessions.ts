@@ -1,13 +1,14 @@
-// The sessions that this browser was in, newest first: the printed link leads back to the last of them. Another server may stand
-// at the same address later and call its sessions alike, so the time at which one was made tells them apart.
+// The sessions that this browser was in, newest first: the printed link leads back to the last of them.
+// Another server may stand at the same address later and call its sessions alike, so the time at which one
+// was made tells them apart.
 import { isObject } from '../../protocol/jsonRpc.ts';
 import { keep, recall } from '../../state/browserMemory.ts';
 
 export interface KnownSession {
     session: string;
-    /** As the server says it; empty where it does not. */
+    /** Is the time that the server says; empty where it says none. */
     created: string;
-    /** That was shown there. */
+    /** Is the dataset that was shown there. */
     dataset: string;
 }
 

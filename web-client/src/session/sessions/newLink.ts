@@ -1,5 +1,5 @@
-// A link that somebody pastes into a page that was not let in: what is to be done with it. Its address is not followed: through a tunnel,
-// or a proxy, the page is at another one than the server has printed.
+// A link that a user pastes into a page that was not let in: what is to be done with it. Its address is not
+// followed: through a tunnel, or a proxy, the page is at another one than the server has printed.
 import { readFragment } from '../view/urlState.ts';
 
 export type NewLink =

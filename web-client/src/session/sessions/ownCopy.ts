@@ -1,5 +1,5 @@
-// A copy of the session, in which this page's user plays, scrubs and edits without changing what others see; and the way back. With a
-// share link the server makes a link of its own into the copy.
+// A copy of the session, in which this page's user plays, scrubs and edits without changing what others see;
+// and the way back. With a share link the server makes a link of its own into the copy.
 import { computed, signal } from '@preact/signals-core';
 import type { AppState } from '../../state/appState.ts';
 import type { Calls } from '../base/calls.ts';
@@ -42,7 +42,8 @@ export class OwnCopy {
         if (from !== null) this.open(this.fragment(from.session));
     }
 
-    /** What is looked at stays the same. No records: nothing of the copy is made anew where the other session is empty by now. */
+    /** Keeps what is looked at. No records: nothing of the copy is made anew where the other session is empty
+     *  by now. */
     private fragment(session: string): string {
         return writeFragment(session, null, encodeLinkState({ view: this.options.views.current(), rakes: [], surfaces: [] }));
     }

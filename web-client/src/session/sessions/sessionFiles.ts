@@ -1,9 +1,10 @@
-// Sessions as files: fetched to be saved, and sent to be made again. Over HTTP, because a message to the server is short.
+// Sessions as files: fetched to be saved, and sent to be made again. Over HTTP, because a message to the
+// server is short.
 import type { SessionImported } from '../../protocol/messages.ts';
 import { faultOf } from '../../connection/httpFault.ts';
 import type { OwnServer } from '../../connection/ownServer.ts';
 
-/** What the server takes at most; refused here already, lest it is sent for nothing. */
+/** Limits a file, in bytes, to what the server takes; refused here already, lest it is sent for nothing. */
 const largestMiB = 24;
 
 type Asked = Pick<OwnServer, 'fetch'>;

@@ -1,5 +1,5 @@
-// All sessions of the server and those in its trash, as the list shows them, and what can be done with them there. What the server
-// refuses is said in the list, which lies over everything else.
+// All sessions of the server and those in its trash, as the list shows them, and what can be done with them
+// there. What the server refuses is said in the list, which lies over everything else.
 import { computed, signal } from '@preact/signals-core';
 import { errorCodes } from '../../protocol/generated/errors.ts';
 import type { SessionEntry } from '../../protocol/messages.ts';
@@ -38,15 +38,15 @@ export class SessionShelf {
     readonly sessions = signal<readonly SessionEntry[] | null>(null);
     readonly trash = signal<readonly SessionEntry[] | null>(null);
     readonly limits = signal<Limits | null>(null);
-    /** How many more can be made. */
+    /** Says how many more can be made. */
     readonly remaining = computed(() => {
         const [limits, sessions] = [this.limits.value, this.sessions.value];
         return limits === null || sessions === null ? null : Math.max(0, limits.sessions - sessions.length);
     });
-    /** Of a share link, which is for its own session only. */
+    /** Says whether the page came by a share link, which is for its own session only. */
     readonly ownOnly = computed(() => !(this.sessions.value ?? []).some(({ session }) => session === 'main'));
     readonly problems = new Announcements();
-    /** What has been done, and what came of it. */
+    /** Holds what has been done, and what came of it. */
     readonly notices = new Announcements();
     readonly busy = signal(false);
     private readonly options: SessionShelfOptions;
@@ -169,7 +169,7 @@ export class SessionShelf {
         });
     }
 
-    /** What was said before goes: it was about something else. */
+    /** Removes what was said before: it was about something else. */
     private async attempt(action: () => Promise<unknown>): Promise<void> {
         if (this.busy.value) return;
         this.busy.value = true;

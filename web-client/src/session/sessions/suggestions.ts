@@ -1,5 +1,5 @@
-// What the server suggests to begin with in the dataset that is shown: asked for once it is known, and again when the series has become
-// much longer, as after an import.
+// Asks what the server suggests to begin with in the dataset that is shown: asked for once it is known, and
+// again when the series has become much longer, as after an import.
 import { effect, untracked } from '@preact/signals-core';
 import type { AppState } from '../../state/appState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';

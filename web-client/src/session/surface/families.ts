@@ -1,5 +1,5 @@
-// Makes a family of stream surfaces from the page: a scalar that the flow carries, from the chosen rake or from the inflow, as a field of the
-// dataset. The chosen surface then shows a level set of it.
+// Makes a family of stream surfaces from the page: a scalar that the flow carries, from the chosen rake or
+// from the inflow, as a field of the dataset. The chosen surface then shows a level set of it.
 import { signal } from '@preact/signals-core';
 import type { FamilyMakeParams } from '../../protocol/generated/family.ts';
 import type { AppState } from '../../state/appState.ts';
@@ -20,7 +20,7 @@ export interface FamiliesOptions {
     worker: Pick<WorkerClient, 'call'>;
     edits: Pick<Edits, 'changeSurface'>;
     clock: Pick<ClockControl, 'set'>;
-    /** Of the picture. */
+    /** Returns the time of the picture. */
     time: () => number;
 }
 

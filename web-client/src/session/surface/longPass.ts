@@ -1,4 +1,4 @@
-// What the page says of a surface that takes long, and what one could have instead.
+// Says of a surface that takes long, and what one could have instead.
 import { shortNumber } from '../../scene/base/numbers.ts';
 import type { AppState, SurfaceStanding } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
@@ -8,10 +8,10 @@ import { withUnit } from '../picture/unitsInPicture.ts';
 
 /** Coarser by so much, where everything else is as fast as it gets. */
 const coarser = 2;
-/** Of the time it was followed for, to which an end is rounded. */
+/** Rounds an end to this part of the time that the surface was followed for. */
 const finestPart = 1000;
 
-/** As "t = 8.2 of 19.2, 12 345 quads, about 8 s left". Empty: there is nothing to say yet. */
+/** Returns words like "t = 8.2 of 19.2, 12 345 quads, about 8 s left". Empty: there is nothing to say yet. */
 export function standingWords(
     standing: SurfaceStanding,
     state: Pick<AppState, 'dataset' | 'surfaces'>,
@@ -48,7 +48,8 @@ export function faster(intent: SurfaceIntent, view: Pick<ViewState, 'units'>): L
     return [{ change: { accuracy: 'fast' }, words: 'Fast accuracy' }, coarse];
 }
 
-/** Ends where the work has come to; null: of a surface all of which is at one time there is no shorter one. */
+/** Ends where the work has come to; null: of a surface all of which is at one time there is no shorter
+ *  one. */
 export function untilHere(intent: SurfaceIntent, standing: SurfaceStanding, view: Pick<ViewState, 'units'>): LessWork | null {
     if (standing.time === null) return null;
     const unit = 10 ** Math.floor(Math.log10(intent.length / finestPart));

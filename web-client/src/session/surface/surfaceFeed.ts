@@ -1,5 +1,5 @@
-// The surfaces as they arrive: subscriptions, and what is new in each surface, put on the screen at the next frame. A surface
-// that this page hides has no subscription: the server sends nothing of it.
+// The surfaces as they arrive: subscriptions, and what is new in each surface, put on the screen at the next
+// frame. A surface that this page hides has no subscription: the server sends nothing of it.
 import { effect, untracked } from '@preact/signals-core';
 import { errorWords, type PassSeconds, type ReportedError, type ValueRange } from '../../protocol/messages.ts';
 import type { FrameLoop } from '../../scene/frameLoop.ts';
@@ -23,13 +23,13 @@ export interface SurfaceFeedOptions {
 export class SurfaceFeed {
     private readonly options: SurfaceFeedOptions;
     private readonly subscribed = new Set<string>();
-    /** What the server calls a subscription that it has agreed to. */
+    /** Holds what the server calls a subscription that it has agreed to. */
     private readonly agreed = new Map<string, number>();
     /** Would be subscribed if they were not hidden. */
     private readonly hidden = new Set<string>();
     /** Each builds on the one before, so all are drawn; the worker keeps them few. */
     private readonly waiting = new Map<string, SurfaceState[]>();
-    /** How often in a row the frames of a surface did not fit together. */
+    /** Says how often in a row the frames of a surface did not fit together. */
     private readonly troubles = new Map<string, number>();
 
     constructor(options: SurfaceFeedOptions) {
@@ -65,7 +65,7 @@ export class SurfaceFeed {
         void this.askWhyNot(surface);
     }
 
-    /** What has ended without a surface was told to those who were here then. */
+    /** Leaves out what has ended without a surface: that was told to those who were here then. */
     private async askWhyNot(surface: string): Promise<void> {
         const stats = await this.options.worker.call('surface.stats', { surface }).catch(() => null);
         if (stats?.error === undefined || !this.subscribed.has(surface)) return;
@@ -167,7 +167,7 @@ export class SurfaceFeed {
         valueRanges.value = withEntry(valueRanges.value, surface, ranges);
     }
 
-    /** What the pass behind a state took on the server. */
+    /** Takes what the pass behind a state took on the server. */
     progressed(surface: string, epoch: number, seconds: PassSeconds | null): void {
         if (seconds !== null) this.options.latency.passed(surface, epoch, seconds);
     }

@@ -1,5 +1,5 @@
-// What the server counted on each finished surface: whether it is as fine as it was asked for, and why there is nothing to see of it.
-// Told as it is finished; asked for where this page came later.
+// Says what the server counted on each finished surface: whether it is as fine as it was asked for, and why
+// there is nothing to see of it. Told as it is finished; asked for where this page came later.
 import { effect } from '@preact/signals-core';
 import type { SurfaceStats } from '../../protocol/messages.ts';
 import { type AppState, withEntry } from '../../state/appState.ts';
@@ -33,7 +33,7 @@ export class SurfaceOutcomes {
         });
     }
 
-    /** From the notification surface.done. That of a surface which is gone is no one's. */
+    /** From the notification surface.done. That of a surface which is gone is no user's. */
     done(stats: SurfaceStats | undefined): void {
         const { outcomes, surfaces } = this.options.state;
         if (stats === undefined || !surfaces.peek().has(stats.surface)) return;

@@ -1,10 +1,10 @@
-// How far a surface that takes long has come, and how to stop it. Short ones come and go without a word.
+// Says how far a surface that takes long has come, and how to stop it. Short ones come and go without a word.
 import { computed, effect } from '@preact/signals-core';
 import type { AppState, SurfaceStanding } from '../../state/appState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
 import type { Calls } from '../base/calls.ts';
 
-/** What takes no longer needs no bar. */
+/** Is the time in milliseconds up to which there is no bar. */
 const patienceMs = 500;
 /** From then on people ask how far it is, and later what they could have instead. */
 const tellMs = 3000;
@@ -19,9 +19,9 @@ export interface SurfaceProgressOptions {
     calls: Pick<Calls, 'try'>;
 }
 
-/** What the server tells of its work. */
+/** Describes what the server tells of its work. */
 export type ToldProgress = Pick<SurfaceStanding, 'fraction' | 'message' | 'time' | 'quads' | 'remaining'> & {
-    /** How long it has been at work. */
+    /** Says how long it has been at work. */
     seconds: number | null;
 };
 
@@ -63,7 +63,7 @@ export class SurfaceProgress {
         if (seconds !== null) this.lasts(1000 * seconds);
     }
 
-    /** What is there by now stays. */
+    /** Stops the work; what is there by now stays. */
     async stop(): Promise<void> {
         const surface = this.options.state.progress.value?.surface;
         if (surface !== undefined) await this.options.calls.try('surface.stop', { surface });

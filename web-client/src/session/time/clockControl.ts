@@ -14,7 +14,7 @@ export interface ClockControlOptions {
 export class ClockControl {
     private readonly options: ClockControlOptions;
     private readonly window: EditWindow<number | null>;
-    /** What this page has set, ahead of the server, and what the server had told before. */
+    /** Holds what this page has set, ahead of the server, and what the server had told before. */
     private ahead: ClockRecord | null = null;
     private told: ClockRecord | null = null;
 
@@ -34,7 +34,7 @@ export class ClockControl {
         this.window.flush();
     }
 
-    /** Of the times of one frame only the newest is sent. The control follows at once. */
+    /** Sets the time: of the times of one frame only the newest is sent. The control follows at once. */
     set(time: number | null): void {
         const { clock } = this.options.state;
         if (clock.value !== null) {
@@ -53,7 +53,7 @@ export class ClockControl {
         await this.send(() => this.options.worker.call('time.pause', {}));
     }
 
-    /** What is refused is not what others see. */
+    /** Takes back what is refused: other users do not see it. */
     private goBack(): void {
         const { clock } = this.options.state;
         if (clock.value === this.ahead && this.told !== null) clock.value = this.told;

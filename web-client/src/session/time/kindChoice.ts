@@ -1,4 +1,5 @@
-// Another kind for the surface that is being worked on: the time of the picture stays, and where it cannot, words say so.
+// Another kind for the surface that is being worked on: the time of the picture stays, and where it cannot,
+// words say so.
 import type { SurfaceKind } from '../../protocol/messages.ts';
 import { shortNumber } from '../../scene/base/numbers.ts';
 import type { AppState } from '../../state/appState.ts';
@@ -17,11 +18,11 @@ export interface KindChoice {
     playback: Pick<Playback, 'time'>;
 }
 
-/** Of the surface, what makes it another kind that is shown at a time. */
+/** Is what makes it another kind that is shown at a time. */
 interface Times {
     from: number;
     length: number;
-    /** Of the picture, afterwards. */
+    /** Is the time of the picture, afterwards. */
     shown: number;
 }
 

@@ -1,6 +1,7 @@
-// What play, pause, step and scrub mean for the surface that is being worked on. One that moves is shown at the session's
-// clock, which runs on the server for everyone; of a stream surface the field is frozen at a time-step, and this page
-// moves that on, one time-step after the other, when the picture of the last one is there.
+// Says what play, pause, step and scrub mean for the surface that is being worked on. One that moves is shown
+// at the session's clock, which runs on the server for every user; of a stream surface the field is frozen at
+// a time-step, and this page moves that on, one time-step after the other, when the picture of the last one
+// is there.
 import { computed, effect, signal } from '@preact/signals-core';
 import { type Clock, systemClock, type Timer } from '../../connection/clock.ts';
 import type { AppState } from '../../state/appState.ts';
@@ -58,7 +59,8 @@ export class Playback {
         return state.times.value.length > 1 ? 'frozen' : 'none';
     });
 
-    /** Of the surface, or of all time-steps for a stream surface: the earlier end first, also where time runs backward. */
+    /** Is the span of the surface, or of all time-steps for a stream surface: the earlier end first, also
+     *  where time runs backward. */
     readonly span = computed((): Span => {
         const [a, b] = this.ends.value;
         return [Math.min(a, b), Math.max(a, b)];
@@ -82,7 +84,7 @@ export class Playback {
         return [intent.from, endOf(intent, state.times.value, state.dataset.value?.steady ?? false)];
     });
 
-    /** Of the picture. */
+    /** Is the time of the picture. */
     readonly time = computed((): number => {
         const { state, edits } = this.options;
         if (this.mode.value !== 'clock') return edits.intent.value?.from ?? Number.NaN;
@@ -154,7 +156,7 @@ export class Playback {
         if (state.phase.value === 'stopped' && !state.locked.value) edits.changeSurface({});
     }
 
-    /** As a slider moves: the newest of a frame counts. */
+    /** Goes to a time as a slider moves: the newest of a frame counts. */
     goTo(time: number): void {
         if (!Number.isFinite(time)) return;
         if (this.mode.value === 'clock') this.options.clock.set(clampTo(this.span.value, time));

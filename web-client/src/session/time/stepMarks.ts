@@ -1,4 +1,4 @@
-// How much of the time-steps is in the server's memory: as marks on the timeline, and in words.
+// Says how much of the time-steps is in the server's memory: as marks on the timeline, and in words.
 import type { StepHeld, StepState } from '../../protocol/messages.ts';
 import { shortNumber } from '../../scene/base/numbers.ts';
 import type { HeldSteps } from '../../state/appState.ts';
@@ -8,7 +8,7 @@ export interface StepMark {
     first: number;
     last: number;
     state: StepState;
-    /** Of its bytes, 0 to 1. */
+    /** Is the part of its bytes in memory, 0 to 1. */
     resident: number;
     loading: number;
 }
@@ -19,8 +19,8 @@ function stateOf([resident, loading]: StepHeld): StepState {
 }
 
 /**
- * A mark for each time-step; where they are more than `atMost`, one for each run of the same state, for which neighbours count
- * as far as the least of them: resident only if all are.
+ * A mark for each time-step; where they are more than `atMost`, one for each run of the same state, for which
+ * neighbours count as far as the least of them: resident only if all are.
  */
 export function stepMarks({ steps, whole }: HeldSteps, atMost: number): StepMark[] {
     const width = Math.max(1, Math.ceil(steps.length / Math.max(1, atMost)));
@@ -44,7 +44,8 @@ function joined(before: StepMark, now: StepMark): StepMark {
     return { ...before, last: now.last, resident: mean('resident'), loading: mean('loading') };
 }
 
-/** "12 of 40 time-steps in memory, 2 loading"; in parts: "12 of 40 time-steps in memory in part, 3.5 MiB of 40 GiB". */
+/** "12 of 40 time-steps in memory, 2 loading"; in parts: "12 of 40 time-steps in memory in part, 3.5 MiB of
+ *  40 GiB". */
 export function residentWords({ steps, whole }: HeldSteps): string {
     const resident = steps.filter(([bytes]) => bytes > 0);
     const loading = steps.filter(([, bytes]) => bytes > 0).length;

@@ -1,4 +1,5 @@
-// How much of each time-step of the dataset is in the server's memory: asked for once a connection, then told change by change.
+// Asks how much of each time-step of the dataset is in the server's memory: asked for once a connection, then
+// told change by change.
 import type { HeldChange } from '../../protocol/messages.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';

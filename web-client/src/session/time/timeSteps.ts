@@ -14,8 +14,8 @@ export function nearestStep(times: readonly number[], time: number): number {
 }
 
 /**
- * The time-step after (sign 1) or before (-1) a time, as one presses "step": the end of the span where none is left in it.
- * Data of one time-step have none in between: there it is a twentieth of the span.
+ * The time-step after (sign 1) or before (-1) a time, as one presses "step": the end of the span where none
+ * is left in it. Data of one time-step have none in between: there it is a twentieth of the span.
  */
 export function stepFrom(times: readonly number[], time: number, sign: 1 | -1, [low, high]: Span): number {
     // Of seconds since 1970, a double tells those apart that differ by 2e-7.
@@ -34,7 +34,8 @@ export function clampTo([low, high]: Span, time: number): number {
     return Math.min(high, Math.max(low, time));
 }
 
-/** The part of a surface's time in which it is released; of all but streak surfaces none. @param until where it ends, if earlier */
+/** The part of a surface's time in which it is released; of all but streak surfaces none. @param until where
+ *  it ends, if earlier */
 export function releasedSpan([low, high]: Span, kind: SurfaceKind, backward: boolean, until?: number): Span {
     const from = backward ? high : low;
     const to = kind === 'streak' ? (until ?? (backward ? low : high)) : from;
@@ -42,8 +43,8 @@ export function releasedSpan([low, high]: Span, kind: SurfaceKind, backward: boo
 }
 
 /**
- * Where what is shown at `time` has come on the other side of its release, in a surface that goes both ways: as far back as forward, and no
- * further than the data.
+ * Where what is shown at `time` has come on the other side of its release, in a surface that goes both ways:
+ * as far back as forward, and no further than the data.
  */
 export function otherSide(from: number, time: number, times: readonly number[]): number {
     const back = 2 * from - time;
@@ -62,8 +63,8 @@ export function timelineSpan(times: readonly number[], surface: Span | null): Sp
 const strides = [1, 2, 5];
 
 /**
- * Numbers for the line of time, about `wanted` of them, each at a time-step, because its mark stands above it. Where a series has
- * fewer than two steps in the span, round numbers.
+ * Numbers for the line of time, about `wanted` of them, each at a time-step, because its mark stands above
+ * it. Where a series has fewer than two steps in the span, round numbers.
  */
 export function stepTicks(times: readonly number[], [low, high]: Span, wanted: number): Ticks {
     const within = times.filter((time) => time >= low && time <= high);
@@ -77,7 +78,7 @@ export function stepTicks(times: readonly number[], [low, high]: Span, wanted: n
     return { ticks: shown.map((value) => ({ value, label: label(value) })), shared };
 }
 
-/** As few as tell each value, to a hundredth of the gap between two. */
+/** Returns as few decimals as tell each value, to a hundredth of the gap between two. */
 function decimalsOf(values: readonly number[], gap: number): number {
     for (let decimals = 0; decimals < 12; ++decimals) {
         if (values.every((value) => Math.abs(Number(value.toFixed(decimals)) - value) <= 0.01 * gap)) return decimals;

@@ -1,5 +1,5 @@
-// From a place on the picture to a point in space: of what is seen there, which is a surface, the body, a rake or the disc of a
-// round one. In the open there is no such point, because a picture has no depth there.
+// From a place on the picture to a point in space: of what is seen there, which is a surface, the body, a
+// rake or the disc of a round one. In the open there is no such point, because a picture has no depth there.
 import type { Vec3 } from '../../protocol/messages.ts';
 import type { ScreenPoint } from '../../scene/base/view.ts';
 

@@ -11,7 +11,8 @@ import { type Asked, answering } from '../../testing/answering.ts';
 import { datasetOf, fieldOf } from '../../testing/records.ts';
 import { Probing } from './probing.ts';
 
-/** A picture in which x of the canvas is x of space, with a surface to the left of 100, a rake from 200 to 260 and nothing else. */
+/** A picture in which x of the canvas is x of space, with a surface to the left of 100, a rake from 200 to
+ *  260 and nothing else. */
 function bench() {
     const state = new AppState();
     const pageView = new ViewState();

@@ -22,7 +22,7 @@ export class Probing implements PointerTool {
     private next: Vec3 | null = null;
     private under: Pointer | null = null;
     private held = false;
-    /** How often there was nothing to probe: an answer that was asked for before that is not shown. */
+    /** Says how often there was nothing to probe: an answer that was asked for before that is not shown. */
     private missed = 0;
 
     constructor(options: ProbingOptions) {
@@ -87,7 +87,7 @@ export class Probing implements PointerTool {
         }
     }
 
-    /** No number is shown of a place that no one can see. */
+    /** No number is shown of a place that no user can see. */
     private probeNothing(): void {
         const { pageView, requestFrame } = this.options;
         this.next = null;

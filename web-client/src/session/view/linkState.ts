@@ -1,5 +1,6 @@
-// The state of a page as a part of its address: view and records, as JSON in base64url. A link opens the same view of the
-// same session, and, where the server has forgotten the session, the same rakes and surfaces in a new one.
+// The state of a page as a part of its address: view and records, as JSON in base64url. A link opens the same
+// view of the same session, and, where the server has forgotten the session, the same rakes and surfaces in a
+// new one.
 import { surfaceDefaults } from '../../protocol/generated/surface.ts';
 import { isRakeRecord, isSurfaceRecord, type RakeRecord, type SurfaceRecord } from '../../protocol/messages.ts';
 import { type PageView, readPageView } from '../../state/pageView.ts';
@@ -12,7 +13,7 @@ export interface LinkState {
 
 /** Longer addresses are cut by mail programs and chats; the records are left out then. */
 const longestJson = 4500;
-/** Of a number below one; of others, after the point. */
+/** Is the number of significant digits below one; of other numbers, after the point. */
 const digits = 6;
 
 export function encodeLinkState({ view, rakes, surfaces }: LinkState): string {
@@ -20,7 +21,7 @@ export function encodeLinkState({ view, rakes, surfaces }: LinkState): string {
     return base64Of(whole.length <= longestJson ? whole : jsonOf({ v: view }));
 }
 
-/** What can be read of it; never throws. */
+/** Returns what can be read of it; never throws. */
 export function decodeLinkState(text: string): LinkState {
     const value = valueOf(text);
     const list = (name: string): unknown[] => (Array.isArray(value[name]) ? value[name] : []);
@@ -44,11 +45,13 @@ function keptOfSurface({ rev: _rev, epoch: _epoch, ...setting }: SurfaceRecord):
     return setting;
 }
 
-/** What a link does not have: counters are the server's, and a link that was made before may lack what came since. */
+/** Holds what a link does not have: counters are the server's, and a link that was made before may lack what
+ *  came since. */
 const rakeRest = { name: '', colour: '#0072b2', author: '', clipped: false, dragging: false };
 const surfaceRest = { ...surfaceDefaults, direction: 'forward', separation: 0 };
 
-/** Before API level 5 `backward` went back from `from` also where `to` was later. Today it cannot be, so it means nothing else. */
+/** Before API level 5 `backward` went back from `from` also where `to` was later. Today it cannot be, so it
+ *  means nothing else. */
 function asToday(record: SurfaceRecord): SurfaceRecord {
     const { from, to, direction, releaseUntil } = record;
     if (direction !== 'backward' || !(to > from)) return record;

@@ -1,4 +1,4 @@
-// What the server has forgotten, made again from what the page or its link remembers.
+// Makes what the server has forgotten again, from what the page or its link remembers.
 import type { AnnotationRecord, BookmarkRecord, RakeRecord, SessionSnapshot, SurfaceRecord } from '../../protocol/messages.ts';
 import type { AppState } from '../../state/appState.ts';
 import { readPageView, renamedView } from '../../state/pageView.ts';
@@ -21,7 +21,8 @@ export interface MadeAnew {
     missing: string | null;
 }
 
-/** What this page has had, or else what its link says. Rakes have the shape on the screen, which may be ahead of the record. */
+/** Returns what this page has had, or else what its link says. Rakes have the shape on the screen, which may
+ *  be ahead of the record. */
 export function rememberedOf(state: AppState, url: UrlState): Remembered {
     const [records, surfaces] = [[...state.rakes.value.values()], [...state.surfaces.value.values()]];
     const [bookmarks, annotations] = [[...state.bookmarks.value.values()], [...state.annotations.value.values()]];
@@ -86,7 +87,7 @@ export async function makeAnew(
     return { rakes, surfaces, missing: refusals.words };
 }
 
-/** What could not be made, by its kind, and the first reason. */
+/** Describes what could not be made, by its kind, and the first reason. */
 class Refusals {
     private readonly counts = new Map<string, number>();
     private why = '';
@@ -115,7 +116,7 @@ function taken<Record>(from: Record[], fits: (each: Record) => boolean): Record 
     return at < 0 ? null : from.splice(at, 1)[0]!;
 }
 
-/** What the server has said; without a connection nothing more can be made at all. */
+/** Returns what the server has said; without a connection nothing more can be made at all. */
 function refusalOf(error: unknown): string {
     if (!(error instanceof CallError) || error.failure.kind === 'disconnected') throw error;
     return error.message;

@@ -1,5 +1,5 @@
-// What the link carries in its fragment, which browsers never send: the access token, removed at
-// once; the session and the state of the page, kept so that the same link opens the same picture.
+// Reads and writes what the link carries in its fragment, which browsers never send: the access token,
+// removed at once; the session and the state of the page, kept so that the same link opens the same picture.
 import { decodeLinkState, type LinkState } from './linkState.ts';
 
 export interface UrlState {

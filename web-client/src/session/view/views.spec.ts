@@ -7,7 +7,7 @@ import { surfaceOf } from '../../testing/records.ts';
 import type { UrlState } from './urlState.ts';
 import { Views, type ViewsOptions } from './views.ts';
 
-/** One that no one looks at, with these masks. */
+/** One that no user looks at, with these masks. */
 function sceneWith(surfaces: Partial<ViewsOptions['scene']['surfaces']>): ViewsOptions['scene'] {
     const still = (): void => undefined;
     return {

@@ -1,4 +1,5 @@
-// The page's view as a value: taken for links and bookmarks, and shown again. Keeps the address of the page up to date.
+// The page's view as a value: taken for links and bookmarks, and shown again. Keeps the address of the page
+// up to date.
 import { batch, effect } from '@preact/signals-core';
 import type { CameraControls } from '../../scene/camera/cameraControls.ts';
 import type { FrameLoop } from '../../scene/frameLoop.ts';
@@ -103,7 +104,7 @@ export class Views {
         if (state !== null) this.show(state.view);
     }
 
-    /** The same records have other names now: the view goes on with them. */
+    /** Renames the records of the view: it goes on with them. */
     madeAnew({ rakes, surfaces }: Pick<MadeAnew, 'rakes' | 'surfaces'>): void {
         const { state, view, url, scene } = this.options;
         const renamed = <Value>(each: Iterable<[string, Value]>): [string, Value][] =>
@@ -141,7 +142,7 @@ export class Views {
         return address.href;
     }
 
-    /** What is painted of the surfaces; those for which there is no room are noted. */
+    /** Returns what is painted of the surfaces; those for which there is no room are noted. */
     private masks(): [string, string][] {
         const { state, view, scene } = this.options;
         const leftOut = new Set<string>();
@@ -165,7 +166,7 @@ export class Views {
     private changed(): void {
         const { state, url } = this.options;
         if (state.session.value !== this.written) {
-            // At once: someone who reloads the page must come back to the session.
+            // At once: a user who reloads the page must come back to the session.
             this.written = state.session.value;
             const former = url.state === null ? null : encodeLinkState(url.state);
             if (!this.restored) showFragment(writeFragment(this.written, url.dataset, former));

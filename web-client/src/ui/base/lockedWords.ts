@@ -9,7 +9,7 @@ export function lockedWords({ locked, role }: Pick<AppState, 'locked' | 'role'>)
         : 'Not connected to the server';
 }
 
-/** What a control does, or why it cannot. */
+/** Returns what a control does, or why it cannot. */
 export function titleOf(state: Pick<AppState, 'locked' | 'role'>, words: string): string {
     const why = lockedWords(state);
     return why === '' ? words : `${words} (${why})`;

@@ -1,4 +1,5 @@
-// Rows of a panel: words, and the control behind or before them. What a row shows is what its panel holds, also where an edit is refused.
+// Rows of a panel: words, and the control behind or before them. What a row shows is what its panel holds,
+// also where an edit is refused.
 import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import type { Vec3 } from '../../protocol/messages.ts';

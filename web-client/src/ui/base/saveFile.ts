@@ -9,7 +9,7 @@ export function saveFile(content: Blob, name: string): void {
     setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
 }
 
-/** What files of this surface are called: the dataset, and what comes after. */
+/** Returns what files of this surface are called: the dataset, and what comes after. */
 export function fileName(dataset: string | undefined, rest: string): string {
     const safe = (dataset ?? 'wakesurf').replace(/[^\p{L}\p{N}._-]+/gu, '_').slice(0, 80);
     return `${safe === '' ? 'wakesurf' : safe}-${rest}`;

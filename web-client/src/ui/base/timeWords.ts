@@ -10,7 +10,7 @@ const steps: readonly [seconds: number, unit: Intl.RelativeTimeFormatUnit][] = [
 ];
 const relative = new Intl.RelativeTimeFormat('en', { numeric: 'auto' });
 
-/** As "2 hours ago". @param time UTC, as text */
+/** Returns words like "2 hours ago". @param time UTC, as text */
 export function agoWords(time: string, now = Date.now()): string {
     const seconds = (Date.parse(time) - now) / 1000;
     if (!Number.isFinite(seconds)) return 'at an unknown time';

@@ -1,4 +1,4 @@
-// Whether a key belongs to a field that is being typed into, and is no shortcut.
+// Tells whether a key belongs to a field that is being typed into, and is no shortcut.
 
 const fields = 'input:not([type=range], [type=radio], [type=checkbox]), textarea, select, dialog';
 

@@ -1,4 +1,4 @@
-// What mouse and keys do, and the tour again.
+// Shows what mouse and keys do, and the tour again.
 import { css, html, type TemplateResult } from 'lit';
 import type { ViewState } from '../../state/viewState.ts';
 import { dialogStyles } from '../base/sharedStyles.ts';

@@ -1,5 +1,5 @@
-// Leads a first visit through the page, one card at a time, without standing in the way: whatever it speaks of can be done
-// while it is there, and it can be sent away.
+// Leads a first visit through the page, one card at a time, without standing in the way: whatever it speaks
+// of can be done while it is there, and it can be sent away.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { AppState } from '../../state/appState.ts';

@@ -1,10 +1,10 @@
-// What a first visit is led through: from dragging the rake to showing the result to someone else.
+// Lists what a first visit is led through: from dragging the rake to showing the result to another user.
 import type { FlowScene } from '../../scene/scene.ts';
 import type { Edits } from '../../session/edits/edits.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 
-/** What the steps look at to see what the user has done. */
+/** Describes what the steps look at to see what the user has done. */
 export interface TourFacts {
     state: Pick<AppState, 'rakes' | 'dataset' | 'times' | 'clock' | 'participants'>;
     view: Pick<ViewState, 'looks'>;
@@ -20,11 +20,11 @@ export interface TourStep {
     id: string;
     title: string;
     words: (facts: TourFacts) => string;
-    /** Whether the user has done it; the tour goes on by itself then. */
+    /** Returns whether the user has done it; the tour goes on by itself then. */
     done: (facts: TourFacts, before: TourStart) => boolean;
 }
 
-/** How things stood when the step began. */
+/** Describes how things stood when the step began. */
 export interface TourStart {
     rakeRevisions: string;
     pose: string;

@@ -1,4 +1,4 @@
-// What a surface can be coloured by, and the colour maps, in words.
+// Names what a surface can be coloured by, and the colour maps.
 import type { DatasetDescription, SurfaceKind } from '../../protocol/messages.ts';
 import type { SurfaceStyle } from '../../scene/surface/surfaceStyle.ts';
 import {
@@ -31,7 +31,8 @@ export function ageName(kind: SurfaceKind | undefined): string {
 
 const notSent = ' (someone who can edit has to show it first)';
 
-/** Those that others have to compute are not for people who may only look on, unless they are there already. */
+/** Those that others have to compute are not for people who may only look on, unless they are there
+ *  already. */
 export function colourChoices(
     dataset: DatasetDescription | null,
     kind: SurfaceKind | undefined,

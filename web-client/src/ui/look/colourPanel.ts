@@ -1,4 +1,4 @@
-// What the selected surface is coloured by, with which colours, over which range.
+// Shows what the selected surface is coloured by, with which colours, over which range.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { colourTable, tableSize } from '../../scene/surface/colourMap.ts';
 import { askForFields } from '../../session/picture/surfaceFields.ts';

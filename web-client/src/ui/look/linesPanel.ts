@@ -49,7 +49,7 @@ export class LinesPanel extends LookGroup<LinesModel> {
         `;
     }
 
-    /** The velocity travels with the surface from then on, for everyone. */
+    /** The velocity travels with the surface from then on, for every user. */
     private textured(on: boolean): void {
         const { state, edits } = this.model;
         const { look } = this;

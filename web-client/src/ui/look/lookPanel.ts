@@ -1,4 +1,4 @@
-// How the selected surface looks: the colours first, everything else in groups that open.
+// Shows how the selected surface looks: the colours first, everything else in groups that open.
 import { css, html, type TemplateResult } from 'lit';
 import './bodyPanel.ts';
 import type { BodyModel } from './bodyPanel.ts';
@@ -17,7 +17,7 @@ import { ModelElement } from '../base/signalElement.ts';
 import './windowsPanel.ts';
 import type { WindowsModel } from './windowsPanel.ts';
 
-/** What its groups take: all of them are about the same surface. */
+/** Describes what its groups take: all of them are about the same surface. */
 export type LookModel = ColourModel & OpacityModel & LinesModel & WindowsModel & ClipModel & BodyModel & PaintModel;
 
 export class LookPanel extends ModelElement<LookModel> {
@@ -87,7 +87,7 @@ export class LookPanel extends ModelElement<LookModel> {
         if (view.tool.value === 'paint') view.tool.value = 'none';
     }
 
-    /** Parts are looked for only while someone sees the list. */
+    /** Parts are looked for only while a user sees the list. */
     private listParts(event: Event): void {
         this.model.view.partsListed.value = (event.target as HTMLDetailsElement).open;
     }

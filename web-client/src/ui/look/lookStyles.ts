@@ -1,4 +1,4 @@
-// How the groups of a look are laid out, and what all of them do.
+// Lays out the groups of a look, and does what all of them do.
 import { css, type CSSResultGroup } from 'lit';
 import type { AppState } from '../../state/appState.ts';
 import type { SurfaceLook } from '../../state/surfaceLook.ts';
@@ -41,7 +41,7 @@ export const lookStyles = css`
     }
 `;
 
-/** What a group takes whose settings are those of the selected surface. */
+/** Describes what a group takes whose settings are those of the selected surface. */
 export interface LookGroupModel {
     state: Pick<AppState, 'activeSurface'>;
     view: Pick<ViewState, 'changeLook' | 'lookOf'>;

@@ -1,4 +1,4 @@
-// How much of what is behind the selected surface is seen through it, its outlines and its other side.
+// Shows how much of what is behind the selected surface is seen through it, its outlines and its other side.
 import { html, type TemplateResult } from 'lit';
 import type { BackSide, SurfaceLook } from '../../state/surfaceLook.ts';
 import type { AppState } from '../../state/appState.ts';
@@ -57,7 +57,7 @@ export class OpacityPanel extends LookGroup<OpacityModel> {
     }
 }
 
-/** What does not let anything through at all cannot do so more or less. */
+/** Makes a surface let something through, so that more or less of that can be chosen. */
 function dimmed({ opacity }: SurfaceLook, on: boolean, to = 0.6): Partial<SurfaceLook> {
     return on && opacity > 0.95 ? { opacity: to } : {};
 }

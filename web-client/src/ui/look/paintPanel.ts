@@ -1,4 +1,5 @@
-// The painter: nothing of the selected surface is shown but what a brush reveals; and its connected parts, which can be hidden.
+// The painter: nothing of the selected surface is shown but what a brush reveals; and its connected parts,
+// which can be hidden.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import type { SurfacePart } from '../../mesh/meshChange.ts';
 import { partsAtMost, type SurfaceLook } from '../../state/surfaceLook.ts';

@@ -49,7 +49,7 @@ export class PiecesPanel extends LookGroup<LinesModel> {
         return numberRow(words, { id, min: 0, shown: String(Number(value.toPrecision(4))), change: changed });
     }
 
-    /** Arrows point the way of the velocity, which travels with the surface from then on, for everyone. */
+    /** Arrows point the way of the velocity, which travels with the surface from then on, for every user. */
     private choose(pieces: PieceKind): void {
         const { state, edits } = this.model;
         const { look } = this;

@@ -1,4 +1,5 @@
-// What colours mean: a bar for each field that is seen, with the colour table and numbers, as text that can be read aloud.
+// Shows what colours mean: a bar for each field that is seen, with the colour table and numbers, as text that
+// can be read aloud.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { colourTable, fractionOf, tableSize } from '../../scene/surface/colourMap.ts';
 import { colourTicks } from '../../scene/surface/colourTicks.ts';
@@ -26,7 +27,7 @@ const rangeWords = {
 /** More would cover the picture. */
 const barsAtMost = 4;
 
-/** What a bar shows, of all surfaces that it is true of. */
+/** Describes what a bar shows, of all surfaces that it is true of. */
 interface Bar {
     title: string;
     span: SurfaceSpan;

@@ -1,4 +1,5 @@
-// Which part of the selected surface is shown: from some seeds only, or of some age only, and whether its torn borders are smooth.
+// Which part of the selected surface is shown: from some seeds only, or of some age only, and whether its
+// torn borders are smooth.
 import { html, nothing, type TemplateResult } from 'lit';
 import { placeNumber, resolutionOf } from '../../scene/base/numbers.ts';
 import type { FlowScene } from '../../scene/scene.ts';
@@ -48,7 +49,8 @@ export class WindowsPanel extends LookGroup<WindowsModel> {
         `;
     }
 
-    /** The normals travel with the surface from then on, for everyone; who may only look has those of the picture. */
+    /** The normals travel with the surface from then on, for every user; who may only look has those of the
+     *  picture. */
     private curved(on: boolean): void {
         const { state, edits } = this.model;
         const record = state.surface.value;

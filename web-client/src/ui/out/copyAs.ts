@@ -1,6 +1,6 @@
-// Two small buttons at the end of a panel: what it shows, as a script to copy. Where a page may not write to the clipboard (it
-// may not over http from another machine) the text is shown, to be copied by hand.
-//     <wakesurf-copy-as .model=${model} .calls=${() => [{ method: 'rake.set', params: {...}, keep: 'rake' }]}></wakesurf-copy-as>
+// Two small buttons at the end of a panel: what it shows, as a script to copy. Where a page may not write to
+// the clipboard (it may not over http from another machine) the text is shown, to be copied by hand.
+//     <wakesurf-copy-as .model=${model} .calls=${() => [{ method, params }]}></wakesurf-copy-as>
 import { css, html, type TemplateResult } from 'lit';
 import { signal } from '@preact/signals-core';
 import { curlScript } from '../../session/out/curlScript.ts';

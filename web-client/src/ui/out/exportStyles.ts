@@ -1,4 +1,4 @@
-// What the three parts of the tab "Export" have in common.
+// Holds what the three parts of the tab "Export" have in common.
 import { css } from 'lit';
 
 export const exportStyles = css`

@@ -1,4 +1,4 @@
-// How large a picture or a film is to be: some usual sizes, that of the page, or numbers.
+// Chooses how large a picture or a film is to be: some usual sizes, that of the page, or numbers.
 import { html, nothing, type TemplateResult } from 'lit';
 import { signal } from '@preact/signals-core';
 import type { ScreenSize } from '../../scene/base/view.ts';

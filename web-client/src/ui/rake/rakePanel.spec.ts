@@ -13,11 +13,11 @@ beforeEach(async () => {
     panel = await ShownPanel.of('wakesurf-rake', Object.assign(bench, { scene: { interaction, rakes: {} } }));
 });
 
-/** What is said, by what it is about. */
+/** Holds what is said, by what it is about. */
 const said = () => bench.state.problems.all.value;
 const points = () => bench.rakes[0]!.points;
 
-/** As when a person presses Enter in a field: every edit ends what was said of the one before. */
+/** Types as a person does who presses Enter in a field: every edit ends what was said of the one before. */
 async function type(name: string, value: number): Promise<void> {
     bench.edits.gestures.press();
     await panel.enter('input', name, value);

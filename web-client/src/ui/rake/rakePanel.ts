@@ -33,7 +33,7 @@ const nudgeKeys: Record<string, [axis: Axis, sign: 1 | -1]> = {
     ArrowDown: [2, -1],
 };
 const turnKeys: Record<string, 1 | -1> = { ArrowLeft: 1, ArrowUp: 1, ArrowRight: -1, ArrowDown: -1 };
-/** Of the domain's diagonal; ten times as much with Shift. */
+/** Are parts of the domain's diagonal; ten times as much with Shift. */
 const stepFractions = [0.002, 0.01, 0.05];
 const turnDegrees = 5;
 /** More of them are written smaller. */
@@ -54,9 +54,9 @@ export interface RakeModel {
 }
 
 export class RakePanel extends ModelElement<RakeModel> {
-    /** What the buttons act on. */
+    /** Holds what the buttons act on. */
     private readonly chosen = signal<Handle>(0);
-    /** Of a rake with many points, the one whose numbers are shown. */
+    /** Is the point of a rake with many points whose numbers are shown. */
     private readonly shownPoint = signal(1);
     private readonly stepIndex = signal(0);
     private readonly snapping = signal(false);
@@ -90,7 +90,7 @@ export class RakePanel extends ModelElement<RakeModel> {
         </fieldset>${this.why()}`;
     }
 
-    /** Of a rake that is where the server suggests one. */
+    /** Says why the rake is where the server suggests one. */
     private why(): TemplateResult | typeof nothing {
         const { suggestion } = this.model.state;
         const same = suggestion.value?.rake.points.every((point, i) => String(point) === String(this.points[i])) ?? false;
@@ -327,7 +327,8 @@ export class RakePanel extends ModelElement<RakeModel> {
         view.tool.value = placing ? 'none' : 'place';
     }
 
-    /** What is refused, or does not fit into the domain, does not stay in the field: no signal changes that would tell it. */
+    /** Takes a typed coordinate. One that is refused, or does not fit into the domain, does not stay in the
+     *  field: no signal changes that would tell it. */
     private numberChanged(event: Event, handle: Handle, axis: Axis): void {
         const { state, edits } = this.model;
         const field = event.target as HTMLInputElement;

@@ -1,4 +1,4 @@
-// How the rake's numbers and buttons are laid out.
+// Lays out the rake's numbers and buttons.
 import { css } from 'lit';
 
 export const rakePanelStyles = css`

@@ -4,7 +4,7 @@ import type { SessionEntry } from '../../protocol/messages.ts';
 import { agoWords, dayWords } from '../base/timeWords.ts';
 import './sessionPicture.ts';
 
-/** What is asked about a session before it is done. */
+/** Describes what is asked about a session before it is done. */
 export type Question = 'rename' | 'delete' | 'forever';
 
 export interface CardActs {

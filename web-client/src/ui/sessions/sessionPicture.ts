@@ -1,4 +1,5 @@
-// The picture of a session in the list. An image cannot show the login, so it is fetched; once it is looked at.
+// The picture of a session in the list. An image cannot show the login, so it is fetched; once it is looked
+// at.
 import { css, html, LitElement, nothing, type PropertyValues, type TemplateResult } from 'lit';
 
 export class SessionPicture extends LitElement {

@@ -132,7 +132,7 @@ describe('a session that is deleted', () => {
         await press(card('old'), 'Delete permanently');
         expect(dialog.text).toContain('“Old” was deleted permanently.');
         expect([...names(), ...trashed.map(({ name }) => name)]).not.toContain('Old');
-        // Where everyone meets cannot be deleted.
+        // Where every user meets cannot be deleted.
         await press(dialog, /^On this server/);
         expect(card('main').all('button', 'Delete')).toEqual([]);
     });

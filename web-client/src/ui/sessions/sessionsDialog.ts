@@ -1,4 +1,5 @@
-// The sessions of this server: to go to, to make, rename, copy, save and delete; and the trash, from which they come back.
+// The sessions of this server: to go to, to make, rename, copy, save and delete; and the trash, from which
+// they come back.
 import { signal } from '@preact/signals-core';
 import { html, nothing, type TemplateResult } from 'lit';
 import { repeat } from 'lit/directives/repeat.js';
@@ -241,7 +242,8 @@ export class SessionsDialog extends ModelElement<SessionsModel> {
     private readonly create = (event: Event): void => {
         event.preventDefault();
         const values = new FormData(event.target as HTMLFormElement);
-        const text = (field: string): string | null => values.get(field) as string | null; // none of them is a file
+        // None of them is a file.
+        const text = (field: string): string | null => values.get(field) as string | null;
         const dataset = text('dataset') ?? this.model.state.dataset.value?.dataset ?? null;
         void this.model.shelf.create(text('name')?.trim() ?? '', dataset);
     };

@@ -1,4 +1,4 @@
-// How the list of sessions looks: cards with a picture each, in as many columns as there is room for.
+// Lays out the list of sessions: cards with a picture each, in as many columns as there is room for.
 import { css } from 'lit';
 
 export const sessionsStyles = css`

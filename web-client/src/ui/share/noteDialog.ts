@@ -73,13 +73,14 @@ export class NoteDialog extends ModelElement<NoteModel> {
         return this.renderRoot.querySelector('dialog');
     }
 
-    /** By Escape. What is typed is kept now: the dialog tells that it has closed only later, when the next note may be open already. */
+    /** By Escape. What is typed is kept now: the dialog tells that it has closed only later, when the next
+     *  note may be open already. */
     private cancelled(event: Event): void {
         event.preventDefault();
         this.model.view.endNote(this.text);
     }
 
-    /** Also where the browser lets no one keep a dialog open. */
+    /** Keeps the text also where the browser has closed the dialog by itself. */
     private closed(): void {
         const { view } = this.model;
         if (view.note.value !== null && this.dialog?.open === false) view.endNote(this.text);

@@ -1,4 +1,4 @@
-// Who is in the session, whose view to take, and, for hosts, who may do what.
+// Shows who is in the session, whose view to take, and, for hosts, who may do what.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import type { Participant, Role } from '../../protocol/messages.ts';
 import type { Calls } from '../../session/base/calls.ts';

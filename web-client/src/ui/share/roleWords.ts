@@ -1,4 +1,4 @@
-// What the roles are called on the page.
+// Names the roles on the page.
 import type { Role } from '../../protocol/messages.ts';
 
 export const roleWords: Record<Role, string> = {

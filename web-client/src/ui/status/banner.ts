@@ -1,5 +1,5 @@
-// What stands in the way at the moment: no connection, data still being imported, a notice, an edit that was refused.
-// Over the picture, because the panel may be scrolled.
+// Shows what stands in the way at the moment: no connection, data still being imported, a notice, an edit
+// that was refused. Over the picture, because the panel may be scrolled.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { type DatasetEntry, errorWords } from '../../protocol/messages.ts';
 import type { Announcements } from '../../state/announcements.ts';
@@ -16,9 +16,9 @@ export interface BannerModel {
     view: Pick<ViewState, 'sessionsShown'>;
     imports: Pick<ImportWait, 'again' | 'choose' | 'left' | 'stop'>;
     retryNow: () => void;
-    /** Takes a link from somebody whom the server does not let in; false: it is none. */
+    /** Takes a link from a user whom the server does not let in; false: it is none. */
     takeLink: (text: string) => boolean;
-    /** What can be done where the session of this page is gone. */
+    /** Does what can be done where the session of this page is gone. */
     restoreSession: () => Promise<void>;
     makeSessionAgain: () => Promise<void>;
 }

@@ -1,4 +1,4 @@
-// How long the newest edit took until it was on the screen, and where that time went.
+// Shows how long the newest edit took until it was on the screen, and where that time went.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { signal } from '@preact/signals-core';
 import { type LatencyPart, latencyParts } from '../../state/latency.ts';

@@ -1,4 +1,4 @@
-// How far the server has come with the surface, in words and numbers.
+// Shows how far the server has come with the surface, in words and numbers.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { shortNumber } from '../../scene/base/numbers.ts';
 import type { Edits } from '../../session/edits/edits.ts';

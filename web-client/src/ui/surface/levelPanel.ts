@@ -1,4 +1,5 @@
-// What a level surface is a level set of: a field, and a value by a slider over the field's range, or typed.
+// Shows what a level surface is a level set of: a field, and a value by a slider over the field's range, or
+// typed.
 import { signal } from '@preact/signals-core';
 import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
@@ -92,7 +93,7 @@ export class LevelRows {
         </details>`;
     }
 
-    /** What the server has seen at the time that is shown; else what is known of the field. */
+    /** Returns what the server has seen at the time that is shown; else what is known of the field. */
     private range(dataset: DatasetDescription, field: string): readonly [number, number] | null {
         const { state } = this.model;
         const record = state.surface.value;

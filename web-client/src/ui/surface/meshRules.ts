@@ -1,4 +1,5 @@
-// The rules of the mesh beside its separation: how many quads it may have, and when quads are joined and refined. For those who ask.
+// The rules of the mesh beside its separation: how many quads it may have, and when quads are joined and
+// refined. For those who ask.
 import { css, html, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { surfaceSetRanges } from '../../protocol/generated/surface.ts';

@@ -1,4 +1,5 @@
-// How good the surface is, on demand: what was approximated, why particles went no further, what it took.
+// Shows how good the surface is, on demand: what was approximated, why particles went no further, what it
+// took.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { signal } from '@preact/signals-core';
 import type { SurfaceStats, Terminations } from '../../protocol/messages.ts';
@@ -72,7 +73,8 @@ export class QualityPanel extends ModelElement<QualityModel> {
         </dl>`;
     }
 
-    /** Once a state, and one question at a time: while a surface plays, the next comes with the answer to the last. */
+    /** Once a state, and one question at a time: while a surface plays, the next comes with the answer to the
+     *  last. */
     private ask(surface: string, stateSum: number): void {
         const wanted = `${surface} ${stateSum}`;
         if (this.asking || this.askedFor === wanted) return;

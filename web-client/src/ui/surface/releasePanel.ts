@@ -1,4 +1,4 @@
-// How long a surface is released for, and how old its particles get.
+// Shows how long a surface is released for, and how old its particles get.
 import { css, html, type TemplateResult } from 'lit';
 import { shortNumber } from '../../scene/base/numbers.ts';
 import type { Edits } from '../../session/edits/edits.ts';
@@ -19,12 +19,12 @@ export interface ReleaseModel {
 
 interface Span {
     id: string;
-    /** Of the box that leaves it at its longest, and what it says. */
+    /** Is the id of the box that leaves it at its longest, and what it says. */
     box: string;
     label: string;
     title: string;
     words: string;
-    /** What the slider stands for, and its words. */
+    /** Holds what the slider stands for, and its words. */
     shown: number | null;
     longest: number;
     says: (value: number) => string;

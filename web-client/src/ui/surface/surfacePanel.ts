@@ -160,7 +160,7 @@ export class SurfacePanel extends ModelElement<SurfaceModel> {
         `;
     }
 
-    /** Of surfaces that follow particles. */
+    /** Returns the rows of surfaces that follow particles. */
     private followedRows(intent: SurfaceIntent, dataset: DatasetDescription): TemplateResult {
         const { state, edits } = this.model;
         const shown = followed(intent, state.times.value, dataset.steady);

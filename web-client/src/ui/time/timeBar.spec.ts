@@ -24,7 +24,7 @@ async function streak(): Promise<void> {
     await rested();
 }
 
-/** Of a mark of the line, in per cent from its left end. */
+/** Returns the place of a mark of the line, in per cent from its left end. */
 function placed(selector: string, name: string): number {
     return parseFloat(bar.get<HTMLElement>(selector).getAttribute(name)!);
 }

@@ -23,7 +23,7 @@ import './timeline.ts';
 
 const speeds = [0.1, 0.25, 0.5, 1, 2, 4];
 
-/** What the release is to a surface of each kind. */
+/** Holds what the release is to a surface of each kind. */
 const released: Partial<Record<SurfaceKind, string>> = {
     path: 'released at',
     streak: 'released from',
@@ -39,7 +39,7 @@ export interface TimeBarModel {
 }
 
 export class TimeBar extends ModelElement<TimeBarModel> {
-    /** What is being typed must not be overwritten by the time that passes. */
+    /** Says whether a time is being typed, which must not be overwritten by the time that passes. */
     private typing = false;
 
     static override styles = timeBarStyles;

@@ -1,4 +1,4 @@
-// How the time bar looks.
+// Lays out the time bar.
 import { css } from 'lit';
 
 export const timeBarStyles = css`

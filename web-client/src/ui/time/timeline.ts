@@ -1,5 +1,5 @@
-// The time of the data as a line: its time-steps with what of them is in the server's memory, the part that the surface covers,
-// and two handles: above, when the picture is of; below, when the surface is released.
+// The time of the data as a line: its time-steps with what of them is in the server's memory, the part that
+// the surface covers, and two handles: above, when the picture is of; below, when the surface is released.
 import { html, noChange, nothing, svg, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { signal } from '@preact/signals-core';
@@ -25,7 +25,7 @@ interface Slider {
     at: number;
     disabled: boolean;
     label: string;
-    /** What it says of where it is. */
+    /** Holds what it says of where it is. */
     words: string;
     title?: string;
     moved: (event: Event) => void;
@@ -41,7 +41,7 @@ export interface TimelineModel {
 
 export class Timeline extends ModelElement<TimelineModel> {
     private readonly width = signal(600);
-    /** The handle under the pointer stays there until it is let go, also between two time-steps. */
+    /** The handle under the pointer stays there until it is released, also between two time-steps. */
     private readonly held = signal<string | null>(null);
     private readonly resized = new ResizeObserver(([entry]) => {
         if (entry !== undefined && entry.contentRect.width > 0) this.width.value = entry.contentRect.width;
@@ -100,7 +100,7 @@ export class Timeline extends ModelElement<TimelineModel> {
         return this.bothWays ? [otherSide(span[0], span[1], this.model.state.times.value), span[1]] : span;
     }
 
-    /** How far the backward side has come. */
+    /** Returns how far the backward side has come. */
     private otherNow(time: number, at: (time: number) => string): TemplateResult {
         const { playback, state } = this.model;
         const x = at(otherSide(playback.span.value[0], time, state.times.value));
@@ -127,7 +127,8 @@ export class Timeline extends ModelElement<TimelineModel> {
             }`;
     }
 
-    /** As high as its part in memory, above that half as wide what is being read, hollow on the disk. */
+    /** Draws a mark as high as its part in memory, above that half as wide what is being read, hollow on the
+     *  disk. */
     private mark(mark: StepMark, at: (time: number) => string): TemplateResult {
         const { first, last, state, resident, loading } = mark;
         const times = this.model.state.dataset.value?.times ?? [];
@@ -272,7 +273,7 @@ export class Timeline extends ModelElement<TimelineModel> {
 /** Lowest edge of the marks, and how high they are. */
 const markBase = 33;
 const markHeight = 10;
-/** Of what is there at all, however little. */
+/** Is the height of what is there at all, however little. */
 const leastHeight = 1.5;
 
 function heightOf(share: number): number {

@@ -1,4 +1,5 @@
-// How the timeline looks: a picture with two native sliders over it, whose middle lies exactly over the time they mean.
+// Lays out the timeline: a picture with two native sliders over it, whose middle lies exactly over the time
+// they mean.
 import { css } from 'lit';
 
 export const timelineStyles = css`

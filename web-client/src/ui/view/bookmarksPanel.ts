@@ -1,4 +1,4 @@
-// Views of the picture under names, for everyone in the session.
+// Views of the picture under names, for every user in the session.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import type { BookmarkRecord } from '../../protocol/messages.ts';
 import { timeText } from '../../session/picture/writtenNumbers.ts';
@@ -88,7 +88,7 @@ export class BookmarksPanel extends ModelElement<BookmarksModel> {
         if (made !== null) input.value = '';
     }
 
-    /** The time as well, which everyone shares, where there is one and this page may set it. */
+    /** The time as well, which every user shares, where there is one and this page may set it. */
     private show({ view, time }: BookmarkRecord): void {
         const { state, views, clock } = this.model;
         views.show(readPageView(view));

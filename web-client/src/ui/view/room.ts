@@ -5,12 +5,12 @@ import type { ViewState } from '../../state/viewState.ts';
 const kept = 'panel';
 const folded = 'folded';
 
-/** Whether another page shows this one in a frame, as a notebook does, where there is little room. */
+/** Returns whether another page shows this one in a frame, as a notebook does, where there is little room. */
 export function isInFrame(): boolean {
     return globalThis.top !== globalThis.self;
 }
 
-/** As it was when this browser was here last; at first folded in a frame. */
+/** Sets the panel as it was when this browser was here last; at first folded in a frame. */
 export function recallPanel(view: Pick<ViewState, 'panelFolded'>): void {
     view.panelFolded.value = (recall(kept) ?? (isInFrame() ? folded : '')) === folded;
 }

@@ -1,4 +1,5 @@
-// What surrounds the surfaces: dark or light, shade where things touch, and in which units its numbers are meant.
+// Shows what surrounds the surfaces: dark or light, shade where things touch, and in which units its numbers
+// are meant.
 import { css, html, type TemplateResult } from 'lit';
 import { limits } from '../../protocol/generated/limits.ts';
 import type { AppState } from '../../state/appState.ts';

@@ -1,4 +1,4 @@
-// What a click on the picture does; without a tool it only turns the view.
+// Chooses what a click on the picture does; without a tool it only turns the view.
 import { css, html, type TemplateResult } from 'lit';
 import type { Tool, ViewState } from '../../state/viewState.ts';
 import type { AppState } from '../../state/appState.ts';

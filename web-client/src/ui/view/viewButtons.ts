@@ -1,5 +1,5 @@
-// Which way the axes point, and views of the whole domain for when the camera has lost its way: each end of an axis is a
-// button that looks from there.
+// Which way the axes point, and views of the whole domain for when the camera has lost its way: each end of
+// an axis is a button that looks from there.
 import { css, html, nothing, svg, type SVGTemplateResult, type TemplateResult } from 'lit';
 import { Vector3 } from 'three';
 import type { ViewName } from '../../scene/camera/cameraControls.ts';
@@ -167,7 +167,8 @@ export class ViewButtons extends ModelElement<ViewButtonsModel> {
     private turn({ camera }: View): void {
         const drawing = this.renderRoot.querySelector('svg[role="group"]');
         if (drawing === null) return;
-        // Most frames are not of a turning camera, and drawing this again costs as much as a small surface does.
+        // Most frames are not of a turning camera, and drawing this again costs as much as a small surface
+        // does.
         const turned = camera.quaternion.toArray().join();
         if (turned === this.turned) return;
         this.turned = turned;

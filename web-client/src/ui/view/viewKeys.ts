@@ -30,7 +30,8 @@ export function listenForViewKeys({ view, scene, people }: ViewKeysModel): void 
     });
 }
 
-/** Arrows belong to what has the focus; the picture, and the page where nothing has it, leave them to the camera. */
+/** Arrows belong to what has the focus; the picture, and the page where nothing has it, leave them to the
+ *  camera. */
 function isFree(event: KeyboardEvent): boolean {
     const [at] = event.composedPath();
     return at instanceof HTMLCanvasElement || at === document.body;
