@@ -1,4 +1,4 @@
-"""What the methods in generated/methods call."""
+"""The calls of the methods in generated/methods."""
 from __future__ import annotations
 
 import enum
@@ -9,7 +9,7 @@ from .plain import Json
 
 
 class LeftOut(enum.Enum):
-    """A parameter that is left out, where None means something."""
+    """Marks a parameter that is left out, where None is a value."""
 
     LEFT_OUT = "left out"
 
@@ -18,13 +18,13 @@ LEFT_OUT = LeftOut.LEFT_OUT
 
 
 class ApiCall(Protocol):
-    """Client.call and Connection.call: what is None is left out, what is NULL is null."""
+    """Describes Client.call and Connection.call: a parameter that is None is left out, one that is NULL is null."""
 
     def __call__(self, method: str, _timeout: Optional[float] = None, /, **parameters: Any) -> Any: ...
 
 
 class Noun(Helpful):
-    """Methods of one noun, in a session or in none."""
+    """Holds the methods of one noun, in a session or in none."""
 
     def __init__(self, call: ApiCall, session: Optional[str]) -> None:
         self.__call, self.__session = call, session

@@ -86,7 +86,7 @@ def _vti(arrays: Mapping[str, Array], shape: Sequence[int], origin: Sequence[flo
 
 
 def _packed(data: bytes) -> bytes:
-    """As VTK has compressed arrays inline: how many blocks there are and how long they are, then the blocks."""
+    """Returns compressed arrays as VTK has them inline: the number and the lengths of the blocks, then the blocks."""
     blocks = [zlib.compress(data[at:at + _BLOCK], 1) for at in range(0, len(data), _BLOCK)]
     last = len(data) % _BLOCK
     header = struct.pack(f"<{3 + len(blocks)}Q", len(blocks), _BLOCK, last, *map(len, blocks))

@@ -1,4 +1,4 @@
-"""A surface of which only the kind need be given: what is left open is as the server suggests it for the data."""
+"""A surface of which only the kind must be given: the server suggests the other parameters for the data."""
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Dict, Mapping
@@ -12,7 +12,8 @@ if TYPE_CHECKING:
 
 
 def begin(session: Session, dataset: str, setting: Json) -> Surface:
-    """`setting`: parameters of surface.set by their names in Python, but `from`. Error: as Session.surface."""
+    """Makes a surface. `setting`: parameters of surface.set by their names in Python, but `from`. Error: as
+    Session.surface."""
     found: Mapping[str, Any] = session.client.suggest(dataset) if not {"rake", "to", "separation"} <= setting.keys() else {"surfaces": []}
     usual: Dict[str, Any] = dict(next((each for each in found["surfaces"] if each["kind"] == setting["kind"]), {}))
     if setting.keys() & {"from", "to", "direction"}:
@@ -33,7 +34,7 @@ def begin(session: Session, dataset: str, setting: Json) -> Surface:
 
 
 def last_time(session: Session, setting: Json) -> float:
-    """The last time of the data, or the first for a surface that goes backward."""
+    """Returns the last time of the data, or the first for a surface that goes backward."""
     times = session.client.describe(setting["dataset"])["times"]
     if not times:
         raise InvalidParameters("a surface of this dataset needs `to`", -32602, "invalidParameters", "the time at which it ends")

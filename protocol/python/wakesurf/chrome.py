@@ -26,7 +26,7 @@ _SOME = 1 << 20
 
 
 def find_browser() -> str:
-    """$WAKESURF_CHROMIUM, else the first that there is. Error: BrowserMissing."""
+    """Returns $WAKESURF_CHROMIUM, else the first browser that is installed. Error: BrowserMissing."""
     named = os.environ.get("WAKESURF_CHROMIUM")
     for name in (named,) if named else _NAMES:
         found = shutil.which(name)
@@ -82,7 +82,7 @@ class Chrome:
             raise PictureFailed(f"the page does not open: {moved['errorText']}", hint="is the server running, with its page (--web)?")
 
     def close(self) -> None:
-        """Ends the browser and removes its profile. Nothing happens the second time."""
+        """Ends the browser and removes its profile. Does nothing the second time."""
         if self._process.returncode is not None:
             return
         atexit.unregister(self.close)
@@ -101,7 +101,7 @@ class Chrome:
         self._profile.remove()
 
     def ask(self, method: str, parameters: Optional[Json] = None, timeout: float = 60.0) -> Json:
-        """A command of the DevTools protocol. Error: PictureFailed, WaitTimeout."""
+        """Sends a command of the DevTools protocol. Error: PictureFailed, WaitTimeout."""
         number = next(self._numbers)
         message: Dict[str, Any] = {"id": number, "method": method, "params": parameters or {}}
         if self._target:
@@ -135,7 +135,7 @@ class Chrome:
         return found
 
     def value(self, code: str, timeout: float = 60.0) -> Any:
-        """What an expression is in the page; of a promise, what it becomes. Error: PictureFailed with what it threw."""
+        """Evaluates an expression in the page; of a promise, its result. Error: PictureFailed with what it threw."""
         answer = self.ask("Runtime.evaluate", {"expression": code, "awaitPromise": True, "returnByValue": True}, timeout)
         if "exceptionDetails" in answer:
             thrown = answer["exceptionDetails"]
@@ -144,5 +144,5 @@ class Chrome:
         return answer["result"].get("value")
 
     def screenshot(self) -> bytes:
-        """The page as it is, as PNG."""
+        """Returns the page as PNG."""
         return base64.b64decode(self.ask("Page.captureScreenshot", {"format": "png"})["data"])

@@ -103,8 +103,8 @@ class Client(Helpful):
         return answer
 
     def call(self, method: str, _timeout: Optional[float] = None, /, **parameters: Any) -> Any:
-        """Any method of the server, by its name; parameters that are None are left out. Waits and asks again, up to
-        five times, where the server says that calls come too fast."""
+        """Calls any method of the server, by its name; parameters that are None are left out. Waits and tries again,
+        up to five times, if the server says that calls come too fast."""
         request = {"jsonrpc": "2.0", "id": next(self._ids), "method": method,
                    "params": given(parameters)}
         for attempt in range(6):
@@ -118,7 +118,7 @@ class Client(Helpful):
         raise AssertionError("the last attempt returns or raises")
 
     def batch(self, calls: Iterable[Tuple[str, Json]]) -> List[Any]:
-        """Several calls in one message. Results in order; a call that failed has its error as a value."""
+        """Sends several calls in one message. Returns results in order; a call that failed has its error as a value."""
         requests = [{"jsonrpc": "2.0", "id": next(self._ids), "method": method,
                      "params": {name: plain(value, name) for name, value in parameters.items()}}
                     for method, parameters in calls]
@@ -132,11 +132,11 @@ class Client(Helpful):
                 for each in requests]
 
     def info(self) -> ServerInfoResult:
-        """Name, version, capabilities and limits of the server."""
+        """Returns name, version, capabilities and limits of the server."""
         return self.api.server.info()
 
     def datasets(self) -> List[DatasetEntry]:
-        """What there is to look at: {dataset, name, state, ...} each.
+        """Returns the datasets of the server: {dataset, name, state, ...} each.
 
         >>> [each["dataset"] for each in client.datasets()]
         ['tornado']
@@ -145,7 +145,8 @@ class Client(Helpful):
 
     @property
     def dataset(self) -> str:
-        """The id of the dataset, where the server has one alone. Error: InvalidParameters where it has several, or none.
+        """Returns the id of the dataset, if the server has only one. Error: InvalidParameters if it has several, or
+        none.
 
         >>> client.dataset
         'tornado'
@@ -157,21 +158,21 @@ class Client(Helpful):
         return ids[0]
 
     def describe(self, dataset: str) -> Dataset:
-        """Grid, bounds, times and fields of a dataset."""
+        """Returns grid, bounds, times and fields of a dataset."""
         return self.api.dataset.describe(dataset=dataset)
 
     def suggest(self, dataset: str) -> DatasetSuggestResult:
-        """A rake and the parameters of surfaces to begin with in a dataset, and why they were chosen."""
+        """Returns a rake and the parameters of surfaces to begin with in a dataset, and why they were chosen."""
         return self.api.dataset.suggest(dataset=dataset)
 
     def cache(self, dataset: str) -> CacheStatus:
-        """Which of its time-steps are in the server's memory."""
+        """Returns which of its time-steps are in the server's memory."""
         return self.api.cache.status(dataset=dataset)
 
     @named
     def probe(self, dataset: str, points: Points, time: float, fields: Optional[Sequence[str]] = None) -> Dict[str, Array]:
-        """Fields at points, (n,) or (n, 3) each, NaN outside of the fluid; `inside` says which points are in it. Many
-        points are asked for in several calls, as a message has at most 64 KiB: some 1,000 points each.
+        """Returns fields at points, (n,) or (n, 3) each, NaN outside of the fluid; `inside` says which points are in
+        it. Many points are sent in several calls, as a message has at most 64 KiB: some 1,000 points each.
 
         >>> found = client.probe("tornado", [(0.5, 0.5, 0.5), (9, 9, 9)], time=0)
         >>> found["inside"], found["velocity"].shape
@@ -194,32 +195,32 @@ class Client(Helpful):
         return out
 
     def _velocity(self, dataset: str) -> str:
-        """Of a part that lies outside as a whole, nothing else tells that it is a vector."""
+        """Tells vectors by the dataset: the values of a part that lies outside as a whole do not show it."""
         if dataset not in self._velocities:
             self._velocities[dataset] = self.describe(dataset)["velocity"]
         return self._velocities[dataset]
 
     def sessions(self, trash: bool = False) -> List[Session]:
-        """Those this token lets in, or those in the trash. `Session.about` of each says what it is called, who was in it,
-        when it was last used and what it has."""
+        """Returns the sessions that this token may enter, or those in the trash. `Session.about` of each has its
+        name, its participants, the time of its last use and its content."""
         return [Session(self, each["session"], each)
                 for each in self.call("session.list", trash=trash or None)["sessions"]]
 
     def session(self, session: Optional[str] = None) -> Session:
-        """The session with this id; left out, the one in the address, else `main`. Error: NotFound."""
+        """Returns the session with this id; left out, the one in the address, else `main`. Error: NotFound."""
         found = Session(self, session or self._session)
         found.state()
         return found
 
     def create_session(self, name: str = "") -> Session:
-        """A new, empty one; `Session.about["remaining"]` says how many more there may be. Give it a name: the server may
-        give up one without a name that no one ever edits. Error: OverLimit."""
+        """Makes an empty session; `Session.about["remaining"]` says how many more there may be. Give it a name: the
+        server may delete one that has no name and is never edited. Error: OverLimit."""
         made = self.call("session.create", name=name)
         return Session(self, made["session"], made)
 
     def import_session(self, path: Union[str, os.PathLike[str]], name: str = "") -> Session:
-        """A new session of a file that `Session.export` wrote, here or on another server. `Session.about["notes"]` are
-        sentences about datasets that are not here, or are other ones. Error: InvalidParameters, OverLimit."""
+        """Makes a session of a file that `Session.export` wrote, here or on another server. `Session.about["notes"]`
+        are sentences about datasets that are missing, or are different ones. Error: InvalidParameters, OverLimit."""
         with open(path, "rb") as file:
             body = file.read()
         status, _, answer = self._request("/api/v1/sessions", body)
@@ -233,7 +234,7 @@ class Client(Helpful):
 
     @contextmanager
     def scratch(self, name: str = "scratch") -> Iterator[Session]:
-        """A session of its own for as long as the block runs; then it is gone for good, with all that was made in it.
+        """Makes a session for as long as the block runs; then it is deleted for good, with everything made in it.
 
         >>> with client.scratch() as session:
         ...     rake = session.rake(line=[(0.4, 0.4, 0.1), (0.6, 0.6, 0.1)], seeds=8)

@@ -1,4 +1,4 @@
-"""One WebSocket: calls, what the server tells meanwhile, and mesh frames."""
+"""One WebSocket: calls, notifications in between, and mesh frames."""
 from __future__ import annotations
 
 import collections
@@ -51,20 +51,20 @@ class Connection:
         self.close()
 
     def close(self) -> None:
-        """Ends it; whoever waits for a message in another thread gets Unreachable."""
+        """Ends the connection; a thread that waits for a message gets Unreachable."""
         self._socket.close()
 
     def hang_up(self) -> None:
-        """Ends it from another thread than the one that waits for messages."""
+        """Ends the connection from another thread than the one that waits for messages."""
         self._socket.abort()
 
     def join(self, session: str, name: str) -> Joined:
-        """Enters a session: from now on its changes are told."""
+        """Enters a session: its changes are reported from now on."""
         joined: Joined = self.call("session.join", session=session, name=name)
         return joined
 
     def call(self, method: str, _timeout: Optional[float] = None, /, **parameters: Any) -> Any:
-        """Any method by its name. What the server tells meanwhile is kept for `told` and `frame`."""
+        """Calls any method by its name. Notifications and frames in between are kept for `told` and `frame`."""
         wanted = next(self._ids)
         self._send({"jsonrpc": "2.0", "id": wanted, "method": method, "params": given(parameters)})
         while True:
@@ -81,7 +81,8 @@ class Connection:
         return number
 
     def answer_or_told(self, number: int) -> Union[Json, Notification]:
-        """The next notification, or the answer to a call that was started: an object with `result`. Error: the call's."""
+        """Returns the next notification, or the answer to a call that was started: an object with `result`. Error:
+        the call's."""
         while not self._told:
             message = self._receive()
             if isinstance(message, dict) and message.get("id") == number and "method" not in message:
@@ -95,13 +96,13 @@ class Connection:
         self._send({"jsonrpc": "2.0", "method": method, "params": given(parameters)})
 
     def told(self) -> Notification:
-        """The next thing that the server tells. Mesh frames on the way are kept."""
+        """Returns the next notification. Mesh frames on the way are kept."""
         while not self._told:
             self._receive()
         return self._told.popleft()
 
     def frame(self) -> bytes:
-        """The next mesh frame. What the server tells on the way is dropped."""
+        """Returns the next mesh frame. Notifications on the way are dropped."""
         while not self._frames:
             self._receive()
             self._told.clear()
@@ -114,7 +115,7 @@ class Connection:
             raise Unreachable(f"the connection broke: {problem}") from None
 
     def _receive(self) -> Union[Json, bytes, None]:
-        """One message, put where it belongs; answers and frames are returned too."""
+        """Receives one message and queues it; answers and frames are returned too."""
         try:
             message = self._socket.recv()
         except self._module.WebSocketTimeoutException:
@@ -133,7 +134,7 @@ class Connection:
 
 
 def header_of(frame: bytes) -> Optional[Json]:
-    """What a mesh frame says about its update, see Frame in protocol/wire/FORMAT.md; None for what is none."""
+    """Returns the header of a mesh frame, see Frame in protocol/wire/FORMAT.md; None for any other bytes."""
     if len(frame) < 48 or frame[:2] != b"WS":
         return None
     if frame[2] != VERSION:

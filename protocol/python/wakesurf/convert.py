@@ -1,4 +1,4 @@
-"""A mesh as the objects of other packages. Each is imported only when it is asked for."""
+"""A mesh as the objects of other packages. Each package is imported only when it is needed."""
 from __future__ import annotations
 
 import importlib
@@ -14,7 +14,7 @@ _WHERE = {"vtkmodules": "Debian: python3-vtk9; pip: vtk", "pyvista": "pip: pyvis
 
 
 def needed(name: str) -> Any:
-    """A package that not everyone has. Error: ImportError, which says where it comes from."""
+    """Imports an optional package. Error: ImportError, which says where it comes from."""
     try:
         return importlib.import_module(name)
     except ImportError as problem:
@@ -48,7 +48,7 @@ def to_vtk(mesh: Mesh) -> Any:
 
 
 def to_pyvista(mesh: Mesh) -> Any:
-    """By pyvista.wrap, which takes any vtkPolyData."""
+    """Converts by pyvista.wrap, which takes any vtkPolyData."""
     return needed("pyvista").wrap(to_vtk(mesh))
 
 

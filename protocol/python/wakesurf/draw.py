@@ -1,4 +1,4 @@
-"""`wakesurf surface DATA -o a.png`: what the program has read from its command line, drawn by a server that is there as long as that takes."""
+"""`wakesurf surface DATA -o a.png`: draws the surface of a command line, by a server that runs meanwhile."""
 from __future__ import annotations
 
 import io
@@ -19,7 +19,8 @@ from .serve import serve
 
 
 def main(arguments: Optional[Sequence[str]] = None) -> int:
-    """As server/cli/surface_picture.cpp writes them: the work, the dataset, the file, and options of the server. Exit status."""
+    """Reads arguments as server/cli/surface_picture.cpp writes them: the work, the dataset, the file, and options of
+    the server. Returns the exit status."""
     job, dataset, output, *options = sys.argv[1:] if arguments is None else arguments
     for stream in (sys.stdout, sys.stderr):  # names of files are bytes, and go out as they came
         if isinstance(stream, io.TextIOWrapper):
@@ -41,7 +42,7 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
 
 
 def draw(job: Json, dataset: str, output: str, options: Sequence[str]) -> None:
-    """Error: WakesurfError, OSError."""
+    """Draws the surface. Error: WakesurfError, OSError."""
     find_browser()  # before anything is computed
     width, _, height = job["size"].partition("x")
     with serve(dataset, options=options, progress=_line) as session:

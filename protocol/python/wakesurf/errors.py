@@ -1,4 +1,4 @@
-"""What can go wrong, as exceptions. Each has `code`, `kind`, `hint` and `data` as the server gave them."""
+"""The errors, as exceptions. Each has `code`, `kind`, `hint` and `data` as the server gave them."""
 from __future__ import annotations
 
 from typing import Any, Mapping, Optional, Tuple
@@ -13,7 +13,7 @@ __all__ = ["WakesurfError", "InvalidRequest", "InvalidParameters", "InvalidPoint
 
 
 class WakesurfError(Exception):
-    """What the server refused, or why it could not be asked."""
+    """The server refused the request, or could not be reached."""
 
     def __init__(self, message: str, code: int = 0, kind: str = "", hint: str = "", data: Optional[Json] = None):
         super().__init__(message + (f" ({hint})" if hint else ""))
@@ -23,7 +23,7 @@ class WakesurfError(Exception):
 
 
 class InvalidRequest(WakesurfError):
-    """Not a call, too long, or a method that needs a WebSocket."""
+    """The request is no call, too long, or needs a WebSocket."""
 
 
 class InvalidParameters(WakesurfError):
@@ -43,7 +43,7 @@ class MethodNotFound(WakesurfError):
 
 
 class Unauthenticated(WakesurfError):
-    """No token, or not a valid one."""
+    """The token is missing or invalid."""
 
 
 class NotPermitted(WakesurfError):
@@ -63,7 +63,7 @@ class Stale(WakesurfError):
 
 
 class Leased(WakesurfError):
-    """Someone else is dragging the rake: `by` whom, `until` when."""
+    """Another client is dragging the rake: `by` whom, `until` when."""
 
     @property
     def by(self) -> str:
@@ -79,25 +79,25 @@ class Cancelled(WakesurfError):
 
 
 class OutsideDomain(WakesurfError):
-    """The message says by how much."""
+    """A point is outside of the domain; the message says by how much."""
 
 
 class OutsideTimeRange(WakesurfError):
-    """Not within the dataset's times."""
+    """The time is not within the dataset's times."""
 
 
 class InvalidPoints(InvalidParameters, TypeError, ValueError):
-    """What was given for points is none: too few, not three numbers each, or not numbers."""
+    """The points are invalid: too few, not three numbers each, or not numbers."""
 
 
 class NoSuchArray(WakesurfError, KeyError):
-    """A mesh has no array of this name; the message says which there are and how to ask for others."""
+    """A mesh has no array of this name; the message lists those it has and says how to ask for others."""
 
     __str__ = WakesurfError.__str__  # that of a KeyError is in quotes
 
 
 class OverLimit(WakesurfError):
-    """More than the server grants."""
+    """The request is for more than the server grants."""
 
 
 class DatasetError(WakesurfError):
@@ -105,15 +105,15 @@ class DatasetError(WakesurfError):
 
 
 class ServerFault(WakesurfError):
-    """A fault of the server; its log has the details."""
+    """The server has a fault; its log has the details."""
 
 
 class Unreachable(WakesurfError, ConnectionError):
-    """No one answers at the address, or the connection broke."""
+    """The address does not answer, or the connection broke."""
 
 
 class WaitTimeout(WakesurfError, TimeoutError):
-    """It was not there in time; a surface is still being computed."""
+    """The result was not there in time; a surface is still being computed."""
 
 
 class ServerMissing(WakesurfError, FileNotFoundError):
@@ -121,7 +121,7 @@ class ServerMissing(WakesurfError, FileNotFoundError):
 
 
 class ServerFailed(WakesurfError):
-    """The server that `serve` started has ended; the message is what it said."""
+    """The server that `serve` started has ended; the message is its last output."""
 
 
 class BrowserMissing(WakesurfError, FileNotFoundError):
@@ -133,7 +133,7 @@ class PictureFailed(WakesurfError):
 
 
 def error_of(fault: Mapping[str, Any]) -> WakesurfError:
-    """The exception for the `error` of an answer."""
+    """Returns the exception for the `error` of an answer."""
     from .generated.error_codes import BY_CODE  # which needs the classes above
     data = dict(fault.get("data") or {})
     kind = BY_CODE.get(fault.get("code", 0), WakesurfError)

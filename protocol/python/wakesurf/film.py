@@ -24,7 +24,7 @@ _CODECS = {".mp4": ["-c:v", "libx264", "-crf", "18", "-pix_fmt", "yuv420p", "-mo
 def film(session: Session, path: Union[str, os.PathLike[str]], times: Sequence[float], size: Tuple[int, int], *, fps: float,
          view: Optional[Look], background: Background, bar: bool, axes: bool, rakes: bool, caption: Optional[str],
          progress: Optional[Told], timeout: float) -> List[str]:
-    """See `Session.film`."""
+    """Makes a film; see `Session.film`."""
     path, size = os.fsdecode(path), check_size(size)
     check_background(background)
     codec = _CODECS.get(os.path.splitext(path)[1].lower())
@@ -50,7 +50,7 @@ def film(session: Session, path: Union[str, os.PathLike[str]], times: Sequence[f
 def frames(session: Session, folder: str, times: Sequence[float], size: Tuple[int, int], view: Optional[Look],
            background: Background, bar: bool, axes: bool, rakes: bool, captions: Sequence[Optional[str]], report: Report,
            timeout: float) -> List[str]:
-    """frame_0000.png and so on."""
+    """Writes frame_0000.png and so on."""
     files: List[str] = []
     with Painter(session, size, timeout=timeout, own_time=True, view=view) as painter:
         times = painter.check_times(times)
@@ -65,7 +65,7 @@ def frames(session: Session, folder: str, times: Sequence[float], size: Tuple[in
 
 
 def _captions(caption: Optional[str], times: Sequence[float]) -> List[Optional[str]]:
-    """Of each frame. Error: InvalidParameters."""
+    """Returns the caption of each frame. Error: InvalidParameters."""
     try:
         return [None if caption is None else caption.format(time=float(time), frame=i) for i, time in enumerate(times)]
     except (AttributeError, IndexError, KeyError, TypeError, ValueError) as problem:

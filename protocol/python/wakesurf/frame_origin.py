@@ -1,4 +1,4 @@
-"""Which notebook this Python runs for, and where its pages come from."""
+"""The notebook that this Python runs for, and the origin of its pages."""
 from __future__ import annotations
 
 import glob
@@ -10,7 +10,7 @@ from typing import List, Optional
 
 
 def notebook_address() -> Optional[str]:
-    """The address of the Jupyter server that started this kernel, from what it writes into its runtime folder; None elsewhere."""
+    """Returns the address of the Jupyter server that started this kernel, from its runtime folder; None elsewhere."""
     parent = os.environ.get("JPY_PARENT_PID", "")
     for folder in _runtime_folders():
         for path in sorted(glob.glob(os.path.join(folder, "*server-*.json"))):
@@ -25,8 +25,8 @@ def notebook_address() -> Optional[str]:
 
 
 def notebook_origins() -> List[str]:
-    """What `serve` asks the server to be shown in: $WAKESURF_FRAME_ORIGIN, several with spaces between them; else the notebook's,
-    by the names that browsers know this machine by. None of them outside of a notebook."""
+    """Returns the origins whose pages may show the server's: $WAKESURF_FRAME_ORIGIN, several with spaces between
+    them; else the notebook's, by the names that browsers know this machine by. Empty outside of a notebook."""
     named = os.environ.get("WAKESURF_FRAME_ORIGIN", "").split()
     address = notebook_address()
     if named or address is None:
@@ -38,7 +38,7 @@ def notebook_origins() -> List[str]:
 
 
 def in_notebook() -> bool:
-    """Whether what is shown goes to a notebook's page."""
+    """Says whether output goes to a notebook's page."""
     shell = getattr(sys.modules.get("IPython"), "get_ipython", lambda: None)()
     in_marimo = getattr(sys.modules.get("marimo"), "running_in_notebook", lambda: False)()
     return in_marimo or (shell is not None and hasattr(shell, "kernel"))

@@ -43,7 +43,7 @@ class FrameError(ValueError):
 
 @dataclass(frozen=True)
 class Header:
-    """What a frame says of its update."""
+    """Holds what a frame says of its update."""
 
     key: bool
     lossless: bool
@@ -63,7 +63,7 @@ class Header:
 
 
 def read_header(frame: bytes) -> Header:
-    """Error: FrameError for what is no whole, undamaged frame of this version."""
+    """Reads a header. Error: FrameError for anything but a whole, undamaged frame of this version."""
     if len(frame) < _HEADER.size or frame[:2] != b"WS":
         raise FrameError("a binary message is not a mesh frame")
     if frame[2] != VERSION:
@@ -81,8 +81,8 @@ def read_header(frame: bytes) -> Header:
 
 
 class Draco:
-    """The shared library that decodes Draco blocks. `path`: the file; left out, $WAKESURF_DRACO, beside this file, or
-    where the system has its libraries. Error: OSError where there is none."""
+    """Loads the shared library that decodes Draco blocks. `path`: the file; left out, $WAKESURF_DRACO, beside this
+    file, or where the system has its libraries. Error: OSError if it is missing."""
 
     def __init__(self, path: Optional[str] = None):
         name = "libwakesurf_draco.so"
@@ -97,7 +97,7 @@ class Draco:
                                  ctypes.POINTER(ctypes.c_uint8), ctypes.POINTER(ctypes.c_int32)]
 
     def decode(self, block: bytes, points: int, components: Sequence[int]) -> List[Array]:
-        """An array (points, components) a channel. Error: FrameError."""
+        """Returns an array (points, components) for each channel. Error: FrameError."""
         values = np.empty(points * sum(components), np.int32)
         status = self._decode(block, len(block), points, len(components), (ctypes.c_uint8 * len(components))(*components),
                               values.ctypes.data_as(ctypes.POINTER(ctypes.c_int32)))
@@ -108,7 +108,7 @@ class Draco:
 
 
 class _Numbers:
-    """Update: the numbers in front, to be taken one after the other, and `rest`, the Draco blocks."""
+    """Holds the numbers at the beginning of an update, to be taken in order, and `rest`, the Draco blocks."""
 
     def __init__(self, update: bytes):
         packed, at = self._varint(update, 0)
@@ -166,7 +166,7 @@ class _Numbers:
         return (codes >> 1) ^ -(codes & 1)
 
     def runs(self, over: int) -> Array:
-        """Which of `over` things are taken, ascending."""
+        """Returns the indices below `over` that are taken, ascending."""
         pairs = self.take(2 * self.next(over)).reshape(-1, 2)
         ends = np.cumsum(pairs.sum(axis=1))
         if len(pairs) and (pairs[:, 1].min() == 0 or ends[-1] > over):
@@ -178,7 +178,7 @@ class _Numbers:
 
 
 def word_sum(words: Array) -> int:
-    """State checksum: the sum of a list of 32 bit words."""
+    """Returns the state checksum: the sum of a list of 32 bit words."""
     words = np.ascontiguousarray(words).ravel().astype(np.int64).astype(np.uint32)
 
     def stir(total: int, word: int) -> int:
@@ -194,8 +194,8 @@ def word_sum(words: Array) -> int:
 
 @dataclass
 class State:
-    """A whole state. `nodes` (n, 3): places on the lattice; `codes`, `ranges`: (n,) and (lo, hi) an attribute; `cells`
-    (m, 8): corners 0 to 3, then mids 0 to 3, -1 where there is none."""
+    """Holds a whole state. `nodes` (n, 3): places on the lattice; `codes`, `ranges`: (n,) and (lo, hi) an attribute;
+    `cells` (m, 8): corners 0 to 3, then mids 0 to 3, -1 for none."""
 
     header: Header
     ranges: List[Tuple[float, float]] = field(default_factory=list)
@@ -205,12 +205,12 @@ class State:
     cells: Array = field(default_factory=lambda: np.empty((0, 8), np.int64))
 
     def points(self, lattice: Mapping[str, Any]) -> Array:
-        """(n, 3) positions; the lattice as `surface.subscribe` or `dataset.describe` tell it."""
+        """Returns (n, 3) positions; the lattice as `surface.subscribe` or `dataset.describe` report it."""
         points: Array = np.asarray(lattice["origin"]) + lattice["step"] * self.nodes
         return points
 
     def attribute(self, index: int) -> Array:
-        """(n,) values; NaN where there is none."""
+        """Returns (n,) values; NaN for a missing one."""
         lo, hi = self.ranges[index]
         codes = self.codes[index]
         if not self.header.gaps >> index & 1:
@@ -220,13 +220,13 @@ class State:
         return known
 
     def polygons(self) -> Tuple[Array, Array]:
-        """The cells' vertices one cell after the other, and where each cell begins and the last one ends."""
+        """Returns the cells' vertices one cell after the other, and where each cell begins and the last one ends."""
         outlines = self.cells[:, _OUTLINE]
         ends = np.cumsum((outlines >= 0).sum(axis=1))
         return outlines[outlines >= 0], np.concatenate([[0], ends]).astype(np.int64)
 
     def sum(self) -> int:
-        """What the header's `state_sum` must be."""
+        """Returns the value that the header's `state_sum` must have."""
         parts = [len(self.nodes), word_sum(self.nodes), len(self.cells), word_sum(self.cells)]
         return word_sum(np.array(parts + [word_sum(codes) for codes in self.codes]))
 
@@ -242,7 +242,8 @@ class MeshDecoder:
         self.state: Optional[State] = None  # the newest whole one
 
     def fold(self, frame: bytes) -> Optional[State]:
-        """The state that the frame made whole. Error: FrameError; after it only a frame that starts a KEY is taken."""
+        """Returns the state that the frame completed; None before. Error: FrameError; after it only a frame that
+        starts a KEY is accepted."""
         try:
             header = read_header(frame)
             self._check_order(header)
@@ -297,7 +298,8 @@ class MeshDecoder:
 
 
 def _edited(before: State, h: Header, numbers: _Numbers) -> Tuple[State, Array, State]:
-    """Topology. The new state, its points as before and 0 where they are new; who has moved; what stays of the old state."""
+    """Reads the topology. Returns the new state, its points as before and 0 for new ones; the moved vertices; what
+    stays of the old state."""
     gone = numbers.runs(len(before.nodes))
     added = numbers.next(_MOST)
     stay = len(before.nodes) - len(gone)
@@ -326,7 +328,7 @@ def _edited(before: State, h: Header, numbers: _Numbers) -> Tuple[State, Array, 
 
 
 def _new_cells(numbers: _Numbers, old: Array, added: int, stay: int, vertices: int) -> Array:
-    """The replaced cells, which were `old`, then the added ones."""
+    """Reads the replaced cells, which were `old`, then the added ones."""
     mids = numbers.take(len(old) + added)
     was = np.concatenate([old, np.full((added, 8), -1)])
     cells = np.full(was.shape, -1)
@@ -346,7 +348,7 @@ def _new_cells(numbers: _Numbers, old: Array, added: int, stay: int, vertices: i
 
 
 class _Neighbours:
-    """Of each vertex, -1 where there is none: a, b, p, n, o."""
+    """Holds the neighbours of each vertex, -1 for none: a, b, p, n, o."""
 
     def __init__(self, cells: Array, vertices: int):
         self.a, self.b, self.p, self.n, self.o = (np.full(vertices, -1) for _ in range(5))
@@ -377,7 +379,7 @@ class _Neighbours:
 
 
 class _Points:
-    """Points: fills in a new state from what stayed of the old one."""
+    """Fills in the points of a new state from those that stayed of the old one."""
 
     def __init__(self, draco: Any, after: State, old: State, moved: Array):
         self._draco, self._after, self._old, self._moved = draco, after, old, moved
@@ -425,7 +427,7 @@ class _Points:
 
     def _fill(self, kind: int, channel: Tuple[Any, ...], coding: Tuple[int, int], coded: List[int],
               residuals: Array) -> None:
-        """One channel of a block, in plain Python: each vertex needs those before it."""
+        """Fills one channel of a block, in plain Python: each vertex needs those before it."""
         name, index, first, last = channel
         predictor, step = coding
         values = getattr(self._after, name) if index is None else self._after.codes[index][:, None]
@@ -449,7 +451,7 @@ class _Points:
 
 
 def _moves(near: Tuple[List[int], ...], predictor: int, x: List[int], before: List[int], h: List[int]) -> Any:
-    """What is expected of a vertex that was there before."""
+    """Returns the prediction for a vertex that was there before."""
     a, b, p, n, o = near
 
     def d(v: int) -> int:
@@ -465,7 +467,7 @@ def _moves(near: Tuple[List[int], ...], predictor: int, x: List[int], before: Li
 
 
 def _additions(near: Tuple[List[int], ...], predictor: int, x: List[int], before: List[int]) -> Any:
-    """What is expected of an appended vertex."""
+    """Returns the prediction for an appended vertex."""
     a, b, p, n, o = near
     stay = len(before)
 

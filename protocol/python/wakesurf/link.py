@@ -1,4 +1,4 @@
-"""A surface of a session as another program holds it: the program's rake moves the session's, the session's surface comes back.
+"""A surface of a session in another program: the program's rake moves the session's, and gets the session's surface.
 
 The plugin for ParaView is made of it (protocol/python/paraview); nothing here knows ParaView.
 """
@@ -18,8 +18,8 @@ Line = Tuple[Place, Place]
 
 
 class Link:
-    """One surface of the session in `url`, and its rake: the one with the id `surface`, or a new one, as the server suggests it.
-    What was asked for once is not asked for again, so that what others change in the session meanwhile stays.
+    """Links one surface of the session in `url`, and its rake: the one with the id `surface`, or a new one, as the
+    server suggests it. A request is not repeated, so that changes by others in the session stay.
 
     >>> link = wakesurf.link.Link(url, kind="path")
     >>> link.move(((0.4, 0.4, 0.1), (0.6, 0.6, 0.1)))
@@ -37,13 +37,13 @@ class Link:
         self._seen: Optional[Tuple[Any, ...]] = None
 
     def line(self) -> Line:
-        """The rake's first and last point, as the session has them now."""
+        """Returns the rake's first and last point, as the session has them now."""
         points: List[List[float]] = self.rake.points.tolist()
         first, last = points[0], points[-1]
         return (first[0], first[1], first[2]), (last[0], last[1], last[2])
 
     def move(self, line: Line) -> None:
-        """The rake of the session goes there, for everyone. Error: InvalidParameters, OutsideDomain, ..."""
+        """Moves the rake of the session, for everyone. Error: InvalidParameters, OutsideDomain, ..."""
         if self._asked.get("line") == line:
             return
         if line[0] == line[1]:
@@ -52,15 +52,15 @@ class Link:
         self._asked["line"] = line
 
     def change(self, parameters: Mapping[str, Any]) -> None:
-        """Parameters of `Surface.set`, for everyone. Error: as `Surface.set`."""
+        """Changes parameters of `Surface.set`, for everyone. Error: as `Surface.set`."""
         new = {name: value for name, value in parameters.items() if name not in self._asked or self._asked[name] != value}
         if new:
             self.surface.set(**new)
             self._asked.update(new)
 
     def steps(self) -> List[float]:
-        """The times to ask for: those of the data while there is a surface, its first and its last. None where it is the same at all
-        times, as a stream surface is."""
+        """Returns the times to ask for: those of the data while there is a surface, its first and its last. None if
+        it is the same at all times, like a stream surface."""
         record = self.surface.record()
         if record["kind"] == "stream":
             return []
@@ -69,8 +69,8 @@ class Link:
         return sorted({first, last, *(time for time in times if first <= time <= last)})
 
     def mesh(self, time: Optional[float] = None) -> Mesh:
-        """The surface, complete: at a time, or the nearest one at which there is one; left out, at its end. The session's clock stays
-        where it is. Error: what computing the surface failed with."""
+        """Returns the complete surface: at a time, or the nearest one at which there is one; left out, at its end.
+        The session's clock is not changed. Error: that of computing the surface."""
         record = self._look()
         if time is None or record["kind"] == "stream":
             return self.surface.mesh(time="end")
@@ -78,7 +78,7 @@ class Link:
         return self.surface.mesh(time=min(max(time, first), last))
 
     def changed(self) -> bool:
-        """Whether anyone, this link too, has changed the surface or its rake since `mesh` was called."""
+        """Says whether any client, this link included, has changed the surface or its rake since `mesh` was called."""
         before = self._seen
         self._look()
         after, self._seen = self._seen, before

@@ -38,7 +38,7 @@ class Mesh:
     about: Json
 
     def __getitem__(self, name: str) -> Array:
-        """Error: NoSuchArray, which says which there are and how to ask for others."""
+        """Returns an array. Error: NoSuchArray, which lists the arrays and says how to ask for others."""
         if name in self.arrays:
             return self.arrays[name]
         right = next(iter(difflib.get_close_matches(name, self.arrays, 1, 0.8)), None)
@@ -52,16 +52,17 @@ class Mesh:
 
     @property
     def polygons(self) -> List[Array]:
-        """Vertices of each cell: 4 corners and the hanging nodes of its sides, in order."""
+        """Returns the vertices of each cell: 4 corners and the hanging nodes of its sides, in order."""
         return np.split(self.connectivity, self.offsets[1:-1]) if len(self.offsets) > 1 else []
 
     @property
     def quads(self) -> Array:
-        """(m, 4): the cells without hanging nodes."""
+        """Returns (m, 4): the cells without hanging nodes."""
         return self._of_size(4)
 
     def quads_and_triangles(self) -> Tuple[Array, Array]:
-        """(m, 4) and (k, 3): the cells without hanging nodes, and the others cut into triangles. No gaps open between them.
+        """Returns (m, 4) and (k, 3): the cells without hanging nodes, and the others cut into triangles. No gaps open
+        between them.
 
         >>> quads, triangles = mesh.quads_and_triangles()
         >>> np.isclose(mesh.areas(quads).sum() + mesh.areas(triangles).sum(), mesh.areas(mesh.triangles()).sum(), rtol=1e-3)
@@ -70,14 +71,15 @@ class Mesh:
         return self.quads, self._fans([size for size in np.unique(np.diff(self.offsets)) if size != 4])
 
     def areas(self, cells: Array) -> Array:
-        """(m,) of quads or triangles, in the dataset's unit of length squared; a bent quad counts as its two triangles."""
+        """Returns (m,) areas of quads or triangles, in the dataset's unit of length squared; a bent quad counts as
+        its two triangles."""
         corners = [self.points[cells[:, i]] for i in range(cells.shape[1])]
         halves = [np.cross(corners[i] - corners[0], corners[i + 1] - corners[0]) for i in range(1, len(corners) - 1)]
         total: Array = np.sum([np.linalg.norm(each, axis=1) / 2 for each in halves], axis=0)
         return total
 
     def normals(self) -> Array:
-        """(n, 3) unit normals at the vertices, of the triangles around each by their area; zero where there are none."""
+        """Returns (n, 3) unit normals at the vertices, of the triangles around each by their area; zero without any."""
         triangles = self.triangles()
         a, b, c = (self.points[triangles[:, i]] for i in range(3))
         sums = np.zeros_like(self.points)
@@ -92,8 +94,8 @@ class Mesh:
         return cells
 
     def triangles(self) -> Array:
-        """(k, 3): each cell cut into a fan, round the vertex that makes the flattest triangle least flat. Neighbours
-        share edges, so no gaps open at hanging nodes."""
+        """Returns (k, 3): each cell cut into a fan, round the vertex that makes the flattest triangle least flat.
+        Neighbours share edges, so no gaps open at hanging nodes."""
         return self._fans(np.unique(np.diff(self.offsets)))
 
     def _fans(self, sizes: Iterable[int]) -> Array:
@@ -116,22 +118,24 @@ class Mesh:
     # For others, see convert.py.
 
     def to_vtk(self) -> Any:
-        """A vtkPolyData with all arrays. Needs VTK (Debian: python3-vtk9; pip: vtk), or ParaView's Python."""
+        """Returns a vtkPolyData with all arrays. Needs VTK (Debian: python3-vtk9; pip: vtk), or ParaView's Python."""
         from .convert import to_vtk
         return to_vtk(self)
 
     def to_pyvista(self) -> Any:
-        """A pyvista.PolyData with all arrays. Needs pyvista."""
+        """Returns a pyvista.PolyData with all arrays. Needs pyvista."""
         from .convert import to_pyvista
         return to_pyvista(self)
 
     def to_meshio(self) -> Any:
-        """A meshio.Mesh of quads and triangles with all arrays, for the formats that meshio writes. Needs meshio."""
+        """Returns a meshio.Mesh of quads and triangles with all arrays, for the formats that meshio writes. Needs
+        meshio."""
         from .convert import to_meshio
         return to_meshio(self)
 
     def to_dataframe(self) -> Any:
-        """A pandas.DataFrame with a row a vertex: x, y, z, and a column for each array, three for a vector. Needs pandas.
+        """Returns a pandas.DataFrame with a row a vertex: x, y, z, and a column for each array, three for a vector.
+        Needs pandas.
 
         >>> list(mesh.to_dataframe().columns)[:5]
         ['x', 'y', 'z', 's', 't']
@@ -166,7 +170,7 @@ class Mesh:
 
 
 def _inline(text: str) -> bytes:
-    """The bytes of an array in a .vtp: how many blocks there are and how long they are, then the blocks."""
+    """Returns the bytes of an array in a .vtp: the number and the lengths of the blocks, then the blocks."""
     (blocks,) = struct.unpack("<Q", base64.b64decode(text[:12])[:8])
     header_text = (8 * (3 + blocks) + 2) // 3 * 4
     sizes = struct.unpack(f"<{3 + blocks}Q", base64.b64decode(text[:header_text]))[3:]

@@ -1,4 +1,4 @@
-"""Wrong names of parameters and of methods: what may have been meant."""
+"""Wrong names of parameters and of methods: suggests the right one."""
 from __future__ import annotations
 
 import difflib
@@ -14,12 +14,12 @@ Function = TypeVar("Function", bound=Callable[..., Any])
 
 
 def snake(name: str) -> str:
-    """maxQuads -> max_quads"""
+    """Converts maxQuads to max_quads."""
     return re.sub(r"(?<=[a-z0-9])[A-Z]", lambda m: "_" + m[0].lower(), name).lower()
 
 
 def meant(name: str, known: Iterable[str]) -> Optional[str]:
-    """The known name that is most like it, if one is.
+    """Returns the known name that is most similar, if one is.
 
     >>> meant("maxQuads", ["max_quads", "merge"]), meant("seperation", ["separation"]), meant("colour", ["to"])
     ('max_quads', 'separation', None)
@@ -32,7 +32,7 @@ def meant(name: str, known: Iterable[str]) -> Optional[str]:
 
 
 def check_names(given: Iterable[str], known: Iterable[str], where: str) -> None:
-    """Error: UnknownParameter for a name that there is not."""
+    """Raises UnknownParameter for an unknown name."""
     names = list(known)
     for name in given:
         if name not in names:
@@ -42,7 +42,7 @@ def check_names(given: Iterable[str], known: Iterable[str], where: str) -> None:
 
 
 def _missing(function: Callable[..., Any], name: str) -> MissingParameter:
-    """With what the docstring says of it."""
+    """Names a missing parameter, with its words in the docstring."""
     text = re.sub(r"\s*\n\s+", " ", inspect.cleandoc(function.__doc__ or "").replace("\n`", "\0`"))
     said = re.search(rf"\0`{name}`: ([^\0]*?)\.(?: |$|\0)", text)
     return MissingParameter(f"{function.__name__} needs `{name}`", -32602, "invalidParameters",
@@ -50,8 +50,8 @@ def _missing(function: Callable[..., Any], name: str) -> MissingParameter:
 
 
 def named(function: Function) -> Function:
-    """A function that tells which parameter may be meant where a name is wrong, and which is missing. Names as the server spells
-    them, as maxQuads, are taken with a warning."""
+    """Returns a function that suggests the right parameter for a wrong name, and names a missing one. Names as the
+    server spells them, as maxQuads, are accepted with a warning."""
     signature = inspect.signature(function)
     needed = [name for name, each in signature.parameters.items() if name != "self" and each.default is inspect.Parameter.empty
               and each.kind not in (inspect.Parameter.VAR_KEYWORD, inspect.Parameter.VAR_POSITIONAL)]
@@ -80,7 +80,7 @@ def named(function: Function) -> Function:
 
 
 class Helpful:
-    """Objects whose AttributeError tells which name may be meant."""
+    """Gives an object an AttributeError that suggests a name."""
 
     if not TYPE_CHECKING:  # or every name would do for a type checker
 

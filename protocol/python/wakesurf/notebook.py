@@ -35,7 +35,7 @@ _LOCAL = ("127.0.0.1", "localhost", "::1")
 
 @dataclass(frozen=True)
 class Shown:
-    """What a notebook shows: a frame, or a picture, or words."""
+    """Holds what a notebook shows: a frame, or a picture, or words."""
 
     address: str  # of the page, with its token
     frame: bool
@@ -55,7 +55,7 @@ class Shown:
         return bundle
 
     def _display_(self) -> Any:
-        """What marimo shows."""
+        """Returns what marimo shows."""
         return self.widget or self.picture or _Html(self._repr_html_())
 
     def __repr__(self) -> str:
@@ -93,7 +93,8 @@ def _quoted(text: str) -> str:
 
 
 def show(session: Session, width: Union[int, str], height: int, *, proxy: Optional[bool], static: Optional[bool]) -> Shown:
-    """See `Session.show`. `static`: True, a picture in any case; left out, where the page cannot be in a frame."""
+    """Shows the page; see `Session.show`. `static`: True, a picture in any case; left out, if the page cannot be in a
+    frame."""
     address = _address(session)
     why = "a picture was asked for" if static else ""
     if proxy or (proxy is None and _proxied()):
@@ -115,7 +116,7 @@ def _address(session: Session) -> str:
 
 
 def _why_no_frame(session: Session) -> str:
-    """Nothing where the page may be in a frame of this notebook."""
+    """Returns None if the page may be in a frame of this notebook, else the reason."""
     status, headers, _ = session.client._request("/")
     if status != 200:
         return f"the server has no page (status {status})"

@@ -1,4 +1,4 @@
-"""What the server tells without being asked."""
+"""The notifications of a server."""
 from __future__ import annotations
 
 import dataclasses
@@ -11,21 +11,21 @@ from .plain import Json
 
 @dataclass(frozen=True)
 class Notification:
-    """One message. `method` is its name, as session.patched."""
+    """Holds one message. `method` is its name, as session.patched."""
 
     method: ClassVar[str] = ""
 
 
 @dataclass(frozen=True)
 class UnknownNotification(Notification):
-    """One that this client does not know, from a newer server."""
+    """Holds a message that this client does not know, from a newer server."""
 
     name: str
     params: Json
 
 
 def notification_of(method: str, params: Mapping[str, Any]) -> Notification:
-    """An object of `wakesurf.notifications`; members that this client does not know are left out."""
+    """Returns an object of `wakesurf.notifications`; members that this client does not know are left out."""
     from .generated.notifications import BY_METHOD  # which needs the classes above
     kind = BY_METHOD.get(method)
     values = {snake(name): value for name, value in params.items()}

@@ -1,4 +1,4 @@
-"""What the server tells by itself, as `Session.watch` gives it: `wakesurf.notifications.SessionPatched`."""
+"""The server's notifications, as `Session.watch` returns them: `wakesurf.notifications.SessionPatched`."""
 from .generated.notifications import (CachePatched, DatasetPatched, PresencePatched, ServerNotice, SessionPatched,
                                       SurfaceDone, SurfaceProgress, WorkProgress)
 from .notification import Notification, UnknownNotification

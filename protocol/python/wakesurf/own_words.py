@@ -14,13 +14,13 @@ _NAME = re.compile(r"`([A-Za-z$/.]+)`")
 
 
 def _of_api(name: str) -> str:
-    """max_quads -> maxQuads, from_ -> from"""
+    """Converts max_quads to maxQuads and from_ to from."""
     return re.sub(r"_([a-z])", lambda found: found[1].upper(), name.rstrip("_"))
 
 
 @functools.lru_cache(maxsize=None)
 def names() -> Tuple[Mapping[str, str], Mapping[str, str]]:
-    """Methods and parameters of the API, as they are written in Python.
+    """Returns methods and parameters of the API, as they are written in Python.
 
     >>> methods, parameters = names()
     >>> methods["session.list"], parameters["maxQuads"], parameters["from"]
@@ -40,7 +40,7 @@ def names() -> Tuple[Mapping[str, str], Mapping[str, str]]:
 
 
 def in_python(words: str) -> str:
-    """For people who write Python.
+    """Replaces the API's names by those of Python.
 
     >>> in_python("raise `maxQuads`; `session.list` lists them, `wallShearStress` is no parameter")
     'raise `max_quads`; `session.api.session.list()` lists them, `wallShearStress` is no parameter'
@@ -50,12 +50,13 @@ def in_python(words: str) -> str:
 
 
 def named_methods(words: str) -> Set[str]:
-    """The methods of the API that are named in it."""
+    """Returns the methods of the API that a text names."""
     return {each for each in _NAME.findall(words) if each in names()[0]}
 
 
 def in_options(message: str, hint: str) -> str:
-    """For people at the command line, whose options are called as parameters are. Methods are nothing to them: a hint that needs one is left out.
+    """Replaces the API's names by those of the command line, whose options are named like parameters. It has no
+    methods: a hint that needs one is left out.
 
     >>> in_options("more than `maxQuads` 7 allows", "raise `maxQuads`"), in_options("no session", "`session.list` lists them")
     ('more than --max-quads 7 allows (raise --max-quads)', 'no session')

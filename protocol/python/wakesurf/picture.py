@@ -36,7 +36,7 @@ _ASK_AGAIN = 0.05  # s
 
 @dataclass(frozen=True)
 class Picture:
-    """A PNG. Notebooks show it."""
+    """Holds a PNG. Notebooks show it."""
 
     data: bytes = field(repr=False)
     size: Tuple[int, int]
@@ -47,15 +47,15 @@ class Picture:
         return self.data
 
     def write(self, path: Union[str, os.PathLike[str]]) -> str:
-        """Writes it whole, or not at all."""
+        """Writes the file whole, or not at all."""
         path = png_path(path)
         write_whole(path, [self.data])
         return path
 
 
 class Painter:
-    """A page that draws pictures of a session, for as long as the block runs. It starts with the first picture, so that what is refused
-    costs nothing. `own_time`: a copy of the session is drawn, so that its clock can be set."""
+    """Draws pictures of a session by a page, for as long as the block runs. It starts with the first picture, so that
+    a refused one costs nothing. `own_time`: a copy of the session is drawn, so that its clock can be set."""
 
     def __init__(self, session: Session, size: Tuple[int, int], *, timeout: float = 120.0, own_time: bool = False,
                  view: Optional[Look] = None) -> None:
@@ -72,7 +72,8 @@ class Painter:
         find_browser()
 
     def _missing_fields(self, looks: Mapping[str, SurfaceLook]) -> Dict[str, List[str]]:
-        """What is to be sent with surfaces besides what is. Error: InvalidParameters where their data do not have it."""
+        """Returns the fields that the server must send with surfaces besides present ones. Error: InvalidParameters
+        if their data do not have them."""
         found: Dict[str, List[str]] = {}
         for each in self._surfaces:
             look = looks[each["surface"]]
@@ -97,7 +98,7 @@ class Painter:
         return self._chrome
 
     def check_times(self, times: Sequence[float]) -> List[float]:
-        """Error: OutsideTimeRange, where the data do not reach so far."""
+        """Raises OutsideTimeRange if the data do not reach so far."""
         return check_times(self._session, self._surfaces, times)
 
     def __enter__(self) -> Painter:
@@ -107,7 +108,7 @@ class Painter:
         self.close()
 
     def close(self) -> None:
-        """Ends the browser and takes its link, or its copy of the session, away."""
+        """Ends the browser and deletes its link, or its copy of the session."""
         try:
             if self._chrome is not None:
                 self._chrome.close()
@@ -137,7 +138,7 @@ class Painter:
     def picture(self, path: Union[str, os.PathLike[str], None] = None, size: Tuple[int, int] = (1600, 1000), *,
                 time: Optional[float] = None, background: Background = "shown", bar: bool = True, axes: bool = True,
                 rakes: bool = False, caption: Optional[str] = None) -> Picture:
-        """As `Session.picture`. `time` only where the painter has a copy of its own."""
+        """Draws a picture like `Session.picture`. `time` only if the painter has a copy of its own."""
         width, height = check_size(size)
         check_background(background)
         path = None if path is None else png_path(path)
@@ -173,7 +174,7 @@ class Painter:
 
 
 def _page_size(size: Tuple[int, int]) -> Tuple[int, int]:
-    """Of the same shape as the picture, so that the view is."""
+    """Returns a size of the same shape as the picture, so that the view is the same."""
     scale = min(1.0, *(most / each for most, each in zip(_LARGEST, size)))
     scale = max(scale, *(least / each for least, each in zip(_SMALLEST, size)))
     width, height = (min(most, round(each * scale)) for most, each in zip(_LARGEST, size))

@@ -1,4 +1,4 @@
-"""What pictures and films may be asked for: what can be known to be wrong is refused before a browser starts."""
+"""Checks of the parameters of pictures and films: errors that can be known are raised before a browser starts."""
 from __future__ import annotations
 
 import errno
@@ -17,7 +17,7 @@ _SIDES, _PIXELS = (16, 16_384), 128_000_000  # as the page has them (capture.ts)
 
 
 def check_size(size: Any) -> Tuple[int, int]:
-    """Error: InvalidParameters."""
+    """Raises InvalidParameters for an invalid size."""
     least, most = _SIDES
     try:
         width, height = (int(each) for each in size if int(each) == each and least <= each <= most)
@@ -29,12 +29,13 @@ def check_size(size: Any) -> Tuple[int, int]:
 
 
 def check_background(background: Any) -> None:
-    """Error: InvalidParameters."""
+    """Raises InvalidParameters for an invalid background."""
     check_choice(background, ("shown", "white", "clear"), "background")
 
 
 def png_path(path: Union[str, bytes, "os.PathLike[Any]"]) -> str:
-    """Where a picture goes. Error: InvalidParameters where it names another format; FileNotFoundError where its folder is not there."""
+    """Returns the path of a picture. Error: InvalidParameters if it names another format; FileNotFoundError if its
+    folder does not exist."""
     path = os.fsdecode(path)
     ending = os.path.splitext(path)[1]
     if ending.lower() != ".png":
@@ -44,14 +45,15 @@ def png_path(path: Union[str, bytes, "os.PathLike[Any]"]) -> str:
 
 
 def check_folder(path: str) -> None:
-    """Error: FileNotFoundError."""
+    """Raises FileNotFoundError if the folder does not exist."""
     folder = os.path.dirname(path) or "."
     if not os.path.isdir(folder):
         raise FileNotFoundError(errno.ENOENT, "there is no folder for it", path)
 
 
 def check_times(session: Session, surfaces: Sequence[Mapping[str, Any]], times: Sequence[float]) -> List[float]:
-    """Whether the data of these surfaces, or they themselves, reach so far. Error: InvalidParameters, OutsideTimeRange."""
+    """Checks that the data of these surfaces, or they themselves, reach so far. Error: InvalidParameters,
+    OutsideTimeRange."""
     found = np.asarray(times)
     if found.ndim != 1 or found.size == 0 or found.dtype.kind not in "iuf" or not np.isfinite(found).all():
         raise wrong(f"the time is {times[0]!r}" if len(times) == 1 else f"`times` is {times!r}", "numbers of the dataset's time, one at least")

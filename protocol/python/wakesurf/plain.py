@@ -22,13 +22,14 @@ _PROBE_BYTES = MESSAGE_BYTES * 3 // 4  # of one call's points
 
 
 class HasId:
-    """Something of the server's that has an id; where a call wants the id, it may be given itself."""
+    """Describes an object of the server that has an id; calls that want the id accept the object."""
 
     id: str
 
 
 def plain(value: Any, where: str = "") -> Any:
-    """Arrays, records and tuples as JSON has them. Error: InvalidParameters for numbers JSON has not, saying `where`."""
+    """Converts arrays, records and tuples to what JSON has. Error: InvalidParameters for numbers that JSON does not
+    have, saying `where`."""
     if value is NULL:
         return None
     if isinstance(value, HasId):
@@ -51,12 +52,12 @@ def plain(value: Any, where: str = "") -> Any:
 
 
 def given(parameters: Mapping[str, Any]) -> Json:
-    """Those that are not left out, as JSON has them."""
+    """Returns the parameters that are not left out, as JSON has them."""
     return {name: plain(value, name) for name, value in parameters.items() if value is not None}
 
 
 def slices(points: Sequence[Sequence[float]]) -> Iterator[Sequence[Sequence[float]]]:
-    """Parts that fit into one message each; one empty part of none."""
+    """Splits points into parts that fit into one message each; none gives one empty part."""
     first = size = 0
     for i, point in enumerate(points):
         more = len(json.dumps(point)) + 2

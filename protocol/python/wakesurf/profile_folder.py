@@ -14,8 +14,8 @@ _PATIENCE = 5.0  # s, for processes that were killed to be through with what the
 
 
 class Profile:
-    """The folder is locked while it is used. One that nobody has locked belonged to a Python that was killed: whoever makes the next
-    one removes it."""
+    """Locks the folder while it is used. An unlocked one belonged to a Python that was killed: the next profile
+    removes it."""
 
     def __init__(self) -> None:
         for each in glob.glob(os.path.join(glob.escape(tempfile.gettempdir()), _PREFIX + "*")):
@@ -31,13 +31,13 @@ class Profile:
                 return
 
     def remove(self) -> None:
-        """Once nobody writes into it any more."""
+        """Removes the folder once the browser does not write into it any more."""
         _remove(self.path, _PATIENCE)
         os.close(self._lock)
 
 
 def _lock(path: str) -> Optional[int]:
-    """Of a folder of this user that is still there and that nobody has locked."""
+    """Locks a folder of this user that still exists and is not locked."""
     try:
         lock = os.open(path, os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW)
     except OSError:

@@ -1,4 +1,4 @@
-"""How far something is, for a function or for a bar of tqdm.
+"""The progress of work, for a function or for a bar of tqdm.
 
 A function is called with `Progress`. A bar, which is anything with `n`, `total` and `refresh()`, is moved: with a total of its
 own in shares of that, else over 100.
@@ -24,8 +24,8 @@ _LONGEST_WAIT_MS = 60_000
 
 @dataclass(frozen=True)
 class Progress:
-    """`share` from 0 to 1, or None where it is not known; `message` for people; `state`: the newest statistics of a surface,
-    where there are any."""
+    """Holds `share` from 0 to 1, or None if unknown; `message` for people; `state`: the newest statistics of a
+    surface, if there are any."""
 
     share: Optional[float]
     message: str = ""
@@ -33,7 +33,7 @@ class Progress:
 
 
 class Bar(Protocol):
-    """What tqdm has."""
+    """Describes tqdm's bar."""
 
     n: Any
     total: Any
@@ -45,7 +45,7 @@ Told = Union[Callable[[Progress], Any], Bar]
 
 
 class Report:
-    """Tells it, if anyone wants to know."""
+    """Reports progress to the function or bar, if there is one."""
 
     def __init__(self, tell: Optional[Callable[[Progress], Any]]) -> None:
         self._tell = tell
@@ -88,8 +88,8 @@ def _move(bar: Bar, progress: Progress) -> None:
 
 
 class Waiting:
-    """Asks for a surface again and again. Where someone wants to know how far it is, over a WebSocket, which tells shares; where
-    that is not to be had, over HTTP once a second."""
+    """Asks for a surface until it is complete. If progress is wanted, over a WebSocket, which reports shares; if that
+    fails, over HTTP once a second."""
 
     def __init__(self, session: Session, report: Report) -> None:
         self._session, self._report = session, report
@@ -110,7 +110,7 @@ class Waiting:
             self._connection.close()
 
     def ask(self, surface: str, wait_ms: int) -> Statistics:
-        """What `surface.wait` answers."""
+        """Returns the answer of `surface.wait`."""
         if self._connection is None:
             stats: Statistics = self._session.call("surface.wait", wait_ms / 1000 + self._session.client.timeout, surface=surface,
                                                    timeoutMs=wait_ms)

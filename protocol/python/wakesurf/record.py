@@ -1,4 +1,4 @@
-"""What a session has that has an id and a revision, and rakes."""
+"""Records of a session, which have an id and a revision, and rakes."""
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, List, Literal, Optional, Sequence, Tuple, TypeVar
@@ -19,7 +19,7 @@ RakeKind = Literal["line", "polyline", "circle", "points"]
 
 
 class Record(HasId, Helpful):
-    """Something of a session that has an id and a revision."""
+    """A record of a session, with an id and a revision."""
 
     noun = ""
 
@@ -30,7 +30,7 @@ class Record(HasId, Helpful):
         return f"{type(self).__name__}({self.id!r})"
 
     def record(self) -> Json:
-        """As it is now. Error: NotFound."""
+        """Returns the record as it is now. Error: NotFound."""
         for each in self.session.call(self.noun + ".list")[self.noun + "s"]:
             if each[self.noun] == self.id:
                 return dict(each)
@@ -40,18 +40,19 @@ class Record(HasId, Helpful):
         return self
 
     def __exit__(self, *_: object) -> None:
-        """Deletes it, unless it is gone already: `with session.surface(...) as surface:` leaves nothing behind."""
+        """Deletes the record, unless it is gone already: `with session.surface(...) as surface:` leaves nothing
+        behind."""
         try:
             self.delete()
         except NotFound:
             pass
 
     def delete(self) -> None:
-        """Takes it away, for everyone."""
+        """Deletes the record, for everyone."""
         self.session.call(self.noun + ".delete", **{self.noun: self.id})
 
     def _change(self, members: Sequence[str], changes: Json, if_rev: Optional[int]) -> Any:
-        """Setters take whole records, so that a repeated edit does no harm."""
+        """Sends the whole record, as setters want it, so that a repeated edit does no harm."""
         record = self.record()
         whole = {name: record[name] for name in members if name in record}
         whole.update(changes)
@@ -59,7 +60,7 @@ class Record(HasId, Helpful):
 
 
 class Rake(Record):
-    """Where particles are released."""
+    """A curve from which particles are released."""
 
     noun = "rake"
 
@@ -67,8 +68,8 @@ class Rake(Record):
     def set(self, line: Optional[Points] = None, polyline: Optional[Points] = None, circle: Optional[Points] = None,
             points: Optional[Points] = None, seeds: Optional[int] = None, name: Optional[str] = None,
             colour: Optional[str] = None, if_rev: Optional[int] = None) -> RakeSetResult:
-        """Changes what is given; the surfaces on it are computed again, unless only name or colour change.
-        {rev, clipped, points, surfaces, ...}
+        """Changes the given parameters; the surfaces on it are computed again, unless only name or colour change.
+        Returns {rev, clipped, points, surfaces, ...}
 
         >>> rake.set(seeds=12)["clipped"]
         False
@@ -82,12 +83,12 @@ class Rake(Record):
 
     @property
     def colour(self) -> str:
-        """#rrggbb"""
+        """Returns the colour as #rrggbb."""
         return str(self.record()["colour"])
 
     @property
     def points(self) -> Array:
-        """(n, 3), as cut to the domain."""
+        """Returns (n, 3) points, as cut to the domain."""
         return np.array(self.record()["points"], dtype=float)
 
     @property
@@ -108,7 +109,8 @@ _EXAMPLES = {"line": "line=[(-1.5, -1.2, 1), (-1.5, 1.2, 1)]", "polyline": "poly
 
 
 def points_of(name: str, given: Points) -> List[List[float]]:
-    """Lists of three numbers. Error: InvalidPoints, which says what is missing and how to write it."""
+    """Converts points to lists of three numbers. Error: InvalidPoints, which says what is missing and how to write
+    it."""
     example = f"write {_EXAMPLES[name]}"
     try:
         array = np.asarray(given, dtype=float)

@@ -24,7 +24,8 @@ Path = Union[str, "os.PathLike[str]"]
 
 
 def find_server(binary: Optional[Path] = None) -> str:
-    """The program: `binary`, else $WAKESURF, else the one in PATH. Error: ServerMissing, which says how to get it."""
+    """Returns the program: `binary`, else $WAKESURF, else the one in PATH. Error: ServerMissing, which says how to
+    get it."""
     named = os.fspath(binary) if binary else os.environ.get("WAKESURF", "")
     found = shutil.which(named or "wakesurf")
     if found is None:
@@ -66,7 +67,7 @@ class Server:
         return self.process.poll() is None
 
     def stop(self, timeout: float = 20.0) -> None:
-        """Ends the server; nothing happens where it has ended."""
+        """Ends the server; does nothing if it has ended."""
         atexit.unregister(self.stop)
         if self.running:
             self.process.terminate()
@@ -80,12 +81,12 @@ class Server:
         self._log.close()
 
     def log(self) -> str:
-        """What it has said so far."""
+        """Returns its output so far."""
         self._log.seek(0)
         return self._log.read().decode(errors="replace")
 
     def _address(self, timeout: float) -> str:
-        """From the first line that it prints, which comes when it answers."""
+        """Reads the address from the first line of output, which comes when the server answers."""
         assert self.process.stdout is not None
         end, text = clock.monotonic() + timeout, b""
         with selectors.DefaultSelector() as selector:

@@ -1,4 +1,4 @@
-"""A session: rakes and surfaces that several people and scripts look at and edit together."""
+"""A session: rakes and surfaces that several people and scripts edit together."""
 from __future__ import annotations
 
 import html
@@ -33,7 +33,7 @@ Background = Literal["shown", "white", "clear"]
 
 
 class Session(SurfaceMaker[Surface], HasId, Helpful):
-    """Rakes and surfaces that several people and scripts look at and edit together. Edits are seen by all at once. `api` has
+    """A session: rakes and surfaces that several people and scripts edit together. All see edits at once. `api` has
     every method of the server, in this session.
 
     >>> session.api.bookmark.set(name="here", view={})["bookmark"]
@@ -52,30 +52,30 @@ class Session(SurfaceMaker[Surface], HasId, Helpful):
         return f"Session({self.id!r})"
 
     def call(self, method: str, _timeout: Optional[float] = None, /, **parameters: Any) -> Any:
-        """Any method on this session's records."""
+        """Calls any method on this session's records."""
         return self.client.call(method, _timeout, **{"session": self.id, **parameters})
 
     @property
     def dataset(self) -> str:
-        """The id of the dataset, where the server has one alone, as after `serve("case.foam")`."""
+        """Returns the id of the dataset, if the server has only one, as after `serve("case.foam")`."""
         return self.client.dataset
 
     def state(self) -> SessionStateResult:
-        """Every record, and who is here."""
+        """Returns every record, and the participants."""
         return self.api.session.state()
 
     def rename(self, name: str) -> None:
-        """Another name, for everyone."""
+        """Renames the session, for everyone."""
         self.about.update(self.api.session.rename(name=name))
 
     def delete(self, forever: bool = False) -> None:
-        """Moves the session to the trash, where it can be restored for 30 days (`about["deletedUntil"]`); `forever`: out
-        of the trash for good. `main` cannot be deleted. Error: NotFound, NotPermitted."""
+        """Moves the session to the trash, where it can be restored for 30 days (`about["deletedUntil"]`); `forever`:
+        deletes it from the trash for good. `main` cannot be deleted. Error: NotFound, NotPermitted."""
         self.about.update(self.api.session.delete(forever=forever or None))
 
     def discard(self) -> None:
-        """Deletes the session for good, past the trash. Nothing happens where it is gone already. A copy that was made by a share link
-        can be deleted so by who made it, as long as no one has edited it."""
+        """Deletes the session for good, past the trash. Does nothing if it is gone already. The maker of a copy by a
+        share link can delete it so, as long as it has not been edited by others."""
         for forever in (False, True):
             try:
                 if "deletedUntil" not in self.api.session.delete(session=self.id, forever=forever or None):
@@ -84,7 +84,7 @@ class Session(SurfaceMaker[Surface], HasId, Helpful):
                 pass
 
     def restore(self) -> None:
-        """Out of the trash, as it was. Error: NotFound, OverLimit."""
+        """Restores the session from the trash. Error: NotFound, OverLimit."""
         self.about.update(self.api.session.restore())
 
     def export(self, path: Union[str, os.PathLike[str]]) -> str:
@@ -98,7 +98,7 @@ class Session(SurfaceMaker[Surface], HasId, Helpful):
         return os.fspath(path)
 
     def thumbnail(self) -> Optional[bytes]:
-        """The picture (PNG, JPEG or WebP) that a page sent of it; None where there is none."""
+        """Returns the picture (PNG, JPEG or WebP) that a page sent of it; None without one."""
         status, _, body = self.client._request(f"/api/v1/sessions/{urllib.parse.quote(self.id, safe='')}/thumbnail")
         if status == 200:
             return body
@@ -108,7 +108,8 @@ class Session(SurfaceMaker[Surface], HasId, Helpful):
         raise problem
 
     def fork(self, name: str = "") -> Session:
-        """A new session with copies of the records. Who came by a share link, of any role, is an editor in it."""
+        """Makes a new session with copies of the records. A client that came by a share link, of any role, is an
+        editor in it."""
         made = self.api.session.fork(name=name)
         key = made.get("key")
         client = self.client if key is None else type(self.client)(self.client.url, key, self.client.timeout, self.client._tls)
@@ -116,17 +117,17 @@ class Session(SurfaceMaker[Surface], HasId, Helpful):
 
     @named
     def share(self, role: Role = "viewer", expires_in: Union[int, None, LeftOut] = LEFT_OUT) -> str:
-        """The address that lets others into this session, as viewer, editor or host, for `expires_in` seconds; None: until
-        it is taken back; left out: a week, or as long as the link you came by. Anyone who has it is in: treat it as a password.
-        """
+        """Returns the address that lets others into this session, as viewer, editor or host, for `expires_in`
+        seconds; None: until it is revoked; left out: a week, or as long as the link you came by. Anyone who has it is
+        in: treat it as a password."""
         return self.client.url + "/" + self.api.session.share(role=role, expires_in=expires_in)["link"]
 
     @named
     def rake(self, line: Optional[Points] = None, polyline: Optional[Points] = None, circle: Optional[Points] = None,
              points: Optional[Points] = None, seeds: int = 32, name: str = "", colour: Optional[str] = None) -> Rake:
         """Makes a rake; give one of `line` (2 points), `polyline` (2 or more), `circle` (centre and two points of the
-        rim) and `points`. What is outside of the domain is cut away, see `Rake.clipped`. `colour` is "#rrggbb"; without,
-        it gets one that few others have.
+        rim) and `points`. The part outside of the domain is cut away, see `Rake.clipped`. `colour` is "#rrggbb";
+        without, it gets one that few others have.
 
         >>> rake = session.rake(line=[(0.4, 0.4, 0.1), (0.6, 0.6, 0.1)], seeds=24)
         >>> rake.points.shape, rake.clipped
@@ -136,7 +137,7 @@ class Session(SurfaceMaker[Surface], HasId, Helpful):
         return Rake(self, self.api.rake.set(kind=kind, points=where, seeds=seeds, name=name, colour=colour)["rake"])
 
     def rakes(self) -> List[Rake]:
-        """All of them."""
+        """Returns all rakes."""
         return [Rake(self, each["rake"]) for each in self.api.rake.list()["rakes"]]
 
     def _made(self, given: Json) -> Surface:
@@ -144,7 +145,7 @@ class Session(SurfaceMaker[Surface], HasId, Helpful):
 
     @named
     def suggested(self, kind: Optional[Kind] = None, dataset: Optional[str] = None) -> Surface:
-        """A surface to begin with, on a rake of its own, as the server suggests them for this dataset.
+        """Makes a surface to begin with, on a rake of its own, as the server suggests them for this dataset.
 
         >>> session.suggested("streak").wait()["kind"]
         'streak'
@@ -159,20 +160,20 @@ class Session(SurfaceMaker[Surface], HasId, Helpful):
         return self._made({"rake": rake, "dataset": dataset, **setting})
 
     def surfaces(self) -> List[Surface]:
-        """All of them."""
+        """Returns all surfaces."""
         return [Surface(self, each["surface"]) for each in self.api.surface.list()["surfaces"]]
 
     def undo(self) -> HistoryUndoResult:
-        """Takes back the newest edit made with this token outside of any WebSocket: {undone, skipped, undo, redo}."""
+        """Undoes the newest edit made with this token outside of any WebSocket: {undone, skipped, undo, redo}."""
         return self.api.history.undo()
 
     def redo(self) -> HistoryRedoResult:
-        """Repeats what was taken back last."""
+        """Redoes the edit that was undone last."""
         return self.api.history.redo()
 
     def set_time(self, time: Optional[float]) -> ClockAnswer:
         """Sets the clock that everyone in the session shares; None: no time, surfaces are shown at their end. Error:
-        OutsideTimeRange, where the data of its surfaces do not reach so far.
+        OutsideTimeRange if the data of its surfaces do not reach so far.
 
         >>> session.set_time(0.5)["clock"]["time"]
         0.5
@@ -192,16 +193,16 @@ class Session(SurfaceMaker[Surface], HasId, Helpful):
     # Listening, see watch.py.
 
     def connect(self, name: str = "python", timeout: Optional[float] = 60.0) -> Connection:
-        """A WebSocket that has joined the session as `name`, for the methods that need one: `connection.api`."""
+        """Returns a WebSocket that has joined the session as `name`, for the methods that need one: `connection.api`."""
         from .connection import Connection
         connection = Connection(self.client, timeout)
         connection.join(self.id, name)
         return connection
 
     def watch(self, name: str = "python", timeout: Optional[float] = None) -> Generator[Notification, None, None]:
-        """All that the server tells of this session, of people in it, of datasets and of the server, as it comes: objects of
-        `wakesurf.notifications`. Joins the session as `name` at once; close the generator to end it.
-        Error: WaitTimeout after `timeout` seconds without any; Unreachable.
+        """Yields all notifications of this session, of its participants, of datasets and of the server: objects of
+        `wakesurf.notifications`. Joins the session as `name` at once; close the generator to end it. Error:
+        WaitTimeout after `timeout` seconds without any; Unreachable.
 
         >>> told = session.watch(timeout=30)
         >>> rake = session.rake(line=[(0.4, 0.4, 0.1), (0.6, 0.6, 0.1)])
@@ -214,7 +215,7 @@ class Session(SurfaceMaker[Surface], HasId, Helpful):
         return watch(self, name, timeout)
 
     def watch_async(self, name: str = "python") -> AsyncIterator[Notification]:
-        """The same with asyncio: `async for news in session.watch_async(): ...`. Joins when the loop begins."""
+        """Yields the same with asyncio: `async for news in session.watch_async(): ...`. Joins when the loop begins."""
         from .watch import watch_async
         return watch_async(self, name)
 
@@ -225,10 +226,11 @@ class Session(SurfaceMaker[Surface], HasId, Helpful):
                 time: Optional[float] = None, view: Optional[Look] = None, background: Background = "shown",
                 bar: bool = True, axes: bool = True, rakes: bool = False, caption: Optional[str] = None,
                 timeout: float = 120.0) -> Picture:
-        """A picture of the session, drawn by its own page in a Chromium without a window, once all surfaces are complete.
-        `path`: where to write it as PNG. `time`: shown as it is then; for others nothing changes. `view`: where from, and how
-        surfaces look. What is wrong is refused before anything is begun. Error: InvalidParameters, OutsideTimeRange, BrowserMissing,
-        PictureFailed, WaitTimeout."""
+        """Draws a picture of the session, by its own page in a Chromium without a window, once all surfaces are
+        complete.
+        `path`: where to write it as PNG. `time`: shown as it is then; for others nothing changes. `view`: where from,
+        and how surfaces look. Wrong parameters are refused before anything is begun. Error: InvalidParameters,
+        OutsideTimeRange, BrowserMissing, PictureFailed, WaitTimeout."""
         from .picture import Painter
         with Painter(self, size, timeout=timeout, own_time=time is not None, view=view) as painter:
             return painter.picture(path, size, time=time, background=background, bar=bar, axes=axes, rakes=rakes, caption=caption)
@@ -238,21 +240,22 @@ class Session(SurfaceMaker[Surface], HasId, Helpful):
              fps: float = 25, view: Optional[Look] = None, background: Background = "shown", bar: bool = True,
              axes: bool = True, rakes: bool = False, caption: Optional[str] = "t = {time:g}", progress: Optional[Told] = None,
              timeout: float = 120.0) -> List[str]:
-        """A picture for each of `times`: a folder of PNG files, or an .mp4 or .webm where `path` says so and ffmpeg is there.
-        `caption` may use {time} and {frame}. It is drawn from a copy of the session, so that nobody's clock moves. Returns
-        the files."""
+        """Draws a picture for each of `times`: a folder of PNG files, or an .mp4 or .webm if `path` says so and
+        ffmpeg is installed. `caption` may use {time} and {frame}. It is drawn from a copy of the session, so that the
+        clock of the session stays. Returns the files."""
         from .film import film
         return film(self, path, times, size, fps=fps, view=view, background=background, bar=bar, axes=axes, rakes=rakes,
                     caption=caption, progress=progress, timeout=timeout)
 
     def painter(self, size: Tuple[int, int] = (1600, 1000), *, view: Optional[Look] = None, timeout: float = 120.0) -> Painter:
-        """For several pictures: `with session.painter() as painter: painter.picture(...)` starts the browser once."""
+        """Returns a painter of several pictures: `with session.painter() as painter: painter.picture(...)` starts the
+        browser once."""
         from .picture import Painter
         return Painter(self, size, timeout=timeout, own_time=False, view=view)
 
     def show(self, width: Union[int, str] = "100%", height: int = 600, *, proxy: Optional[bool] = None,
              static: Optional[bool] = None) -> Shown:
-        """The live page in a notebook, or a picture of it where the page cannot be; see notebook.py."""
+        """Shows the live page in a notebook, or a picture of it if the page cannot be shown; see notebook.py."""
         from .notebook import show
         return show(self, width, height, proxy=proxy, static=static)
 
@@ -266,8 +269,9 @@ class Session(SurfaceMaker[Surface], HasId, Helpful):
 
     def study(self, rake: Mapping[str, Any], vary: Mapping[str, Sequence[Any]], *, progress: Optional[Told] = None,
               timeout: Optional[float] = None, **surface: Any) -> Iterator[Case]:
-        """A surface for each combination of what `vary` lists, one after the other, in a session of its own that is gone at the
-        end. `rake`: as `Session.rake` takes it; `surface`: what all of them share, as `Session.surface` takes it.
+        """Makes a surface for each combination of what `vary` lists, one after the other, in a session of its own
+        that is deleted at the end. `rake`: as `Session.rake` takes it; `surface`: what all of them share, as
+        `Session.surface` takes it.
 
         >>> line = {"line": [(0.4, 0.4, 0.1), (0.6, 0.6, 0.1)], "seeds": 12}
         >>> for case in session.study(line, {"separation": [0.1, 0.05]}, kind="stream", dataset="tornado", to=2):

@@ -20,25 +20,26 @@ _OF_RAKE = ("line", "polyline", "circle", "points", "seeds")
 
 @dataclass(frozen=True)
 class Case:
-    """One of a study: what was varied, what came of it, and the surface itself for as long as the loop is at it."""
+    """Holds one case of a study: its parameters, its result, and the surface itself until the loop's next case."""
 
     parameters: Dict[str, Any]
     statistics: Statistics
     surface: Surface
 
     def mesh(self) -> Mesh:
-        """As `Surface.mesh`."""
+        """Returns the mesh, as `Surface.mesh`."""
         return self.surface.mesh()
 
     def row(self) -> Dict[str, Any]:
-        """Parameters and numbers of the statistics, for a table. `separation` is that of the mesh, `requestedSeparation` what was asked for."""
+        """Returns parameters and numbers of the statistics, for a table. `separation` is that of the mesh,
+        `requestedSeparation` what was asked for."""
         numbers = {name: value for name, value in self.statistics.items() if isinstance(value, (int, float, str))}
         return {**self.parameters, **numbers, "seconds": self.statistics["seconds"]["total"]}
 
 
 def study(client: Client, rake: Mapping[str, Any], vary: Mapping[str, Sequence[Any]], surface: Mapping[str, Any],
           progress: Optional[Told], timeout: Optional[float]) -> Iterator[Case]:
-    """See `Session.study`. What is varied may also be one of the rake's: seeds, line, ..."""
+    """Makes a study; see `Session.study`. Parameters of the rake can be varied as well: seeds, line, ..."""
     if not vary or not all(len(values) for values in vary.values()):
         raise InvalidParameters("nothing is varied", -32602, "invalidParameters", "give vary={\"separation\": [0.1, 0.05]}")
     twice = [name for name in vary if name in surface]

@@ -47,12 +47,12 @@ class Surface(SurfaceChanger, Record):
         return result
 
     def stats(self) -> Statistics:
-        """What the newest state is and took; `complete` says whether it is the final one."""
+        """Returns the statistics of the newest state; `complete` says whether it is the final one."""
         return self.session.api.surface.stats(surface=self.id)
 
     def wait(self, timeout: Optional[float] = None, progress: Optional[Told] = None) -> Statistics:
-        """The statistics, once the surface is complete. `progress`: a function that is told `Progress`, or a bar of tqdm, see
-        progress.py. Error: WaitTimeout after `timeout` seconds; what computing it failed with.
+        """Returns the statistics, once the surface is complete. `progress`: a function that receives `Progress`, or a
+        bar of tqdm, see progress.py. Error: WaitTimeout after `timeout` seconds; that of computing it.
 
         >>> shares = []
         >>> surface.wait(progress=lambda told: shares.append(told.share))["complete"], shares[-1]
@@ -73,16 +73,16 @@ class Surface(SurfaceChanger, Record):
                                       hint="wait again, or ask for less: a larger separation, fewer seeds")
 
     def stop(self) -> bool:
-        """Ends what is being computed, for everyone; the newest state stays. False where nothing was."""
+        """Stops computing, for everyone; the newest state stays. Returns False if nothing was being computed."""
         return self.session.api.surface.stop(surface=self.id)["stopped"]
 
     def download(self, format: str = "ply", timeout: float = 600.0, *, time: Union[float, str, None] = None,
                  draco: bool = True, lines: Optional[str] = None, tessellate: int = 1) -> bytes:
-        """The whole mesh as the bytes of a .vtp, .glb, .ply, .obj or .drc file, once it is computed: as the session shows
-        it, at the time of its clock. `time`: at another time instead, or "end". `draco=False`: a .glb for readers that
-        cannot decompress, as ParaView's, some 12 times as large. `lines`, such as "timelines:8" or
-        "arrows:every=0.5,width=0.1": those instead of the mesh, see `lines`; not as .drc. `tessellate`: each
-        cell cut into so many quads each way, on a curved patch that is as exact as the vertices."""
+        """Returns the whole mesh as the bytes of a .vtp, .glb, .ply, .obj or .drc file, once it is computed: as the
+        session shows it, at the time of its clock. `time`: at another time instead, or "end". `draco=False`: a .glb
+        for readers that cannot decompress, as ParaView's, some 12 times as large. `lines`, such as "timelines:8" or
+        "arrows:every=0.5,width=0.1": those instead of the mesh, see `lines`; not as .drc. `tessellate`: each cell cut
+        into so many quads each way, on a curved patch that is as exact as the vertices."""
         return self._fetch(format, None, timeout, time, draco, lines, tessellate)[1]
 
     def _fetch(self, format: str, tag: Optional[str], timeout: float, time: Union[float, str, None],
@@ -118,8 +118,8 @@ class Surface(SurfaceChanger, Record):
         write_whole(path, [body])
 
     def mesh(self, timeout: float = 600.0, *, time: Union[float, str, None] = None, tessellate: int = 1) -> Mesh:
-        """The whole mesh as numpy arrays, once it is computed: as the session shows it, at the time of its clock, or at
-        `time`, or at its "end". `tessellate` as in `download`. Not fetched again while it is the same."""
+        """Returns the whole mesh as numpy arrays, once it is computed: as the session shows it, at the time of its
+        clock, or at `time`, or at its "end". `tessellate` as in `download`. Not fetched again while it is the same."""
         tag, body = self._fetch("vtp", self._kept[0] if self._kept else None, timeout, time, tessellate=tessellate)
         if body:
             self._kept = (tag, Mesh.from_vtp(body))
@@ -128,11 +128,11 @@ class Surface(SurfaceChanger, Record):
 
     def lines(self, which: str, count: int = 16, timeout: float = 600.0, *, every: Optional[float] = None,
               width: Optional[float] = None, time: Union[float, str, None] = None) -> List[Tuple[float, Array]]:
-        """Lines on the surface at `count` values, evenly spaced: "timelines", or "streamlines", "pathlines" or "streaklines",
-        which its kind consists of. With `every` they are so far apart on the surface instead. "timeribbons", "streamribbons"
-        and so on, and "arrows", are `width` wide polygons that lie in it; arrows take `every`. Of each line or polygon, the
-        value (the age of its particles, or the place of their seed on the rake, 0 to 1) and its points (n, 3); a closed
-        line ends at its first. `time` as in `mesh`."""
+        """Returns lines on the surface at `count` values, evenly spaced: "timelines", or "streamlines", "pathlines"
+        or "streaklines", which its kind consists of. With `every` they are so far apart on the surface instead.
+        "timeribbons", "streamribbons" and so on, and "arrows", are `width` wide polygons that lie in it; arrows take
+        `every`. Each line or polygon has a value (the age of its particles, or the place of their seed on the rake, 0
+        to 1) and points (n, 3); a closed line ends at its first. `time` as in `mesh`."""
         measures = str(count) if every is None else f"every={every!r}"
         if width is not None:
             measures += f",width={width!r}"
@@ -142,27 +142,27 @@ class Surface(SurfaceChanger, Record):
 
     @property
     def points(self) -> Array:
-        """(n, 3) float64, as computed."""
+        """Returns (n, 3) float64, as computed."""
         return self.mesh().points
 
     @property
     def polygons(self) -> List[Array]:
-        """Vertices of each cell: 4 corners and the hanging nodes of its sides, in order."""
+        """Returns the vertices of each cell: 4 corners and the hanging nodes of its sides, in order."""
         return self.mesh().polygons
 
     def watch(self, name: str = "python", timeout: Optional[float] = 60.0) -> Iterator[Update]:
-        """Every state of the surface from now on, as it reaches the clients: first the present one, then one for each
-        change, coarse before final. Yields `Update`s, not meshes; see `Update.mesh`. Joins the session as `name` while it
-        runs; close the generator, or leave its loop, to end it. Error: WaitTimeout after `timeout` seconds without
-        any; Unreachable."""
+        """Yields every state of the surface from now on, as it reaches the clients: first the present one, then one
+        for each change, coarse before final. Yields `Update`s, not meshes; see `Update.mesh`. Joins the session as
+        `name` while it runs; close the generator, or leave its loop, to end it. Error: WaitTimeout after `timeout`
+        seconds without any; Unreachable."""
         for header, frames, _ in self._updates(name, timeout):
             yield Update(self, bytes=sum(map(len, frames)), **header)
 
     def live(self, name: str = "python", timeout: Optional[float] = 60.0) -> Iterator[Mesh]:
-        """The same as meshes: each state as it reaches the clients, on the dataset's lattice, with speed, s, t and the
-        surface's fields. `Mesh.about` tells epoch, seq, phase, time and whether it is `lossless`. Needs the
-        library libwakesurf_draco, which wakesurf's build makes (see frames.py). Cost: some 10 us a vertex that moves.
-        Error: as `watch`; ImportError or OSError without those."""
+        """Yields states as meshes: each as it reaches the clients, on the dataset's lattice, with speed, s, t and the
+        surface's fields. `Mesh.about` has epoch, seq, phase, time and whether it is `lossless`. Needs the library
+        libwakesurf_draco, which wakesurf's build makes (see frames.py). Cost: some 10 us a vertex that moves. Error:
+        as `watch`; ImportError or OSError without those."""
         from .frames import Draco, MeshDecoder
         decoder = MeshDecoder(Draco())
         for header, frames, agreed in self._updates(name, timeout):
@@ -177,7 +177,7 @@ class Surface(SurfaceChanger, Record):
             yield Mesh(state.points(agreed["lattice"]), connectivity, offsets, arrays, about)
 
     def _updates(self, name: str, timeout: Optional[float]) -> Iterator[Tuple[Json, List[bytes], SurfaceSubscribeResult]]:
-        """Whole updates: what their header says, their frames, and what was agreed with the subscription."""
+        """Yields whole updates: the header, the frames, and the parameters of the subscription."""
         with self.session.connect(name, timeout) as connection:
             agreed = connection.api.surface.subscribe(surface=self.id)
             frames: List[bytes] = []
@@ -196,19 +196,19 @@ class Surface(SurfaceChanger, Record):
     # For others: the mesh as their objects.
 
     def to_vtk(self) -> Any:
-        """See `Mesh.to_vtk`."""
+        """Converts the mesh; see `Mesh.to_vtk`."""
         return self.mesh().to_vtk()
 
     def to_pyvista(self) -> Any:
-        """See `Mesh.to_pyvista`."""
+        """Converts the mesh; see `Mesh.to_pyvista`."""
         return self.mesh().to_pyvista()
 
     def to_meshio(self) -> Any:
-        """See `Mesh.to_meshio`."""
+        """Converts the mesh; see `Mesh.to_meshio`."""
         return self.mesh().to_meshio()
 
     def to_dataframe(self) -> Any:
-        """See `Mesh.to_dataframe`."""
+        """Converts the mesh; see `Mesh.to_dataframe`."""
         return self.mesh().to_dataframe()
 
     def _repr_html_(self) -> str:
@@ -220,8 +220,9 @@ class Surface(SurfaceChanger, Record):
 
 @dataclass(frozen=True)
 class Update:
-    """A state of a surface that has arrived, in `bytes` bytes. `phase` is coarse, refined, final or live; `state_sum` is the
-    checksum of what clients show; `time` is the simulation time shown, NaN where the server does not tell."""
+    """Holds a state of a surface that has arrived, in `bytes` bytes. `phase` is coarse, refined, final or live;
+    `state_sum` is the checksum of what clients show; `time` is the simulation time shown, NaN if the server does not
+    report it."""
 
     surface: Surface = field(repr=False)
     epoch: int
@@ -234,5 +235,5 @@ class Update:
     bytes: int
 
     def mesh(self) -> Mesh:
-        """The surface's newest final mesh, which may be a later one than this update's."""
+        """Returns the surface's newest final mesh, which may be a later one than this update's."""
         return self.surface.mesh()

@@ -1,4 +1,4 @@
-"""How a picture shows a session: from where, and in which colours. The page reads the same from its address."""
+"""The view of a picture: its camera, and the colours of surfaces. The page reads the same from its address."""
 from __future__ import annotations
 
 import base64
@@ -11,7 +11,7 @@ from .view_values import check_camera, check_look
 
 
 class Camera(TypedDict, total=False):
-    """Where a picture is taken from."""
+    """The camera of a picture."""
 
     position: Sequence[float]  # of the eye (the dataset's unit of length)
     target: Sequence[float]  # the point in the middle of the picture
@@ -19,7 +19,7 @@ class Camera(TypedDict, total=False):
 
 
 class SurfaceLook(TypedDict, total=False):
-    """How a surface looks; what is left out is as on the page."""
+    """The look of a surface; parameters that are left out are as on the page."""
 
     colour_by: str  # speed, age, s, constant, vorticity, q_criterion, deformation, error, or field:NAME
     colour: str  # #rrggbb, where `colour_by` is constant
@@ -40,7 +40,7 @@ class SurfaceLook(TypedDict, total=False):
 
 
 class Look(TypedDict, total=False):
-    """What a picture shows: `camera`, and the look of all surfaces, or of each by its id."""
+    """The look of a picture: `camera`, and the look of all surfaces, or of each by its id."""
 
     camera: Camera
     look: SurfaceLook
@@ -51,7 +51,8 @@ _NAMES = {"colour_by": "colourBy", "range_of": "rangeOf", "back_side": "backSide
 
 
 def looks_of(view: Optional[Look], surfaces: Sequence[str]) -> Dict[str, SurfaceLook]:
-    """The look of each surface, checked but for what the data say. Error: InvalidParameters, UnknownParameter."""
+    """Returns the look of each surface, checked as far as possible without data. Error: InvalidParameters,
+    UnknownParameter."""
     view = view or {}
     check_names(view, Look.__annotations__, "`view`")
     if "camera" in view:
@@ -67,7 +68,7 @@ def looks_of(view: Optional[Look], surfaces: Sequence[str]) -> Dict[str, Surface
 
 
 def page_state(view: Optional[Look], surfaces: Sequence[str]) -> str:
-    """The `state` of the page's address. Error: as `looks_of`."""
+    """Returns the `state` of the page's address. Error: as `looks_of`."""
     looks: Mapping[str, Mapping[str, Any]] = looks_of(view, surfaces)
     page: Dict[str, Any] = {"looks": {surface: {_NAMES.get(name, name): value for name, value in look.items()}
                                       for surface, look in looks.items()}}
@@ -80,7 +81,7 @@ def page_state(view: Optional[Look], surfaces: Sequence[str]) -> str:
 
 
 def fields_for(look: SurfaceLook) -> List[str]:
-    """What the server has to send with a surface for this look."""
+    """Returns the fields that the server has to send with a surface for this look."""
     by = look.get("colour_by", "speed")
     found = [] if by in ("speed", "age", "s", "constant") else [by[len("field:"):] if by.startswith("field:") else by]
     if look.get("texture"):

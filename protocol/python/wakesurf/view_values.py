@@ -1,4 +1,5 @@
-"""What the values of a view may be. A page takes the usual instead of what is wrong; a script is told, before a browser starts."""
+"""The valid values of a view. A page uses the default for an invalid one; a script gets an error, before a browser
+starts."""
 from __future__ import annotations
 
 import re
@@ -16,19 +17,19 @@ _PARTS: Dict[str, Tuple[float, float]] = {"opacity": (0, 1), "smoke": (0, 1), "d
 
 
 def wrong(message: str, hint: str) -> InvalidParameters:
-    """What is wrong, and what is possible."""
+    """Returns the error for an invalid value, with the valid ones."""
     return InvalidParameters(message, -32602, "invalidParameters", hint)
 
 
 def check_choice(value: Any, choices: Sequence[str], where: str) -> None:
-    """Error: InvalidParameters, with the choices."""
+    """Raises InvalidParameters, with the choices, for any other value."""
     if value not in choices:
         right = meant(value, choices) if isinstance(value, str) else None
         raise wrong(f"`{where}` is {value!r}", (f"did you mean {right}? " if right else "") + "there are " + ", ".join(choices))
 
 
 def check_camera(camera: Mapping[str, Any]) -> None:
-    """Error: InvalidParameters."""
+    """Raises InvalidParameters for an invalid camera."""
     for name in ("position", "target"):
         if name not in camera or not _numbers(camera[name], 3):
             raise wrong(f"a camera needs `{name}`", "three numbers")
@@ -39,7 +40,8 @@ def check_camera(camera: Mapping[str, Any]) -> None:
 
 
 def check_look(look: Mapping[str, Any], kind: Any) -> None:
-    """Whether its values are of their types and within their limits; `kind` says the types. Error: InvalidParameters."""
+    """Checks that its values are of their types and within their limits; `kind` says the types. Error:
+    InvalidParameters."""
     hints = typing.get_type_hints(kind)
     for name, value in look.items():
         hint = hints[name]
@@ -58,7 +60,8 @@ def check_look(look: Mapping[str, Any], kind: Any) -> None:
 
 
 def check_colour_by(value: Any, dataset: Mapping[str, Any]) -> None:
-    """Whether a surface of this dataset, as `Client.describe` has it, can be coloured by it. Error: InvalidParameters."""
+    """Checks that a surface of this dataset, as `Client.describe` returns it, can be coloured by it. Error:
+    InvalidParameters."""
     can_come = dataset["surfaceFields"]
     vectors = [each["name"] for each in dataset["fields"] if each["components"] != 1]
     own = [each["name"] for each in dataset["fields"] if each["components"] == 1 and each["name"] in can_come]

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def watch(session: Session, name: str, timeout: Optional[float]) -> Generator[Notification, None, None]:
-    """Joins at once, so that nothing is missed that comes before the loop begins."""
+    """Joins at once, so that no notification before the loop begins is missed."""
     return _told(session.connect(name, timeout))
 
 
@@ -25,7 +25,7 @@ def _told(connection: Connection) -> Generator[Notification, None, None]:
 
 
 async def watch_async(session: Session, name: str) -> AsyncIterator[Notification]:
-    """A thread listens, for the package that speaks WebSocket here waits by blocking; it ends with the loop that asks."""
+    """Listens in a thread, because the WebSocket package used here blocks; the thread ends with the loop."""
     loop = asyncio.get_running_loop()
     news: asyncio.Queue[Union[Notification, WakesurfError]] = asyncio.Queue()
     connection = await loop.run_in_executor(None, session.connect, name, None)

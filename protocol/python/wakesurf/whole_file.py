@@ -1,4 +1,4 @@
-"""Files that are there whole or not at all."""
+"""Files that are complete or do not exist."""
 from __future__ import annotations
 
 import os
@@ -7,8 +7,8 @@ from typing import Iterable
 
 
 def write_whole(path: str, parts: Iterable[bytes]) -> None:
-    """By a file beside it that is new, whatever lies there, and then takes its name: a reader, or a server that watches, sees no half
-    of it. Error: OSError, which names `path`; nothing is left behind then."""
+    """Writes a new file beside the old one and renames it: a reader, or a server that watches, sees no half of it.
+    Error: OSError, which names `path`; nothing is left behind then."""
     part = f"{path}.{secrets.token_hex(6)}.part"
     try:
         with open(part, "xb") as file:

@@ -62,7 +62,7 @@ def _page_kind() -> Any:
     anywidget, traitlets = importlib.import_module("anywidget"), importlib.import_module("traitlets")
 
     class Page(anywidget.AnyWidget):  # type: ignore[misc, name-defined]
-        """A page; its size can be changed, its address is nobody's to read."""
+        """Shows a page; its size can be changed, its address is hidden."""
 
         _esm = ESM
         width = traitlets.Unicode("100%").tag(sync=True)
@@ -81,7 +81,7 @@ def _page_kind() -> Any:
 
 
 def page_widget(address: str, width: str, height: int) -> Optional[Any]:
-    """None where anywidget is not installed."""
+    """Returns None if anywidget is not installed."""
     try:
         kind = _page_kind()
     except ImportError:

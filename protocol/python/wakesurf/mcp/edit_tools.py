@@ -1,4 +1,4 @@
-"""Tools that say what there is, and that change it: open, suggest, rake, surface, undo."""
+"""Tools that list what there is, and that change it: open, suggest, rake, surface, undo."""
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, List, Mapping, cast

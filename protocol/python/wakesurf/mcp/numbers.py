@@ -1,4 +1,4 @@
-"""What is told of meshes in numbers: how large, where, what their fields are, and how far two of them are apart."""
+"""Meshes in numbers: their size, their place, the values of their fields, and the distance of two of them."""
 from __future__ import annotations
 
 from typing import Any, Dict, List, Tuple
@@ -15,22 +15,22 @@ _AT_ONCE = 4_000_000
 
 
 def bounds_of(mesh: Mesh) -> List[float]:
-    """x0, x1, y0, y1, z0, z1; nothing of an empty mesh."""
+    """Returns x0, x1, y0, y1, z0, z1; empty for an empty mesh."""
     if not len(mesh.points):
         return []
     return [float(each) for pair in zip(mesh.points.min(axis=0), mesh.points.max(axis=0)) for each in pair]
 
 
 def vertex_areas(mesh: Mesh, triangles: Array) -> Array:
-    """To each vertex a third of the triangles round it."""
+    """Gives each vertex a third of the area of the triangles round it."""
     areas = np.zeros(len(mesh.points))
     np.add.at(areas, triangles, (mesh.areas(triangles) / 3)[:, None])
     return areas
 
 
 def field_numbers(mesh: Mesh, weights: Array) -> Dict[str, Json]:
-    """Least, greatest and mean of each array; of vectors, of their magnitude. The mean is by area: vertices are dense where a
-    surface is folded."""
+    """Returns least, greatest and mean of each array; of vectors, of their magnitude. The mean is by area: vertices
+    are dense where a surface is folded."""
     found: Dict[str, Json] = {}
     for name, values in mesh.arrays.items():
         if name in ("velocity", "component"):  # speed is its magnitude; a number of a piece says nothing in the mean
@@ -49,7 +49,7 @@ def field_numbers(mesh: Mesh, weights: Array) -> Dict[str, Json]:
 
 
 def mesh_numbers(mesh: Mesh) -> Json:
-    """All of it."""
+    """Returns all numbers of a mesh."""
     triangles = mesh.triangles()
     weights = vertex_areas(mesh, triangles)
     numbers: Json = {"vertices": len(mesh.points), "cells": max(0, len(mesh.offsets) - 1), "area": float(weights.sum()),
@@ -59,8 +59,8 @@ def mesh_numbers(mesh: Mesh) -> Json:
 
 
 def distance(of: Mesh, to: Mesh) -> Json:
-    """How far vertices of one lie from the other surface: mean and greatest. Of many vertices, evenly chosen ones are measured; each against the
-    triangles round the nearest vertex, so that it is never told too small."""
+    """Returns the mean and greatest distance of vertices of one from the other surface. Of many vertices, evenly
+    chosen ones are measured; each against the triangles round the nearest vertex, so that it is never too small."""
     if not len(of.points) or not len(to.points):
         return {}
     most = int(max(50, min(_MOST_SAMPLES, _MOST_DISTANCES // len(to.points))))
@@ -72,7 +72,7 @@ def distance(of: Mesh, to: Mesh) -> Json:
 
 
 def _nearest(points: Array, vertices: Array) -> Array:
-    """The index of the nearest vertex to each point."""
+    """Returns the index of the nearest vertex to each point."""
     middle = vertices.mean(axis=0)  # small numbers, whose squares lose less
     near, far = points - middle, vertices - middle
     squares = (far ** 2).sum(axis=1)
@@ -82,7 +82,8 @@ def _nearest(points: Array, vertices: Array) -> Array:
 
 
 def _to_triangles(points: Array, nearest: Array, mesh: Mesh) -> Array:
-    """From each point to the nearest of the triangles round a vertex; to the vertex where it has none."""
+    """Returns the distance of each point to the nearest of the triangles round a vertex; to the vertex if it has
+    none."""
     found: Array = np.linalg.norm(points - mesh.points[nearest], axis=1)
     triangles = mesh.triangles()
     wanted = np.isin(triangles, nearest).any(axis=1)
@@ -100,7 +101,7 @@ def _to_triangles(points: Array, nearest: Array, mesh: Mesh) -> Array:
 
 
 def _to_triangle(p: Array, a: Array, b: Array, c: Array) -> Array:
-    """Row by row: to the plane where the foot lies inside, else to the nearest side."""
+    """Returns distances row by row: to the plane if the foot lies inside, else to the nearest side."""
     normal = np.cross(b - a, c - a)
     square = (normal ** 2).sum(axis=1)
     inside = square > 0
@@ -120,10 +121,10 @@ def _to_segment(p: Array, a: Array, b: Array) -> Array:
 
 
 def ratio(a: float, b: float) -> Any:
-    """b to a; None where there is no telling."""
+    """Returns the ratio of b to a; None if it is undefined."""
     return short(b / a) if a else None
 
 
 def change_of(a: Dict[str, Json], b: Dict[str, Json]) -> List[Tuple[str, Any, Any]]:
-    """Name and both means of the fields that both have."""
+    """Returns name and both means of the fields that both have."""
     return [(name, a[name].get("mean"), b[name].get("mean")) for name in a if name in b]

@@ -1,4 +1,5 @@
-"""What the server says, for a model that has tools: the tool that does what a method does, arguments as the tools have them."""
+"""The server's words for a model that has tools: names the tool that does what a method does, and arguments as the
+tools have them."""
 from __future__ import annotations
 
 import re
@@ -15,7 +16,7 @@ TOOL_OF: Mapping[str, str] = {
 
 
 def in_tools(words: str) -> str:
-    """The words with tools for methods.
+    """Replaces methods by tools.
 
     >>> in_tools("raise `maxQuads`, or look with `surface.list`")
     'raise `max_quads`, or look with the tool `open`'
@@ -28,7 +29,7 @@ def in_tools(words: str) -> str:
 
 
 def hint_in_tools(hint: str) -> str:
-    """Nothing where the hint needs a method that no tool has: it would lead nowhere.
+    """Returns the hint with tools; empty if it needs a method that no tool has.
 
     >>> hint_in_tools("`session.shares` lists them")
     ''

@@ -1,4 +1,4 @@
-"""The folder that files are written to: nothing is written outside of it, nor over what someone else has made."""
+"""The folder that files are written to: no file is written outside of it, nor over a file of others."""
 from __future__ import annotations
 
 import os
@@ -8,15 +8,15 @@ from ..errors import InvalidParameters, NotPermitted
 
 
 class Place:
-    """A folder. Links are followed before it is decided whether something lies in it."""
+    """A folder. Links are followed before it is decided whether a path lies in it."""
 
     def __init__(self, folder: str) -> None:
         self.folder = os.path.realpath(folder)
         self._made: Set[str] = set()
 
     def take(self, path: str, extensions: Sequence[str], overwrite: bool = False) -> str:
-        """Where to write it; folders on the way are made. From now on it may be written again, also where this time fails. An extension
-        of "" allows a folder. Error: NotPermitted, InvalidParameters."""
+        """Returns the path to write to; folders on the way are made. From now on it may be written again, also if
+        this time fails. An extension of "" allows a folder. Error: NotPermitted, InvalidParameters."""
         if "\0" in path or not path.strip():
             raise _wrong(f"{path!r} is no name of a file", "give a path below the folder")
         ending = os.path.splitext(path)[1].lower()
@@ -35,7 +35,7 @@ class Place:
         return full
 
     def shown(self, full: str) -> str:
-        """Below the folder, as people would write it."""
+        """Returns the path below the folder, as people would write it."""
         return os.path.relpath(full, self.folder)
 
 

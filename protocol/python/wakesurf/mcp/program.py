@@ -33,7 +33,7 @@ def _options(arguments: Optional[Sequence[str]]) -> argparse.Namespace:
 
 
 def main(arguments: Optional[Sequence[str]] = None) -> int:
-    """Exit status."""
+    """Runs the command and returns its exit status."""
     given = _options(arguments)
     out = Out(sys.stdout.buffer)
     sys.stdout = sys.stderr  # what a library prints must not come between the messages

@@ -40,7 +40,8 @@ Job = Tuple[Id, Tool, Json, Call, Reply]
 
 
 class Server:
-    """Reads from one stream and writes to another until the first ends and all calls are answered, or nobody reads any more."""
+    """Reads from one stream and writes to another until the first ends and all calls are answered, or the reader has
+    gone."""
 
     def __init__(self, work: Work, source: IO[bytes], out: Out) -> None:
         self._work, self._source, self._out = work, source, out
@@ -51,8 +52,8 @@ class Server:
         self._worker = threading.Thread(target=self._works, name="wakesurf-mcp", daemon=True)
 
     def run(self) -> None:
-        """Until the stream has ended and what it asked for is answered: a list of calls may come from a file. What ends it sooner, as a
-        signal, or that nobody reads any more, gives up the calls that are left."""
+        """Runs until the stream has ended and all its calls are answered: a list of calls may come from a file. An
+        earlier end, by a signal or because the reader has gone, cancels the remaining calls."""
         self._worker.start()
         try:
             for line in lines(self._source):
@@ -67,7 +68,7 @@ class Server:
             self._jobs.put(None)
 
     def join(self, seconds: float) -> None:
-        """Until the call that runs has noticed, but not longer than that."""
+        """Waits until the running call has noticed, but not longer than that."""
         self._worker.join(seconds)
 
     def _take(self, line: "bytes | Refused") -> None:
@@ -161,7 +162,8 @@ class Server:
 
 
 def _made(tool: Tool, work: Work, arguments: Json, call: Call) -> Optional[Json]:
-    """What tools/call answers. A tool that fails says so to the model, which can do better then; None: it was cancelled."""
+    """Returns the answer of tools/call. A tool that fails says so to the model, which can correct itself; None: it
+    was cancelled."""
     try:
         call.check()
         tool.check(arguments)

@@ -1,4 +1,4 @@
-"""What a tool is: its description, the check of its arguments, and what it answers."""
+"""A tool: its description, the check of its arguments, and its answer."""
 from __future__ import annotations
 
 import inspect
@@ -30,19 +30,19 @@ class Stopped(WakesurfError):
 
 
 class Call:
-    """One call, from the view of the tool: whether anyone still waits for it, and who wants to know how far it is."""
+    """Holds one call, from the view of the tool: whether it was cancelled, and who receives its progress."""
 
     def __init__(self, tell: Optional[Callable[[float, str], None]] = None) -> None:
         self.cancelled = threading.Event()
         self._tell, self._percent = tell, -1.0
 
     def check(self) -> None:
-        """Error: Stopped."""
+        """Raises Stopped if the call was cancelled."""
         if self.cancelled.is_set():
             raise Stopped("the call was cancelled")
 
     def progress(self, share: Optional[float], words: str) -> None:
-        """Error: Stopped. Only what grows is told, as the protocol wants it."""
+        """Reports progress, which must grow, as the protocol wants it. Error: Stopped."""
         self.check()
         percent = -1.0 if share is None else round(100 * share, 1)
         if self._tell is not None and percent > self._percent:
@@ -52,7 +52,7 @@ class Call:
 
 @dataclass
 class Answer:
-    """A sentence for people and models, the numbers behind it, and a picture."""
+    """Holds a sentence for people and models, the numbers behind it, and a picture."""
 
     text: str
     numbers: Json
@@ -64,7 +64,7 @@ Function = Callable[["Work", Json, Call], Answer]
 
 @dataclass(frozen=True)
 class Tool:
-    """A function with a name, words, and a schema of its arguments."""
+    """Holds a function with a name, words, and a schema of its arguments."""
 
     name: str
     title: str
@@ -75,7 +75,7 @@ class Tool:
     function: Function
 
     def described(self) -> Json:
-        """As tools/list has it."""
+        """Returns the description of tools/list."""
         return {"name": self.name, "title": self.title, "description": self.description,
                 "inputSchema": {"type": "object", "properties": dict(self.properties), "required": list(self.required),
                                 "additionalProperties": False},
@@ -83,7 +83,7 @@ class Tool:
                                 "destructiveHint": bool(self.properties.keys() & {"delete", "overwrite", "redo"})}}
 
     def check(self, given: Json) -> None:
-        """Error: InvalidParameters, which names the argument."""
+        """Checks the arguments. Error: InvalidParameters, which names the argument."""
         for name in given:
             if name not in self.properties:
                 right = meant(name, self.properties)
@@ -107,7 +107,7 @@ def _wrong(message: str, hint: str = "") -> InvalidParameters:
 
 
 def check_value(value: Any, schema: Json, where: str) -> None:
-    """Against the few words of JSON Schema that the tools use. Error: InvalidParameters."""
+    """Checks a value against the few words of JSON Schema that the tools use. Error: InvalidParameters."""
     kind = schema.get("type")
     if kind is not None:
         fits = isinstance(value, _JSON_TYPES[kind]) and (kind == "boolean" or not isinstance(value, bool))
@@ -132,7 +132,8 @@ def check_value(value: Any, schema: Json, where: str) -> None:
 
 
 def properties_of(method: Callable[..., Any], without: Sequence[str], **others: Json) -> Dict[str, Json]:
-    """The arguments of a generated method of the API, with its types and words; `from_` is `from` here. `others` stand instead."""
+    """Returns the arguments of a generated method of the API, with its types and words; `from_` is `from` here.
+    `others` replace them."""
     hints = typing.get_type_hints(method)
     words = _words_of(method)
     made: Dict[str, Json] = {}
@@ -144,14 +145,14 @@ def properties_of(method: Callable[..., Any], without: Sequence[str], **others: 
 
 
 def _words_of(method: Callable[..., Any]) -> Dict[str, str]:
-    """What the docstring says of each parameter."""
+    """Returns the docstring's words for each parameter."""
     text = re.sub(r"\s*\n\s{4,}", " ", inspect.cleandoc(method.__doc__ or ""))
     found = re.findall(r"^`(\w+)`: (.*)$", text, re.M)
     return {name: re.sub(r"\ban id from (\w+)\.list", r"id of a \1", words.replace("`from_`", "`from`")) for name, words in found}
 
 
 def schema_of(hint: Any) -> Json:
-    """Of a type of Python."""
+    """Returns the schema of a type of Python."""
     origin, parts = typing.get_origin(hint), typing.get_args(hint)
     if origin is typing.Union:
         return schema_of(next(each for each in parts if each is not type(None)))
@@ -163,5 +164,5 @@ def schema_of(hint: Any) -> Json:
 
 
 def names_of(items: Sequence[Mapping[str, Any]], key: str) -> List[str]:
-    """Ids of records."""
+    """Returns the ids of records."""
     return [str(each[key]) for each in items]

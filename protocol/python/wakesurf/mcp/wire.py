@@ -1,4 +1,4 @@
-"""Messages of JSON-RPC 2.0, one a line, on two streams: reading them whatever comes, and writing them whole."""
+"""Messages of JSON-RPC 2.0, one a line, on two streams: reading any input, and writing whole messages."""
 from __future__ import annotations
 
 import json
@@ -16,7 +16,7 @@ Reply = Callable[[Json], None]  # takes the answer to one request
 
 
 class Refused(Exception):
-    """A message that is none, or a call that cannot be made."""
+    """The message is invalid, or its call cannot be made."""
 
     def __init__(self, code: int, message: str) -> None:
         super().__init__(message)
@@ -24,17 +24,17 @@ class Refused(Exception):
 
 
 def result(number: Id, value: Json) -> Json:
-    """An answer."""
+    """Returns an answer."""
     return {"jsonrpc": "2.0", "id": number, "result": value}
 
 
 def fault(number: Id, problem: Refused) -> Json:
-    """An answer to what was refused."""
+    """Returns an answer to a refused message."""
     return {"jsonrpc": "2.0", "id": number, "error": {"code": problem.code, "message": problem.message}}
 
 
 def lines(stream: IO[bytes]) -> Iterator[Union[bytes, Refused]]:
-    """Each line that is not empty, until the stream ends. Of a line that is too long nothing is kept."""
+    """Yields each line that is not empty, until the stream ends. A line that is too long is dropped."""
     while True:
         line = stream.readline(LONGEST_LINE + 1)
         if not line:
@@ -48,7 +48,7 @@ def lines(stream: IO[bytes]) -> Iterator[Union[bytes, Refused]]:
 
 
 def message_of(line: bytes) -> Any:
-    """The JSON of a line. Error: Refused."""
+    """Returns the JSON of a line. Error: Refused."""
     def no_number(word: str) -> Any:
         raise ValueError(f"{word} is no number of JSON")
 
@@ -59,13 +59,13 @@ def message_of(line: bytes) -> Any:
 
 
 class Out:
-    """Where messages go, from any thread, each whole."""
+    """Writes messages, from any thread, each whole."""
 
     def __init__(self, stream: IO[bytes]) -> None:
         self._stream, self._lock, self._gone = stream, threading.Lock(), False
 
     def send(self, message: Any) -> None:
-        """Nothing happens where no one reads any more."""
+        """Sends a message; does nothing if the reader has gone."""
         line = json.dumps(message, separators=(",", ":"), allow_nan=False).encode() + b"\n"
         with self._lock:
             try:
@@ -75,7 +75,8 @@ class Out:
                 self._gone = True
 
     def gone(self) -> bool:
-        """Whether nobody can read any more, as far as the system tells: the other end of a pipe or a socket is closed."""
+        """Says whether the reader has gone, as far as the system reports it: the other end of a pipe or a socket is
+        closed."""
         if not self._gone and hasattr(select, "poll"):
             poll = select.poll()
             poll.register(self._stream, 0)
@@ -83,19 +84,19 @@ class Out:
         return self._gone
 
     def notify(self, method: str, parameters: Json) -> None:
-        """A message that has no answer."""
+        """Sends a message that has no answer."""
         self.send({"jsonrpc": "2.0", "method": method, "params": parameters})
 
 
 class Batch:
-    """Several requests in one message, as clients of 2025-03-26 may send them: their answers go out together."""
+    """Holds several requests of one message, as clients of 2025-03-26 may send them: their answers go out together."""
 
     def __init__(self, count: int, out: Out) -> None:
         self._missing, self._out, self._lock = count, out, threading.Lock()
         self._answers: List[Json] = []
 
     def reply(self, answer: Optional[Json]) -> None:
-        """None: this one has no answer."""
+        """Adds an answer; None: this request has none."""
         with self._lock:
             self._missing -= 1
             if answer is not None:
@@ -105,7 +106,7 @@ class Batch:
 
 
 def checked(message: Any) -> Dict[str, Any]:
-    """A request or a notification. Error: Refused."""
+    """Returns a request or a notification. Error: Refused."""
     if not isinstance(message, dict) or message.get("jsonrpc") != "2.0" or not isinstance(message.get("method"), str):
         raise Refused(INVALID_REQUEST, 'a message is an object with "jsonrpc": "2.0" and a "method"')
     if "id" in message and (isinstance(message["id"], bool) or not isinstance(message["id"], (str, int))):

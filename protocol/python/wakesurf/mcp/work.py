@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class Work:
-    """One at a time uses it, but `close`, which any thread may call."""
+    """Holds the session. One thread at a time uses it, except for `close`."""
 
     def __init__(self, datasets: Sequence[str], url: Optional[str], session: Optional[str], place: Place) -> None:
         self._datasets, self._url, self._wanted = list(datasets), url, session
@@ -51,12 +51,12 @@ class Work:
         return self._session
 
     def enter(self, session: str) -> None:
-        """Another session from now on; "new": an empty one of its own. Error: NotFound, NotPermitted."""
+        """Changes to another session; "new": an empty one of its own. Error: NotFound, NotPermitted."""
         self._session = self.client.create_session("agent") if session == "new" else self.client.session(session)
         self._newest = None
 
     def dataset(self, named: Optional[str]) -> str:
-        """The one that is named, else the only one there is."""
+        """Returns the dataset with the name, else the only one there is."""
         ids = [each["dataset"] for each in self.client.datasets()]
         if named is None and len(ids) == 1:
             return ids[0]
@@ -67,7 +67,7 @@ class Work:
         raise kind(message, 0, "notFound" if named else "invalidParameters", "name one: " + ", ".join(ids))
 
     def ready(self, dataset: str, seconds: float, call: Call) -> Json:
-        """The dataset's entry, once it is imported, or as it is after so many seconds."""
+        """Returns the dataset's entry, once it is imported, or as it is after so many seconds."""
         end = clock.monotonic() + seconds
         while True:
             entry: Json = next(dict(each) for each in self.client.datasets() if each["dataset"] == dataset)
@@ -78,11 +78,11 @@ class Work:
             self.client.api.dataset.open(dataset=dataset, timeout_ms=int(1000 * min(0.5, left)))
 
     def made(self, surface: str) -> None:
-        """It is the newest from now on."""
+        """Makes a surface the newest."""
         self._newest = surface
 
     def surface(self, named: Optional[str]) -> Surface:
-        """The one that is named, else the one that was made last. Error: NotFound."""
+        """Returns the surface with the id, else the one that was made last. Error: NotFound."""
         ids = [each.id for each in self.session.surfaces()]
         wanted = named or (self._newest if self._newest in ids else None) or (ids[-1] if ids else None)
         if wanted in ids:
@@ -93,7 +93,7 @@ class Work:
 
 
 def short(value: Any) -> Any:
-    """Six digits of each number: more would say nothing."""
+    """Rounds each number to six digits: more would say nothing."""
     if isinstance(value, float):
         return float(f"{value:.6g}")
     if isinstance(value, dict):
