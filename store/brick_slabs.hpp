@@ -13,7 +13,7 @@
 
 namespace wakesurf::store {
 
-/// Where each brick lies in the order of the file, by its number.
+/// Returns the place of each brick in the order of the file, by its number.
 std::vector<std::uint32_t> brick_places(const core::BrickLayout& layout);
 
 /// Takes memory for a layer of bricks, which of a grid of nx x ny nodes has 33 of their layers, and a brick.

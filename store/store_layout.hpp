@@ -72,7 +72,7 @@ struct StepFile {
     std::uint64_t size = 0; ///< bytes
 };
 
-/// Numbers a node of a column: 0 is the velocity, then come the scalars.
+/// Returns the numbers a node of a column: 0 is the velocity, then come the scalars.
 inline std::size_t components_of(std::size_t column) {
     return column == 0 ? 3 : 1;
 }

@@ -48,10 +48,10 @@ class StoreReader final : public core::TimeStepSource, public core::ScalarSource
 
     const std::vector<double>& times() const override { return layout_.times; }
 
-    /// Which files it reads.
+    /// Returns the layout of the files it reads.
     const StoreLayout& layout() const { return layout_; }
 
-    /// Where its files are.
+    /// Returns the disk of its files.
     const std::shared_ptr<const core::Disk>& disk() const { return disk_; }
 
     bool ready(std::size_t index) const override;

@@ -20,8 +20,8 @@ namespace wakesurf::store {
 /// Thread safety: concurrent calls are fine.
 class StoreScalars final : public core::ScalarSource {
   public:
-    /// Without those whose velocities are not there any more. A families.json that cannot be read counts as
-    /// none.
+    /// Opens the scalars, without families of replaced velocities. A families.json that cannot be read counts
+    /// as none.
     static std::shared_ptr<const StoreScalars> open(std::shared_ptr<const StoreReader> reader,
                                                     std::shared_ptr<const core::Disk> disk);
 
@@ -36,7 +36,7 @@ class StoreScalars final : public core::ScalarSource {
     /// Returns the scalar's number. Error: NotFound, listing what there is.
     core::Result<std::size_t> find(std::string_view name) const;
 
-    /// Those at which a family has values; empty for what was imported, which has values at all.
+    /// Returns the times at which a family has values; empty for an imported scalar, which has values at all.
     std::vector<double> times_of(std::size_t scalar) const;
 
     const std::vector<double>& times() const override { return reader_->times(); }

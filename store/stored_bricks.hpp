@@ -53,7 +53,7 @@ class StoredBricks {
     /// Returns the brick that lies at a place.
     std::size_t brick_at(std::size_t place) const { return order_[place]; }
 
-    /// Numbers of a brick.
+    /// Returns the numbers of a brick.
     std::size_t values(std::size_t column) const {
         return bricks_.nodes_per_brick() * components_of(column);
     }
@@ -85,7 +85,7 @@ class StoredBricks {
     struct Known {
         BrickIndex index;
         core::FileIdentity file;
-        /// By place whether a brick has been checked; null without checksums.
+        /// The marks of checked bricks, by place; null without checksums.
         std::unique_ptr<std::atomic<bool>[]> checked;
     };
 

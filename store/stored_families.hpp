@@ -42,7 +42,7 @@ struct StoredFamily {
 core::Result<std::vector<StoredFamily>> read_families(const std::filesystem::path& folder,
                                                       const core::Disk& disk);
 
-/// Those of them, and those of their steps, that were traced through the velocities that are there now.
+/// Returns those families, and those of their steps, that were traced through the present velocities.
 std::vector<StoredFamily> current_families(std::vector<StoredFamily> families,
                                            const ValueMarks& now);
 

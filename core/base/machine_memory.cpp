@@ -37,7 +37,8 @@ bool among(const std::string& wanted, const std::string& list) {
     return std::find(all.begin(), all.end(), wanted) != all.end();
 }
 
-/// Where a hierarchy of control groups with the memory controller is mounted. (proc(5), /proc/self/mountinfo)
+/// The mount point of a hierarchy of control groups with the memory controller. (proc(5),
+/// /proc/self/mountinfo)
 struct Hierarchy {
     int version;
     fs::path top; ///< the group that is mounted, as /proc/self/cgroup names groups

@@ -109,7 +109,7 @@ struct MemoryAccount::State {
 
     bool fits(std::size_t more) const { return fits(more, used()); }
 
-    /// Until `more` fits, or the time is over. `stop` notifies as well.
+    /// Sleeps until `more` fits, or the time is over. `stop` notifies as well.
     void sleep(std::size_t more, const std::stop_token& stop, Clock::time_point until) {
         for (;;) {
             const auto seen = given_back.notifications();

@@ -95,7 +95,7 @@ class MemoryAccount {
         /// Grows like grow_to() within free memory: no holder is asked to release any.
         bool grow_within_free(std::size_t bytes, std::size_t leave = 0);
 
-        /// Nothing where it is smaller already.
+        /// Shrinks the share; does nothing if it is smaller already.
         void shrink_to(std::size_t bytes);
 
         /// Records what has been taken already, whether it fits or not.

@@ -1,5 +1,5 @@
-// Which nodes of a stored field make the value at a point, and how much of it each: what scalar fields are
-// sampled by.
+// The nodes of a stored field that make the value at a point, and the weight of each: scalar fields are
+// sampled by them.
 #pragma once
 
 #include "core/base/point_status.hpp"

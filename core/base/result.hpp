@@ -26,9 +26,9 @@ struct Error {
     Code code = Code::Io; ///< what kind of fault it is
     std::string message;  ///< one sentence for a person, without a server path
     std::string hint;     ///< what to do about it; may be empty
-    /// For a time-step that cannot be read: the time up to which the series can, in the direction of the run.
+    /// The time up to which a series with an unreadable time-step can be read, in the direction of the run.
     std::optional<double> readable_until{};
-    /// For OverLimit: the largest value allowed; empty if the machine's memory ran out.
+    /// The largest value allowed, for OverLimit; empty if the machine's memory ran out.
     std::optional<std::uint64_t> limit{};
 };
 

@@ -47,7 +47,7 @@ class BrickBytes {
         return at_[place.brick][place.node];
     }
 
-    /// By brick, as the batch kernel takes them.
+    /// Returns the bytes by brick, as the batch kernel takes them.
     const std::uint8_t* const* pointers() const { return at_.data(); }
 
     /// Returns the bytes of memory that it takes.

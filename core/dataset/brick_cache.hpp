@@ -37,7 +37,7 @@ class BrickCache {
   public:
     struct Options {
         std::size_t budget_bytes = std::size_t{4} << 30; ///< raised to smallest_budget()
-        /// With one the budget is smallest_budget(), which is taken at once, and whatever others leave free.
+        /// The account; with one the budget is smallest_budget(), taken at once, and what others leave free.
         std::optional<MemoryAccount> account{};
         /// Called from any thread, without the cache's lock, when the result of held() has changed.
         std::function<void()> changed{};

@@ -1,5 +1,5 @@
-// Which bricks of a time-step are in memory and where: what the brick cache fills and samplers read. See
-// step_nodes.hpp.
+// The bricks of a time-step that are in memory, and their addresses: filled by the brick cache, read by
+// samplers. See step_nodes.hpp.
 #pragma once
 
 #include <cstddef>
@@ -35,12 +35,12 @@ class BrickTable {
         return __atomic_load_n(at_.get() + brick, __ATOMIC_ACQUIRE);
     }
 
-    /// From now on the brick is there, or, null, it is not.
+    /// Sets the values of a brick; null removes it.
     void put(std::size_t brick, const float* values) {
         __atomic_store_n(at_.get() + brick, values, __ATOMIC_RELEASE);
     }
 
-    /// When a brick was used last.
+    /// Returns the time of a brick's last use.
     Age used(std::size_t brick) const {
         return __atomic_load_n(used_.get() + brick, __ATOMIC_RELAXED);
     }

@@ -1,5 +1,5 @@
-// Which cells of a mesh lie beyond which faces: found from the nodes that faces share. The importer fills the
-// mesh with this and then says which of the faces left over are walls.
+// The neighbours of cells across faces, found from the nodes that faces share. The importer fills the mesh
+// with them and then decides which of the remaining faces are walls.
 #pragma once
 
 #include "core/dataset/cell_mesh.hpp"

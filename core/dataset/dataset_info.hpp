@@ -19,11 +19,11 @@ enum class Precision : std::uint8_t { Single, Half };
 
 /// Describes an array of a dataset.
 struct FieldInfo {
-    /// Where the source has its values.
+    /// The place of values in the source.
     enum class Source { Point, Cell };
     std::string name;   ///< as the source calls it
     int components = 1; ///< numbers a node: 1 of a scalar, 3 of a vector
-    /// Where its source has the values; in memory they are at the nodes.
+    /// The place of its values in the source; in memory they are at the nodes.
     Source source = Source::Point;
     std::array<double, 2> range{
         0.0, 0.0};       ///< over what has been read so far; of the magnitude for vectors

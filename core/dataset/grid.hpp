@@ -16,7 +16,7 @@ using Grid = std::variant<UniformGrid, RectilinearGrid, CellMesh>;
 std::size_t node_count(const Grid& grid);
 std::size_t cell_count(const Grid& grid);
 
-/// Where a node of the values in memory is. REQUIRES: node < node_count(grid).
+/// Returns the position of a node of the values in memory. REQUIRES: node < node_count(grid).
 Vec3 node_position(const Grid& grid, std::size_t node);
 
 /// Returns the bytes of its arrays.

@@ -1,4 +1,4 @@
-// Which nodes of a uniform or a rectilinear grid lie inside an obstacle. The wall is where the trilinear
+// The nodes of a uniform or a rectilinear grid that lie inside an obstacle. The wall is where the trilinear
 // fluid fraction falls below one half: midway between a fluid and a solid node.
 #pragma once
 
@@ -17,7 +17,7 @@ struct SolidMask {
     std::vector<std::uint8_t> fluid;                    ///< in one piece, x fastest
     std::shared_ptr<const BrickBytes> bricks = nullptr; ///< of a grid in bricks
 
-    /// Nothing is solid.
+    /// Says whether no node is solid.
     bool empty() const { return fluid.empty() && bricks == nullptr; }
 
     /// @param node   its place on each axis

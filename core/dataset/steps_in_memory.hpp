@@ -11,7 +11,7 @@
 
 namespace wakesurf::core {
 
-/// Nothing is loaded: the cache above it hands out what is here. Thread safety: concurrent calls are fine.
+/// A source that loads nothing: all its steps are in memory. Thread safety: concurrent calls are allowed.
 class StepsInMemory final : public TimeStepSource {
   public:
     /// The velocity at every node of the grid at one time: x, y and z of the first node (node_position), then

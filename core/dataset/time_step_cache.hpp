@@ -27,8 +27,8 @@ class TimeStepCache {
     struct Options {
         std::size_t budget_bytes = std::size_t{4} << 30; ///< raised to smallest_budget() if smaller
         std::size_t load_threads = 1; ///< time-steps that are read at the same time
-        /// With one the budget is smallest_budget(), which is taken at once, and whatever others leave free;
-        /// that is given back when they need it.
+        /// The account; with one the budget is smallest_budget(), which is taken at once, and whatever others
+        /// leave free; the latter is released when they need it.
         std::optional<MemoryAccount> account{};
         bool by_brick = false; ///< where the source has bricks, also if four time-steps fit
     };

@@ -39,7 +39,7 @@ class TimeStepSource {
     virtual Result<std::shared_ptr<const TimeStep>> load(std::size_t index,
                                                          std::stop_token stop) const = 0;
 
-    /// Its time-steps brick by brick, where they can be had so; lives as long as the source.
+    /// Returns the time-steps brick by brick, if they exist so, else null; lives as long as the source.
     virtual const BrickSource* bricks() const { return nullptr; }
 
     /// Returns the memory that it keeps for the next load to the system.

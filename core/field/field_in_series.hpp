@@ -12,7 +12,7 @@
 
 namespace wakesurf::core {
 
-/// Its curves and particles go cell by cell, unless RK4 is asked for.
+/// A field whose curves and particles go cell by cell, unless RK4 is asked for.
 template <class Field>
 concept FieldInSeries = requires {
     &Field::series_steps;

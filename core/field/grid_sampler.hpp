@@ -216,7 +216,7 @@ struct GridSampler {
         return zero != 0.0f;
     }
 
-    /// Where a cell's values are in a time-step: its lowest node, and from there.
+    /// The place of a cell's values in a time-step: its lowest node, and from there.
     struct StoredCell {
         std::size_t brick;
         std::size_t node; ///< in the brick

@@ -12,7 +12,7 @@
 namespace wakesurf::core {
 
 struct Interval {
-    /// Is null unless asked for, and at the start of the series.
+    /// The time-step before the interval; null unless asked for, and at the start of the series.
     std::shared_ptr<const TimeStep> before;
     std::shared_ptr<const TimeStep> first;
     std::shared_ptr<const TimeStep> second; ///< null where one time-step is all that is needed

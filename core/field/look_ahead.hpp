@@ -1,6 +1,6 @@
-// Which bricks particles come to next, by large steps. A front meets one new brick at a time: with what lies
-// ahead brought along, a streak surface has fewer rounds of misses an interval. A hint: it changes when
-// bricks are read, never what is made of them.
+// The bricks that particles come to next, by large steps. A front meets one new brick at a time: with the
+// next ones read ahead, a streak surface has fewer rounds of misses an interval. A hint: it changes when
+// bricks are read, never the results.
 #pragma once
 
 #include "core/field/cubic_sampler.hpp"

@@ -21,7 +21,7 @@ constexpr std::size_t places = 7; ///< a point and its neighbours: below and abo
 
 constexpr int halvings = 6; ///< of the step, where the flow is thinner than it
 
-/// Where the velocity is asked for, for each of some points.
+/// The places at which the velocity is sampled, for each of some points.
 struct Star {
     std::array<Vec3, places> at;
     std::array<bool, places> inside{}; ///< the place is in the flow

@@ -29,7 +29,7 @@ enum class GradientField : std::uint8_t {
 inline constexpr std::array<std::string_view, 5> gradient_field_names{
     "vorticity", "vorticity_x", "vorticity_y", "vorticity_z", "q_criterion"};
 
-/// By the names that files and frames have for it.
+/// Returns the field that files and frames call so; empty if there is none.
 std::optional<GradientField> find_gradient_field(std::string_view name);
 
 /// One list of values a field, nothing sampled where there is none. The vorticity is curl v, of which there

@@ -128,7 +128,7 @@ inline void take_step(Curve& curve, const CurveStep& step, double theta) {
         curve.last.stretch = curve.stretches.back().at(theta);
 }
 
-/// Where steps stand between two of them, for curves that wait for values there.
+/// The type of the place between two steps, for curves that wait for values there.
 template <class Steps>
 struct WaypointOf {
     using Type = std::monostate;

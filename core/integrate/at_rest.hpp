@@ -1,6 +1,6 @@
-// Why a particle that has come to rest ends. Beside a body that holds the fluid, velocity falls to zero with
-// the distance: a particle on its way there slows down for ever and meets no face. What stopped it is the
-// wall, so it ends as those do that meet one.
+// The reason why a particle at rest ends. Beside a body that holds the fluid, velocity falls to zero with the
+// distance: a particle on its way there slows down for ever and meets no face. The wall has stopped it, so it
+// ends like the particles that meet one.
 #pragma once
 
 #include "core/base/vec3.hpp"

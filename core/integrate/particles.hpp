@@ -41,7 +41,7 @@ struct Particles {
 
 /// Options of carrying particles.
 struct AdvanceOptions {
-    /// Is how the steps are taken.
+    /// The type of the methods.
     using Method = IntegrationMethod;
     /// The method of the steps. Through stored data that are linear, Dopri5 takes one Taylor series a cell of
     /// the same tolerance, as in TraceOptions.

@@ -70,7 +70,7 @@ State dopri5_error(const Dopri5Stages<State>& k) {
            17253.0 / 339200 * k.k5 + 22.0 / 525 * k.k6 - 1.0 / 40 * k.k7;
 }
 
-/// By how much the next step may be longer than one with this error; what is not a number makes it shorter.
+/// Returns the factor by which the next step may be longer than one with this error; NaN makes it shorter.
 inline double step_scale(double allowed, double error) {
     if (error == 0.0)
         return 5.0;

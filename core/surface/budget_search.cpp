@@ -10,7 +10,7 @@ namespace {
 
 // The first trial may take this part of the budget.
 constexpr double first_trial = 1.0 / 24.0;
-/// Until one is counted: it is not known how much too many they are.
+/// The most of the budget, until a surface is counted: before that the excess is unknown.
 constexpr double most_at_first = 1.0 / 4.0;
 constexpr double last_trial = 0.33;
 constexpr double near_enough = 0.2; ///< for extrapolating from few counts

@@ -36,7 +36,7 @@ class BudgetSearch {
     /// Takes the number of quads of the last trial. Returns true if this surface is the one to keep.
     bool built(std::uint64_t quads);
 
-    /// From now on the finest surface counted is good enough.
+    /// Accepts the finest surface counted from now on.
     void settle();
 
     /// Records that the trial was abandoned, or would have been.
@@ -60,7 +60,7 @@ class BudgetSearch {
     /// Returns the exponent of the power law between separation and quads.
     double exponent() const;
 
-    /// Where that law, from the finest surface counted, has so many quads.
+    /// Returns the separation at which that law, from the finest surface counted, has so many quads.
     double separation_of(double quads, double at_least) const;
 
     double requested_;

@@ -27,8 +27,8 @@ struct Circle {
     double radius() const { return glm::length(u); }
 };
 
-/// From which turn to which; the second is above 1 where the arc goes past the circle's beginning. {0, 1}:
-/// all of it.
+/// The beginning and end of an arc, in turns; the second is above 1 if the arc goes past the circle's
+/// beginning. {0, 1} is the whole circle.
 using Arc = std::array<double, 2>;
 
 /// The longest part of a circle inside a box, its ends in it as well. Nothing: no part.

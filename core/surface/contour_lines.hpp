@@ -15,7 +15,7 @@ namespace wakesurf::core {
 struct ContourLine {
     double value = 0.0;  ///< of the parameter
     bool closed = false; ///< it ends where it begins
-    /// At least two points, no two neighbours the same; a closed line does not repeat its first.
+    /// The line: at least two points, no two neighbours the same; a closed one does not repeat its first.
     std::vector<Vec3> points;
     std::vector<double> carried{}; ///< ContourOptions::carried at each of them
 };

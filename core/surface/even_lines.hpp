@@ -12,8 +12,8 @@
 
 namespace wakesurf::core {
 
-/// At every vertex, how far it is on the surface from one value of a parameter to the next whole one: the
-/// inverse of its gradient along the surface. Infinite where the parameter does not change. Cost: O(cells).
+/// Returns for every vertex the distance on the surface from one value of a parameter to the next whole one:
+/// the inverse of its gradient along the surface. Infinite where it does not change. Cost: O(cells).
 std::vector<double>
 lengths_per_unit(const QuadComplex& mesh, std::span<const double> parameter, bool wraps);
 

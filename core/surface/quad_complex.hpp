@@ -84,7 +84,7 @@ struct StatedError {
     bool operator==(const StatedError&) const = default;
 };
 
-/// Nothing where no errors are estimated.
+/// Returns the stated error; empty if no errors are estimated.
 std::optional<StatedError> stated_error(const QuadComplex& complex, double separation);
 
 /// Returns the length of the longest sub-edge (sides cut at their mid nodes).

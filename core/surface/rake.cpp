@@ -66,7 +66,7 @@ Result<ClippedRake> clip_circle(Rake rake, const Box& domain) {
     return ClippedRake{rake, !rake.closed()};
 }
 
-/// Why a rake cannot be one, or an empty string.
+/// Returns why a rake is invalid, or an empty string.
 std::string fault(const Rake& rake) {
     if (!std::all_of(rake.points.begin(), rake.points.end(), finite))
         return "a rake point is not finite";

@@ -12,7 +12,7 @@
 
 namespace wakesurf::core {
 
-/// Where particles are released.
+/// A set of points from which particles are released.
 struct Rake {
     /// The meaning of its points.
     enum class Kind { Line, Polyline, Circle, Points };

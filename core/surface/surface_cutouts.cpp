@@ -132,7 +132,7 @@ double box_size(const QuadComplex& mesh) {
                : std::max(sum / static_cast<double>(mesh.cells.size()), largest / 16.0);
 }
 
-/// Where an arrow begins.
+/// The beginning of an arrow.
 struct Anchor {
     Vec3 position, direction;
     double s, unit; ///< how long a unit of s is there

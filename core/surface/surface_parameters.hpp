@@ -48,7 +48,7 @@ struct SurfaceParameters {
     /// surface. 0: only a particle that does not move at all. Default: such a particle moves 1/15 of a
     /// lattice step (domain / 65,536) while the fastest crosses the domain, which is invisible.
     double stagnation_speed = 1e-6;
-    /// With Off, `merge`, `angle` and `separation` across the flow count for nothing.
+    /// The refinement. With Off, `merge`, `angle` and `separation` across the flow are ignored.
     Refine refine = Refine::On;
     std::uint64_t max_quads = 1'000'000; ///< the separation gives way where more would be needed
     /// Computes the deformation array: that of stream and path surfaces takes time.

@@ -12,7 +12,7 @@
 
 namespace wakesurf::core {
 
-/// Why there is nothing to see of a surface, in words for people.
+/// The reason why there is nothing to see of a surface, in words for people.
 struct Emptiness {
     /// The reasons by which a program decides.
     enum class Reason {
@@ -72,7 +72,7 @@ struct SurfaceStatistics {
     std::uint64_t vertex_steps = 0;         ///< integrator steps of all columns
     std::uint64_t approximated = 0;         ///< vertices that are interpolated
     Terminated terminated;                  ///< what ended its particles
-    /// For a level surface: the range of its field at that time.
+    /// The range of a level surface's field at that time.
     std::optional<std::array<double, 2>> field_range{};
     /// Cells of a streak or time surface that were deleted among living particles, until then: these diverged
     /// or converged so much that no cells between them can follow.
@@ -82,8 +82,8 @@ struct SurfaceStatistics {
     double requested_separation = 0;    ///< the one asked for
     Seconds seconds;                    ///< what it took
     std::optional<StatedError> error{}; ///< nothing: none was estimated
-    /// For a path surface of both directions: the time at which the data begin, if that cuts its backward
-    /// side short.
+    /// The time at which the data begin, if that cuts the backward side of a path surface of both directions
+    /// short.
     std::optional<double> data_end{};
 
     /// The quad budget did not allow the separation asked for.

@@ -30,7 +30,7 @@ std::vector<Vec3> wall_normals(const QuadComplex& wall) {
     return sums;
 }
 
-/// In the domain where `from` is: what goes out through its border goes along that.
+/// Keeps a place in the domain, in which `from` is: a path that leaves through its border goes along that.
 Vec3 kept_in(const Box& box, const Vec3& from, const Vec3& place) {
     Vec3 kept = place;
     for (int axis = 0; axis < 3; ++axis)

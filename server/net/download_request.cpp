@@ -68,7 +68,7 @@ core::Result<void> read_tessellate(const std::string& text, DownloadRequest& out
     return {};
 }
 
-/// Which lines exist depends on the surface's kind, which is not known yet.
+/// The valid lines depend on the surface's kind, which is not known yet.
 core::Result<void> read_lines_text(const std::string& text, DownloadRequest& out) {
     if (out.format == protocol::MeshFormat::Drc)
         return fail(Error::Code::InvalidArgument, "lines cannot be written as .drc",

@@ -46,7 +46,7 @@ class BoxTree {
         return descend([&](const Node& node) { return overlaps(node, lo, hi); }, visit);
     }
 
-    /// Those that may contain a point.
+    /// Visits the boxes that may contain a point.
     template <class Visit>
     bool visit(const Vec3& p, const Visit& visit) const {
         // Rounding to nearest is monotonic: a point inside a box stays inside the rounded one.

@@ -48,8 +48,8 @@ class CellCursor {
         status_ = PointStatus::OutsideDomain;
     }
 
-    /// Where the last point is, or for one outside the nearest place in the last cell. `nowhere` before the
-    /// first.
+    /// Returns the cell of the last point, or for one outside that of the nearest place in the last cell. It
+    /// is `nowhere` before the first.
     std::uint32_t cell() const { return cell_; }
 
     const Vec3& local() const { return local_; }
@@ -83,8 +83,8 @@ class CellCursor {
         return walk(p, u, usable, true);
     }
 
-    /// From the present cell, where `p` is at `u`, outside. @param elsewhere  false: the locator knows it in
-    /// no cell
+    /// Walks from the present cell, where `p` is at `u`, outside. @param elsewhere  false: the locator knows
+    /// it in no cell
     template <class Usable>
     PointStatus walk(const Vec3& p, Vec3 u, const Usable& usable, bool elsewhere) {
         PointStatus beyond = PointStatus::OutsideDomain;

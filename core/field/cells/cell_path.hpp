@@ -25,7 +25,7 @@ struct CellVelocity {
     double rate;                  ///< parts of the interval a unit of the path's time
 };
 
-/// From `p`, which is at `u` in the cell. @param sign  +1 downstream, -1 upstream
+/// Computes the path from `p`, which is at `u` in the cell. @param sign  +1 downstream, -1 upstream
 inline CellPath cell_path(CellGeometry& geometry,
                           const CellVelocity& velocity,
                           const Vec3& p,
@@ -86,8 +86,8 @@ inline CellPath cell_path(CellGeometry& geometry,
     return path;
 }
 
-/// When a path is a little beyond a face of its cell, far enough to be found in the next one; infinite: not
-/// at all, as far as the series' first three terms tell.
+/// Returns the time at which a path is a little beyond a face of its cell, far enough to be found in the next
+/// one; infinite if the series' first three terms never reach it.
 inline double leaves_cell(CellShape shape, const PathSeries& local) {
     constexpr double beyond =
         1e-7; // of a cell: what the field's kink there turns the path by is its square

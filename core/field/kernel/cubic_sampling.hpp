@@ -151,7 +151,7 @@ class BrickBlocks {
     std::int64_t slice(std::size_t lane) const { return brought(lane) ? 48 : slice_; }
 
   private:
-    /// Which of KeptBricks::slot is the time-step before, the pair's, and after.
+    /// The indices into KeptBricks::slot of the time-step before, the pair's, and after.
     static constexpr std::size_t in_order[4] = {Times == 1 ? 0 : 2, 0, 1, 3};
 
     static bool in_one(const StoredPair& field, const float (&first)[3]) {

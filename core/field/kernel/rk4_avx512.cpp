@@ -178,7 +178,7 @@ struct Avx512Lanes {
         friend Floats operator*(Floats a, Floats b) { return {_mm512_mul_ps(a.v, b.v)}; }
 
       private:
-        /// Numbers of A and B, in each four elements twice.
+        /// Loads numbers of A and B, in each four elements twice.
         static __m512 pair_of(const float* number) {
             return _mm512_broadcast_f32x2(
                 _mm_castsi128_ps(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(number))));

@@ -44,7 +44,7 @@ struct StoredStates {
     const std::uint8_t* const* bricks; ///< by brick, then its node
 };
 
-/// Where cells are in bricks. Vectors are x, y, z.
+/// The places of cells in bricks. Vectors are x, y, z.
 struct BrickPlaces {
     const float* zeros; ///< in place of a brick that is missing
     std::uint16_t age;  ///< for those that are used
@@ -98,7 +98,7 @@ struct KeptBricks {
     std::uint64_t absent = 0;  ///< a bit a lane: its brick is missing
     /// The first cell after the brick on each axis; 0: none is kept.
     alignas(64) float beyond[3][lanes] = {};
-    /// By slot the place of the node there, were it in the brick, in floats from BrickPlaces::zeros.
+    /// The place of the node there by slot, were it in the brick, in floats from BrickPlaces::zeros.
     alignas(64) std::int64_t end[4][lanes];
 
     // Tell cubics where nodes of several bricks were brought together.
@@ -125,7 +125,7 @@ struct Rk4Batch {
     alignas(64) double taken[most] = {}; ///< steps
     alignas(64) double steps[most] = {}; ///< to take
 
-    /// For the smooth field: the shares of the four time-steps at the step's start, middle and end.
+    /// The shares of the four time-steps of the smooth field at the step's start, middle and end.
     alignas(64) float share[3][4][most] = {};
 
     /// 0 for one step; else the number of steps taken at once, all of particles that have the same start, dt

@@ -85,7 +85,7 @@ class Rk4KernelOf {
             sampling.sample(i).value.store(batch_.velocity[i]);
     }
 
-    /// From the places where the particles are. @param next may be where they are now
+    /// Takes a step from the places where the particles are. @param next may be where they are now
     void step(double (&next)[3][most], double (&next_tangent)[most][8]) {
         stay();
         if constexpr (Tangents)
@@ -186,7 +186,7 @@ class Rk4KernelOf {
                     .store(next_tangent[w / 8] + w % 8);
     }
 
-    /// At the places that were taken last.
+    /// Tests for walls at the places that were taken last.
     void look_for_walls() {
         const Floats none = Floats::all(0.0f);
         for (std::size_t g = 0; g < end_; g += Floats::size)

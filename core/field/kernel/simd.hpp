@@ -1,4 +1,4 @@
-// Which of a processor's vectors the kernels may use.
+// The vector instructions of a processor that the kernels may use.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Why a surface shows nothing: found out afterwards, from the rake, the field there and what became of the
-// particles.
+// The reason why a surface shows nothing: found afterwards, from the rake, the field there and the fate of
+// the particles.
 #pragma once
 
 #include "core/base/result.hpp"

@@ -183,7 +183,7 @@ Result<Bare> build_within_budget(const SurfacePlan& plan,
     return cannot_be_coarser(p.max_quads, search.coarsest());
 }
 
-/// Its grid stays as it begins.
+/// Builds a surface whose grid stays as it begins.
 Result<Bare> build_fixed(const SurfacePlan& plan,
                          const Clock& clock,
                          const std::stop_token& stop,

@@ -25,7 +25,7 @@ std::vector<float> deformation_of(const SheetMesh& mesh,
     return result;
 }
 
-/// Which of the names it is; their number where it is none.
+/// Returns the index of a name among the names; their number if it is none of them.
 template <std::size_t Count>
 std::size_t place_in(const std::array<std::string_view, Count>& names, std::string_view name) {
     return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());

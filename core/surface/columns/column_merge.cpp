@@ -303,7 +303,7 @@ class ColumnMerger {
     std::vector<Cell>& cells_;
     std::span<const Vec3> position_;
     MergeLimits limits_;
-    /// By vertex the cell left of the column's segment that begins there.
+    /// The cell left of the column's segment that begins at a vertex.
     std::vector<std::uint32_t> on_left_;
     std::vector<std::uint32_t> on_right_; ///< and the one to its right
     std::vector<Row> rows_;

@@ -16,13 +16,13 @@ namespace {
 
 constexpr std::size_t knot_steps = 4; ///< between two tests of the neighbours
 
-/// Where a particle is at a time and how fast, at the start of a step.
+/// The place of a particle at a time and its velocity, at the start of a step.
 struct CurveState {
     double time;
     Vec3 position, velocity;
 };
 
-/// At the end of the curve's first `steps` steps.
+/// Returns the state at the end of the curve's first `steps` steps.
 CurveState state_after(const Curve& curve, std::size_t steps) {
     if (steps < curve.steps.size()) {
         const CurveStep& step = curve.steps[steps];

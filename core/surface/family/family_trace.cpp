@@ -53,7 +53,7 @@ class NodesOnTheirWay {
             });
     }
 
-    /// Where each meets the source; nothing where it does not.
+    /// Returns the place where each meets the source; empty if it does not.
     const std::vector<std::optional<Vec3>>& source() const { return source_; }
 
     NodeFate fate(std::size_t i) const { return fate_[i]; }

@@ -27,7 +27,7 @@ struct HeightAlong {
         return c[0] + theta * (c[1] + other * (c[2] + theta * (c[3] + other * c[4])));
     }
 
-    /// Where it is 0 between two places with different signs.
+    /// Returns where it is 0 between two places with different signs.
     double root(double low, double high) const {
         const bool rising = at(low) < at(high);
         for (int halving = 0; halving < 60 && low < high; ++halving) {

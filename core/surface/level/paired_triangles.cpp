@@ -18,8 +18,8 @@ constexpr double flat_enough = 0.95;
 constexpr double least_turn = 0.05;
 constexpr std::size_t grades = 1024; ///< of quads, as good as each other within one
 
-/// Numbers below `size` in the order of their keys, those of one key as they come. @param key  of a number,
-/// below `keys`
+/// Returns the numbers below `size` in the order of their keys, those of one key in ascending order.
+/// @param key  of a number, below `keys`
 template <class Key>
 std::vector<std::uint32_t> in_order(std::size_t size, std::size_t keys, const Key& key) {
     std::vector<std::uint32_t> place(keys + 1, 0);
@@ -149,7 +149,7 @@ class TrianglePairing {
         return longest;
     }
 
-    /// Where both that share a side would cut it, they share its middle.
+    /// Cuts the remaining triangles; if both triangles at a side would cut it, they share its middle.
     void cut_what_is_left() {
         struct Cut {
             std::uint32_t side, middle;
@@ -181,7 +181,7 @@ class TrianglePairing {
                 hang(cut.middle, other);
     }
 
-    /// On the side of the cell that the triangle beyond has become.
+    /// Hangs a vertex on the side of the cell that the triangle beyond has become.
     void hang(std::uint32_t vertex, std::uint32_t side) {
         const std::uint32_t a = corner(side / 3, side % 3), b = corner(side / 3, side % 3 + 1);
         Cell& cell = cells_[cell_of_[side / 3]];

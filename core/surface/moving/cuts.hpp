@@ -1,4 +1,4 @@
-// Which edges of a moving surface are to be cut, in what order.
+// The edges of a moving surface to be cut, and their order.
 #pragma once
 
 #include "core/surface/moving/refinement_context.hpp"

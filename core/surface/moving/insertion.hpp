@@ -19,8 +19,8 @@ struct EdgeCubic {
     Carried a, b; ///< at its ends
     ParameterStep step;
 
-    /// At `part` of the way; on the chord where the cubic would bulge by more than a quarter of it. Of the
-    /// tangents only the slope along the edge is of the cubic's order.
+    /// Returns the point at `part` of the way; on the chord if the cubic would bulge by more than a quarter
+    /// of it. Of the tangents only the slope along the edge is of the cubic's order.
     Carried at(double part) const;
 
     /// Derivative along the edge, by the part of the way, where the tangents are these.

@@ -271,7 +271,7 @@ bool MaterialTriangles::collapsible(VertexId gone,
             beyond_boundary(gone, ring, kept) == beyond_boundary(kept, others, gone));
 }
 
-/// Where the boundary through v leads that does not lead to `other`. @param ring  v's, open
+/// Returns the end of the boundary edge at v that does not lead to `other`. @param ring  v's, open
 VertexId MaterialTriangles::beyond_boundary(VertexId v,
                                             std::span<const TriangleId> ring,
                                             VertexId other) const {

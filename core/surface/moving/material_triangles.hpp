@@ -23,11 +23,11 @@ struct Triangle {
     static constexpr std::uint8_t alone = 3;
 
     std::array<VertexId, 3> vertex; ///< slots
-    /// At [k] the triangle beyond the edge from vertex[k] to vertex[k + 1].
+    /// The triangle beyond the edge from vertex[k] to vertex[k + 1], at index k.
     std::array<TriangleId, 3> across{no_triangle, no_triangle, no_triangle};
     std::uint32_t quad = 0; ///< what the pair is called; never used again within a surface
-    /// For an odd triangle, which has no other half: a vertex in the middle of its edge `mate`, so that it
-    /// can be handed out as a quad.
+    /// A vertex in the middle of the edge `mate` of an odd triangle, which has no other half, so that it can
+    /// be handed out as a quad.
     VertexId hanging = no_vertex;
     /// The edge across which the other half of the quad is; `alone` without one.
     std::uint8_t mate = alone;
@@ -70,7 +70,7 @@ class MaterialTriangles {
     /// REQUIRES: !unused(v).
     bool fan(VertexId v, std::vector<TriangleId>& out) const;
 
-    /// Which edge of the triangle beyond edge k of `t` is the same edge. REQUIRES: there is one.
+    /// Returns which edge of the triangle beyond edge k of `t` is the same edge. REQUIRES: there is one.
     unsigned facing(TriangleId t, unsigned k) const {
         return slots_[slots_[t].across[k]].edge_from(slots_[t].end(k));
     }

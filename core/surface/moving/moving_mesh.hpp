@@ -62,7 +62,7 @@ inline std::size_t memory_of(const MovingMesh& mesh) {
 /// A vertex takes so many bytes more while the mesh to show is made.
 inline constexpr std::size_t shown_bytes = 250;
 
-/// With what a step takes besides: the looks at triangles, samples, an array that grows.
+/// Returns the memory with that of a step: tests of triangles, samples, an array that grows.
 /// @param cuts  as many edges are about to be cut: each becomes two triangles and a vertex more
 inline std::size_t memory_while_moving(const MovingMesh& mesh, std::size_t cuts = 0) {
     const std::size_t kept = memory_of(mesh) + cuts * (2 * sizeof(Triangle) + vertex_bytes);

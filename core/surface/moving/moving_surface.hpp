@@ -71,7 +71,7 @@ class MovingSurface {
 
     double time() const { return state_.mesh.time; }
 
-    /// Where `to` lies in the surface's direction.
+    /// Returns `to` in the surface's direction of time.
     double end_time() const { return state_.plan->end; }
 
     const MovingState& state() const { return state_; }

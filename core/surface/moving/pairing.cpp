@@ -254,8 +254,8 @@ class Pairing {
     std::vector<TriangleId> from_;        ///< and from which triangle
 };
 
-/// Its longest edge that is not the rake's, of those whose middle is in the fluid if there is one: what is
-/// only drawn there is not to be in a body that the edge goes along.
+/// Returns its longest edge that is not the rake's, of those whose middle is in the fluid if there is one: a
+/// middle that is only drawn must not be in a body that the edge goes along.
 unsigned side_to_halve(const RefinementContext& context, TriangleId t) {
     const MovingMesh& mesh = context.mesh;
     const Triangle& here = mesh.triangles[t];

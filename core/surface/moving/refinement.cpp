@@ -50,7 +50,7 @@ bool Refinement::wants_trace(const MovingMesh& mesh, VertexId made) const {
                               flow_.status(mesh.vertices.position[made]) != PointStatus::Inside);
 }
 
-/// Its error in any direction; a number that is none counts as too large.
+/// Returns its error in any direction; NaN counts as too large.
 double Refinement::distance(const MovingMesh& mesh, VertexId v) const {
     const double error = mesh.vertices.error[v].apart.length(mesh.vertices.tangents(v));
     return error >= 0.0 ? error : std::numeric_limits<double>::infinity();

@@ -1,4 +1,4 @@
-// When a moving surface's edges are cut, joined or torn.
+// The rules for cutting, joining and tearing a moving surface's edges.
 #pragma once
 
 #include <cstdint>

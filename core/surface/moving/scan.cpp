@@ -20,7 +20,7 @@ namespace {
 /// The period, in steps, of testing unchanged triangles for joining and a better other half.
 constexpr std::uint64_t turns = 12;
 
-/// Where normals differ by more, the corners of the quad are not the sums of its triangles' angles.
+/// If normals differ by more, the corners of the quad are not the sums of its triangles' angles.
 constexpr float flat = 0.9f;
 constexpr float poor_corner = 0.31f; ///< sine; with room above that of pairs that are poor
 constexpr float open_corner = 0.6f;  ///< cotangent: 59 degrees, with room above is_diagonal()'s

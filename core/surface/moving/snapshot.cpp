@@ -81,7 +81,7 @@ std::vector<Named> vertices_of(const MovingMesh& mesh, std::span<const Triangle>
     return vertices;
 }
 
-/// Which of a quad's corners was released last. No two have the same s and t.
+/// Returns the corner of a quad that was released last. No two have the same s and t.
 std::size_t youngest(const MovingMesh& mesh, const Corners& corner) {
     const MaterialVertices& v = mesh.vertices;
     const auto younger = [&](std::size_t i, std::size_t k) {

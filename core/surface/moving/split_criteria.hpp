@@ -1,5 +1,5 @@
-// Which edges of a moving surface must be cut, and where it is torn instead: divergence, obstacles,
-// curvature, discontinuity.
+// The edges of a moving surface that must be cut, and those at which it is torn instead: divergence,
+// obstacles, curvature, discontinuity.
 // Source: McLoughlin, Laramee, Zhang, SCCG 2010; discontinuity by seed distance: Garth et al. 2008.
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace wakesurf::core {
 
-/// Why an edge must be cut, the most pressing reason.
+/// The most pressing reason to cut an edge.
 enum class Fault : std::uint8_t { None, Long, Wall, Bulge };
 
 Fault fault_of(const RefinementContext& context, VertexId a, VertexId b);

@@ -22,7 +22,7 @@ class StepErrors {
     /// with such steps.
     void begin(double h);
 
-    /// Nothing is known of steps as long as `h`.
+    /// Says that nothing is known of steps as long as `h`.
     bool too_long(double h) const { return h > 1.1 * step_; }
 
     void learn(const Vec3& position, double rate);
@@ -30,7 +30,7 @@ class StepErrors {
     /// Returns the error learnt near by; elsewhere the largest that is known.
     double at(const Vec3& position) const;
 
-    /// From one end of the domain to the other.
+    /// Returns the distance from one end of the domain to the other.
     double largest_distance() const { return widest_; }
 
     std::size_t bytes() const { return rate_.capacity() * sizeof(float); }

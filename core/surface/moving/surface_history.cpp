@@ -43,7 +43,7 @@ void SurfaceHistory::thin() {
     }
 }
 
-/// To the last state of the uninterrupted run that is not after `time`.
+/// Goes to the last state of the uninterrupted run that is not after `time`.
 Result<void> SurfaceHistory::go_to(double time, const std::stop_token& stop, const WorkPart& work) {
     const auto after = checkpoints_.upper_bound(since_start(time));
     const MovingState& nearest = std::prev(after)->second;

@@ -33,7 +33,7 @@ class SurfaceHistory {
     /// Returns the statistics of what at() gave last; seconds are of the steps that are kept.
     const SurfaceStatistics& statistics() const { return statistics_; }
 
-    /// Where the steps have led, at or before what at() gave last.
+    /// Returns the state that the steps have reached, at or before the last result of at().
     const MovingSurface& surface() const { return surface_; }
 
   private:

@@ -67,7 +67,7 @@ class Onlooker {
     }
 
   private:
-    /// At [k] the value of the edge from corner k, or at the corner.
+    /// The value of the edge from corner k, or at the corner, at index k.
     struct Corners {
         std::array<Floats, 3> x, y, z, ds, dt;
         std::array<std::array<Floats, 3>, 6> tangent; ///< along_s, along_t

@@ -108,7 +108,7 @@ inline bool has_attached_vertex(const MovingMesh& mesh, TriangleId t) {
                        [&](VertexId x) { return mesh.vertices.role[x] == VertexRole::Attached; });
 }
 
-/// On the border of the parameter rectangle, as opposed to a tear or the place where particles have ended.
+/// Says whether an edge is on the border of the parameter rectangle, not at a tear or where particles ended.
 inline bool on_rectangle_border(const MovingMesh& mesh, VertexId a, VertexId b) {
     const MaterialVertices& v = mesh.vertices;
     if (v.role[a] == VertexRole::Attached || v.role[b] == VertexRole::Attached)

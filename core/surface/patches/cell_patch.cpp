@@ -90,7 +90,7 @@ std::uint32_t CellPatch::flat_curves() const {
     return flat;
 }
 
-/// Its axes are along a diagonal and across it.
+/// Lays a plane whose axes are along a diagonal and across it.
 bool CellPatch::lay_plane() {
     std::array<Vec3, 4> corner;
     for (std::size_t k = 0; k < 4; ++k)
@@ -117,7 +117,7 @@ bool CellPatch::lay_plane() {
     return true;
 }
 
-/// Its values there, and its slopes where the tangents tell them.
+/// Fits the values at a vertex, and the slopes if it has tangents.
 void CellPatch::fit_vertex(PlaneCubicFit& fit,
                            const SideCurves& curves,
                            const PatchPoint& at,

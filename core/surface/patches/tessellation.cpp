@@ -201,7 +201,8 @@ class Cutter {
         return in_cells_ + (c * (n_ - 1) + (j - 1)) * (n_ - 1) + (i - 1);
     }
 
-    /// To what its outline has; each piece of a side has a place for either cell beside it.
+    /// Adds normals to the vertices of its outline; each piece of a side has a place for either cell beside
+    /// it.
     void add_normals(std::size_t c, const CellPatch& patch, const std::array<Run, 4>& runs) {
         std::uint32_t vertex = 0;
         for (std::size_t k = 0; k < 4; ++k) {

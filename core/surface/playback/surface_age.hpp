@@ -10,7 +10,7 @@ namespace wakesurf::core {
 /// Says whether it looks different at different times of a clock.
 bool moves(const SurfaceParameters& parameters);
 
-/// Its age at a time of the clock, clamped to what it is followed over; at its end without a time.
+/// Returns its age at a time of the clock, clamped to the times of the surface; at its end without a time.
 double age_at(const SurfaceParameters& parameters, std::optional<double> time);
 
 } // namespace wakesurf::core

@@ -22,7 +22,7 @@ struct SurfacePlan {
     std::shared_ptr<const Flow> flow; ///< what carries the particles
     /// The part of the rake inside the domain.
     Rake rake;
-    /// With a separation and a direction; `rake2` is inside the domain too.
+    /// The parameters, with a separation and a direction; `rake2` is inside the domain too.
     SurfaceParameters parameters;
     /// The seeding curve of `rake`.
     SeedingCurve seeding;

@@ -12,8 +12,8 @@ namespace {
 
 constexpr int survey_points = 32'768;
 constexpr int least_along = 3, most_along = 256;
-/// Where the mean velocity is less than this part of the mean speed, what enters on one side does not leave
-/// on the other.
+/// If the mean velocity is less than this part of the mean speed, the flow that enters on one side does not
+/// leave on the other.
 constexpr double going_through = 0.4;
 /// A turning flow counts so much less at a corner of the domain than in the middle.
 constexpr double corner_loss = 0.4;

@@ -38,7 +38,7 @@ struct SurveyLattice {
 /// may be thin.
 SurveyLattice survey_lattice(const Box& domain, int points);
 
-/// Which boxes have no fluid in their middle. Cost: a lookup a box, in parallel.
+/// Marks the boxes without fluid in their middle. Cost: a lookup a box, in parallel.
 std::vector<std::uint8_t> not_fluid(const Flow& flow, const SurveyLattice& lattice);
 
 struct FlowSurvey {

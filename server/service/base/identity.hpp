@@ -17,7 +17,7 @@ struct Identity {
     Role role = Role::Host; ///< the server's own token is a host's everywhere
     std::string session;    ///< the only session of a share link; empty: every one
     std::string grant;      ///< id of the share link; empty: the server's own token
-    /// For a link into a copy: the link of the copy's maker; else empty.
+    /// The link of the maker of a copy, for a link into it; else empty.
     std::string copier{};
 
     /// Returns the link whose budgets count this: copies give no client more of the server than its link

@@ -30,7 +30,7 @@ struct SessionServices {
     UnixTime unix_time = unix_seconds;
     /// Null: not counted.
     const core::MemoryAccount* memory = nullptr;
-    /// Why restored surfaces are not computed; null: they are.
+    /// The reason why restored surfaces are not computed; null: they are.
     const core::Error* withheld = nullptr;
     /// Null: each surface has its own.
     const HistoryBudget* histories = nullptr;

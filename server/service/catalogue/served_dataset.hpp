@@ -40,7 +40,7 @@ struct DatasetStatus {
     std::string values;
     /// The velocities to choose from (choose_velocity), if it failed because its velocity is not clear.
     std::vector<std::string> velocities;
-    /// Why it failed or is incomplete; if it is ready, why a later check failed.
+    /// The reason why it failed or is incomplete; if it is ready, why a later check failed.
     std::optional<core::Error> error;
 };
 

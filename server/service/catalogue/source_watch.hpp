@@ -56,7 +56,7 @@ class SourceWatch {
     std::map<std::filesystem::path, Stamp> known_; ///< as they were at begin(), or later
     /// Files that list others, which a reader does not name.
     std::vector<std::filesystem::path> indices_;
-    /// Those of them that are checked every time.
+    /// The files that are checked every time.
     std::vector<std::filesystem::path> always_;
     std::vector<std::filesystem::path> others_; ///< the rest
     std::size_t next_ = 0;                      ///< of others_

@@ -11,7 +11,7 @@ namespace wakesurf::server {
 
 struct StateVerdict {
     StateContent content; ///< the readable part
-    /// Why a server would not start with it.
+    /// The reason why a server would not start with it.
     std::optional<core::Error> fault;
 };
 

@@ -22,7 +22,7 @@
 namespace wakesurf::server {
 
 struct LevelMesh {
-    /// In units of node indices for a uniform or rectilinear grid.
+    /// The points, in units of node indices for a uniform or rectilinear grid.
     std::vector<core::Vec3> points;
     std::vector<std::array<std::uint32_t, 3>> triangles;
 };

@@ -34,8 +34,8 @@ struct ZarrAxes {
 std::optional<ZarrAxes> zarr_axes(const ZarrArray& array);
 
 struct ZarrCoordinates {
-    /// Is uniform if nodes are evenly spaced, to a millionth of the spacing or to the rounding of single
-    /// precision, else rectilinear.
+    /// The grid: uniform if nodes are evenly spaced, to a millionth of the spacing or to the rounding of
+    /// single precision, else rectilinear.
     core::Grid grid;
     std::vector<double> times;
     std::string length_unit; ///< as its array states it; may be empty
