@@ -1,6 +1,6 @@
 #include "core/surface/moving/material_triangles.hpp"
 #include "tests/support/flat_patch.hpp"
-#include "tests/support/mesh_delta.hpp"
+#include "tests/support/mesh_hash.hpp"
 
 #include <gtest/gtest.h>
 

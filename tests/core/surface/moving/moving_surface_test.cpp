@@ -2,7 +2,7 @@
 #include "core/surface/budget_search.hpp"
 #include "core/surface/builder/surface_builder.hpp"
 #include "core/surface/moving/moving_surface.hpp"
-#include "tests/support/mesh_delta.hpp"
+#include "tests/support/mesh_hash.hpp"
 #include "tests/support/mesh_measures.hpp"
 
 #include <gtest/gtest.h>
@@ -323,26 +323,6 @@ TEST(MovingSurface, SameBytesForAnyNumberOfThreads) {
                 EXPECT_EQ(now, first) << c.flow << ", " << threads << " threads";
             });
         }
-    }
-}
-
-TEST(MovingSurface, DeltasFromStepToStepFoldIntoTheKeyframe) {
-    for (const Case& c : {smooth_case("lamb-oseen"), smooth_case("hill", true),
-                          Case{"sphere", line({-2, -1, 0.01}, {-2, 1, 0.02}), 5, 0.1, {}}}) {
-        const auto flow = make_analytic_flow(c.flow);
-        MovingSurface surface = started(**flow, c, parameters(c));
-        KeyedMesh folded, before;
-        while (surface.time() != surface.end_time()) {
-            ASSERT_TRUE(surface.step(surface.end_time(), {}));
-            const KeyedMesh now = surface.mesh();
-            const MeshDelta delta = difference(before, now);
-            folded = fold(folded, delta);
-            ASSERT_EQ(hash(folded), delta.hash) << c.flow << " at " << surface.time();
-            before = now;
-        }
-        EXPECT_EQ(hash(fold({}, difference({}, before))),
-                  hash(folded)); // reload against incremental
-        EXPECT_EQ(folded.mesh.cells, before.mesh.cells);
     }
 }
 

@@ -2,7 +2,7 @@
 // polylines and circles, separations over two decades, all accuracies. WAKESURF_SURFACES=N looks at the first
 // N of them, WAKESURF_SURFACE=N at that one alone.
 #include "core/field/analytic_catalogue.hpp"
-#include "tests/support/mesh_delta.hpp"
+#include "tests/support/mesh_hash.hpp"
 #include "tests/support/moving_runs.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "core/field/analytic_flow.hpp"
 #include "core/surface/moving/surface_history.hpp"
-#include "tests/support/mesh_delta.hpp"
+#include "tests/support/mesh_hash.hpp"
 
 #include <gtest/gtest.h>
 

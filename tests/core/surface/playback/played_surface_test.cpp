@@ -2,7 +2,7 @@
 #include "core/field/analytic_flow.hpp"
 #include "core/surface/builder/surface_builder.hpp"
 #include "core/surface/playback/played_surface.hpp"
-#include "tests/support/mesh_delta.hpp"
+#include "tests/support/mesh_hash.hpp"
 
 #include <gtest/gtest.h>
 
