@@ -153,12 +153,11 @@ class ExactSheet {
                     curve.duration = each->tried_t == 0.0 ? 1e-300 : each->tried_t;
                     of.push_back(each);
                 }
-            core::TraceOptions tight;
-            tight.frozen = p_.kind == core::SurfaceKind::Stream;
-            tight.tolerance = tolerance();
-            tight.longest_step = 5.0 * flow_.finest_spacing();
-            tight.smooth = p_.interpolation == core::Interpolation::Smooth;
-            tight.stretch = true;
+            core::TraceOptions tight{.frozen = p_.kind == core::SurfaceKind::Stream,
+                                     .tolerance = tolerance(),
+                                     .longest_step = 5.0 * flow_.finest_spacing(),
+                                     .stretch = true,
+                                     .smooth = p_.interpolation == core::Interpolation::Smooth};
             if (curves.empty() || !flow_.trace(curves, tight, {}))
                 continue;
             std::vector<core::Vec3> position, velocity(curves.size());
@@ -196,11 +195,10 @@ class ExactSheet {
             along_t.push_back(point.carried.along_t);
         }
         std::vector<core::CurveEnd> end(all.size(), core::CurveEnd::Running);
-        core::AdvanceOptions tight;
-        tight.method = core::AdvanceOptions::Method::Dopri5;
-        tight.tolerance = tolerance();
-        tight.longest_step = 5.0 * flow_.finest_spacing();
-        tight.smooth = p_.interpolation == core::Interpolation::Smooth;
+        core::AdvanceOptions tight{.method = core::AdvanceOptions::Method::Dopri5,
+                                   .tolerance = tolerance(),
+                                   .longest_step = 5.0 * flow_.finest_spacing(),
+                                   .smooth = p_.interpolation == core::Interpolation::Smooth};
         (void)flow_.advance({position, along_s, along_t, time, end}, p_.to, tight, {});
         for (std::size_t i = 0; i < all.size(); ++i)
             all[i]->tried = {position[i], along_s[i], along_t[i],

@@ -123,10 +123,9 @@ struct MeshShape {
 template <class Judged>
 MeshShape shape_of(const core::QuadComplex& mesh, const Judged& judged) {
     constexpr std::size_t least_component = 12;
-    MeshShape shape;
-    shape.quads = mesh.cells.size();
-    shape.longest_edge = core::longest_edge(mesh);
-    shape.loops = border_loops(mesh);
+    MeshShape shape{.quads = mesh.cells.size(),
+                    .loops = border_loops(mesh),
+                    .longest_edge = core::longest_edge(mesh)};
     for (const std::size_t quads : component_sizes(mesh)) {
         ++shape.components;
         shape.specks += quads < least_component;

@@ -29,11 +29,7 @@ inline core::Rake line_rake(const core::Vec3& a, const core::Vec3& b, std::uint3
 }
 
 inline core::SurfaceParameters streak(double to, double separation) {
-    core::SurfaceParameters p;
-    p.kind = core::SurfaceKind::Streak;
-    p.to = to;
-    p.separation = separation;
-    return p;
+    return {.kind = core::SurfaceKind::Streak, .to = to, .separation = separation};
 }
 
 inline core::SurfaceParameters swept(const core::Vec3& sweep, double to, double separation) {

@@ -38,10 +38,9 @@ inline std::vector<core::Rake> rakes(const core::Flow& flow, std::uint32_t seed)
 inline core::SurfaceParameters
 asked(const core::Flow& flow, core::SurfaceKind kind, core::Accuracy accuracy, double time) {
     const core::Vec3 extent = flow.domain().extent();
-    core::SurfaceParameters p;
-    p.kind = kind;
-    p.accuracy = accuracy;
-    p.from = flow.time_range().value_or(std::array{0.0, 0.0})[0];
+    core::SurfaceParameters p{.kind = kind,
+                              .from = flow.time_range().value_or(std::array{0.0, 0.0})[0],
+                              .accuracy = accuracy};
     p.to = p.from + (kind == core::SurfaceKind::Time ? 0.3 * time : time);
     p.max_quads = 20'000;
     p.separation = (accuracy == core::Accuracy::Exact ? 0.05 : 0.03) * glm::length(extent);

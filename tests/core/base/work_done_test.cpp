@@ -83,11 +83,7 @@ TEST(WorkDone, IsToldOnTheWayToASurfaceOfAnyKindAndToItsEnd) {
     for (const SurfaceKind kind :
          {SurfaceKind::Stream, SurfaceKind::Path, SurfaceKind::Streak, SurfaceKind::Time})
         for (const Direction direction : {Direction::Forward, Direction::Both}) {
-            SurfaceParameters p;
-            p.kind = kind;
-            p.to = 4.0;
-            p.separation = 0.1;
-            p.direction = direction;
+            SurfaceParameters p{.kind = kind, .to = 4.0, .direction = direction, .separation = 0.1};
             const bool moving = kind == SurfaceKind::Streak || kind == SurfaceKind::Time;
             if (moving && direction == Direction::Both)
                 continue;
@@ -133,11 +129,8 @@ TEST(WorkDone, NeverStandsStillWhileASurfaceMovesNorRunsBackward) {
     const Rake rake{Rake::Kind::Line, {{0, 0, 0}, {0, 2, 0}}, 9};
     for (const double to : {4.0, -4.0})
         for (const std::uint64_t most : {1'000'000, 900}) { // which has it begun again, coarser
-            SurfaceParameters p;
-            p.kind = SurfaceKind::Streak;
-            p.to = to;
-            p.separation = 0.1;
-            p.max_quads = most;
+            SurfaceParameters p{
+                .kind = SurfaceKind::Streak, .to = to, .separation = 0.1, .max_quads = most};
             WorkDone work;
             const Onlooker clock(work);
             const auto surface = build_surface(*flow, rake, p, {}, clock, &work);

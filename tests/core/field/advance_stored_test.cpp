@@ -85,11 +85,7 @@ Swarm everywhere(std::size_t count, double earliest, double latest) {
 }
 
 AdvanceOptions in_steps_of(double step, bool smooth = false) {
-    AdvanceOptions options;
-    options.step = step;
-    options.smooth = smooth;
-    options.stagnation_speed = 0.02;
-    return options;
+    return {.step = step, .stagnation_speed = 0.02, .smooth = smooth};
 }
 
 std::unique_ptr<Flow>

@@ -3,6 +3,7 @@
 #include "core/surface/builder/surface_builder.hpp"
 #include "tests/support/bricked_source.hpp"
 #include "tests/support/sampled_source.hpp"
+#include "tests/support/value_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -86,11 +87,10 @@ struct Case {
 };
 
 SurfaceParameters parameters_of(const Case& each) {
-    SurfaceParameters parameters;
-    parameters.kind = each.kind;
-    parameters.accuracy = each.accuracy;
-    parameters.interpolation = each.interpolation;
-    parameters.to = 1.9;
+    SurfaceParameters parameters{.kind = each.kind,
+                                 .to = 1.9,
+                                 .accuracy = each.accuracy,
+                                 .interpolation = each.interpolation};
     if (each.kind == SurfaceKind::Time)
         parameters.sweep = Vec3(0.4, 0.0, 0.0);
     return parameters;
@@ -111,20 +111,18 @@ TEST_P(BricksTwin, HasTheSameBytesInAnyBricksAndOrderOfArrival) {
     const auto whole = series(each.shape, each.inside);
     const Rake rake{Rake::Kind::Line, {{-1.6, -0.9, -0.4}, {-1.6, 0.9, 0.5}}, 9};
     const auto flow = flow_of(whole, std::size_t{1} << 30, false);
-    const auto flat = build_surface(*flow, rake, parameters_of(each));
-    ASSERT_TRUE(flat) << flat.error().message;
-    ASSERT_GT(flat->mesh.cells.size(), 20u);
+    const auto flat = value_of(build_surface(*flow, rake, parameters_of(each)));
+    ASSERT_GT(flat.mesh.cells.size(), 20u);
     for (const std::uint32_t cells :
          each.accuracy == Accuracy::Balanced ? std::array{4u, 16u} : std::array{8u, 32u}) {
         for (unsigned order = 0; order < orders(); ++order) {
             const auto bricked = std::make_shared<BrickedSource>(whole, cells, 7 * cells + order);
             const auto paged = flow_of(bricked, std::size_t{1} << 19, true);
-            const auto surface = build_surface(*paged, rake, parameters_of(each));
-            ASSERT_TRUE(surface) << surface.error().message;
+            const auto surface = value_of(build_surface(*paged, rake, parameters_of(each)));
             EXPECT_GT(bricked->read_so_far(), 0u);
-            EXPECT_EQ(difference(flat->mesh, surface->mesh), "")
-                << "bricks of " << cells << ", order " << order << ": " << surface->mesh.vertices()
-                << " vertices for " << flat->mesh.vertices();
+            EXPECT_EQ(difference(flat.mesh, surface.mesh), "")
+                << "bricks of " << cells << ", order " << order << ": " << surface.mesh.vertices()
+                << " vertices for " << flat.mesh.vertices();
         }
     }
 }
@@ -139,18 +137,16 @@ TEST(DamagedBricks, EndTheSurfaceAtTheLastTimeBeforeThemAndSaySo) {
             const auto bricked = std::make_shared<BrickedSource>(whole, 8);
             bricked->broken_from = 3;
             const auto flow = flow_of(bricked, std::size_t{1} << 19, true);
-            const auto ended = build_surface(*flow, rake, parameters);
-            ASSERT_TRUE(ended) << ended.error().message;
+            const auto ended = value_of(build_surface(*flow, rake, parameters));
             // Cubics in time need the time-step after as well.
             const double last = interpolation == Interpolation::Smooth ? 0.5 : 0.9;
-            EXPECT_EQ(ended->ended, last);
-            EXPECT_NE(ended->statistics.stopped.find("is damaged"), std::string::npos)
-                << ended->statistics.stopped;
+            EXPECT_EQ(ended.ended, last);
+            EXPECT_TRUE(holds(ended.statistics.stopped, "is damaged"));
             parameters.to = last;
             const auto shorter =
                 build_surface(*flow_of(whole, std::size_t{1} << 30, false), rake, parameters);
             ASSERT_TRUE(shorter);
-            EXPECT_EQ(difference(ended->mesh, shorter->mesh), "")
+            EXPECT_EQ(difference(ended.mesh, shorter->mesh), "")
                 << static_cast<int>(kind) << " " << static_cast<int>(interpolation);
         }
 }

@@ -85,9 +85,7 @@ std::vector<Vec3>
 carried(const Flow& flow, std::vector<Vec3> position, double to, double step, bool smooth) {
     std::vector<double> time(position.size(), 0.0);
     std::vector<CurveEnd> end(position.size(), CurveEnd::Running);
-    AdvanceOptions options;
-    options.step = step;
-    options.smooth = smooth;
+    AdvanceOptions options{.step = step, .smooth = smooth};
     EXPECT_TRUE(flow.advance({position, {}, {}, time, end}, to, options, {}));
     for (const CurveEnd e : end)
         EXPECT_EQ(e, CurveEnd::Running);

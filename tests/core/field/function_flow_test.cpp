@@ -16,9 +16,7 @@ Vec3 along_x(const Vec3&, double) {
 }
 
 Result<Surface> stream(const Flow& flow) {
-    SurfaceParameters asked;
-    asked.to = 3.0;
-    asked.separation = 0.1;
+    SurfaceParameters asked{.to = 3.0, .separation = 0.1};
     return build_surface(flow, {Rake::Kind::Line, {{-1.5, -1.0, 0.0}, {-1.5, 1.0, 0.0}}, 21},
                          asked);
 }

@@ -99,10 +99,7 @@ Swarm everywhere(const RectilinearGrid& grid, bool together) {
 }
 
 AdvanceOptions in_steps_of(double step) {
-    AdvanceOptions options;
-    options.step = step;
-    options.stagnation_speed = 0.02;
-    return options;
+    return {.step = step, .stagnation_speed = 0.02};
 }
 
 void expect_same_bits(const Swarm& a, const Swarm& b) {

@@ -13,11 +13,9 @@ namespace {
 
 /// Over the flow's domain, more nodes than one task takes.
 UniformGrid grid_over(const Flow& flow) {
-    UniformGrid grid;
-    grid.dimensions = {33, 17, 21};
-    grid.origin = flow.domain().lo;
-    grid.spacing = flow.domain().extent() / Vec3(32, 16, 20);
-    return grid;
+    return {.origin = flow.domain().lo,
+            .spacing = flow.domain().extent() / Vec3(32, 16, 20),
+            .dimensions = {33, 17, 21}};
 }
 
 std::vector<float>

@@ -17,10 +17,8 @@ namespace {
 /// Uneven cells, and a solid ball in the middle when asked for.
 std::unique_ptr<Flow> sampled(const char* name, Box box, bool ball = false) {
     const std::shared_ptr<const Flow> form = *make_analytic_flow(name);
-    UniformGrid grid;
-    grid.dimensions = {41, 33, 37};
-    grid.origin = box.lo;
-    grid.spacing = box.extent() / Vec3(40, 32, 36);
+    UniformGrid grid{
+        .origin = box.lo, .spacing = box.extent() / Vec3(40, 32, 36), .dimensions = {41, 33, 37}};
     SolidMask mask;
     if (ball)
         for (std::size_t node = 0; node < grid.nodes(); ++node) {
@@ -166,10 +164,7 @@ TEST(TrilinearCell, EveryVertexOfASurfaceOfStoredDataEqualsItsOwnRetraceWithinTe
     for (const Sampled& c : flows()) {
         const auto flow = sampled(c.name, c.box, c.ball);
         const Rake rake{Rake::Kind::Line, {c.from, c.to}, 16};
-        SurfaceParameters p;
-        p.kind = c.kind;
-        p.to = 3.0;
-        p.separation = 0.1;
+        SurfaceParameters p{.kind = c.kind, .to = 3.0, .separation = 0.1};
         const auto surface = build_surface(*flow, rake, p);
         const double tolerance = 1e-5;
         ASSERT_TRUE(surface);
@@ -198,12 +193,11 @@ TEST(SmoothSampling, EveryVertexOfAnExactSurfaceEqualsItsOwnSmoothRetraceWithinT
             continue;
         const auto flow = sampled(c.name, c.box);
         const Rake rake{Rake::Kind::Line, {c.from, c.to}, 16};
-        SurfaceParameters p;
-        p.kind = c.kind;
-        p.to = 2.0;
-        p.separation = 0.2;
-        p.accuracy = Accuracy::Exact;
-        p.interpolation = Interpolation::Smooth;
+        SurfaceParameters p{.kind = c.kind,
+                            .to = 2.0,
+                            .separation = 0.2,
+                            .accuracy = Accuracy::Exact,
+                            .interpolation = Interpolation::Smooth};
         const auto surface = build_surface(*flow, rake, p);
         ASSERT_TRUE(surface);
         const SeedingCurve seeding(rake);

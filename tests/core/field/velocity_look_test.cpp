@@ -87,9 +87,7 @@ TEST(VelocityLook, ThoseWhoArriveHaveTheBitsOfSamplingAfterwards) {
                     std::vector<std::uint8_t> sampled(particles.count(), 0);
                     particles.velocity = velocity;
                     particles.sampled = sampled;
-                    AdvanceOptions options;
-                    options.step = 0.05;
-                    options.smooth = smooth;
+                    AdvanceOptions options{.step = 0.05, .smooth = smooth};
                     ASSERT_TRUE(flow->advance(particles, to, options, {}));
                     std::vector<Vec3f> afterwards(particles.count());
                     ASSERT_TRUE(flow->sample_at(swarm.position, to, afterwards, {}, smooth));

@@ -28,12 +28,11 @@ Made made(const char* flow,
           SurfaceKind kind = SurfaceKind::Stream,
           double from = 0.0) {
     const Rake rake{Rake::Kind::Line, {a, b}, 16};
-    SurfaceParameters p;
-    p.kind = kind;
-    p.from = from;
-    p.to = from + to;
-    p.separation = 0.05;
-    p.accuracy = Accuracy::Exact;
+    SurfaceParameters p{.kind = kind,
+                        .from = from,
+                        .to = from + to,
+                        .separation = 0.05,
+                        .accuracy = Accuracy::Exact};
     auto surface = build_surface(**make_analytic_flow(flow), rake, p);
     EXPECT_TRUE(surface) << flow;
     EXPECT_GT(surface->mesh.cells.size(), 500u) << flow;

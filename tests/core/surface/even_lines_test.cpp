@@ -134,9 +134,7 @@ std::vector<Extent> touching(const Cutouts& cut, const Vec3& along, const Vec3& 
 
 Surface tube() {
     const auto flow = make_analytic_flow("uniform").value();
-    SurfaceParameters p;
-    p.to = 2.0;
-    p.separation = 0.1;
+    SurfaceParameters p{.to = 2.0, .separation = 0.1};
     return build_surface(*flow, {Rake::Kind::Circle, {{0, 0, 0}, {0, 1, 0}, {0, 0, 1}}, 16}, p)
         .value();
 }
@@ -310,9 +308,7 @@ TEST(Arrows, HaveTheShapeAskedForPointWithTheFlowAndLieInTheSurface) {
     const auto flow = make_analytic_flow("uniform").value();
     constexpr double width = 0.12, spacing = 0.6;
     for (const Direction direction : {Direction::Forward, Direction::Backward}) {
-        SurfaceParameters p;
-        p.separation = 0.1;
-        p.to = direction == Direction::Forward ? 4.0 : -4.0;
+        SurfaceParameters p{.to = direction == Direction::Forward ? 4.0 : -4.0, .separation = 0.1};
         const Surface surface =
             build_surface(*flow, {Rake::Kind::Line, {{0, -1, 0}, {0, 1, 0.3}}, 9}, p).value();
         const QuadComplex& mesh = surface.mesh;
@@ -338,9 +334,7 @@ TEST(Arrows, HaveTheShapeAskedForPointWithTheFlowAndLieInTheSurface) {
 
 TEST(Arrows, FollowTheSurfaceRoundAVortex) {
     const auto flow = make_analytic_flow("lamb-oseen").value();
-    SurfaceParameters p;
-    p.separation = 0.05;
-    p.to = 3.0;
+    SurfaceParameters p{.to = 3.0, .separation = 0.05};
     const Surface surface =
         build_surface(*flow, {Rake::Kind::Line, {{0.5, 0, -1}, {1.5, 0, -1}}, 32}, p).value();
     const QuadComplex& mesh = surface.mesh;

@@ -42,10 +42,8 @@ class Reference {
                 nodes_[static_cast<std::size_t>(axis)].push_back(c.box.lo[axis] +
                                                                  c.box.extent()[axis] * place);
             }
-        UniformGrid even;
-        even.dimensions = {25, 25, 25};
-        even.origin = c.box.lo;
-        even.spacing = c.box.extent() / 24.0;
+        UniformGrid even{
+            .origin = c.box.lo, .spacing = c.box.extent() / 24.0, .dimensions = {25, 25, 25}};
         Grid grid = even;
         if (stretched)
             grid = RectilinearGrid{nodes_};
@@ -198,13 +196,12 @@ void expect_exact(const Case& c, bool stretched) {
     const SeedingCurve seeding(rake);
     for (const SurfaceKind kind :
          {SurfaceKind::Stream, SurfaceKind::Path, SurfaceKind::Streak, SurfaceKind::Time}) {
-        SurfaceParameters p;
-        p.kind = kind;
-        p.from = 0.4;
-        p.to = 2.4;
-        p.separation = 0.25;
-        p.accuracy = Accuracy::Exact;
-        p.deformation = true;
+        SurfaceParameters p{.kind = kind,
+                            .from = 0.4,
+                            .to = 2.4,
+                            .separation = 0.25,
+                            .accuracy = Accuracy::Exact,
+                            .deformation = true};
         if (kind == SurfaceKind::Time)
             p.sweep = Vec3(0.1, 0.15, 0.2);
         const auto surface = build_surface(reference.flow(), rake, p);
@@ -255,10 +252,7 @@ TEST(ExactSurface, EveryVertexIsWhereTheFieldOfARectilinearGridCarriesIt) {
 TEST(ExactSurface, TheSmoothFieldIsAnotherAndRefusedWhereThereIsNone) {
     const Case& c = cases().front();
     const Rake rake{Rake::Kind::Line, {c.from, c.to}, 12};
-    SurfaceParameters p;
-    p.to = 2.0;
-    p.separation = 0.25;
-    p.sweep = Vec3(0.1, 0.15, 0.2);
+    SurfaceParameters p{.to = 2.0, .separation = 0.25, .sweep = Vec3(0.1, 0.15, 0.2)};
     const Reference uniform(c, false);
     const Reference stretched(c, true);
     const auto formula = *make_analytic_flow(c.name);

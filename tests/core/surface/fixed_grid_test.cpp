@@ -54,10 +54,8 @@ Vec3 traced(const Flow& flow, const Case& c, double s, double t) {
     }
     if (curve.duration == 0.0)
         return curve.seed;
-    TraceOptions options;
-    options.frozen = p.kind == SurfaceKind::Stream;
-    options.tolerance = 1e-11;
-    options.longest_step = 0.1;
+    TraceOptions options{
+        .frozen = p.kind == SurfaceKind::Stream, .tolerance = 1e-11, .longest_step = 0.1};
     EXPECT_TRUE(flow.trace({&curve, 1}, options, {}));
     return curve.last.position;
 }

@@ -60,13 +60,8 @@ std::unique_ptr<Flow> series(std::size_t steps, std::size_t bytes) {
 }
 
 QuadComplex streak(const Flow& flow, double to) {
-    SurfaceParameters p;
-    p.kind = SurfaceKind::Streak;
-    p.to = to;
-    p.separation = 0.1;
-    Rake rake;
-    rake.points = {{-0.6, -0.4, 0.0}, {-0.1, 0.3, 0.0}};
-    rake.seeds = 9;
+    SurfaceParameters p{.kind = SurfaceKind::Streak, .to = to, .separation = 0.1};
+    Rake rake{.points = {{-0.6, -0.4, 0.0}, {-0.1, 0.3, 0.0}}, .seeds = 9};
     const auto surface = build_surface(flow, rake, p);
     EXPECT_TRUE(surface) << surface.error().message;
     return surface ? surface->mesh : QuadComplex{};

@@ -52,10 +52,7 @@ struct Case {
 /// Two wide, of eight cells a side.
 std::vector<Case> cases() {
     std::vector<Case> all;
-    UniformGrid uniform;
-    uniform.dimensions = {9, 9, 9};
-    uniform.origin = in_32_bits(low);
-    uniform.spacing = Vec3(0.25);
+    UniformGrid uniform{.origin = in_32_bits(low), .spacing = Vec3(0.25), .dimensions = {9, 9, 9}};
     all.push_back({"uniform", uniform});
     RectilinearGrid rectilinear;
     for (int axis = 0; axis < 3; ++axis)
@@ -105,12 +102,11 @@ TEST(Inlet, SurfacesFromRakesInItAreWholeAndRightInEveryGridOf32Bits) {
                 const auto rake = clip_rake(typed, flow->domain());
                 ASSERT_TRUE(rake) << each.name << ": " << rake.error().message;
                 EXPECT_FALSE(rake->clipped) << each.name;
-                SurfaceParameters p;
-                p.kind = kind;
-                p.from = typed_times.front();
-                p.to = typed_times.back();
-                p.separation = 0.1;
-                p.accuracy = Accuracy::Exact;
+                SurfaceParameters p{.kind = kind,
+                                    .from = typed_times.front(),
+                                    .to = typed_times.back(),
+                                    .separation = 0.1,
+                                    .accuracy = Accuracy::Exact};
                 const auto surface = build_surface(*flow, rake->rake, p);
                 ASSERT_TRUE(surface) << each.name << ": " << surface.error().message;
                 const QuadComplex& mesh = surface->mesh;

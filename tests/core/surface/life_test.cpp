@@ -2,6 +2,7 @@
 #include "core/field/analytic_flow.hpp"
 #include "core/surface/builder/surface_builder.hpp"
 #include "core/surface/playback/surface_at.hpp"
+#include "tests/support/value_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,11 +22,7 @@ Rake line(const Vec3& a, const Vec3& b) {
 }
 
 SurfaceParameters living(SurfaceKind kind, double to, double life, double separation = 0.2) {
-    SurfaceParameters p;
-    p.kind = kind;
-    p.to = to;
-    p.separation = separation;
-    p.life = life;
+    SurfaceParameters p{.kind = kind, .to = to, .separation = separation, .life = life};
     if (kind == SurfaceKind::Time)
         p.sweep = Vec3(0, 0, 1);
     return p;
@@ -106,9 +103,8 @@ TEST(Life, HoldsAtEveryTimeAtWhichASurfaceIsShown) {
         plan_surface(flow, line({0, -1, 0}, {0, 1, 0}), living(SurfaceKind::Streak, 6.0, 1.5))
             .value();
     for (const double time : {0.7, 1.5, 1.6, 3.1, 6.0}) {
-        const auto shown = surface_at(plan, time, SteadyClock{}, {});
-        ASSERT_TRUE(shown) << shown.error().message;
-        EXPECT_NEAR(area(shown->mesh), 2.0 * std::min(time, 1.5), 1e-9) << time;
+        const auto shown = value_of(surface_at(plan, time, SteadyClock{}, {}));
+        EXPECT_NEAR(area(shown.mesh), 2.0 * std::min(time, 1.5), 1e-9) << time;
     }
 }
 
@@ -151,15 +147,13 @@ TEST(Life, EndsATimeSurfaceWithAllItsParticles) {
     const std::shared_ptr<const Flow> flow = make_analytic_flow("uniform").value();
     const Rake rake = line({0, -1, 0}, {0, 1, 0});
     const auto plan = plan_surface(flow, rake, living(SurfaceKind::Time, 4.0, 2.0)).value();
-    const auto before = surface_at(plan, 2.0, SteadyClock{}, {});
-    ASSERT_TRUE(before) << before.error().message;
-    EXPECT_NEAR(area(before->mesh), 2.0, 1e-9);
-    const auto after = surface_at(plan, 2.5, SteadyClock{}, {});
-    ASSERT_TRUE(after) << after.error().message;
-    EXPECT_TRUE(after->mesh.cells.empty());
-    ASSERT_TRUE(after->statistics.empty);
-    EXPECT_EQ(after->statistics.empty->reason, Emptiness::Reason::AllLeft);
-    EXPECT_NE(after->statistics.empty->hint.find("`life`"), std::string::npos);
+    const auto before = value_of(surface_at(plan, 2.0, SteadyClock{}, {}));
+    EXPECT_NEAR(area(before.mesh), 2.0, 1e-9);
+    const auto after = value_of(surface_at(plan, 2.5, SteadyClock{}, {}));
+    EXPECT_TRUE(after.mesh.cells.empty());
+    ASSERT_TRUE(after.statistics.empty);
+    EXPECT_EQ(after.statistics.empty->reason, Emptiness::Reason::AllLeft);
+    EXPECT_TRUE(holds(after.statistics.empty->hint, "`life`"));
 }
 
 TEST(Life, LongerThanTheSurfaceChangesNothing) {

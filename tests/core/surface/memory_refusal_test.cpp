@@ -15,11 +15,7 @@ namespace {
 constexpr std::size_t little = 64 << 10;
 
 SurfacePlan large(SurfaceKind kind, Refine refine = Refine::On) {
-    SurfaceParameters p;
-    p.kind = kind;
-    p.refine = refine;
-    p.to = 4.0;
-    p.separation = 0.03;
+    SurfaceParameters p{.kind = kind, .to = 4.0, .separation = 0.03, .refine = refine};
     if (kind == SurfaceKind::Time)
         p.sweep = Vec3{3, 0, 0};
     const std::shared_ptr<const Flow> flow = make_analytic_flow("abc").value();

@@ -3,6 +3,7 @@
 #include "core/surface/builder/surface_builder.hpp"
 #include "core/surface/vertex_times.hpp"
 #include "tests/support/sampled_source.hpp"
+#include "tests/support/value_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -33,11 +34,7 @@ Rake rake_at(double x) {
 }
 
 SurfaceParameters asked(SurfaceKind kind, double from, double to) {
-    SurfaceParameters p;
-    p.kind = kind;
-    p.from = from;
-    p.to = to;
-    p.separation = 0.5;
+    SurfaceParameters p{.kind = kind, .from = from, .to = to, .separation = 0.5};
     if (kind == SurfaceKind::Time)
         p.sweep = Vec3(0, 0, 1);
     return p;
@@ -53,36 +50,33 @@ double farthest(const Surface& surface) {
 TEST(ReadablePart, SurfacesEndAtTheLastTimeStepThatCanBeReadAndSayWhy) {
     for (const auto kind : {SurfaceKind::Path, SurfaceKind::Streak, SurfaceKind::Time}) {
         const Series series(4);
-        const auto surface = build_surface(*series.flow, rake_at(0.5), asked(kind, 0, 6));
-        ASSERT_TRUE(surface.has_value()) << surface.error().message;
-        EXPECT_NE(surface->statistics.stopped.find("time-step 4"), std::string::npos);
-        EXPECT_NEAR(farthest(*surface), 0.5 + 3.0, 1e-9) << static_cast<int>(kind);
-        const auto times = vertex_times(*surface, asked(kind, 0, 6));
+        const auto surface = value_of(build_surface(*series.flow, rake_at(0.5), asked(kind, 0, 6)));
+        EXPECT_TRUE(holds(surface.statistics.stopped, "time-step 4"));
+        EXPECT_NEAR(farthest(surface), 0.5 + 3.0, 1e-9) << static_cast<int>(kind);
+        const auto times = vertex_times(surface, asked(kind, 0, 6));
         EXPECT_LE(*std::ranges::max_element(times), 3.0) << "fields are sampled no later";
-        EXPECT_EQ(surface->mesh.validate(), "");
+        EXPECT_EQ(surface.mesh.validate(), "");
     }
 }
 
 TEST(ReadablePart, SurfacesThatDoNotNeedTheDamagedTimeStepAreWhole) {
     for (const auto kind : {SurfaceKind::Path, SurfaceKind::Streak, SurfaceKind::Time}) {
         const Series series(5);
-        const auto surface = build_surface(*series.flow, rake_at(0.5), asked(kind, 0, 4));
-        ASSERT_TRUE(surface.has_value()) << surface.error().message;
-        EXPECT_EQ(surface->statistics.stopped, "");
-        EXPECT_NEAR(farthest(*surface), 4.5, 1e-9);
+        const auto surface = value_of(build_surface(*series.flow, rake_at(0.5), asked(kind, 0, 4)));
+        EXPECT_EQ(surface.statistics.stopped, "");
+        EXPECT_NEAR(farthest(surface), 4.5, 1e-9);
     }
 }
 
 TEST(ReadablePart, BackwardSurfacesEndThereToo) {
     const Series series(2);
     const auto p = asked(SurfaceKind::Path, 6, 0);
-    const auto surface = build_surface(*series.flow, rake_at(7), p);
-    ASSERT_TRUE(surface.has_value()) << surface.error().message;
+    const auto surface = value_of(build_surface(*series.flow, rake_at(7), p));
     double nearest = 9.0;
-    for (const Vec3& x : surface->mesh.position)
+    for (const Vec3& x : surface.mesh.position)
         nearest = std::min(nearest, x.x);
     EXPECT_NEAR(nearest, 7.0 - 3.0, 1e-9);
-    for (const double time : vertex_times(*surface, p))
+    for (const double time : vertex_times(surface, p))
         EXPECT_TRUE(time <= 6.0 && time >= 3.0) << time;
 }
 
@@ -90,14 +84,12 @@ TEST(ReadablePart, TheReleaseOfABackwardSheetEndsThereAtTheLatest) {
     const Series series(2);
     auto p = asked(SurfaceKind::Streak, 6, 0);
     p.release_until = 1.0;
-    const auto surface = build_surface(*series.flow, rake_at(7), p);
-    ASSERT_TRUE(surface.has_value()) << surface.error().message;
-    EXPECT_EQ(surface->ended, 3.0);
+    const auto surface = value_of(build_surface(*series.flow, rake_at(7), p));
+    EXPECT_EQ(surface.ended, 3.0);
     p.to = 3.0;
     p.release_until.reset();
-    const auto whole = build_surface(*series.flow, rake_at(7), p);
-    ASSERT_TRUE(whole.has_value()) << whole.error().message;
-    EXPECT_EQ(surface->mesh.position, whole->mesh.position);
+    const auto whole = value_of(build_surface(*series.flow, rake_at(7), p));
+    EXPECT_EQ(surface.mesh.position, whole.mesh.position);
 }
 
 TEST(ReadablePart, NothingIsBuiltWhereTheReleaseItselfCannotBeRead) {
@@ -118,10 +110,9 @@ TEST(ReadablePart, TheWholeSurfaceComesOnceTheTimeStepCanBeRead) {
     const auto p = asked(SurfaceKind::Path, 0, 6);
     ASSERT_NE(build_surface(*series.flow, rake_at(0.5), p)->statistics.stopped, "");
     series.source->broken = ~std::size_t{0};
-    const auto surface = build_surface(*series.flow, rake_at(0.5), p);
-    ASSERT_TRUE(surface.has_value());
-    EXPECT_EQ(surface->statistics.stopped, "");
-    EXPECT_NEAR(farthest(*surface), 6.5, 1e-9);
+    const auto surface = value_of(build_surface(*series.flow, rake_at(0.5), p));
+    EXPECT_EQ(surface.statistics.stopped, "");
+    EXPECT_NEAR(farthest(surface), 6.5, 1e-9);
 }
 
 } // namespace

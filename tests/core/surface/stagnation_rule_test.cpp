@@ -13,17 +13,12 @@ namespace {
 /// Particles fall towards the stagnation point from above it, ever slower: at x = 1e-3, after a time of 1, at 0.54; the fastest of the
 /// domain have 12.2.
 std::uint64_t at_rest(SurfaceKind kind, double stagnation_speed) {
-    SurfaceParameters p;
-    p.kind = kind;
-    p.to = 2.0;
-    p.separation = 0.05;
-    p.stagnation_speed = stagnation_speed;
+    SurfaceParameters p{
+        .kind = kind, .to = 2.0, .separation = 0.05, .stagnation_speed = stagnation_speed};
     if (kind == SurfaceKind::Time)
         p.sweep = Vec3(0.0, 1e-3, 0.0);
-    Rake rake;
-    rake.kind = Rake::Kind::Line;
-    rake.points = {{-1e-3, 0.0, 2.0}, {1e-3, 0.0, 2.0}};
-    rake.seeds = 5;
+    Rake rake{
+        .kind = Rake::Kind::Line, .points = {{-1e-3, 0.0, 2.0}, {1e-3, 0.0, 2.0}}, .seeds = 5};
     const auto surface = build_surface(**make_analytic_flow("stagnation"), rake, p);
     EXPECT_TRUE(surface) << surface.error().message;
     return surface->statistics.terminated.stagnation;
@@ -42,12 +37,8 @@ TEST(StagnationRule, IsTheSameForEveryKindOfSurface) {
 }
 
 TEST(StagnationRule, RefusesAPartOfTheLargestSpeedThatIsNone) {
-    SurfaceParameters p;
-    p.to = 1.0;
-    p.separation = 0.1;
-    Rake rake;
-    rake.points = {{0.0, 0.0, 2.0}, {1.0, 0.0, 2.0}};
-    rake.seeds = 5;
+    SurfaceParameters p{.to = 1.0, .separation = 0.1};
+    Rake rake{.points = {{0.0, 0.0, 2.0}, {1.0, 0.0, 2.0}}, .seeds = 5};
     for (const double wrong : {-0.1, 0.2, std::nan("")}) {
         p.stagnation_speed = wrong;
         EXPECT_FALSE(build_surface(**make_analytic_flow("stagnation"), rake, p)) << wrong;

@@ -13,10 +13,8 @@ namespace {
 
 std::unique_ptr<Flow> sampled(const char* name, Box box) {
     const std::shared_ptr<const Flow> form = *make_analytic_flow(name);
-    UniformGrid grid;
-    grid.dimensions = {41, 33, 37};
-    grid.origin = box.lo;
-    grid.spacing = box.extent() / Vec3(40, 32, 36);
+    UniformGrid grid{
+        .origin = box.lo, .spacing = box.extent() / Vec3(40, 32, 36), .dimensions = {41, 33, 37}};
     auto source = std::make_shared<SampledSource>(
         grid, std::vector<double>{0.0, 0.7, 1.1, 2.0, 3.5, 5.0}, [form](const Vec3& p, double t) {
             Vec3 v;
@@ -87,10 +85,8 @@ TEST(StatedError, PastAStagnationLineIsThatOfTheSheetNotOfWhatSlidesAlongIt) {
             for (const double y : {0.3, 0.003}) {
                 SCOPED_TRACE(std::string(name) + " " + kind_name + " " + std::to_string(y));
                 const Rake rake{Rake::Kind::Line, {{-2.5, -y, -0.5}, {-2.5, 1.3 * y, 0.6}}, 16};
-                SurfaceParameters p;
-                p.kind = kind;
-                p.to = kind == SurfaceKind::Time ? 4.5 : 6.0;
-                p.separation = 0.15;
+                SurfaceParameters p{
+                    .kind = kind, .to = kind == SurfaceKind::Time ? 4.5 : 6.0, .separation = 0.15};
                 if (kind == SurfaceKind::Time)
                     p.sweep = Vec3(0.5, 0.0, 0.0);
                 MeasuredErrors sum;

@@ -17,10 +17,7 @@ using namespace tests;
 namespace {
 
 Surface built(const char* flow, const Rake& rake, double to, double separation, double angle) {
-    SurfaceParameters p;
-    p.to = to;
-    p.separation = separation;
-    p.angle = angle;
+    SurfaceParameters p{.to = to, .separation = separation, .angle = angle};
     auto surface = build_surface(**make_analytic_flow(flow), rake, p);
     EXPECT_TRUE(surface) << flow;
     return std::move(*surface);
@@ -195,11 +192,7 @@ TEST(SurfaceAngle, ARakeWithACornerIsRefinedBesideItOnly) {
 
 TEST(SurfaceAngle, TheBudgetHoldsHoweverSmallTheAngle) {
     const Case& c = bent()[2];
-    SurfaceParameters p;
-    p.to = c.to;
-    p.separation = c.separation;
-    p.angle = 2.0;
-    p.max_quads = 5000;
+    SurfaceParameters p{.to = c.to, .separation = c.separation, .angle = 2.0, .max_quads = 5000};
     const auto surface = build_surface(**make_analytic_flow(c.flow), c.rake, p);
     ASSERT_TRUE(surface);
     EXPECT_LE(surface->mesh.cells.size(), 5000u);

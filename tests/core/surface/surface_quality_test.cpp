@@ -31,11 +31,7 @@ Surface built(const Flow& flow,
               double separation,
               Accuracy accuracy = Accuracy::Balanced,
               double angle = 20.0) {
-    SurfaceParameters p;
-    p.to = to;
-    p.separation = separation;
-    p.accuracy = accuracy;
-    p.angle = angle;
+    SurfaceParameters p{.to = to, .separation = separation, .accuracy = accuracy, .angle = angle};
     auto surface = build_surface(flow, rake, p);
     EXPECT_TRUE(surface);
     return std::move(*surface);
@@ -86,10 +82,8 @@ class OneToOne {
 /// A cylinder along z in stored data: the analytic flow's velocity on 141 x 81 x 25 nodes, solid within its radius.
 std::unique_ptr<Flow> stored_cylinder() {
     const std::shared_ptr<const Flow> form = *make_analytic_flow("cylinder");
-    UniformGrid grid;
-    grid.origin = Vec3(-3, -2, -1);
-    grid.spacing = Vec3(0.05, 0.05, 0.25);
-    grid.dimensions = {141, 81, 25};
+    UniformGrid grid{
+        .origin = Vec3(-3, -2, -1), .spacing = Vec3(0.05, 0.05, 0.25), .dimensions = {141, 81, 25}};
     SolidMask mask;
     for (std::size_t node = 0; node < grid.nodes(); ++node) {
         const Vec3 p =

@@ -16,11 +16,7 @@ namespace {
 const Rake rake{Rake::Kind::Line, {{4, 1, 1}, {4, 2, 1}}, 5};
 
 SurfaceParameters asked(SurfaceKind kind, double from, double to) {
-    SurfaceParameters p;
-    p.kind = kind;
-    p.from = from;
-    p.to = to;
-    p.separation = 0.25;
+    SurfaceParameters p{.kind = kind, .from = from, .to = to, .separation = 0.25};
     if (kind == SurfaceKind::Time)
         p.sweep = Vec3(0, 0, 1);
     return p;

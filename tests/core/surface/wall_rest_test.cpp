@@ -86,9 +86,7 @@ SurfaceStatistics::Terminated ended(const Flow& flow, SurfaceKind kind, SurfaceP
         p.release_until = 1.0;
     if (kind == SurfaceKind::Time)
         p.sweep = Vec3(0.0, 0.1, 0.05);
-    Rake rake;
-    rake.points = {{0.45, 0.52, 0.4}, {0.57, 0.55, 0.45}};
-    rake.seeds = 5;
+    Rake rake{.points = {{0.45, 0.52, 0.4}, {0.57, 0.55, 0.45}}, .seeds = 5};
     const auto surface = build_surface(flow, rake, p);
     if (!surface) {
         ADD_FAILURE() << surface.error().message;
@@ -151,10 +149,7 @@ TEST(WallRest, ParticlesOnTheStagnationLineOfABuiltInBodyReachIt) {
     Curve curve;
     curve.seed = {-2, 0, 0};
     curve.duration = 100.0;
-    TraceOptions options;
-    options.frozen = true;
-    options.longest_step = 0.1;
-    options.stagnation_speed = 1e-4;
+    TraceOptions options{.frozen = true, .longest_step = 0.1, .stagnation_speed = 1e-4};
     ASSERT_TRUE((*sphere)->trace({&curve, 1}, options, {}));
     EXPECT_EQ(curve.end, CurveEnd::Obstacle);
 }

@@ -35,10 +35,7 @@ std::vector<Vec3> curve_seeds(int count) {
 }
 
 AdvanceOptions advance() {
-    AdvanceOptions options;
-    options.method = AdvanceOptions::Method::Dopri5;
-    options.longest_step = 0.1;
-    return options;
+    return {.method = AdvanceOptions::Method::Dopri5, .longest_step = 0.1};
 }
 
 std::vector<Curve> curves_from(int count, const Vec3& lo, const Vec3& hi, double duration) {
@@ -61,9 +58,7 @@ TEST(CellFlow, NoStreamlineEndsInsideTheFluidOfARefinedMesh) {
         return Vec3(1.0, 0.4 * std::sin(7.0 * p.x + 2.0 * p.z), 0.4 * std::cos(6.0 * p.x + p.y));
     });
     std::vector<Curve> curves = curves_from(400, Vec3(0.01), Vec3(0.3, 0.99, 0.99), 100.0);
-    TraceOptions options;
-    options.frozen = true;
-    options.longest_step = 0.1;
+    TraceOptions options{.frozen = true, .longest_step = 0.1};
     ASSERT_TRUE(flow->trace(curves, options, {}));
     int at_side = 0;
     for (const Curve& curve : curves) {
@@ -84,10 +79,7 @@ TEST(CellFlow, ALinearVelocityGivesTheClosedFormsPathThroughAllShapes) {
     });
     std::vector<Curve> curves =
         curves_from(50, Vec3(0.3, 0.3, 0.1), Vec3(0.7, 0.7, 0.9), 2.0 * 3.14159265358979323846);
-    TraceOptions options;
-    options.frozen = true;
-    options.longest_step = 0.1;
-    options.tolerance = 1e-8;
+    TraceOptions options{.frozen = true, .tolerance = 1e-8, .longest_step = 0.1};
     ASSERT_TRUE(flow->trace(curves, options, {}));
     for (const Curve& curve : curves) {
         EXPECT_EQ(curve.end, CurveEnd::Time);
@@ -205,10 +197,7 @@ TEST(CellFlow, AMovingSurfaceThatIsRestoredGoesOnAsOneThatWasNeverLeft) {
     const auto flow = meshed_flow(refined(10, wavy), {0.0, 1.0, 2.0}, [](const Vec3& p, double) {
         return Vec3(0.5 - p.y, p.x - 0.5, 0.05);
     });
-    SurfaceParameters p;
-    p.kind = SurfaceKind::Streak;
-    p.to = 2.0;
-    p.separation = 0.05;
+    SurfaceParameters p{.kind = SurfaceKind::Streak, .to = 2.0, .separation = 0.05};
     const Rake rake{Rake::Kind::Line, {{0.6, 0.5, 0.4}, {0.9, 0.5, 0.4}}, 16};
     const SteadyClock clock;
     auto surface = MovingSurface::start(plan_surface(*flow, rake, p).value(), {}, clock);
@@ -229,10 +218,7 @@ TEST(CellFlow, TheVerticesOfABalancedSurfaceLieWhereItsParticlesGoThroughCellsOf
                     0.1 * std::sin(4.0 * p.x));
     });
     const Rake rake{Rake::Kind::Line, {{0.1, 0.3, 0.5}, {0.1, 0.7, 0.5}}, 8};
-    SurfaceParameters p;
-    p.kind = SurfaceKind::Streak;
-    p.to = 1.5;
-    p.separation = 0.05;
+    SurfaceParameters p{.kind = SurfaceKind::Streak, .to = 1.5, .separation = 0.05};
     const SteadyClock clock;
     auto surface = MovingSurface::start(plan_surface(*flow, rake, p).value(), {}, clock);
     ASSERT_TRUE(surface);
@@ -248,10 +234,9 @@ TEST(CellFlow, TheVerticesOfABalancedSurfaceLieWhereItsParticlesGoThroughCellsOf
         }
     ASSERT_GT(there.size(), 50u);
     std::vector<CurveEnd> end(exact.size(), CurveEnd::Running);
-    AdvanceOptions options;
-    options.method = AdvanceOptions::Method::Dopri5;
-    options.tolerance = 1e-9;
-    options.longest_step = flow->finest_spacing();
+    AdvanceOptions options{.method = AdvanceOptions::Method::Dopri5,
+                           .tolerance = 1e-9,
+                           .longest_step = flow->finest_spacing()};
     ASSERT_TRUE(flow->advance({exact, {}, {}, time, end}, p.to, options, {}));
     for (std::size_t i = 0; i < exact.size(); ++i)
         EXPECT_LT(glm::length(there[i] - exact[i]), 2e-5) << i;

@@ -74,9 +74,7 @@ TEST(CellPath, CurvesEndWhereRungeKuttaStepsOfALowToleranceEnd) {
                 series.seed = steps.seed = 0.3 + 0.4 * field.random_point(random);
                 series.duration = steps.duration = duration;
                 series.release = steps.release = 0.7;
-                TraceOptions options;
-                options.frozen = frozen;
-                options.longest_step = 0.1;
+                TraceOptions options{.frozen = frozen, .longest_step = 0.1};
                 ASSERT_TRUE(advance_curve(sampler.series_steps(options, sign), series, options,
                                           duration, {}));
                 options.tolerance = 1e-10;
@@ -100,9 +98,7 @@ TEST(CellPath, TakesAboutAStepACell) {
         curve.seed = field.random_point(random) * Vec3(0.1, 1.0, 1.0);
         curve.duration = 5.0;
     }
-    TraceOptions options;
-    options.frozen = true;
-    options.longest_step = 0.1;
+    TraceOptions options{.frozen = true, .longest_step = 0.1};
     ASSERT_TRUE(trace_curves(sampler, std::span(curves), options, 1e9, {}));
     for (const Curve& curve : curves) {
         steps += curve.steps.size();
@@ -128,9 +124,7 @@ TEST(CellPath, PassesThroughAPyramidsApex) {
     Curve curve;
     curve.seed = {0, 0, -0.9};
     curve.duration = 1.5;
-    TraceOptions options;
-    options.frozen = true;
-    options.longest_step = 0.5;
+    TraceOptions options{.frozen = true, .longest_step = 0.5};
     ASSERT_TRUE(
         advance_curve(field.sampler().series_steps(options, +1.0), curve, options, 1.5, {}));
     EXPECT_EQ(curve.end, CurveEnd::Time);

@@ -135,9 +135,7 @@ TEST(CellWalls, ACurveEndsAtAThinWallAndAnotherPassesItsEnd) {
     curves[1].seed = {0.05, 0.7, 0.52};
     for (Curve& curve : curves)
         curve.duration = 10.0;
-    TraceOptions options;
-    options.frozen = true;
-    options.longest_step = 0.4;
+    TraceOptions options{.frozen = true, .longest_step = 0.4};
     ASSERT_TRUE(trace_curves(field.sampler(), std::span(curves), options, 1e9, {}));
     EXPECT_EQ(curves[0].end, CurveEnd::Obstacle);
     EXPECT_NEAR(curves[0].last.position.x, 0.5, 1e-8);

@@ -201,10 +201,7 @@ TEST(LinearTets, CurvesGoFromOneTetrahedronToTheNextByTheExponentialOfEach) {
     }
     for (const double tolerance : {1e-4, 1e-9}) {
         std::vector<Curve> traced = curves;
-        TraceOptions options;
-        options.frozen = true;
-        options.longest_step = 0.2;
-        options.tolerance = tolerance;
+        TraceOptions options{.frozen = true, .tolerance = tolerance, .longest_step = 0.2};
         ASSERT_TRUE(flow->trace(traced, options, {}));
         double worst = 0.0;
         int compared = 0;
@@ -249,10 +246,7 @@ TEST(LinearTets, CurvesEndWhereTheMatrixExponentialSaysWhateverTheTolerance) {
                     curve.seed = {x, y, z};
                     curve.duration = duration;
                 }
-                TraceOptions options;
-                options.frozen = true;
-                options.longest_step = 0.2;
-                options.tolerance = tolerance;
+                TraceOptions options{.frozen = true, .tolerance = tolerance, .longest_step = 0.2};
                 ASSERT_TRUE(flow->trace(curves, options, {}));
                 for (const Curve& curve : curves) {
                     if (curve.end != CurveEnd::Time)

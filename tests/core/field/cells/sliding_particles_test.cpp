@@ -29,9 +29,7 @@ Curve traced(const MeshedField& field, const Vec3& seed, double duration) {
     Curve curve;
     curve.seed = seed;
     curve.duration = duration;
-    TraceOptions options;
-    options.longest_step = 0.5;
-    options.frozen = true;
+    TraceOptions options{.frozen = true, .longest_step = 0.5};
     EXPECT_TRUE(
         advance_curve(field.sampler().series_steps(options, +1.0), curve, options, duration, {}));
     return curve;
@@ -60,10 +58,8 @@ TEST(SlidingParticles, PassAFaceThatVelocityOnlyTurnsAt) {
 
 TEST(SlidingParticles, ThatTakeTooManyStepsEndAndSaySo) {
     const MeshedField field = layers(0.5f, -0.25f);
-    AdvanceOptions options;
-    options.method = AdvanceOptions::Method::Dopri5;
-    options.longest_step = 0.5;
-    options.most_steps = 50;
+    AdvanceOptions options{
+        .method = AdvanceOptions::Method::Dopri5, .longest_step = 0.5, .most_steps = 50};
     ParticleState slides{{{0.05, 0.93, 0.4}, Vec3(1, 0, 0), Vec3(0, 1, 0)}, 0.0, CurveEnd::Running};
     EXPECT_TRUE(advance_in_series(field.sampler(), slides, 3.5, options, true));
     EXPECT_EQ(slides.end, CurveEnd::Budget);
@@ -78,9 +74,7 @@ TEST(SlidingParticles, StopOnTheirWay) {
     const MeshedField field = layers(0.5f, -0.25f);
     std::stop_source stop;
     stop.request_stop();
-    AdvanceOptions options;
-    options.method = AdvanceOptions::Method::Dopri5;
-    options.longest_step = 0.5;
+    AdvanceOptions options{.method = AdvanceOptions::Method::Dopri5, .longest_step = 0.5};
     ParticleState at{{{0.05, 0.93, 0.4}, Vec3(0.0), Vec3(0.0)}, 0.0, CurveEnd::Running};
     EXPECT_FALSE(advance_in_series(field.sampler(), at, 3.5, options, false, stop.get_token()));
 }

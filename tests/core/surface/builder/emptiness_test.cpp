@@ -18,10 +18,7 @@ Rake line(Vec3 a, Vec3 b) {
 }
 
 SurfaceParameters parameters(SurfaceKind kind) {
-    SurfaceParameters p;
-    p.kind = kind;
-    p.to = 2.0;
-    p.separation = 0.2;
+    SurfaceParameters p{.kind = kind, .to = 2.0, .separation = 0.2};
     if (kind == SurfaceKind::Time)
         p.sweep = Vec3(0.0, 0.1, 0.0);
     return p;

@@ -54,12 +54,7 @@ const std::vector<Case>& cases() {
 }
 
 SurfaceParameters parameters(const Case& c, Accuracy accuracy = Accuracy::Balanced) {
-    SurfaceParameters p;
-    p.kind = c.kind;
-    p.to = c.to;
-    p.separation = c.separation;
-    p.accuracy = accuracy;
-    return p;
+    return {.kind = c.kind, .to = c.to, .separation = c.separation, .accuracy = accuracy};
 }
 
 Surface built(const Case& c, const SurfaceParameters& p) {
@@ -277,10 +272,7 @@ TEST(SurfaceBuilder, BothDirectionsShareOneBudgetAndSeedsGiveWayBeforeTheSeparat
 
 TEST(SurfaceBuilder, ASurfaceThatFitsAtNoSeparationIsRefusedWithWhatToDo) {
     const auto flow = make_analytic_flow("uniform");
-    SurfaceParameters p;
-    p.to = 8.0;
-    p.separation = 0.1;
-    p.max_quads = 3;
+    SurfaceParameters p{.to = 8.0, .separation = 0.1, .max_quads = 3};
     const auto surface = build_surface(**flow, line({-9, -9, 0}, {-9, 9, 0}), p);
     ASSERT_FALSE(surface);
     EXPECT_EQ(surface.error().code, Error::Code::OverLimit);

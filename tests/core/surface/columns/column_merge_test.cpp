@@ -23,12 +23,11 @@ struct Case {
 };
 
 Surface built(const Case& c, double merge) {
-    SurfaceParameters p;
-    p.kind = c.kind;
-    p.direction = c.direction;
-    p.to = c.to;
-    p.separation = c.separation;
-    p.merge = merge;
+    SurfaceParameters p{.kind = c.kind,
+                        .to = c.to,
+                        .direction = c.direction,
+                        .separation = c.separation,
+                        .merge = merge};
     auto surface = build_surface(**make_analytic_flow(c.flow), c.rake, p);
     EXPECT_TRUE(surface) << c.flow;
     return std::move(*surface);

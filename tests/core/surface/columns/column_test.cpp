@@ -42,11 +42,10 @@ TEST(Column, VerticesAreCloserWhereTheCurveTurnsDownToAnEighth) {
     const double quarter = 0.5 * std::numbers::pi;
     Curve curve;
     const auto step = [&](const Vec3& from, const Vec3& to, double length, const Vec3& direction) {
-        CurveStep one;
-        one.time = curve.last.arc;
-        one.dt = length;
-        one.c = {glm::dvec4(from, curve.last.arc), glm::dvec4(to - from, length),
-                 glm::dvec4(length * direction - (to - from), 0.0)};
+        CurveStep one{.time = curve.last.arc,
+                      .dt = length,
+                      .c = {glm::dvec4(from, curve.last.arc), glm::dvec4(to - from, length),
+                            glm::dvec4(length * direction - (to - from), 0.0)}};
         curve.steps.push_back(one);
         curve.last.arc += length;
         curve.last.position = to;

@@ -1,5 +1,6 @@
 #include "core/field/analytic_flow.hpp"
 #include "core/surface/family/family_trace.hpp"
+#include "tests/support/value_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -120,15 +121,14 @@ TEST(FamilyTrace, HasTheValuesOfTheClosedFormsAndTheirErrorFallsWithTheTolerance
         for (const Accuracy accuracy : {Accuracy::Fast, Accuracy::Balanced, Accuracy::Exact}) {
             FamilyRequest request = each.request;
             request.accuracy = accuracy;
-            const auto field = carried(*flow, grid, request);
-            ASSERT_TRUE(field) << field.error().message;
-            const double error = worst(*field, grid, each.expected);
+            const auto field = value_of(carried(*flow, grid, request));
+            const double error = worst(field, grid, each.expected);
             if (accuracy == Accuracy::Balanced)
                 EXPECT_LE(error, std::max(0.3 * before, 1e-5));
             if (accuracy == Accuracy::Exact)
                 EXPECT_LT(error, 5e-6); // a float of 10 has roundings of 5e-7
             before = error;
-            const FamilyCounts& n = field->counts;
+            const FamilyCounts& n = field.counts;
             EXPECT_EQ(n.nodes, n.reached + n.at_rest + n.obstacle + n.lost + n.outside);
         }
     }
@@ -147,9 +147,8 @@ TEST(FamilyTrace, IsAsExactRoundAVortexAsItIsAskedToBe) {
     std::vector<double> errors;
     for (const Accuracy accuracy : {Accuracy::Fast, Accuracy::Balanced, Accuracy::Exact}) {
         const FamilyRequest request{FamilyPlane{{0, 0, 0}, {0, 1, 0}}, "z", accuracy};
-        const auto field = carried(*flow, grid, request);
-        ASSERT_TRUE(field) << field.error().message;
-        errors.push_back(worst(*field, grid, expected));
+        const auto field = value_of(carried(*flow, grid, request));
+        errors.push_back(worst(field, grid, expected));
     }
     EXPECT_LT(errors[1], 0.5 * errors[0]);
     EXPECT_LT(errors[2], 0.2 * errors[1]);
@@ -161,8 +160,7 @@ TEST(FamilyTrace, HasNoValueWhereStreamlinesCloseAndCountsThem) {
     const Grid grid = nodes_over({Vec3(-10), Vec3(10)}, 15);
     FamilyRequest request{FamilyInflow{}, "z"};
     request.length = 100.0; // one and a half turns of the largest circle within the domain
-    const auto field = carried(*flow, grid, request);
-    ASSERT_TRUE(field) << field.error().message;
+    const auto field = value_of(carried(*flow, grid, request));
     std::uint64_t closed = 0;
     std::uint64_t still = 0;
     for (std::size_t i = 0; i < node_count(grid); ++i) {
@@ -171,12 +169,12 @@ TEST(FamilyTrace, HasNoValueWhereStreamlinesCloseAndCountsThem) {
         still += r == 0.0 ? 1 : 0;
         closed += r > 0.0 && r < 9.999 ? 1 : 0;
         if (r < 9.999)
-            EXPECT_TRUE(std::isnan(field->values[i]));
+            EXPECT_TRUE(std::isnan(field.values[i]));
         if (r > 10.001)
-            EXPECT_NEAR(field->values[i], p.z, 1e-6);
+            EXPECT_NEAR(field.values[i], p.z, 1e-6);
     }
-    EXPECT_EQ(field->counts.at_rest, still);
-    EXPECT_GE(field->counts.lost, closed);
+    EXPECT_EQ(field.counts.at_rest, still);
+    EXPECT_GE(field.counts.lost, closed);
 }
 
 } // namespace

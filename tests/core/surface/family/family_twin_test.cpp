@@ -3,6 +3,7 @@
 #include "core/surface/builder/surface_builder.hpp"
 #include "core/surface/family/family_trace.hpp"
 #include "tests/support/level_set.hpp"
+#include "tests/support/value_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -52,29 +53,24 @@ TEST(FamilyTwin, TheLevelThroughACurveIsTheStreamSurfaceFromIt) {
             twin.box.lo, twin.box.extent() / double(each - 1), {each, each, each}};
         const std::vector<Vec3> some{twin.curve.points.front(), twin.curve.points.back()};
         const double cell = std::max({grid.spacing.x, grid.spacing.y, grid.spacing.z});
-        const auto plan = plan_family(*flow, {twin.curve}, 0.0, some, {});
-        ASSERT_TRUE(plan) << plan.error().message;
-        const auto field = trace_family(*flow, grid, *plan, {}, {});
-        ASSERT_TRUE(field) << field.error().message;
-        SurfaceParameters parameters;
-        parameters.to = twin.to;
-        parameters.direction = twin.direction;
-        parameters.separation = 0.4 * cell;
-        const auto surface = build_surface(*flow, twin.curve, parameters);
-        ASSERT_TRUE(surface) << surface.error().message;
-        const auto level = tests::level_points(grid, field->values, 0.0);
+        const auto plan = value_of(plan_family(*flow, {twin.curve}, 0.0, some, {}));
+        const auto field = value_of(trace_family(*flow, grid, plan, {}, {}));
+        SurfaceParameters parameters{
+            .to = twin.to, .direction = twin.direction, .separation = 0.4 * cell};
+        const auto surface = value_of(build_surface(*flow, twin.curve, parameters));
+        const auto level = tests::level_points(grid, field.values, 0.0);
         const tests::NearPoints near_level(level, 2.0 * cell);
-        const tests::NearPoints near_surface(surface->mesh.position, 2.0 * cell);
+        const tests::NearPoints near_surface(surface.mesh.position, 2.0 * cell);
         double from_surface = 0.0;
         std::size_t looked = 0;
-        for (const Vec3& p : surface->mesh.position)
-            if (tests::all_known(grid, field->values, p, twin.jump)) {
+        for (const Vec3& p : surface.mesh.position)
+            if (tests::all_known(grid, field.values, p, twin.jump)) {
                 from_surface = std::max(from_surface, near_level.distance(p));
                 ++looked;
             }
         double from_level = 0.0;
         for (const Vec3& p : level)
-            if (twin.jump > 1e9 || tests::all_known(grid, field->values, p, twin.jump))
+            if (twin.jump > 1e9 || tests::all_known(grid, field.values, p, twin.jump))
                 from_level = std::max(from_level, near_surface.distance(p));
         EXPECT_GT(looked, 500u);
         EXPECT_GT(level.size(), 500u);

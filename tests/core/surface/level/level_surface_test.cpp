@@ -3,6 +3,7 @@
 #include "core/surface/level/level_surface.hpp"
 #include "core/surface/patches/tessellation.hpp"
 #include "core/surface/playback/surface_at.hpp"
+#include "tests/support/value_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -41,10 +42,7 @@ class Planes final : public LevelSource {
 const std::shared_ptr<const Flow> abc = make_analytic_flow("abc").value();
 
 SurfaceParameters level_of(double level, double from = 0.0, double to = 5.0) {
-    SurfaceParameters p;
-    p.kind = SurfaceKind::Level;
-    p.from = from;
-    p.to = to;
+    SurfaceParameters p{.kind = SurfaceKind::Level, .from = from, .to = to};
     p.field = "p";
     p.level = level;
     return p;
@@ -117,8 +115,7 @@ TEST(LevelSurface, OfAFieldWithoutValuesSaysSo) {
     EXPECT_EQ(build_surface(level.plan)->statistics.empty->hint,
               "p has values at t = 1, 2.5: choose such a time, or another field");
     level.source->times = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
-    EXPECT_NE(build_surface(level.plan)->statistics.empty->hint.find("6, 7, ... 9:"),
-              std::string::npos);
+    EXPECT_TRUE(holds(build_surface(level.plan)->statistics.empty->hint, "6, 7, ... 9:"));
 }
 
 TEST(LevelSurface, OfMoreQuadsThanAllowedIsRefusedWithTheirNumber) {
@@ -141,16 +138,14 @@ TEST(LevelSurface, NeedsAFieldThatThereIsAndData) {
     EXPECT_EQ(take_levels(plan, std::make_shared<Planes>()).error().code, Error::Code::NotFound);
     EXPECT_EQ(take_levels(plan, nullptr).error().code, Error::Code::Unsupported);
     parameters.field.reset();
-    EXPECT_NE(plan_surface(abc, {}, parameters).error().message.find("needs `field`"),
-              std::string::npos);
+    EXPECT_TRUE(holds(plan_surface(abc, {}, parameters).error().message, "needs `field`"));
     parameters = level_of(3.0);
     parameters.level.reset();
-    EXPECT_NE(plan_surface(abc, {}, parameters).error().message.find("needs `level`"),
-              std::string::npos);
+    EXPECT_TRUE(holds(plan_surface(abc, {}, parameters).error().message, "needs `level`"));
     parameters = level_of(3.0);
     parameters.kind = SurfaceKind::Path;
-    EXPECT_NE(plan_surface(abc, {}, parameters).error().message.find("belongs to level surfaces"),
-              std::string::npos);
+    EXPECT_TRUE(
+        holds(plan_surface(abc, {}, parameters).error().message, "belongs to level surfaces"));
 }
 
 TEST(LevelSurface, HasNoCurvedCells) {

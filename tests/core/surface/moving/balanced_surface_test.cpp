@@ -59,10 +59,9 @@ void add_anywhere(Sums& sums, const Flow& flow, int count, double to, const char
     std::mt19937 random(5);
     for (int i = 0; i < count; ++i) {
         const Rake rake = line(flow, random);
-        SurfaceParameters p;
-        p.kind = i % 3 == 2 ? SurfaceKind::Time : SurfaceKind::Streak;
-        p.to = to;
-        p.separation = 0.02 * glm::length(flow.domain().extent());
+        SurfaceParameters p{.kind = i % 3 == 2 ? SurfaceKind::Time : SurfaceKind::Streak,
+                            .to = to,
+                            .separation = 0.02 * glm::length(flow.domain().extent())};
         if (p.kind == SurfaceKind::Time)
             p.sweep = 0.1 * flow.domain().extent();
         sums.add(flow, rake, p, name + (" " + std::to_string(i)));
@@ -105,10 +104,9 @@ TEST(BalancedSurface, HasAtMostAThirdMoreQuadsOnAMeshOfCellsWithABody) {
 
 TEST(BalancedSurface, OfAStoredVortexHasAtMostAThirdMoreQuads) {
     const std::shared_ptr<const Flow> form = *make_analytic_flow("tornado");
-    UniformGrid grid;
-    grid.dimensions = {48, 48, 48};
-    grid.origin = form->domain().lo;
-    grid.spacing = form->domain().extent() / 47.0;
+    UniformGrid grid{.origin = form->domain().lo,
+                     .spacing = form->domain().extent() / 47.0,
+                     .dimensions = {48, 48, 48}};
     auto source = std::make_shared<SampledSource>(
         grid, std::vector<double>{0.0, 1.0, 2.0, 3.0}, [form](const Vec3& p, double t) {
             Vec3 v;

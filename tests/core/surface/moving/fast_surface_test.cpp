@@ -51,12 +51,11 @@ TEST(FastSurface, NeedsAtMostAThirdMoreQuadsThanBalancedAndThreeQuartersOfItsSte
 TEST(FastSurface, KeepsASmallQuadBudgetWhereTheFlowRollsItUp) {
     const auto flow = make_analytic_flow("lamb-oseen");
     for (const std::uint64_t most : {500u, 2000u}) {
-        SurfaceParameters p;
-        p.kind = SurfaceKind::Streak;
-        p.accuracy = Accuracy::Fast;
-        p.to = 20.0;
-        p.separation = 0.002;
-        p.max_quads = most;
+        SurfaceParameters p{.kind = SurfaceKind::Streak,
+                            .to = 20.0,
+                            .separation = 0.002,
+                            .accuracy = Accuracy::Fast,
+                            .max_quads = most};
         const Rake rake{Rake::Kind::Line, {{0.2, 0.0, -1.0}, {1.0, 0.0, -1.0}}, 16};
         const auto surface = build_surface(**flow, rake, p);
         ASSERT_TRUE(surface) << surface.error().message;

@@ -21,11 +21,8 @@ TEST(MovingError, IsTheSameForAnyNumberOfThreadsAndAfterGoingBack) {
     for (const Accuracy accuracy : {Accuracy::Fast, Accuracy::Balanced}) {
         const auto errors = [&](std::size_t threads, std::vector<double> looked_at) {
             const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-            SurfaceParameters p;
-            p.kind = SurfaceKind::Streak;
-            p.accuracy = accuracy;
-            p.to = 4.0;
-            p.separation = 0.1;
+            SurfaceParameters p{
+                .kind = SurfaceKind::Streak, .to = 4.0, .separation = 0.1, .accuracy = accuracy};
             SurfaceHistory history(
                 *MovingSurface::start(plan_surface(*flow, rake, p).value(), {}, steady_clock), 1e6);
             for (const double time : looked_at)

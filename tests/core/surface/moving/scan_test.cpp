@@ -29,10 +29,7 @@ struct Moved {
 
 /// A surface some steps on, then bent and stretched as by one long step, so that much of it needs something.
 Moved moved(const char* flow, SurfaceKind kind, const Rake& rake, double to) {
-    SurfaceParameters p;
-    p.kind = kind;
-    p.to = to;
-    p.separation = 0.05;
+    SurfaceParameters p{.kind = kind, .to = to, .separation = 0.05};
     if (kind == SurfaceKind::Time)
         p.sweep = Vec3(0.1, 0.5, 0.0);
     Moved made{{*make_analytic_flow(flow), rake, p, flow}, {}, {}};

@@ -23,22 +23,15 @@ const Flow& gyre() {
 }
 
 SurfaceParameters streak() {
-    SurfaceParameters p;
-    p.kind = SurfaceKind::Streak;
-    p.to = 3.0;
-    p.separation = 0.12;
-    p.release_until = 2.0;
-    return p;
+    return {.kind = SurfaceKind::Streak, .to = 3.0, .separation = 0.12, .release_until = 2.0};
 }
 
 SurfaceParameters patch() {
-    SurfaceParameters p;
-    p.kind = SurfaceKind::Time;
-    p.from = 3.0;
-    p.to = 0.0;
-    p.separation = 0.12;
-    p.sweep = Vec3(0.0, 0.0, 0.4);
-    return p;
+    return {.kind = SurfaceKind::Time,
+            .from = 3.0,
+            .to = 0.0,
+            .separation = 0.12,
+            .sweep = Vec3(0.0, 0.0, 0.4)};
 }
 
 /// Asks for a stop in the middle of carrying particles, after `left` times of doing so.

@@ -13,10 +13,7 @@ namespace {
 
 QuadComplex path_surface() {
     const auto flow = *make_analytic_flow("abc");
-    SurfaceParameters p;
-    p.kind = SurfaceKind::Path;
-    p.to = 3.0;
-    p.separation = 0.3;
+    SurfaceParameters p{.kind = SurfaceKind::Path, .to = 3.0, .separation = 0.3};
     const Rake rake{Rake::Kind::Line, {{0, 0, 0}, {0, 2, 0}}, 9};
     return build_surface(*flow, rake, p)->mesh;
 }

@@ -3,6 +3,7 @@
 #include "core/surface/builder/surface_builder.hpp"
 #include "core/surface/playback/played_surface.hpp"
 #include "tests/support/mesh_hash.hpp"
+#include "tests/support/value_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -35,20 +36,17 @@ TEST(PlayedSurface, ShowsAtItsEndWhatTheBuilderGives) {
     const SteadyClock clock;
     for (const double to : {2.0, -2.0}) {
         const Streak job = streak(to);
-        const auto built = build_surface(*job.flow, job.rake, job.parameters);
-        ASSERT_TRUE(built) << built.error().message;
-        auto played = PlayedSurface::start(
-            plan_surface(*job.flow, job.rake, job.parameters).value(), 1U << 26, clock, {});
-        ASSERT_TRUE(played) << played.error().message;
-        ASSERT_TRUE(played->at(0.7, {}));
-        const auto shown = played->at(2.0, {});
-        ASSERT_TRUE(shown) << shown.error().message;
-        EXPECT_EQ(shown->mesh.mesh.position, built->mesh.position);
-        EXPECT_EQ(shown->mesh.mesh.cells, built->mesh.cells);
-        EXPECT_EQ(shown->time, to);
-        EXPECT_EQ(shown->statistics.quads, built->statistics.quads);
-        EXPECT_EQ(shown->statistics.max_edge, built->statistics.max_edge);
-        EXPECT_TRUE(std::is_sorted(shown->mesh.vertex_id.begin(), shown->mesh.vertex_id.end()));
+        const auto built = value_of(build_surface(*job.flow, job.rake, job.parameters));
+        auto played = value_of(PlayedSurface::start(
+            plan_surface(*job.flow, job.rake, job.parameters).value(), 1U << 26, clock, {}));
+        ASSERT_TRUE(played.at(0.7, {}));
+        const auto shown = value_of(played.at(2.0, {}));
+        EXPECT_EQ(shown.mesh.mesh.position, built.mesh.position);
+        EXPECT_EQ(shown.mesh.mesh.cells, built.mesh.cells);
+        EXPECT_EQ(shown.time, to);
+        EXPECT_EQ(shown.statistics.quads, built.statistics.quads);
+        EXPECT_EQ(shown.statistics.max_edge, built.statistics.max_edge);
+        EXPECT_TRUE(std::is_sorted(shown.mesh.vertex_id.begin(), shown.mesh.vertex_id.end()));
     }
 }
 

@@ -62,9 +62,7 @@ class HoledFlow final : public Flow {
 } // namespace
 
 TEST(OddDomain, StandsInMovingFluidWhereABodyFillsTheInlet) {
-    UniformGrid grid;
-    grid.dimensions = {41, 21, 21};
-    grid.spacing = Vec3(0.1);
+    UniformGrid grid{.spacing = Vec3(0.1), .dimensions = {41, 21, 21}};
     const auto at = times(11, 0.5);
     SolidMask mask;
     for (int i = 0; i < 41 * 21 * 21; ++i)
@@ -85,9 +83,7 @@ TEST(OddDomain, StandsInMovingFluidWhereABodyFillsTheInlet) {
 }
 
 TEST(OddDomain, LiesAlongTheWiderSideOfAThinDomain) {
-    UniformGrid grid;
-    grid.dimensions = {41, 21, 5};
-    grid.spacing = {0.1, 0.1, 5e-7};
+    UniformGrid grid{.spacing = {0.1, 0.1, 5e-7}, .dimensions = {41, 21, 5}};
     const auto at = times(11, 0.5);
     auto source = std::make_shared<tests::SampledSource>(grid, at, [](const Vec3& p, double t) {
         return Vec3(1.0 + 0.3 * std::sin(3.0 * p.y + t), 0.4 * std::sin(2.0 * p.x - t), 0.0);

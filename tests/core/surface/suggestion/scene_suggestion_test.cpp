@@ -5,6 +5,7 @@
 #include "tests/support/meshed_source.hpp"
 #include "tests/support/sampled_source.hpp"
 #include "tests/support/suggested_scene.hpp"
+#include "tests/support/value_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -131,7 +132,7 @@ TEST_P(WithABody, HalfOfEachFirstSurfaceLiesDownstreamOfTheBodysFront) {
     const auto flow =
         masked(placed.domain, placed.spacing, times(placed.steps, placed.step), placed.form);
     const auto scene = suggested(*flow, {times(placed.steps, placed.step), false, 1000});
-    EXPECT_NE(scene.why.find("body"), std::string::npos) << scene.why;
+    EXPECT_TRUE(holds(scene.why, "body"));
     shows_the_wake(*flow, scene, placed.form.along, placed.front);
 }
 
@@ -213,16 +214,15 @@ TEST(SceneSuggestion, StandsAheadOfAHoleInAMeshOfCells) {
         tests::meshed_flow(tests::TwoToOne(24, kind, bend).take(), times(25, 0.5),
                            [&](const Vec3& p, double t) { return form.velocity(p, t); });
     const auto scene = suggested(*flow, {times(25, 0.5), false, 1000});
-    EXPECT_NE(scene.why.find("body"), std::string::npos) << scene.why;
+    EXPECT_TRUE(holds(scene.why, "body"));
     shows_the_wake(*flow, scene, {1, 0, 0}, -0.67);
 }
 
 TEST(SceneSuggestion, FindsAPlateWithoutThicknessByItsWall) {
-    const auto flow = make_analytic_flow("uniform");
-    ASSERT_TRUE(flow.has_value());
+    const auto flow = value_of(make_analytic_flow("uniform"));
     const WallGeometry plate{{{0, -1, -2}, {0, 1, -2}, {0, 1, 2}, {0, -1, 2}},
                              {{0, 1, 2}, {0, 2, 3}}};
-    const auto scene = suggested(**flow, {{0.0}, true, 0}, plate);
+    const auto scene = suggested(*flow, {{0.0}, true, 0}, plate);
     for (const Vec3& end : scene.rake.points) {
         EXPECT_LT(end.x, 0.0);
         EXPECT_GT(end.x, -4.0);
@@ -232,15 +232,14 @@ TEST(SceneSuggestion, FindsAPlateWithoutThicknessByItsWall) {
 }
 
 TEST(SceneSuggestion, TakesTheWallsOfAChannelForNoBody) {
-    const auto flow = make_analytic_flow("uniform");
-    ASSERT_TRUE(flow.has_value());
+    const auto flow = value_of(make_analytic_flow("uniform"));
     const WallGeometry floor{{{-10, -10, -10}, {10, -10, -10}, {10, 10, -10}, {-10, 10, -10}},
                              {{0, 1, 2}, {0, 2, 3}}};
-    EXPECT_EQ(suggested(**flow, {{0.0}, true, 0}, floor).why.find("body"), std::string::npos);
+    EXPECT_FALSE(holds(suggested(*flow, {{0.0}, true, 0}, floor).why, "body"));
     WallGeometry ramp = floor; // not in a side of the domain, but from end to end
     for (Vec3f& point : ramp.points)
         point.z = point.x > 0 ? -8.0F : -9.0F;
-    EXPECT_EQ(suggested(**flow, {{0.0}, true, 0}, ramp).why.find("body"), std::string::npos);
+    EXPECT_FALSE(holds(suggested(*flow, {{0.0}, true, 0}, ramp).why, "body"));
 }
 
 class WithoutABody : public testing::TestWithParam<const char*> {};
@@ -312,9 +311,7 @@ TEST(SceneSuggestion, ShowsATornadoFromItsFootToItsTop) {
     ASSERT_TRUE(flow && info);
     shows_the_tornado(**flow, suggested(**flow, {info->times, info->steady, 0}));
 
-    UniformGrid grid;
-    grid.dimensions = {51, 51, 26};
-    grid.spacing = Vec3(0.02, 0.02, 0.04);
+    UniformGrid grid{.spacing = Vec3(0.02, 0.02, 0.04), .dimensions = {51, 51, 26}};
     const auto at = times(48, 1.0);
     const auto stored = make_stored_flow(std::make_shared<TimeStepCache>(
         std::make_shared<tests::SampledSource>(
@@ -356,10 +353,7 @@ TEST(SceneSuggestion, EndsAFewBodiesBehindOneInSteadyFlow) {
 /// Along a flat plate: slow at the floor.
 TEST(SceneSuggestion, StartsInTheSlowFlowAlongAWall) {
     const Box domain{{0, 0, 0}, {10, 2, 4}};
-    UniformGrid grid;
-    grid.origin = domain.lo;
-    grid.dimensions = {51, 41, 21};
-    grid.spacing = {0.2, 0.05, 0.2};
+    UniformGrid grid{.origin = domain.lo, .spacing = {0.2, 0.05, 0.2}, .dimensions = {51, 41, 21}};
     const auto at = times(11, 1.0);
     auto source = std::make_shared<tests::SampledSource>(grid, at, [](const Vec3& p, double) {
         return Vec3(std::tanh(3.0 * p.y / (0.2 + 0.05 * p.x)), 0.0, 0.0);
@@ -403,21 +397,16 @@ TEST(SceneSuggestion, OfOneTimeStepIsOfStreamSurfacesAlone) {
 }
 
 TEST(SceneSuggestion, SaysThatTheFlowIsAtRest) {
-    UniformGrid grid;
-    grid.dimensions = {9, 9, 9};
-    grid.spacing = Vec3(0.125);
+    UniformGrid grid{.spacing = Vec3(0.125), .dimensions = {9, 9, 9}};
     auto source = std::make_shared<tests::SampledSource>(
         grid, times(3, 1.0), [](const Vec3&, double) { return Vec3(0.0); });
     const auto flow =
         make_stored_flow(std::make_shared<TimeStepCache>(source, TimeStepCache::Options{}));
-    EXPECT_NE(suggested(*flow, {times(3, 1.0), false, 1000}).why.find("at rest"),
-              std::string::npos);
+    EXPECT_TRUE(holds(suggested(*flow, {times(3, 1.0), false, 1000}).why, "at rest"));
 }
 
 TEST(SceneSuggestion, CostsOneTimeStep) {
-    UniformGrid grid;
-    grid.dimensions = {33, 17, 17};
-    grid.spacing = Vec3(0.125);
+    UniformGrid grid{.spacing = Vec3(0.125), .dimensions = {33, 17, 17}};
     const auto at = times(100, 0.5);
     auto source = std::make_shared<tests::SampledSource>(
         grid, at, [](const Vec3& p, double) { return Vec3(1.0 + p.y, 0.0, 0.0); });
