@@ -6,7 +6,8 @@ import subprocess
 import tempfile
 import unittest
 
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from real_server import ROOT, write_program
+
 STEPS = ("begin_setup", "announce", "setup_packages", "setup_npm", "build", "setup_web", "end_setup")
 
 # Says what the tests in suites.json do at their first and at their second run: `fails` or `passes`. Writes as npm with vitest, as ctest, or as
@@ -78,28 +79,22 @@ class CheckScriptTest(unittest.TestCase):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
         self.clone = os.path.join(self.folder.name, "clone")
-        self.write("docker/setup.sh", "log=$root/build/check.log; web=$root/web-client\nsay() { echo \"$*\" >&2; }\nstage() { shift; \"$@\"; }\n" +
-                   "".join(f"{step}() {{ mkdir -p $root/build; }}\n" for step in STEPS))
+        write_program(self.clone, "docker/setup.sh",
+                      "log=$root/build/check.log; web=$root/web-client\nsay() { echo \"$*\" >&2; }\nstage() { shift; \"$@\"; }\n" +
+                      "".join(f"{step}() {{ mkdir -p $root/build; }}\n" for step in STEPS))
         for program in ("bin/npm", "bin/ctest"):
-            self.write(program, RUNNER)
+            write_program(self.clone, program, RUNNER)
         os.makedirs(os.path.join(self.clone, "build/release/bin"))
         for name in ("core_test", "timing_test"):
-            self.write("bin/" + name, RUNNER)
+            write_program(self.clone, "bin/" + name, RUNNER)
             os.symlink(os.path.join(self.clone, "bin", name), os.path.join(self.clone, "build/release/bin", name))
         for name in ("check", "tests/read_results"):
             os.makedirs(os.path.dirname(os.path.join(self.clone, name)), exist_ok=True)
             shutil.copy(os.path.join(ROOT, name), os.path.join(self.clone, name))
 
-    def write(self, name, text):
-        path = os.path.join(self.clone, name)
-        os.makedirs(os.path.dirname(path), exist_ok=True)
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(text)
-        os.chmod(path, 0o755)
-
     def checked(self, part, **suites):
         """Status and last lines of a check of one part, and all that it showed beside them."""
-        self.write("bin/suites.json", json.dumps({"timing": {"Ticks": ["passes"]}, "page": {"a page": ["passes"]}, **suites}))
+        write_program(self.clone, "bin/suites.json", json.dumps({"timing": {"Ticks": ["passes"]}, "page": {"a page": ["passes"]}, **suites}))
         ran = subprocess.run([os.path.join(self.clone, "check"), "--only", part], text=True, timeout=60, check=False, capture_output=True,
                              env={"PATH": os.path.join(self.clone, "bin") + ":" + os.environ["PATH"]})
         return ran.returncode, ran.stdout.splitlines(), ran.stderr

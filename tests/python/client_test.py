@@ -6,7 +6,7 @@ import unittest
 
 import numpy as np
 
-from real_server import BINARY, RealServer
+from real_server import BINARY, ServerTest
 import wakesurf
 
 os.environ.setdefault("WAKESURF_DRACO", os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(BINARY))),
@@ -15,15 +15,8 @@ os.environ.setdefault("WAKESURF_DRACO", os.path.join(os.path.dirname(os.path.dir
 LINE = [(0.2, 0, -1), (1, 0, -1)]
 
 
-class ClientTest(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.server = RealServer("flow:lamb-oseen", "flow:abc")
-        cls.client = wakesurf.Client(cls.server.url)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.server.stop()
+class ClientTest(ServerTest):
+    datasets = ("flow:lamb-oseen", "flow:abc")
 
     def setUp(self):
         self.session = self.client.create_session("test")

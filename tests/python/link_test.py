@@ -3,7 +3,7 @@ import unittest
 
 import numpy as np
 
-from real_server import RealServer
+from real_server import ServerTest
 import wakesurf
 from wakesurf.link import Link
 
@@ -11,16 +11,7 @@ LINE = ((0.4, 0.4, 0.1), (0.6, 0.6, 0.1))
 OTHER = ((0.3, 0.5, 0.2), (0.7, 0.5, 0.2))
 
 
-class LinkTest(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.server = RealServer("flow:tornado")
-        cls.client = wakesurf.Client(cls.server.url)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.server.stop()
-
+class LinkTest(ServerTest):
     def setUp(self):
         self.session = self.client.create_session("linked")
         self.link = Link(self.server.url, self.session.id, kind="path")

@@ -5,11 +5,10 @@ import re
 import shutil
 import socket
 import subprocess
-import tempfile
 import time
 import unittest
 
-from real_server import BINARY, ROOT
+from real_server import BINARY, ROOT, FolderTest, write_program
 import wakesurf
 from wakesurf.chrome import Chrome, find_browser
 
@@ -21,19 +20,13 @@ mv NOTE.part NOTE
 """
 
 
-class OpenCase(unittest.TestCase):
+class OpenCase(FolderTest):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = folder.name
+        super().setUp()
         self.note = os.path.join(self.folder, "note")
 
     def browser(self, name):
-        path = os.path.join(self.folder, name)
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(BROWSER.replace("NOTE", self.note))
-        os.chmod(path, 0o755)
-        return path
+        return write_program(self.folder, name, BROWSER.replace("NOTE", self.note))
 
     def environment(self, **more):
         kept = {name: value for name, value in os.environ.items()

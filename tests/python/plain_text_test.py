@@ -4,7 +4,7 @@ import subprocess
 import tempfile
 import unittest
 
-from real_server import BINARY, RealServer
+from real_server import BINARY, ServerTest
 import wakesurf
 
 ACTS = "A\u202eB\u2066C\u200bD\ufeffE\U000e0041F\x85G"
@@ -18,15 +18,8 @@ Spacing="1 1 1"><Piece Extent="0 2 0 2 0 2"><PointData>
 """.format("1 0 0 " * 27, "1 " * 27)
 
 
-class NamesOfPeople(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.server = RealServer("flow:abc")
-        cls.client = wakesurf.Client(cls.server.url)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.server.stop()
+class NamesOfPeople(ServerTest):
+    datasets = ("flow:abc",)
 
     def test_are_cleaned_wherever_they_are_typed(self):
         session = self.client.create_session(ACTS)

@@ -8,7 +8,7 @@ import subprocess
 import tempfile
 import unittest
 
-from real_server import BINARY
+from real_server import BINARY, write_program
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 STEPS = ("begin_setup", "announce", "setup_packages", "setup_npm", "build", "setup_web", "end_setup")
@@ -20,19 +20,12 @@ class RunScriptTest(unittest.TestCase):
         self.addCleanup(self.folder.cleanup)
         self.clone = os.path.join(self.folder.name, "clone")
         self.state = os.path.join(self.folder.name, "home/state/wakesurf")
-        self.write("docker/setup.sh", "release=$root/build/release\nsay() { echo \"$*\" >&2; }\n" +
-                   "".join(f"{step}() {{ :; }}\n" for step in STEPS))
-        self.write("build/release/bin/wakesurf", "#!/bin/sh\n[ \"$2\" != --help ] || exec cat \"$0.help\"\nprintf '%s\\n' \"$@\"\n")
+        write_program(self.clone, "docker/setup.sh", "release=$root/build/release\nsay() { echo \"$*\" >&2; }\n" +
+                      "".join(f"{step}() {{ :; }}\n" for step in STEPS))
+        write_program(self.clone, "build/release/bin/wakesurf", "#!/bin/sh\n[ \"$2\" != --help ] || exec cat \"$0.help\"\nprintf '%s\\n' \"$@\"\n")
         self.help = subprocess.run([BINARY, "serve", "--help"], text=True, check=True, stdout=subprocess.PIPE).stdout
-        self.write("build/release/bin/wakesurf.help", self.help)
+        write_program(self.clone, "build/release/bin/wakesurf.help", self.help)
         shutil.copy(os.path.join(ROOT, "run"), self.clone)
-
-    def write(self, name, text):
-        path = os.path.join(self.clone, name)
-        os.makedirs(os.path.dirname(path), exist_ok=True)
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(text)
-        os.chmod(path, 0o755)
 
     def given(self, *arguments, **environment):
         """What the server is given."""

@@ -4,10 +4,9 @@ import base64
 import json
 import os
 import subprocess
-import tempfile
 import unittest
 
-from real_server import BINARY, RealServer
+from real_server import BINARY, FolderTest, RealServer
 import wakesurf
 
 LINE = [(0.2, 0, -1), (1, 0, -1)]
@@ -22,12 +21,10 @@ def run(*arguments, **environment):
     return done.returncode, done.stdout, done.stderr
 
 
-class SessionsTest(unittest.TestCase):
+class SessionsTest(FolderTest):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = folder.name
-        self.state = os.path.join(folder.name, "state")
+        super().setUp()
+        self.state = os.path.join(self.folder, "state")
         self.server = None
         self.start()
         self.addCleanup(self.stop)

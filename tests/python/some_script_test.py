@@ -5,7 +5,8 @@ import subprocess
 import tempfile
 import unittest
 
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from real_server import ROOT, write_program
+
 NINJA = '''#!/bin/sh
 echo "ninja $3" >>"$(dirname "$0")/../ran.txt"
 [ -e "$2/CMakeCache.txt" ] || exit 1
@@ -25,17 +26,10 @@ class SomeScriptTest(unittest.TestCase):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
         self.clone = self.folder.name
-        self.write("bin/ninja", NINJA)
-        self.write("docker/set_up_tests", SET_UP)
-        self.write("tests/python/paper_test.py", "")
+        write_program(self.clone, "bin/ninja", NINJA)
+        write_program(self.clone, "docker/set_up_tests", SET_UP)
+        write_program(self.clone, "tests/python/paper_test.py", "")
         shutil.copy(os.path.join(ROOT, "tests/some"), os.path.join(self.clone, "tests/some"))
-
-    def write(self, name, text):
-        path = os.path.join(self.clone, name)
-        os.makedirs(os.path.dirname(path), exist_ok=True)
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(text)
-        os.chmod(path, 0o755)
 
     def some(self, **environment):
         """Its status, and what it said."""
@@ -53,12 +47,12 @@ class SomeScriptTest(unittest.TestCase):
         self.assertEqual(self.ran(), ["set up", "ninja wakesurf", "ninja wakesurf"])
 
     def test_prepares_a_clone_that_run_has_built_without_tests(self):
-        self.write("build/release/CMakeCache.txt", "\nWAKESURF_TESTS:BOOL=OFF\n")
+        write_program(self.clone, "build/release/CMakeCache.txt", "\nWAKESURF_TESTS:BOOL=OFF\n")
         self.some()
         self.assertEqual(self.ran(), ["set up", "ninja wakesurf"])
 
     def test_ends_where_that_fails(self):
-        self.write("docker/set_up_tests", "#!/bin/sh\necho no packages >&2\nexit 3\n")
+        write_program(self.clone, "docker/set_up_tests", "#!/bin/sh\necho no packages >&2\nexit 3\n")
         self.assertEqual(self.some(), (1, "no packages\n"))
 
     def test_says_how_much_there_is_to_compile_where_one_would_wonder(self):

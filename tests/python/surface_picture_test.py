@@ -3,20 +3,17 @@ import os
 import signal
 import struct
 import subprocess
-import tempfile
 import time
 import unittest
 
-from real_server import BINARY
+from real_server import BINARY, FolderTest
 
 SURFACE = ("surface", "flow:tornado", "--kind", "path", "--rake", "0.4,0.4,0.1 0.6,0.6,0.1", "--to", "1", "--separation", "0.1")
 
 
-class SurfacePictureTest(unittest.TestCase):
+class SurfacePictureTest(FolderTest):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = folder.name
+        super().setUp()
         self.path = os.path.join(self.folder, "a.png")
 
     def environment(self, **more):

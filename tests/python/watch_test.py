@@ -3,23 +3,14 @@ import asyncio
 import threading
 import unittest
 
-from real_server import RealServer
+from real_server import RealServer, ServerTest
 import wakesurf
 from wakesurf import notifications
 
 LINE = [(0.4, 0.4, 0.1), (0.6, 0.6, 0.1)]
 
 
-class WatchTest(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.server = RealServer("flow:tornado")
-        cls.client = wakesurf.Client(cls.server.url)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.server.stop()
-
+class WatchTest(ServerTest):
     def setUp(self):
         self.session = self.client.create_session("watched")
 
