@@ -8,7 +8,8 @@
 
 namespace wakesurf::tests {
 
-/// Returns the 64-bit FNV-1a of ids, cells, s, t and the bytes of positions. Cells count by the ids of their vertices.
+/// Returns the 64-bit FNV-1a of ids, cells, s, t and the bytes of positions. Cells count by the ids of their
+/// vertices.
 inline std::uint64_t hash(const core::KeyedMesh& keyed) {
     std::uint64_t state = 0xcbf29ce484222325ull;
     const auto add = [&](const auto& value) {

@@ -1,4 +1,5 @@
-// What tests of every room say of results and of texts, so that a failure shows the reason. In the namespace above all rooms.
+// Says of results and texts what tests of all rooms ask, so that a failure shows the reason. It is in the
+// namespace above all rooms.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -9,7 +10,8 @@
 
 namespace wakesurf {
 
-/// Returns the value of a result or an optional. Where there is none it throws, which ends the test with the error's message.
+/// Returns the value of a result or an optional. Where there is none it throws, which ends the test with the
+/// error's message.
 template <class Holder>
 typename Holder::value_type value_of(Holder holder) {
     if constexpr (requires { holder.error().message; }) {
