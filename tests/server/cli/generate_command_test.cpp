@@ -7,6 +7,7 @@
 #include "tests/support/places.hpp"
 #include "tests/support/server/running_program.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/value_of.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -67,7 +68,7 @@ class GenerateCommand : public testing::Test {
                  const std::string& part) const {
         const auto outcome = run(flow, more);
         EXPECT_EQ(outcome.status, status) << part;
-        EXPECT_NE(outcome.errors.find(part), std::string::npos) << outcome.errors;
+        EXPECT_TRUE(holds(outcome.errors, part));
         EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1);
         EXPECT_FALSE(fs::exists(store())) << part;
     }
@@ -143,9 +144,8 @@ TEST_F(GenerateCommand, LaysTimeStepsInBricksWhereAskedToWithTheSameValues) {
                                         "velocity_000000.bricks", "velocity_000000.f32"}));
     EXPECT_EQ(manifest().layout.brick_cells, 32U);
     const auto info = wakesurf({"info", store()});
-    EXPECT_NE(info.output.find("  stored    bricks of 32 cells\n"), std::string::npos)
-        << info.output;
-    EXPECT_NE(info.output.find("  served    whole time-steps: "), std::string::npos)
+    EXPECT_TRUE(holds(info.output, "  stored    bricks of 32 cells\n"));
+    EXPECT_TRUE(holds(info.output, "  served    whole time-steps: "))
         << "they fit: " << info.output;
     const auto described = nlohmann::json::parse(wakesurf({"info", store(), "--json"}).output);
     EXPECT_EQ(described["stored"], "bricks of 32 cells");
@@ -157,8 +157,8 @@ TEST_F(GenerateCommand, LaysTimeStepsInBricksWhereAskedToWithTheSameValues) {
     };
     const auto bricks = open();
     const auto paged = bricks->load(0, {}).value();
-    EXPECT_NE(run("cylinder", with("bricks")).output.find("up to date"), std::string::npos);
-    EXPECT_NE(run("cylinder", with("auto")).output.find("up to date"), std::string::npos)
+    EXPECT_TRUE(holds(run("cylinder", with("bricks")).output, "up to date"));
+    EXPECT_TRUE(holds(run("cylinder", with("auto")).output, "up to date"))
         << "what was begun so goes on so";
     EXPECT_EQ(run("cylinder", with("whole")).status, 1) << "that is another store";
     fs::remove(store() / "velocity_000000.bricks");
@@ -167,8 +167,7 @@ TEST_F(GenerateCommand, LaysTimeStepsInBricksWhereAskedToWithTheSameValues) {
     fs::remove_all(store());
     ASSERT_EQ(run("cylinder", with("auto")).status, 0);
     EXPECT_EQ(manifest().layout.brick_cells, 0U) << "less than 1 GiB a time-step";
-    EXPECT_NE(wakesurf({"info", store()}).output.find("  stored    whole time-steps\n"),
-              std::string::npos);
+    EXPECT_TRUE(holds(wakesurf({"info", store()}).output, "  stored    whole time-steps\n"));
     const auto whole = open();
     const std::size_t nodes = core::node_count(whole->grid());
     EXPECT_EQ(tests::mask_bytes(whole->mask(), nodes), tests::mask_bytes(bricks->mask(), nodes));
@@ -179,8 +178,7 @@ TEST_F(GenerateCommand, LaysTimeStepsInBricksWhereAskedToWithTheSameValues) {
 TEST_F(GenerateCommand, InfoTellsTimesApartHoweverLate) {
     ASSERT_EQ(run("abc", {"--grid", "8,8,8", "--times", "1000000000:1000000000.5:2"}).status, 0);
     const auto info = wakesurf({"info", store()});
-    EXPECT_NE(info.output.find("2 from 1000000000 to 1000000000.5"), std::string::npos)
-        << info.output;
+    EXPECT_TRUE(holds(info.output, "2 from 1000000000 to 1000000000.5"));
 }
 
 TEST_F(GenerateCommand, UsesTheFlowsOwnTimesAndTellsEveryTimeStep) {
@@ -188,9 +186,8 @@ TEST_F(GenerateCommand, UsesTheFlowsOwnTimesAndTellsEveryTimeStep) {
     ASSERT_EQ(outcome.status, 0) << outcome.errors;
     EXPECT_EQ(manifest().layout.times.size(), 21U);
     EXPECT_EQ(manifest().layout.times.back(), 10.0);
-    EXPECT_NE(outcome.output.find("generate: 7 of 21, velocity_000006.f32\n"), std::string::npos)
-        << outcome.output;
-    EXPECT_NE(outcome.output.find("21 time-steps of 4 x 4 x 4 nodes"), std::string::npos);
+    EXPECT_TRUE(holds(outcome.output, "generate: 7 of 21, velocity_000006.f32\n"));
+    EXPECT_TRUE(holds(outcome.output, "21 time-steps of 4 x 4 x 4 nodes"));
 }
 
 TEST_F(GenerateCommand, DoesNothingWhereTheSameStoreIsThereAlready) {
@@ -198,7 +195,7 @@ TEST_F(GenerateCommand, DoesNothingWhereTheSameStoreIsThereAlready) {
     const auto before = fs::last_write_time(store() / "velocity_000000.f32");
     const auto again = run("abc", {"--grid", "8,8,8"});
     EXPECT_EQ(again.status, 0) << again.errors;
-    EXPECT_NE(again.output.find("up to date"), std::string::npos) << again.output;
+    EXPECT_TRUE(holds(again.output, "up to date"));
     EXPECT_EQ(fs::last_write_time(store() / "velocity_000000.f32"), before);
 }
 
@@ -206,14 +203,14 @@ TEST_F(GenerateCommand, TouchesNoFolderOfSomethingElse) {
     ASSERT_EQ(run("abc", {"--grid", "8,8,8"}).status, 0);
     const auto other = run("abc", {"--grid", "8,8,9"});
     EXPECT_EQ(other.status, 1);
-    EXPECT_NE(other.errors.find("a different store"), std::string::npos) << other.errors;
+    EXPECT_TRUE(holds(other.errors, "a different store"));
     EXPECT_EQ(manifest().layout.grid.uniform.dimensions[2], 8U);
     fs::remove_all(store());
     fs::create_directory(store());
     write_file(store() / "thesis.tex", "text");
     const auto thesis = run("abc", {"--grid", "8,8,8"});
     EXPECT_EQ(thesis.status, 1);
-    EXPECT_NE(thesis.errors.find("thesis.tex"), std::string::npos) << thesis.errors;
+    EXPECT_TRUE(holds(thesis.errors, "thesis.tex"));
     EXPECT_EQ(names(), std::vector<std::string>{"thesis.tex"});
 }
 
@@ -234,10 +231,10 @@ TEST_F(GenerateCommand, RefusesBeforeItWritesAnything) {
 
 TEST_F(GenerateCommand, StopsAtASignalAndGoesOnLaterToTheSameBytes) {
     RunningProgram generate(large(store()));
-    EXPECT_NE(generate.line().find("generate: 1 of 3"), std::string::npos);
+    EXPECT_TRUE(holds(generate.line(), "generate: 1 of 3"));
     const auto [status, words] = generate.stop(SIGINT);
     EXPECT_EQ(status, 1);
-    EXPECT_NE(words.find("run the same command again"), std::string::npos) << words;
+    EXPECT_TRUE(holds(words, "run the same command again"));
     for (const auto& name : names())
         EXPECT_FALSE(name.ends_with(".part")) << name;
     EXPECT_FALSE(manifest().complete);
@@ -255,10 +252,10 @@ TEST_F(GenerateCommand, StopsAtASignalAndGoesOnLaterToTheSameBytes) {
 
 TEST_F(GenerateCommand, RefusesAFolderThatAnotherOneIsWriting) {
     RunningProgram generate(large(store()));
-    EXPECT_NE(generate.line().find("generate: 1 of 3"), std::string::npos);
+    EXPECT_TRUE(holds(generate.line(), "generate: 1 of 3"));
     const auto second = run("abc", {"--grid", "200,200,100", "--times", "0:1:3"});
     EXPECT_EQ(second.status, 1);
-    EXPECT_NE(second.errors.find("another program"), std::string::npos) << second.errors;
+    EXPECT_TRUE(holds(second.errors, "another program"));
     EXPECT_EQ(generate.stop(SIGTERM).status, 1);
 }
 

@@ -3,6 +3,7 @@
 #include "tests/support/places.hpp"
 #include "tests/support/server/server_process.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/value_of.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -74,19 +75,19 @@ TEST(PrivateFile, IsAPlainFileOfThisUserAndNothingElse) {
     fs::create_symlink(folder / "nothing", folder / "loose");
     ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
     fs::create_directory(folder / "folder");
-    EXPECT_NE(refused("link").find("is a link"), std::string::npos);
-    EXPECT_NE(refused("loose").find("is a link"), std::string::npos);
-    EXPECT_NE(refused("pipe").find("not a plain file"), std::string::npos) << "and does not wait";
+    EXPECT_TRUE(holds(refused("link"), "is a link"));
+    EXPECT_TRUE(holds(refused("loose"), "is a link"));
+    EXPECT_TRUE(holds(refused("pipe"), "not a plain file")) << "and does not wait";
     EXPECT_NE(refused("folder"), "read");
     fs::create_hard_link(folder / "mine", folder / "second");
-    EXPECT_NE(refused("second").find("another name"), std::string::npos);
+    EXPECT_TRUE(holds(refused("second"), "another name"));
     fs::remove(folder / "second");
     EXPECT_EQ(*read_private_file(folder / "mine", 100), "precious");
     EXPECT_EQ(read_private_file(folder / "mine", 7).error().code, core::Error::Code::Corrupt);
     EXPECT_EQ(read_private_file(folder / "none", 7).error().code, core::Error::Code::NotFound);
     EXPECT_FALSE(fs::exists(folder / "nothing"));
     if (gave_away(folder / "mine")) {
-        EXPECT_NE(refused("mine").find("belongs to user 4711"), std::string::npos);
+        EXPECT_TRUE(holds(refused("mine"), "belongs to user 4711"));
     }
 }
 
@@ -122,7 +123,7 @@ TEST(NamedSecret, MayBeBehindALinkOfOnesOwnAndSaysWhereOthersCouldReadIt) {
     if (gave_away(folder / "link")) {
         const auto read = read_named_secret(folder / "link", 100);
         ASSERT_FALSE(read);
-        EXPECT_NE(words(read.error()).find("link of user 4711"), std::string::npos);
+        EXPECT_TRUE(holds(words(read.error()), "link of user 4711"));
         ASSERT_TRUE(gave_away(folder / "token"));
         EXPECT_FALSE(read_named_secret(folder / "token", 100));
     }
@@ -137,14 +138,14 @@ TEST(PrivateFolder, IsOnesOwnAndNoOneElseMayWriteThere) {
     };
     EXPECT_EQ(refusal(0700, false), "");
     EXPECT_EQ(refusal(0755, false), "");
-    EXPECT_NE(refusal(0775, false).find("--state: others can write"), std::string::npos);
-    EXPECT_NE(refusal(0757, true).find("chmod go-w"), std::string::npos);
+    EXPECT_TRUE(holds(refusal(0775, false), "--state: others can write"));
+    EXPECT_TRUE(holds(refusal(0757, true), "chmod go-w"));
     EXPECT_NE(refusal(01777, false), "");
     EXPECT_EQ(refusal(01777, true), "");
     EXPECT_EQ(refusal(0700, true), "");
     if (gave_away(folder.path())) {
-        EXPECT_NE(refusal(0755, true).find("belongs to user 4711"), std::string::npos);
-        EXPECT_NE(refusal(0777, false).find("belongs to user 4711"), std::string::npos);
+        EXPECT_TRUE(holds(refusal(0755, true), "belongs to user 4711"));
+        EXPECT_TRUE(holds(refusal(0777, false), "belongs to user 4711"));
     }
 }
 
@@ -159,7 +160,7 @@ TEST(StateOfOthers, IsRefusedBeforeAnythingInItIsTouched) {
         fs::create_symlink(folder / "precious", state / name);
         const auto ended = serve("--state " + state.string());
         EXPECT_EQ(ended.status, 1) << name;
-        EXPECT_NE(ended.errors.find("is a link"), std::string::npos) << name << ended.errors;
+        EXPECT_TRUE(holds(ended.errors, "is a link")) << name << ended.errors;
         EXPECT_EQ(read_file(folder / "precious"), "precious") << name;
         fs::remove(state / name);
     }
@@ -168,8 +169,7 @@ TEST(StateOfOthers, IsRefusedBeforeAnythingInItIsTouched) {
     fs::permissions(open, fs::perms{0777});
     const auto ended = serve("--state " + open.string());
     EXPECT_EQ(ended.status, 1);
-    EXPECT_NE(ended.errors.find("others can write to the folder (mode 0777)"), std::string::npos)
-        << ended.errors;
+    EXPECT_TRUE(holds(ended.errors, "others can write to the folder (mode 0777)"));
     EXPECT_TRUE(fs::is_empty(open));
 }
 
@@ -182,7 +182,7 @@ TEST(TokenFile, IsMendedWithAWordWhereOthersCanReadItAndRefusedWhereItIsTheirs) 
         ServerProcess server({"flow:abc", "--token-file", file});
         EXPECT_EQ(server.token(), secret);
         EXPECT_EQ(mode(file), fs::perms{0600});
-        EXPECT_NE(server.stop().log.find("event=token_was_readable"), std::string::npos);
+        EXPECT_TRUE(holds(server.stop().log, "event=token_was_readable"));
     }
     const auto refused = [&] {
         const auto ended = serve("--token-file " + file);
@@ -190,11 +190,11 @@ TEST(TokenFile, IsMendedWithAWordWhereOthersCanReadItAndRefusedWhereItIsTheirs) 
         return ended.errors;
     };
     if (gave_away(file)) {
-        EXPECT_NE(refused().find("belongs to user 4711"), std::string::npos);
+        EXPECT_TRUE(holds(refused(), "belongs to user 4711"));
     }
     fs::remove(file);
     ASSERT_EQ(::mkfifo(file.c_str(), 0600), 0);
-    EXPECT_NE(refused().find("not a plain file"), std::string::npos);
+    EXPECT_TRUE(holds(refused(), "not a plain file"));
 }
 
 TEST(NewToken, ChangesNothingWhereTheServerDoesNotStart) {
@@ -223,8 +223,7 @@ TEST(NewToken, IsNotForAFileThatAnotherServerUses) {
         first = read_file(file);
         const auto refused = serve("--token-file " + file + " --new-token");
         EXPECT_EQ(refused.status, 1);
-        EXPECT_NE(refused.errors.find("in use by another server"), std::string::npos)
-            << refused.errors;
+        EXPECT_TRUE(holds(refused.errors, "in use by another server"));
         EXPECT_EQ(read_file(file), first);
     }
     const ServerProcess alone({"flow:abc", "--token-file", file, "--new-token"});

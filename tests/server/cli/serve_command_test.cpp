@@ -1,5 +1,6 @@
 // `wakesurf serve` with arguments it cannot serve: one line on standard error, and the right exit status.
 #include "tests/support/places.hpp"
+#include "tests/support/value_of.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -37,21 +38,19 @@ Ended serve(const std::string& variables, const std::string& arguments) {
 
 TEST(ServeCommand, TakesDefaultsFromTheEnvironmentAndTheCommandLineWins) {
     // What it says shows what it took: an address it cannot parse, or, with a good one, a flow it does not know.
-    EXPECT_NE(serve("WAKESURF_LISTEN=from-the-environment", "flow:nonsense")
-                  .text.find("from-the-environment"),
-              std::string::npos);
+    EXPECT_TRUE(holds(serve("WAKESURF_LISTEN=from-the-environment", "flow:nonsense").text,
+                      "from-the-environment"));
     const auto overridden =
         serve("WAKESURF_LISTEN=from-the-environment", "flow:nonsense --listen 127.0.0.1:0");
-    EXPECT_NE(overridden.text.find("lamb-oseen"), std::string::npos) << overridden.text;
-    EXPECT_NE(
-        serve("WAKESURF_DATASET=flow:nonsense", "--listen 127.0.0.1:0").text.find("lamb-oseen"),
-        std::string::npos);
-    EXPECT_NE(serve("WAKESURF_TOKEN_FILE=/etc/hostname", "flow:abc --listen 127.0.0.1:0")
-                  .text.find("32 to 512"),
-              std::string::npos);
+    EXPECT_TRUE(holds(overridden.text, "lamb-oseen"));
+    EXPECT_TRUE(
+        holds(serve("WAKESURF_DATASET=flow:nonsense", "--listen 127.0.0.1:0").text, "lamb-oseen"));
+    EXPECT_TRUE(
+        holds(serve("WAKESURF_TOKEN_FILE=/etc/hostname", "flow:abc --listen 127.0.0.1:0").text,
+              "32 to 512"));
     const auto no_token =
         serve("WAKESURF_TOKEN_FILE=/etc/hostname", "flow:nonsense --listen 127.0.0.1:0 --no-auth");
-    EXPECT_NE(no_token.text.find("lamb-oseen"), std::string::npos) << no_token.text;
+    EXPECT_TRUE(holds(no_token.text, "lamb-oseen"));
 }
 
 TEST(ServeCommand, SaysInOneLineWhyItCannotServe) {
@@ -84,7 +83,7 @@ TEST(ServeCommand, SaysInOneLineWhyItCannotServe) {
         const auto [end, text] = serve("", arguments);
         EXPECT_EQ(end, status) << arguments << "\n" << text;
         EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << arguments << "\n" << text;
-        EXPECT_NE(text.find(words), std::string::npos) << arguments << "\n" << text;
+        EXPECT_TRUE(holds(text, words)) << arguments << "\n" << text;
     }
 }
 

@@ -4,6 +4,7 @@
 #include "tests/support/server/server_process.hpp"
 #include "tests/support/server/websocket_client.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/value_of.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -86,7 +87,7 @@ TEST_F(StateCommand, BacksUpAServerThatRunsWhileEditsGoOnAndPutsThatBack) {
         EXPECT_EQ(again.status, 1) << "a backup never overwrites one";
         const Said restored = state({"restore", kept, file});
         EXPECT_EQ(restored.status, 1);
-        EXPECT_NE(restored.errors.find("stop it"), std::string::npos) << restored.errors;
+        EXPECT_TRUE(holds(restored.errors, "stop it"));
         client.result("rake.set", rake_at(5));
         server.kill();
     }
@@ -94,15 +95,13 @@ TEST_F(StateCommand, BacksUpAServerThatRunsWhileEditsGoOnAndPutsThatBack) {
               std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
     const Said restored = state({"restore", kept, file});
     EXPECT_EQ(restored.status, 0) << restored.errors;
-    EXPECT_NE(restored.output.find("sessions-replaced-"), std::string::npos) << restored.output;
-    EXPECT_EQ(restored.output.find("new folder"), std::string::npos) << restored.output;
+    EXPECT_TRUE(holds(restored.output, "sessions-replaced-"));
+    EXPECT_FALSE(holds(restored.output, "new folder"));
     EXPECT_EQ(state({"check", kept}).status, 0);
     const std::string mistyped = folder / "sate";
     const Said elsewhere = state({"restore", mistyped, file});
     EXPECT_EQ(elsewhere.status, 0) << elsewhere.errors;
-    EXPECT_NE(elsewhere.output.find("new folder, which was not there: " + mistyped),
-              std::string::npos)
-        << elsewhere.output;
+    EXPECT_TRUE(holds(elsewhere.output, "new folder, which was not there: " + mistyped));
     const ServerProcess server(arguments);
     EXPECT_EQ(rakes(server), before);
 }
@@ -125,14 +124,14 @@ TEST_F(StateCommand, SaysWhatIsDamagedAndRestoresWhatCanBeRead) {
     const Said checked = state({"check", kept});
     EXPECT_EQ(checked.status, 1);
     EXPECT_EQ(checked.output.find("damaged"), 0u) << checked.output;
-    EXPECT_NE(checked.errors.find("restore"), std::string::npos) << checked.errors;
+    EXPECT_TRUE(holds(checked.errors, "restore"));
     EXPECT_EQ(read_file(path), bytes) << "checking changes nothing";
     EXPECT_EQ(state({"backup", kept, file}).status, 1) << "this would be no backup";
     EXPECT_FALSE(std::filesystem::exists(file));
     EXPECT_EQ(state({"restore", kept, path}).status, 1);
     const Said restored = state({"restore", kept, path, "--damaged"});
     EXPECT_EQ(restored.status, 0) << restored.errors;
-    EXPECT_NE(restored.output.find("not restored"), std::string::npos) << restored.output;
+    EXPECT_TRUE(holds(restored.output, "not restored"));
     const ServerProcess server(arguments);
     const std::size_t there = rakes(server).size();
     EXPECT_GT(there, 150u) << "only what was on the page is gone";
@@ -145,7 +144,7 @@ TEST_F(StateCommand, SaysWhatIsWrongWithItsArguments) {
     EXPECT_EQ(state({"backup", kept}).status, 2);
     const Said missing = state({"check", kept});
     EXPECT_EQ(missing.status, 1);
-    EXPECT_NE(missing.errors.find("no state folder"), std::string::npos) << missing.errors;
+    EXPECT_TRUE(holds(missing.errors, "no state folder"));
     EXPECT_FALSE(std::filesystem::exists(kept)) << "looking makes nothing";
     EXPECT_EQ(state({"restore", kept, folder / "nothing"}).status, 1);
 }

@@ -3,6 +3,7 @@
 #include "tests/support/mesh_readers.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/server/running_program.hpp"
+#include "tests/support/value_of.hpp"
 #include "tests/support/vtp_arrays.hpp"
 
 #include <gtest/gtest.h>
@@ -68,7 +69,7 @@ class SurfaceCommand : public testing::Test {
     void refuses(const std::vector<std::string>& more, int status, const std::string& part) const {
         const auto outcome = run(more);
         EXPECT_EQ(outcome.exit_status, status) << part;
-        EXPECT_NE(outcome.errors.find(part), std::string::npos) << outcome.errors;
+        EXPECT_TRUE(holds(outcome.errors, part));
         EXPECT_EQ(files(), 0u) << part;
     }
 
@@ -122,9 +123,7 @@ TEST_F(SurfaceCommand, HasTheSmoothFieldOfUniformGridsAndRefusesItBeforeItComput
             std::filesystem::remove(file("smooth.ply"));
         } else {
             EXPECT_EQ(smooth.exit_status, 2) << name;
-            EXPECT_NE(smooth.errors.find("--interpolation cannot be smooth on this grid"),
-                      std::string::npos)
-                << smooth.errors;
+            EXPECT_TRUE(holds(smooth.errors, "--interpolation cannot be smooth on this grid"));
             EXPECT_FALSE(std::filesystem::exists(file("smooth.ply")));
         }
     }
@@ -202,10 +201,10 @@ TEST_F(SurfaceCommand, CutsCellsInEveryFormatAndSaysSo) {
     EXPECT_EQ(obj.faces, ply.faces);
     EXPECT_TRUE(std::equal(flat.points.begin(), flat.points.end(), ply.points.begin()));
     EXPECT_EQ(tests::read_glb(bytes("out.glb")).points, tests::read_drc(bytes("out.drc")).points);
-    EXPECT_NE(bytes("out.ply").find("comment tessellate 3"), std::string::npos);
-    EXPECT_NE(bytes("out.obj").find("# tessellate 3"), std::string::npos);
-    EXPECT_NE(bytes("out.vtp").find("Name=\"tessellate\""), std::string::npos);
-    EXPECT_NE(bytes("out.glb").find("\"tessellate\":3"), std::string::npos);
+    EXPECT_TRUE(holds(bytes("out.ply"), "comment tessellate 3"));
+    EXPECT_TRUE(holds(bytes("out.obj"), "# tessellate 3"));
+    EXPECT_TRUE(holds(bytes("out.vtp"), "Name=\"tessellate\""));
+    EXPECT_TRUE(holds(bytes("out.glb"), "\"tessellate\":3"));
     EXPECT_EQ(tests::read_drc(bytes("out.drc")).about.at("tessellate"), "3");
 }
 
@@ -213,12 +212,11 @@ TEST_F(SurfaceCommand, RefusesToCutCellsTooFinelyOrWhereThereAreNone) {
     EXPECT_EQ(run({"--tessellate", "65"}).exit_status, 2);
     const auto large = run({"--tessellate", "64", "--separation", "0.01"});
     EXPECT_NE(large.exit_status, 0);
-    EXPECT_NE(large.errors.find("--tessellate 64 makes "), std::string::npos) << large.errors;
+    EXPECT_TRUE(holds(large.errors, "--tessellate 64 makes "));
     const auto gone = run({"--tessellate", "4", "--kind", "time", "--sweep", "0,0,1", "--rake",
                            "9.9,0,0 9.9,1,0", "--from", "0", "--to", "60"});
     EXPECT_NE(gone.exit_status, 0);
-    EXPECT_NE(gone.errors.find("an empty surface cannot be tessellated"), std::string::npos)
-        << gone.errors;
+    EXPECT_TRUE(holds(gone.errors, "an empty surface cannot be tessellated"));
     EXPECT_EQ(files(), 0u);
 }
 
@@ -226,12 +224,12 @@ TEST_F(SurfaceCommand, WritesAGlbWithoutDracoWhereAsked) {
     ASSERT_EQ(run({"-o", file("plain.glb"), "--no-draco"}).exit_status, 0);
     ASSERT_EQ(run({"-o", file("out.glb")}).exit_status, 0);
     const auto plain = tests::read_glb(bytes("plain.glb"));
-    EXPECT_EQ(plain.json.find("draco"), std::string::npos);
+    EXPECT_FALSE(holds(plain.json, "draco"));
     EXPECT_EQ(plain.faces.size(), tests::read_glb(bytes("out.glb")).faces.size());
     EXPECT_TRUE(plain.arrays.contains("_SPEED"));
     const auto refused = run({"-o", file("out.drc"), "--no-draco"});
     EXPECT_EQ(refused.exit_status, 2);
-    EXPECT_NE(refused.errors.find("--no-draco"), std::string::npos) << refused.errors;
+    EXPECT_TRUE(holds(refused.errors, "--no-draco"));
 }
 
 TEST_F(SurfaceCommand, BuildsPathSurfacesThatDifferFromStreamSurfacesWhereTheFlowIsUnsteady) {
@@ -249,7 +247,7 @@ TEST_F(SurfaceCommand, BuildsPathSurfacesThatDifferFromStreamSurfacesWhereTheFlo
 TEST_F(SurfaceCommand, CutsARakeThatIsPartlyOutsideAndSaysSo) {
     const auto outcome = run({"--rake", "9,0,0 14,0,0"});
     EXPECT_EQ(outcome.exit_status, 0) << outcome.errors;
-    EXPECT_NE(outcome.errors.find("outside"), std::string::npos) << outcome.errors;
+    EXPECT_TRUE(holds(outcome.errors, "outside"));
 }
 
 TEST_F(SurfaceCommand, FailsWithStatusOneWhereTheRequestIsWellFormedButCannotBeDone) {
@@ -263,9 +261,8 @@ TEST_F(SurfaceCommand, SaysThatASurfaceIsCoarserThanAskedFor) {
     const auto outcome =
         run({"--separation", "0.01", "--max-quads", "2000", "--stats", file("stats.json")});
     EXPECT_EQ(outcome.exit_status, 0) << outcome.errors;
-    EXPECT_NE(outcome.errors.find("coarsened: a separation of 0.01 needs more quads than allowed"),
-              std::string::npos)
-        << outcome.errors;
+    EXPECT_TRUE(
+        holds(outcome.errors, "coarsened: a separation of 0.01 needs more quads than allowed"));
     const auto stats = nlohmann::json::parse(bytes("stats.json"));
     EXPECT_EQ(stats["coarsened"], true);
     EXPECT_EQ(stats["requestedSeparation"], 0.01);
@@ -364,9 +361,7 @@ TEST_F(SurfaceCommand, WritesWhatIsThereWhenTheTimeIsOverAndMarksIt) {
         run({"--rake", "-9,0,0 9,0,0", "--to", "5", "--separation", "0.002", "--max-quads",
              "50000000", "--seconds", "2", "--stats", file("stats.json"), "-o", file("out.ply")});
     EXPECT_EQ(outcome.exit_status, 0) << outcome.errors;
-    EXPECT_NE(outcome.errors.find("not finished: the time limit of 2 s was reached"),
-              std::string::npos)
-        << outcome.errors;
+    EXPECT_TRUE(holds(outcome.errors, "not finished: the time limit of 2 s was reached"));
     const auto stats = nlohmann::json::parse(bytes("stats.json"));
     EXPECT_EQ(stats["reason"], "timeLimit");
     EXPECT_EQ(stats["requestedSeparation"], 0.002);
@@ -389,9 +384,8 @@ TEST_F(SurfaceCommand, SaysThatDataOfOneTimeHaveStreamSurfacesOnly) {
     const auto refused =
         run({"--kind", "streak", "--rake", "0.5,1,1 0.5,2,1", "--store", file("store")});
     EXPECT_EQ(refused.exit_status, 1);
-    EXPECT_NE(refused.errors.find("the data have one time, 0"), std::string::npos)
-        << refused.errors;
-    EXPECT_NE(refused.errors.find("choose --kind stream"), std::string::npos) << refused.errors;
+    EXPECT_TRUE(holds(refused.errors, "the data have one time, 0"));
+    EXPECT_TRUE(holds(refused.errors, "choose --kind stream"));
 }
 
 TEST_F(SurfaceCommand, KeepsTheOldFileWhenTheNewOneCannotBeMade) {
@@ -407,10 +401,10 @@ TEST_F(SurfaceCommand, StopsAtASignalAndLeavesNothingHalfWritten) {
                                   " --separation 0.01 --max-quads 50000000 -o " +
                                   file("out.vtp"));
     const std::string first = surface.line();
-    EXPECT_NE(first.find("building"), std::string::npos) << first;
+    EXPECT_TRUE(holds(first, "building"));
     const auto end = surface.stop(SIGINT);
     EXPECT_EQ(end.status, 1);
-    EXPECT_NE(end.words.find("cancelled"), std::string::npos) << end.words;
+    EXPECT_TRUE(holds(end.words, "cancelled"));
     EXPECT_EQ(files(), 0u);
 }
 

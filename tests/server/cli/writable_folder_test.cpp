@@ -1,6 +1,7 @@
 // What is said of a folder that is not this process's to write in: whose it is, who asks, and the command that mends it.
 #include "server/cli/writable_folder.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/value_of.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -37,16 +38,14 @@ TEST(WritableFolder, OfSomebodyElseIsNamedWithItsOwnerAndTheCure) {
         ASSERT_FALSE(answer);
         const std::string words = answer.error().message + "; " + answer.error().hint;
         if (::geteuid() == 0) {
-            EXPECT_NE(words.find("belongs to user 0, this program runs as user 65534"),
-                      std::string::npos)
-                << words;
-            EXPECT_NE(words.find("chown -R 65534 FOLDER"), std::string::npos) << words;
+            EXPECT_TRUE(holds(words, "belongs to user 0, this program runs as user 65534"));
+            EXPECT_TRUE(holds(words, "chown -R 65534 FOLDER"));
         } else {
             EXPECT_NE(words.find(fmt::format("its owner, user {}", ::geteuid())), std::string::npos)
                 << words;
-            EXPECT_NE(words.find("chmod u+wx"), std::string::npos) << words;
+            EXPECT_TRUE(holds(words, "chmod u+wx"));
         }
-        EXPECT_NE(words.find("--state"), std::string::npos) << words;
+        EXPECT_TRUE(holds(words, "--state"));
         EXPECT_NE(words.find(folder.path().string()), std::string::npos) << words;
     }
     fs::permissions(folder.path(), fs::perms{0755});

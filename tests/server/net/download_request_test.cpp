@@ -9,11 +9,7 @@ namespace {
 using Code = core::Error::Code;
 
 core::SurfaceParameters path(double to = 14.0) {
-    core::SurfaceParameters p;
-    p.kind = core::SurfaceKind::Path;
-    p.from = 10.0;
-    p.to = to;
-    return p;
+    return {.kind = core::SurfaceKind::Path, .from = 10.0, .to = to};
 }
 
 std::optional<double> shown(const std::map<std::string, std::string>& query,

@@ -1,8 +1,8 @@
 // HTTP as no one should send it: smuggled bodies, endless headers, paths out of the folder. Each gets a short answer or a
 // closed connection at once, and never two answers where a proxy saw one request.
 #include "tests/support/server/processor_time.hpp"
-#include "tests/support/server/server_process.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/server/server_suite.hpp"
+#include "tests/support/value_of.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -27,17 +27,12 @@ std::string repeat(const std::string& part, std::size_t times) {
     return out;
 }
 
-class HttpBombs : public testing::Test {
+class HttpBombs : public ServerSuite {
   protected:
     static void SetUpTestSuite() {
-        folder_ = new TemporaryFolder;
+        folder_.emplace();
         std::ofstream(folder_->path() / "index.html") << "page";
-        server_ = new ServerProcess({"flow:abc", "--web", folder_->path().string()});
-    }
-
-    static void TearDownTestSuite() {
-        delete server_;
-        delete folder_;
+        start({"flow:abc", "--web", folder_->path().string()});
     }
 
     static void ping() { EXPECT_EQ(http(server_->port(), "GET", "/healthz").body, "ok"); }
@@ -60,13 +55,7 @@ class HttpBombs : public testing::Test {
                 return out;
         }
     }
-
-    static ServerProcess* server_;
-    static TemporaryFolder* folder_;
 };
-
-ServerProcess* HttpBombs::server_ = nullptr;
-TemporaryFolder* HttpBombs::folder_ = nullptr;
 
 } // namespace
 
@@ -276,10 +265,8 @@ TEST_F(HttpBombs, SayTheSameToBrowsersWhateverTheAnswer) {
         EXPECT_EQ(reply.header("referrer-policy"), "no-referrer") << what;
         EXPECT_EQ(reply.header("cross-origin-resource-policy"), "same-origin") << what;
         EXPECT_EQ(reply.header("cross-origin-opener-policy"), "same-origin") << what;
-        EXPECT_NE(reply.header("permissions-policy").find("camera=()"), std::string::npos) << what;
-        EXPECT_NE(reply.header("content-security-policy").find("default-src 'self'"),
-                  std::string::npos)
-            << what;
+        EXPECT_TRUE(holds(reply.header("permissions-policy"), "camera=()")) << what;
+        EXPECT_TRUE(holds(reply.header("content-security-policy"), "default-src 'self'")) << what;
         EXPECT_EQ(reply.header("strict-transport-security"), "") << what;
         EXPECT_EQ(reply.header("server"), "wakesurf") << what << ": no version";
         if (status != 101) {

@@ -1,7 +1,7 @@
 // The HTTP side over real sockets: static files, login, health, and clients that do not behave.
-#include "tests/support/server/server_process.hpp"
+#include "tests/support/server/server_suite.hpp"
 #include "tests/support/server/websocket_client.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/value_of.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -22,32 +22,20 @@ void write(const std::filesystem::path& file, const std::string& text) {
     std::ofstream(file) << text;
 }
 
-class Http : public testing::Test {
+class Http : public ServerSuite {
   protected:
     static void SetUpTestSuite() {
-        folder_ = new TemporaryFolder;
+        folder_.emplace();
         write(folder_->path() / "secret.txt", "secret");
         write(folder_->path() / "web" / "index.html", "<!doctype html>page");
         write(folder_->path() / "web" / "assets" / "decoder-0123abcd.wasm", "wasm");
-        server_ =
-            new ServerProcess({"flow:lamb-oseen", "--web", (folder_->path() / "web").string()});
-    }
-
-    static void TearDownTestSuite() {
-        delete server_;
-        delete folder_;
+        start({"flow:lamb-oseen", "--web", (folder_->path() / "web").string()});
     }
 
     static HttpReply get(std::string_view target, Headers headers = {}) {
         return http(server_->port(), "GET", target, std::move(headers));
     }
-
-    static ServerProcess* server_;
-    static TemporaryFolder* folder_;
 };
-
-ServerProcess* Http::server_ = nullptr;
-TemporaryFolder* Http::folder_ = nullptr;
 
 } // namespace
 
@@ -58,12 +46,12 @@ TEST_F(Http, GivesThePageAndItsFilesToAnybodyWithAStrictPolicy) {
     EXPECT_EQ(page.header("content-type"), "text/html; charset=utf-8");
     EXPECT_EQ(page.header("x-content-type-options"), "nosniff");
     const std::string policy = page.header("content-security-policy");
-    EXPECT_NE(policy.find("script-src 'self' 'wasm-unsafe-eval';"), std::string::npos);
-    EXPECT_NE(policy.find("frame-ancestors 'none'"), std::string::npos);
-    EXPECT_EQ(policy.find("unsafe-inline"), std::string::npos);
+    EXPECT_TRUE(holds(policy, "script-src 'self' 'wasm-unsafe-eval';"));
+    EXPECT_TRUE(holds(policy, "frame-ancestors 'none'"));
+    EXPECT_FALSE(holds(policy, "unsafe-inline"));
     const HttpReply wasm = get("/assets/decoder-0123abcd.wasm?v=1");
     EXPECT_EQ(wasm.header("content-type"), "application/wasm");
-    EXPECT_NE(wasm.header("cache-control").find("immutable"), std::string::npos);
+    EXPECT_TRUE(holds(wasm.header("cache-control"), "immutable"));
     EXPECT_EQ(get("/", {{"If-None-Match", page.header("etag")}}).status, 304);
     EXPECT_EQ(http(server_->port(), "HEAD", "/").header("content-length"), "19");
     EXPECT_EQ(get("/healthz").body, "ok");
@@ -76,7 +64,7 @@ TEST_F(Http, NeverLeavesTheFolderOfThePage) {
           "/assets/%00/../../secret.txt", "/etc/passwd", "/../../../../../../etc/passwd"}) {
         const HttpReply reply = get(target, server_->bearer());
         EXPECT_TRUE(reply.status == 404 || reply.status == 400) << target << " " << reply.status;
-        EXPECT_EQ(reply.body.find("secret\n"), std::string::npos) << target;
+        EXPECT_FALSE(holds(reply.body, "secret\n")) << target;
         EXPECT_EQ(reply.body.find(folder_->path().string()), std::string::npos) << target;
     }
 }
@@ -217,7 +205,7 @@ TEST(HttpWrongTokens, CountOnceOnEachPath) {
         const std::string counted = http(server.port(), "GET", "/metrics", server.bearer()).body;
         const std::string line =
             R"(wakesurf_over_budget_total{kind="wrong_tokens"} )" + std::to_string(limited) + "\n";
-        EXPECT_NE(counted.find(line), std::string::npos) << path << ": " << line << counted;
+        EXPECT_TRUE(holds(counted, line)) << path << ": " << line << counted;
     }
 }
 
@@ -256,9 +244,8 @@ TEST(HttpFrames, AreForNamedOriginsOnly) {
     const ServerProcess server({"flow:abc", "--frame-origin", "https://wiki.example",
                                 "--frame-origin", "http://localhost:8888"});
     const HttpReply reply = http(server.port(), "GET", "/healthz");
-    EXPECT_NE(reply.header("content-security-policy")
-                  .find("frame-ancestors https://wiki.example http://localhost:8888"),
-              std::string::npos);
+    EXPECT_TRUE(holds(reply.header("content-security-policy"),
+                      "frame-ancestors https://wiki.example http://localhost:8888"));
     EXPECT_EQ(reply.header("x-frame-options"), "");
     const ServerProcess none({"flow:abc"});
     EXPECT_EQ(http(none.port(), "GET", "/healthz").header("x-frame-options"), "DENY");
@@ -288,8 +275,7 @@ TEST(HttpFlood, OfOneAddressWithoutATokenIsRefusedButNotItsHealthNorWhoHasTheTok
     EXPECT_EQ(http(server.port(), "GET", "/healthz").body, "ok");
     const HttpReply counted = http(server.port(), "GET", "/metrics", server.bearer());
     EXPECT_EQ(counted.status, 200);
-    EXPECT_EQ(counted.body.find(R"(wakesurf_over_budget_total{kind="without_token"} 0)"),
-              std::string::npos);
+    EXPECT_FALSE(holds(counted.body, R"(wakesurf_over_budget_total{kind="without_token"} 0)"));
 }
 
 TEST(Health, IsGoodAndSaysHowManyDatasetsCannotBeOpened) {
@@ -302,8 +288,8 @@ TEST(Health, IsGoodAndSaysHowManyDatasetsCannotBeOpened) {
     EXPECT_EQ(reply.status, 200);
     EXPECT_EQ(reply.body, "ok, but of 2 datasets 1 has failed");
     const std::string counted = http(server.port(), "GET", "/metrics", server.bearer()).body;
-    EXPECT_NE(counted.find(R"(wakesurf_datasets{state="failed"} 1)"), std::string::npos);
-    EXPECT_NE(counted.find(R"(wakesurf_datasets{state="ready"} 1)"), std::string::npos);
+    EXPECT_TRUE(holds(counted, R"(wakesurf_datasets{state="failed"} 1)"));
+    EXPECT_TRUE(holds(counted, R"(wakesurf_datasets{state="ready"} 1)"));
 }
 
 TEST_F(Http, EndsClientsThatSendTheirHeaderForEver) {
@@ -334,7 +320,7 @@ TEST_F(Http, HandsOutAFinishedSurfaceAsAFile) {
         "/api/v1/sessions/main/surfaces/" + surface["surface"].get<std::string>() + "/mesh.";
     const HttpReply file = get(path + "vtp", server_->bearer());
     ASSERT_EQ(file.status, 200);
-    EXPECT_NE(file.body.find("<VTKFile"), std::string::npos);
+    EXPECT_TRUE(holds(file.body, "<VTKFile"));
     Headers again = server_->bearer();
     again.emplace_back("If-None-Match", file.header("etag"));
     EXPECT_EQ(get(path + "vtp", again).status, 304);
@@ -353,7 +339,7 @@ TEST(ServerProcessTest, PrintsItsAddressAndEndsAtASignalSayingGoodbye) {
     const auto end = server.stop();
     stopping.join();
     EXPECT_EQ(end.status, 0);
-    EXPECT_EQ(end.log.find(token), std::string::npos);
+    EXPECT_FALSE(holds(end.log, token));
 }
 
 TEST(ServerProcessTest, TakesItsTokenFromAFileOnlyTheUserCanRead) {
@@ -386,7 +372,7 @@ TEST(ServerProcessTest, PutsTheLinkIntoAFileThatOnlyTheUserCanReadAndNowhereElse
     const Headers bearer{{"Authorization", "Bearer " + token}};
     EXPECT_EQ(http(server.port(), "GET", "/openrpc.json", bearer).status, 200);
     const auto end = server.stop();
-    EXPECT_EQ(end.log.find(token), std::string::npos);
+    EXPECT_FALSE(holds(end.log, token));
     EXPECT_EQ(end.log.find(file.string()), std::string::npos);
 }
 
@@ -427,7 +413,7 @@ TEST(ServerProcessTest, ChangesTheTokenInTheFileWhereItIsAskedToAndLoginsAndLink
         EXPECT_NE(other.token(), old);
         for (const std::string& secret : secrets)
             EXPECT_EQ(status(other, secret), 401);
-        EXPECT_NE(other.stop().log.find("event=new_token links_ended=1"), std::string::npos);
+        EXPECT_TRUE(holds(other.stop().log, "event=new_token links_ended=1"));
     }
     const ServerProcess later({"flow:abc", "--token-file", file, "--state", state});
     for (const std::string& secret : secrets)

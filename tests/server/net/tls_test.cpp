@@ -1,8 +1,7 @@
 // HTTP and WebSockets over TLS: the same service, logins, and no one who does not speak TLS 1.2.
 #include "tests/support/server/self_signed.hpp"
-#include "tests/support/server/server_process.hpp"
+#include "tests/support/server/server_suite.hpp"
 #include "tests/support/server/tls_socket.hpp"
-#include "tests/support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 #include <openssl/ssl.h>
@@ -15,19 +14,13 @@ namespace wakesurf::tests::tls_test {
 
 namespace {
 
-class Tls : public testing::Test {
+class Tls : public ServerSuite {
   protected:
     static void SetUpTestSuite() {
-        folder_ = new TemporaryFolder;
+        folder_.emplace();
         write_self_signed(certificate(), folder_->path() / "key.pem");
-        server_ = new ServerProcess({"flow:abc", "--tls-cert", certificate().string(), "--tls-key",
-                                     (folder_->path() / "key.pem").string(), "--origin",
-                                     "https://viewer.example"});
-    }
-
-    static void TearDownTestSuite() {
-        delete server_;
-        delete folder_;
+        start({"flow:abc", "--tls-cert", certificate().string(), "--tls-key",
+               (folder_->path() / "key.pem").string(), "--origin", "https://viewer.example"});
     }
 
     static std::filesystem::path certificate() { return folder_->path() / "certificate.pem"; }
@@ -42,13 +35,7 @@ class Tls : public testing::Test {
     }
 
     static int status(const std::string& response) { return std::stoi(response.substr(9, 3)); }
-
-    static ServerProcess* server_;
-    static TemporaryFolder* folder_;
 };
-
-ServerProcess* Tls::server_ = nullptr;
-TemporaryFolder* Tls::folder_ = nullptr;
 
 std::string header_of(const std::string& response, const std::string& name) {
     const auto at = response.find("\r\n" + name + ": ");

@@ -1,8 +1,8 @@
 // What RFC 6455 says about a connection beyond its frames (those: websocket_conformance_test): the opening handshake, frames that come with
 // it, and pings without end.
-#include "tests/support/server/server_process.hpp"
-#include "tests/support/server/websocket_cases.hpp"
+#include "tests/support/server/server_suite.hpp"
 #include "tests/support/server/websocket_client.hpp"
+#include "tests/support/server/websocket_frames.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -17,16 +17,10 @@ using namespace ws;
 
 namespace {
 
-class WebSocketRules : public testing::Test {
+class WebSocketRules : public ServerSuite {
   protected:
-    static void SetUpTestSuite() { server_ = new ServerProcess({"flow:abc"}); }
-
-    static void TearDownTestSuite() { delete server_; }
-
-    static ServerProcess* server_;
+    static void SetUpTestSuite() { start({"flow:abc"}); }
 };
-
-ServerProcess* WebSocketRules::server_ = nullptr;
 
 } // namespace
 

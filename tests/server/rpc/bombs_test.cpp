@@ -2,7 +2,7 @@
 // nothing piles up, and everybody else is served.
 #include "tests/support/server/processor_time.hpp"
 #include "tests/support/server/record_shapes.hpp"
-#include "tests/support/server/server_process.hpp"
+#include "tests/support/server/server_suite.hpp"
 #include "tests/support/server/websocket_client.hpp"
 
 #include <gtest/gtest.h>
@@ -47,18 +47,16 @@ std::string line(const std::string& more) {
     return rake(R"("kind":"line","points":[[0,0,0],[1,0,0]],)" + more);
 }
 
-class Bombs : public testing::Test {
+class Bombs : public ServerSuite {
   protected:
     static void SetUpTestSuite() {
-        server_ = new ServerProcess({"flow:lamb-oseen"});
+        start({"flow:lamb-oseen"});
         for (int i = 0; i < 20; ++i)
             ping();
         before_ = resident();
         const json made = json::parse(server_->rpc(line(R"("seeds":8)")));
         rake_ = made["result"]["rake"];
     }
-
-    static void TearDownTestSuite() { delete server_; }
 
     void TearDown() override {
         ping();
@@ -93,12 +91,10 @@ class Bombs : public testing::Test {
                                        R"(","kind":"stream","dataset":"lamb-oseen",)" + more + "}");
     }
 
-    static ServerProcess* server_;
     static std::size_t before_;
     static std::string rake_;
 };
 
-ServerProcess* Bombs::server_ = nullptr;
 std::size_t Bombs::before_ = 0;
 std::string Bombs::rake_;
 

@@ -1,9 +1,8 @@
 // cache.status, cache.patched and probe.sample against the real program with stored data.
 #include "core/field/analytic_flow.hpp"
 #include "store/store_generation.hpp"
-#include "tests/support/server/server_process.hpp"
+#include "tests/support/server/server_suite.hpp"
 #include "tests/support/server/websocket_client.hpp"
-#include "tests/support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,25 +15,19 @@ using nlohmann::json;
 
 namespace {
 
-class DatasetMethods : public testing::Test {
+class DatasetMethods : public ServerSuite {
   protected:
     static void SetUpTestSuite() {
-        folder_ = new TemporaryFolder;
-        store::GenerateRequest request;
-        request.flow = "double-gyre";
-        request.grid = {{0, 0, -1}, {0.125, 0.125, 0.5}, {17, 9, 5}};
-        request.times = {0, 1, 2, 3, 4, 5};
+        folder_.emplace();
+        store::GenerateRequest request{.flow = "double-gyre",
+                                       .grid = {{0, 0, -1}, {0.125, 0.125, 0.5}, {17, 9, 5}},
+                                       .times = {0, 1, 2, 3, 4, 5}};
         const auto made = store::generate_store(request, *folder_ / "gyre",
                                                 [](const store::ImportProgress&) {}, {});
         ASSERT_TRUE(made.has_value()) << made.error().message;
-        server_ = new ServerProcess({*folder_ / "gyre", "flow:abc"});
+        start({*folder_ / "gyre", "flow:abc"});
         // A server answers before it has opened what it serves.
         ASSERT_EQ(call("dataset.open", {{"dataset", "gyre"}})["result"]["state"], "ready");
-    }
-
-    static void TearDownTestSuite() {
-        delete server_;
-        delete folder_;
     }
 
     static json call(const std::string& method, const json& parameters) {
@@ -42,13 +35,7 @@ class DatasetMethods : public testing::Test {
             {"jsonrpc", "2.0"}, {"id", 1}, {"method", method}, {"params", parameters}};
         return json::parse(server_->rpc(request.dump()));
     }
-
-    static TemporaryFolder* folder_;
-    static ServerProcess* server_;
 };
-
-TemporaryFolder* DatasetMethods::folder_ = nullptr;
-ServerProcess* DatasetMethods::server_ = nullptr;
 
 } // namespace
 

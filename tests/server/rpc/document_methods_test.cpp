@@ -1,5 +1,5 @@
 // The methods on a session's records, over the transports scripts and people use: bookmarks, annotations, leases, undo.
-#include "tests/support/server/server_process.hpp"
+#include "tests/support/server/server_suite.hpp"
 #include "tests/support/server/websocket_client.hpp"
 
 #include <gtest/gtest.h>
@@ -13,12 +13,8 @@ using nlohmann::json;
 
 namespace {
 
-class DocumentMethods : public testing::Test {
+class DocumentMethods : public ServerSuite {
   protected:
-    static void SetUpTestSuite() { server_ = new ServerProcess; }
-
-    static void TearDownTestSuite() { delete server_; }
-
     static json http(const std::string& method, json parameters) {
         parameters["session"] = "main";
         return json::parse(server_->rpc(
@@ -47,11 +43,7 @@ class DocumentMethods : public testing::Test {
                     return each;
         }
     }
-
-    static ServerProcess* server_;
 };
-
-ServerProcess* DocumentMethods::server_ = nullptr;
 
 } // namespace
 

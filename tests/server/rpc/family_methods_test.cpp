@@ -15,10 +15,8 @@ using nlohmann::json;
 namespace {
 
 void generate(const TemporaryFolder& folder) {
-    store::GenerateRequest request;
-    request.flow = "cylinder";
-    request.grid = {{-3, -2, -1}, {0.25, 0.25, 0.5}, {33, 17, 5}};
-    request.times = {0.0};
+    store::GenerateRequest request{
+        .flow = "cylinder", .grid = {{-3, -2, -1}, {0.25, 0.25, 0.5}, {33, 17, 5}}, .times = {0.0}};
     ASSERT_TRUE(
         store::generate_store(request, folder / "flow", [](const store::ImportProgress&) {}, {}));
 }

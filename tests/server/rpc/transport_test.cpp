@@ -1,6 +1,6 @@
 // The JSON-RPC envelope over both transports: the answers a script gets are the same over POST /rpc and the WebSocket.
 #include "protocol/api/api_level.hpp"
-#include "tests/support/server/server_process.hpp"
+#include "tests/support/server/server_suite.hpp"
 #include "tests/support/server/websocket_client.hpp"
 
 #include <gtest/gtest.h>
@@ -15,12 +15,8 @@ using nlohmann::json;
 
 namespace {
 
-class Transport : public testing::Test {
+class Transport : public ServerSuite {
   protected:
-    static void SetUpTestSuite() { server_ = new ServerProcess; }
-
-    static void TearDownTestSuite() { delete server_; }
-
     /// Leaves of errors their codes.
     static json stripped(json value) {
         if (value.is_array())
@@ -40,11 +36,7 @@ class Transport : public testing::Test {
         client.send_frame(1, text);
         return stripped(json::parse(client.receive().payload));
     }
-
-    static ServerProcess* server_;
 };
-
-ServerProcess* Transport::server_ = nullptr;
 
 } // namespace
 

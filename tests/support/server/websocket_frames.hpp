@@ -1,6 +1,8 @@
 // WebSocket frames as a client writes them, right or wrong: RFC 6455, section 5.2.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -39,6 +41,14 @@ inline std::string frame(int first, const std::string& payload, Length length = 
 
 inline std::string close_payload(unsigned code, const std::string& reason = {}) {
     return std::string{static_cast<char>(code >> 8), static_cast<char>(code & 0xff)} + reason;
+}
+
+/// Returns a call of server.ping whose text has `size` bytes, padded behind; 0: as short as it is. `id` goes
+/// in as raw bytes.
+inline std::string call(const std::string& id, std::size_t size = 0) {
+    std::string words = R"({"jsonrpc":"2.0","method":"server.ping","id":")" + id + "\"}";
+    words.resize(std::max(size, words.size()), ' ');
+    return words;
 }
 
 } // namespace wakesurf::tests::ws
