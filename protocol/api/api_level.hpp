@@ -1,4 +1,5 @@
-// The version of the API that server.info tells clients: raised whenever a client of before could misunderstand the server.
+// The version of the API that server.info tells clients: raised whenever a client of before could
+// misunderstand the server.
 #pragma once
 
 namespace wakesurf::protocol {

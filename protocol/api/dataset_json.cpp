@@ -1,6 +1,7 @@
 #include "protocol/api/dataset_json.hpp"
 
 #include "protocol/api/base/json_members.hpp"
+#include "protocol/api/base/list_json.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -97,9 +98,6 @@ std::optional<core::GridKind> grid_kind(std::string_view name) {
 
 json dataset_json(const core::DatasetInfo& info) {
     const auto& [lo, hi] = info.bounds;
-    json fields = json::array();
-    for (const auto& field : info.fields)
-        fields.push_back(field_json(field));
     json out{{"dataset", info.dataset},
              {"name", info.name},
              {"reader", info.reader},
@@ -109,7 +107,7 @@ json dataset_json(const core::DatasetInfo& info) {
              {"cells", info.cells},
              {"times", info.times},
              {"steady", info.steady},
-             {"fields", std::move(fields)},
+             {"fields", list_json(info.fields, field_json)},
              {"velocity", info.velocity},
              {"why", info.why},
              {"obstacle", info.obstacle},

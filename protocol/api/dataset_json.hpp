@@ -1,4 +1,5 @@
-// A dataset's description <-> JSON: the one shape of `info --json`, `dataset.describe` and a store's manifest.
+// A dataset's description <-> JSON: the one shape of `info --json`, `dataset.describe` and a store's
+// manifest.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -11,15 +12,15 @@
 
 namespace wakesurf::protocol {
 
-/// `uniform`, `rectilinear`, ...
+/// Returns `uniform`, `rectilinear`, ...
 std::string_view grid_name(core::GridKind kind);
 
-/// Nothing for a name this version does not know.
+/// Returns nothing for a name this version does not know.
 std::optional<core::GridKind> grid_kind(std::string_view name);
 
 nlohmann::json dataset_json(const core::DatasetInfo& info);
 
-/// Inverse of dataset_json. Unknown members are ignored, so that older programs read newer stores.
+/// Is the inverse of dataset_json. Unknown members are ignored, so that older programs read newer stores.
 /// Error: Corrupt, naming the member that is missing, of the wrong type or not finite.
 core::Result<core::DatasetInfo> parse_dataset_info(const nlohmann::json& value);
 

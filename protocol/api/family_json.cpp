@@ -1,7 +1,9 @@
 #include "protocol/api/family_json.hpp"
 
 #include "protocol/api/base/json_members.hpp"
+#include "protocol/api/base/list_json.hpp"
 #include "protocol/api/base/point_json.hpp"
+#include "protocol/api/generated/family.hpp"
 #include "protocol/api/generated/names.hpp"
 
 #include <nlohmann/json.hpp>
@@ -11,13 +13,6 @@ namespace wakesurf::protocol {
 using nlohmann::json;
 
 namespace {
-
-json step_json(const core::FamilyStep& step) {
-    const core::FamilyCounts& n = step.counts;
-    return {{"index", step.index},  {"time", step.time},    {"nodes", n.nodes},
-            {"reached", n.reached}, {"atRest", n.at_rest},  {"obstacle", n.obstacle},
-            {"lost", n.lost},       {"outside", n.outside}, {"range", n.range}};
-}
 
 core::FamilyStep parse_step(const json& value, JsonMembers& family) {
     JsonMembers members(value);
@@ -64,21 +59,15 @@ core::Rake parse_curve(JsonMembers& members) {
 
 json family_json(const core::FamilyRecord& family) {
     const core::FamilyRequest& request = family.request;
-    json steps = json::array();
-    for (const core::FamilyStep& step : family.steps)
-        steps.push_back(step_json(step));
     json out{{"name", family.name},
              {"accuracy", name(request.accuracy)},
              {"length", request.length},
              {"version", family.version},
-             {"steps", std::move(steps)}};
+             {"steps", list_json(family.steps, family_step_json)}};
     if (const auto* rake = std::get_if<core::Rake>(&request.source)) {
-        json points = json::array();
-        for (const core::Vec3& point : rake->points)
-            points.push_back(point_json(point));
         out["from"] = "curve";
         out["rakeKind"] = name(rake->kind);
-        out["points"] = std::move(points);
+        out["points"] = points_json(rake->points);
         return out;
     }
     out["scalar"] = request.scalar;

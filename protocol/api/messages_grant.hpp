@@ -1,5 +1,5 @@
-// A share link as it is kept: the role it gives, the digest of its key, when it expires, who made it, and whom a host has set a lesser
-// role. Never the key.
+// A share link as it is kept: the role it gives, the digest of its key, when it expires, who made it, and
+// whom a host has set a lesser role. Never the key.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -25,10 +25,10 @@ struct GrantRecord {
     bool operator==(const GrantRecord&) const = default;
 };
 
-/// JSON text.
+/// Returns JSON text.
 std::string grant_text(const GrantRecord& record);
 
-/// Error: Corrupt.
+/// Reads it back. Error: Corrupt.
 core::Result<GrantRecord> read_grant(std::string_view text);
 
 } // namespace wakesurf::protocol

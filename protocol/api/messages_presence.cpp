@@ -8,27 +8,6 @@ namespace wakesurf::protocol {
 
 using nlohmann::json;
 
-namespace {
-
-json camera_json(const std::optional<CameraPose>& camera) {
-    if (!camera)
-        return nullptr;
-    json out{{"position", point_json(camera->position)},
-             {"target", point_json(camera->target)},
-             {"up", point_json(camera->up)}};
-    if (camera->fov)
-        out["fov"] = *camera->fov;
-    return out;
-}
-
-json dragging_json(const std::optional<DraggedRake>& dragging) {
-    if (!dragging)
-        return nullptr;
-    return {{"rake", dragging->rake}, {"points", points_json(dragging->points)}};
-}
-
-} // namespace
-
 unsigned said(const Presence& presence) {
     return (presence.pointer ? member::pointer : 0u) | (presence.camera ? member::camera : 0u) |
            (presence.dragging ? member::dragging : 0u) |
@@ -60,9 +39,9 @@ json participant_json(const ParticipantRecord& record, unsigned members) {
     if ((members & member::pointer) != 0)
         out["pointer"] = presence.pointer ? point_json(*presence.pointer) : json(nullptr);
     if ((members & member::camera) != 0)
-        out["camera"] = camera_json(presence.camera);
+        out["camera"] = presence.camera ? camera_json(*presence.camera) : json(nullptr);
     if ((members & member::dragging) != 0)
-        out["dragging"] = dragging_json(presence.dragging);
+        out["dragging"] = presence.dragging ? dragged_rake_json(*presence.dragging) : json(nullptr);
     if ((members & member::selected) != 0)
         out["selected"] = presence.selected ? json(*presence.selected) : json(nullptr);
     return out;

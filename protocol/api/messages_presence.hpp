@@ -1,5 +1,5 @@
-// Who is in a session, and what they point at, look at and drag just now. Presence passes by: it is never kept.
-// Twin: web-client/src/protocol/generated/presence.ts.
+// The people in a session, and what they point at, look at and drag just now. Presence passes by: it is never
+// kept. Twin: web-client/src/protocol/generated/presence.ts.
 #pragma once
 
 #include "core/base/vec3.hpp"
@@ -24,7 +24,7 @@ struct Presence {
     bool operator==(const Presence&) const = default;
 };
 
-/// Members of a participant, as bits: what a message is about.
+/// Names the members of a participant, as bits: what a message is about.
 namespace member {
 inline constexpr unsigned name = 1u << 0;
 inline constexpr unsigned colour = 1u << 1;
@@ -38,7 +38,7 @@ inline constexpr unsigned person = name | colour | role | connected;
 inline constexpr unsigned all = person | pointer | camera | dragging | selected;
 } // namespace member
 
-/// Members of a presence that are not empty.
+/// Returns the members of a presence that are not empty.
 unsigned said(const Presence& presence);
 
 struct ParticipantRecord {
@@ -55,21 +55,21 @@ struct PresenceChange {
     unsigned given = 0; ///< members; those with null are given and empty
 };
 
-/// What presence.update asks for.
+/// Returns what presence.update asks for.
 PresenceChange change_of(const PresenceUpdate& update);
 
-/// `participant`, and those members; what no one has said yet is null.
+/// Returns `participant`, and those members; what no one has said yet is null.
 nlohmann::json participant_json(const ParticipantRecord& record, unsigned members);
 
-/// The same, as JSON text.
+/// Returns the same, as JSON text.
 std::string participant_text(const ParticipantRecord& record, unsigned members);
 
-/// The notification presence.patched, of participants as JSON text.
+/// Returns the notification presence.patched, of participants as JSON text.
 std::string presence_patched(const std::string& session,
                              std::span<const std::string> participants,
                              std::span<const std::string> left);
 
-/// A place in a session, as it is kept. Of the resume token only the digest.
+/// Holds a place in a session, as it is kept. Of the resume token only the digest.
 struct PlaceRecord {
     std::string name;
     std::string colour;
@@ -83,10 +83,10 @@ struct PlaceRecord {
     bool operator==(const PlaceRecord&) const = default;
 };
 
-/// JSON text.
+/// Returns JSON text.
 std::string place_text(const PlaceRecord& record);
 
-/// Error: Corrupt.
+/// Reads it back. Error: Corrupt.
 core::Result<PlaceRecord> read_place(std::string_view text);
 
 } // namespace wakesurf::protocol

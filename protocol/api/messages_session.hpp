@@ -1,5 +1,5 @@
-// A session besides its records, as it is kept and as a list of sessions tells of it: since when it is there, who was in it,
-// whether anybody ever edited it, and whether it is in the trash.
+// A session besides its records, as it is kept and as a list of sessions tells of it: since when it is there,
+// who was in it, whether anybody ever edited it, and whether it is in the trash.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -13,7 +13,7 @@
 
 namespace wakesurf::protocol {
 
-/// Somebody who was in a session; stays when the place, which can be come back to, is gone.
+/// Is somebody who was in a session; stays when the place, which can be come back to, is gone.
 struct SessionPerson {
     std::string participant;
     std::string name;
@@ -22,7 +22,7 @@ struct SessionPerson {
     bool operator==(const SessionPerson&) const = default;
 };
 
-/// Times are seconds since 1970.
+/// Holds what is kept of it. Times are seconds since 1970.
 struct SessionProfile {
     std::optional<std::int64_t> created; ///< nothing: kept by a wakesurf that did not note it
     std::int64_t last_used = 0;
@@ -37,16 +37,16 @@ struct SessionProfile {
     bool operator==(const SessionProfile&) const = default;
 };
 
-/// How many people are remembered.
+/// Bounds how many people are remembered.
 inline constexpr std::size_t most_session_people = 8;
 
-/// Of how many datasets the values are remembered.
+/// Bounds of how many datasets the values are remembered.
 inline constexpr std::size_t most_session_datasets = 32;
 
-/// JSON text.
+/// Returns JSON text.
 std::string profile_text(const SessionProfile& profile);
 
-/// Error: Corrupt.
+/// Reads it back. Error: Corrupt.
 core::Result<SessionProfile> read_profile(std::string_view text);
 
 } // namespace wakesurf::protocol

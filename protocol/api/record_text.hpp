@@ -1,5 +1,5 @@
-// Records as the text they are kept in beyond the server's life, and back. A file may be damaged, so what is read is
-// checked as if a stranger had sent it.
+// Records as the text they are kept in beyond the server's life, and back. A file may be damaged, so what is
+// read is checked as if a stranger had sent it.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -17,7 +17,7 @@
 
 namespace wakesurf::protocol {
 
-/// The units that people of a session have typed; an empty one is as the dataset says.
+/// Holds the units that people of a session have typed; an empty one is as the dataset says.
 struct SessionUnits {
     std::string length;
     std::string time;
@@ -27,7 +27,7 @@ struct SessionUnits {
     bool operator==(const SessionUnits&) const = default;
 };
 
-/// What a session is besides its records.
+/// Holds what a session is besides its records.
 struct SessionHead {
     std::string name;
     std::uint64_t seq = 0;
@@ -40,7 +40,7 @@ struct SessionHead {
     bool operator==(const SessionHead&) const = default;
 };
 
-/// One line of JSON. A lease is not kept.
+/// Returns one line of JSON. A lease is not kept.
 std::string record_text(const RakeRecord& record);
 std::string record_text(const SurfaceRecord& record);
 std::string record_text(const BookmarkRecord& record);
@@ -50,7 +50,7 @@ std::string record_text(const SessionHead& head);
 
 nlohmann::json units_json(const SessionUnits& units);
 
-/// Error: Corrupt, OverLimit. A number comes back with the very same bits.
+/// Read it back. Error: Corrupt, OverLimit. A number comes back with the very same bits.
 core::Result<RakeRecord> parse_rake(std::string_view text);
 core::Result<SurfaceRecord> parse_surface(std::string_view text);
 core::Result<BookmarkRecord> parse_bookmark(std::string_view text);

@@ -1,5 +1,5 @@
-// A session as one JSON document that outlives its server: its records, and which datasets they were made with. Ids stay, so that
-// surfaces find their rakes; revisions and epochs are a server's own and stay behind.
+// A session as one JSON document that outlives its server: its records, and which datasets they were made
+// with. Ids stay, so that surfaces find their rakes; revisions and epochs are a server's own and stay behind.
 #pragma once
 
 #include "core/base/box.hpp"
@@ -17,10 +17,10 @@
 
 namespace wakesurf::protocol {
 
-/// Raised whenever a file of before can no longer be read.
+/// Is raised whenever a file of before can no longer be read.
 inline constexpr int session_file_version = 1;
 
-/// A dataset as a surface's record names it, and how to tell whether another server's is the same.
+/// Describes a dataset as a surface's record names it, and how to tell whether another server's is the same.
 struct DatasetMark {
     std::string dataset; ///< id
     std::string name;
@@ -32,7 +32,7 @@ struct DatasetMark {
     std::optional<core::Box> bounds;
 };
 
-/// A record as the journal keeps it.
+/// Holds a record as the journal keeps it.
 struct FileRecord {
     std::string type; ///< rake, surface, bookmark, annotation, clock
     std::string id;   ///< of the clock: empty
@@ -50,8 +50,8 @@ struct SessionFile {
 
 nlohmann::json session_file_json(const SessionFile& file);
 
-/// Inverse of session_file_json, from its text. What the records say is not looked at: that is for those who keep them. Error:
-/// Unsupported (a newer wakesurf's), OverLimit, Corrupt, naming what is wrong.
+/// Is the inverse of session_file_json, from its text. What the records say is not looked at: that is for
+/// those who keep them. Error: Unsupported (a newer wakesurf's), OverLimit, Corrupt, naming what is wrong.
 core::Result<SessionFile> read_session_file(std::string_view text, std::size_t most_bytes);
 
 } // namespace wakesurf::protocol

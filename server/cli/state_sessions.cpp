@@ -4,7 +4,7 @@
 #include "server/net/io_loop.hpp"
 #include "server/net/session_files.hpp"
 #include "server/rpc/dispatcher.hpp"
-#include "server/rpc/method_table.hpp"
+#include "server/rpc/method.hpp"
 #include "server/service/journal/kept_sessions.hpp"
 #include "server/service/journal/sqlite_journal.hpp"
 #include "server/service/limits.hpp"

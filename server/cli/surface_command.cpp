@@ -9,8 +9,8 @@
 #include "core/surface/vertex_times.hpp"
 #include "protocol/api/base/json_text.hpp"
 #include "protocol/api/generated/names.hpp"
+#include "protocol/api/generated/subscription.hpp"
 #include "protocol/api/generated/surface_options.hpp"
-#include "protocol/api/statistics_json.hpp"
 #include "protocol/files/lines_file.hpp"
 #include "protocol/files/mesh_file.hpp"
 #include "server/cli/elapsed_line.hpp"
@@ -129,7 +129,8 @@ core::Result<void> write(const SurfaceOptions& options,
                        });
     if (!written || options.stats.empty())
         return written;
-    auto statistics = protocol::statistics_json(surface.statistics, core::peak_resident_memory());
+    auto statistics = protocol::statistics_json(surface.statistics);
+    statistics["peakBytes"] = core::peak_resident_memory();
     statistics["seconds"]["processor"] = processor_seconds;
     if (cut_short)
         statistics["reason"] = "timeLimit";

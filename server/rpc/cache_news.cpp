@@ -1,7 +1,6 @@
 #include "server/rpc/cache_news.hpp"
 
 #include "protocol/api/json_rpc.hpp"
-#include "server/rpc/cache_json.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -12,12 +11,58 @@
 
 namespace wakesurf::server {
 
+using nlohmann::json;
+
 namespace {
 
 // Time-steps that are read at the disk's speed change state far more often than anybody can look.
 constexpr std::chrono::milliseconds rest{100};
 
+const char* name_of(core::StepState state) {
+    switch (state) {
+    case core::StepState::Resident:
+        return "resident";
+    case core::StepState::Loading:
+        return "loading";
+    case core::StepState::Cold:
+        break;
+    }
+    return "cold";
+}
+
+/// Returns the parameters of cache.patched: what differs from `before`, which may be empty or shorter.
+json cache_changes_json(const std::string& dataset,
+                        const std::vector<core::StepHeld>& before,
+                        const core::TimeStepCache::Status& status) {
+    json changes = json::array();
+    json held = json::array();
+    for (std::size_t i = 0; i < status.steps.size(); ++i) {
+        const core::StepHeld& now = status.steps[i];
+        if (i >= before.size() || before[i].state() != now.state())
+            changes.push_back(json::array({i, name_of(now.state())}));
+        if (i >= before.size() || before[i] != now)
+            held.push_back(json::array({i, now.resident, now.loading}));
+    }
+    return {{"dataset", dataset},
+            {"changes", std::move(changes)},
+            {"held", std::move(held)},
+            {"bytes", status.bytes},
+            {"budget", status.budget}};
+}
+
 } // namespace
+
+json cache_json(const std::string& dataset, const core::TimeStepCache::Status& status) {
+    json steps = json::array();
+    json held = json::array();
+    for (const core::StepHeld& step : status.steps) {
+        steps.push_back(name_of(step.state()));
+        held.push_back(json::array({step.resident, step.loading}));
+    }
+    return {{"dataset", dataset},      {"steps", std::move(steps)},
+            {"held", std::move(held)}, {"bytesPerStep", status.step_bytes},
+            {"bytes", status.bytes},   {"budget", status.budget}};
+}
 
 struct CacheNews::Watched {
     std::string dataset;
@@ -65,7 +110,7 @@ void CacheNews::changed(const std::shared_ptr<Watched>& watched) {
     if (!cache)
         return;
     const auto status = cache->status();
-    const auto message = cache_changes_json(watched->dataset, watched->told, status);
+    const json message = cache_changes_json(watched->dataset, watched->told, status);
     watched->told = status.steps;
     if (!message["held"].empty())
         announce_(protocol::rpc_notification("cache.patched", message));

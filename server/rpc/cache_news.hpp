@@ -1,8 +1,11 @@
-// cache.patched: tells everybody which time-steps of a dataset came into memory or left it, a few times a second.
+// The time-steps of a dataset that are in memory: cache.status says which when asked, and cache.patched tells
+// everybody what has changed, a few times a second.
 #pragma once
 
 #include "core/dataset/time_step_cache.hpp"
 #include "server/service/base/loop.hpp"
+
+#include <nlohmann/json_fwd.hpp>
 
 #include <functional>
 #include <map>
@@ -11,7 +14,10 @@
 
 namespace wakesurf::server {
 
-/// Loop thread only; caches may change on any thread.
+/// Returns a CacheStatus, as the description of the API has it.
+nlohmann::json cache_json(const std::string& dataset, const core::TimeStepCache::Status& status);
+
+/// Tells of the caches that it watches. Loop thread only; caches may change on any thread.
 class CacheNews {
   public:
     using Announce = std::function<void(const std::string& message)>;

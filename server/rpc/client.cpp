@@ -1,8 +1,9 @@
 #include "server/rpc/client.hpp"
 
 #include "protocol/api/json_rpc.hpp"
+#include "server/rpc/notices.hpp"
 #include "server/rpc/outcome_json.hpp"
-#include "server/rpc/patch_json.hpp"
+#include "server/rpc/records_json.hpp"
 #include "server/service/metrics/metrics.hpp"
 
 #include <nlohmann/json.hpp>
@@ -132,7 +133,7 @@ void Client::progress(const SurfaceProgress& progress, Telling& telling) {
             "surface.progress", {{"surface", progress.surface},
                                  {"epoch", progress.epoch},
                                  {"phase", names[static_cast<std::size_t>(progress.phase)]},
-                                 {"seconds", pass_json(progress.took)}});
+                                 {"seconds", protocol::pass_seconds_json(progress.took)}});
     });
 }
 
@@ -165,11 +166,8 @@ void Client::sent_away(Farewell why) {
         session_->end_leases(participant_);
     session_.reset();
     if (why == Farewell::Deleted) // the connection stays, for another session
-        wire_.send(protocol::rpc_notification(
-            "server.notice",
-            {{"kind", "sessionDeleted"},
-             {"level", "warning"},
-             {"text", "the session was deleted; a host can restore it for 30 days"}}));
+        wire_.send(server::notice("sessionDeleted", "warning",
+                                  "the session was deleted; a host can restore it for 30 days"));
     else if (why == Farewell::Displaced)
         say_goodbye(Goodbye::Displaced, "displaced", "a newer connection has taken this place");
     else
@@ -187,8 +185,7 @@ void Client::logged_out() {
 }
 
 void Client::say_goodbye(Goodbye goodbye, const char* kind, const std::string& reason) {
-    wire_.send(protocol::rpc_notification(
-        "server.notice", {{"kind", kind}, {"level", "warning"}, {"text", reason}}));
+    wire_.send(server::notice(kind, "warning", reason));
     wire_.close(goodbye, reason);
 }
 

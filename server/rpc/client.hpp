@@ -1,5 +1,5 @@
-// One WebSocket client: the session it has joined and the notifications that follow from that, the surfaces it has
-// subscribed to. When it goes, nothing of it stays.
+// One WebSocket client: the session it has joined and the notifications that follow from that, the surfaces
+// it has subscribed to. When it goes, nothing of it stays.
 #pragma once
 
 #include "server/rpc/pending_calls.hpp"
@@ -29,27 +29,28 @@ class Client final : public Observer, public GrantHolder {
 
     const Visitor& identity() const { return identity_; }
 
-    /// Of its place in a session; nothing where it has none.
+    /// Returns the role of its place in a session; nothing where it has none.
     std::optional<Role> role_in(const std::string& session) const;
 
-    /// Its id in the session joined, or empty.
+    /// Returns its id in the session joined, or empty.
     std::string participant() const;
 
-    /// The session joined, or nothing.
+    /// Returns the session joined, or nothing.
     const std::shared_ptr<Session>& session() const { return session_; }
 
     /// Leaves the session joined before; arrives with the client's own identity. Error: OverLimit.
     core::Result<Joined> join(std::shared_ptr<Session> session, Arrival arrival);
     void leave();
 
-    /// Where a subscription to `surface` begins: after the state the client has from before, or with a keyframe.
+    /// Says where a subscription to `surface` begins: after the state the client has from before, or with a
+    /// keyframe.
     /// @param metrics  counts what is left out; may be null, else outlives the subscription
     FrameCursor cursor(const std::string& surface,
                        const LiveSurface& live,
                        std::optional<UpdatePosition> from,
                        Metrics* metrics);
 
-    /// Whether there is room for a further subscription.
+    /// Says whether there is room for a further subscription.
     bool may_subscribe(std::uint32_t number) const { return wire_.may_follow(number); }
 
     /// Sends the updates of a surface, from where the cursor stands. REQUIRES: may_subscribe.
@@ -58,15 +59,15 @@ class Client final : public Observer, public GrantHolder {
     /// The client does not show the surface any more. False when there was no such subscription.
     bool unsubscribe(std::uint32_t number);
 
-    /// See Wire::acknowledge.
+    /// Does as Wire::acknowledge.
     bool acknowledge(std::uint32_t number, std::optional<std::uint32_t> epoch, std::uint32_t seq) {
         return wire_.acknowledge(number, epoch, seq);
     }
 
-    /// Those not answered yet.
+    /// Returns those not answered yet.
     PendingCalls& calls() { return calls_; }
 
-    /// A notification that belongs to no session.
+    /// Sends a notification that belongs to no session.
     void notify(const std::string& message) { wire_.send(message); }
 
     void patched(const std::string& session,

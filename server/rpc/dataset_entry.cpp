@@ -1,5 +1,6 @@
 #include "server/rpc/dataset_entry.hpp"
 
+#include "protocol/api/base/point_json.hpp"
 #include "server/rpc/outcome_json.hpp"
 
 #include <nlohmann/json.hpp>
@@ -25,6 +26,12 @@ nlohmann::json dataset_entry(const DatasetStatus& status) {
     if (status.error)
         out["error"] = error_json(*status.error);
     return out;
+}
+
+nlohmann::json lattice_json(const protocol::Lattice& lattice) {
+    return {{"origin", protocol::point_json(lattice.origin)},
+            {"step", lattice.step},
+            {"bits", lattice.bits}};
 }
 
 } // namespace wakesurf::server

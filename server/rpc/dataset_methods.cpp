@@ -1,14 +1,12 @@
 // dataset.list, dataset.describe, dataset.suggest, dataset.open, cache.status, probe.sample.
-#include "protocol/api/base/point_json.hpp"
+#include "protocol/api/base/list_json.hpp"
 #include "protocol/api/dataset_json.hpp"
 #include "protocol/api/family_json.hpp"
 #include "protocol/api/generated/dataset.hpp"
-#include "protocol/api/generated/names.hpp"
-#include "server/rpc/cache_json.hpp"
+#include "server/rpc/cache_news.hpp"
 #include "server/rpc/dataset_entry.hpp"
 #include "server/rpc/import_waiters.hpp"
-#include "server/rpc/lattice_json.hpp"
-#include "server/rpc/method_table.hpp"
+#include "server/rpc/method.hpp"
 #include "server/rpc/permission.hpp"
 #include "server/rpc/work_progress.hpp"
 #include "server/service/session/data/datasets.hpp"
@@ -47,23 +45,9 @@ void dataset_describe(const Call& call, const protocol::DatasetDescribe& of, Rep
 }
 
 json suggestion_json(const core::SceneSuggestion& scene) {
-    json points = json::array();
-    for (const core::Vec3& point : scene.rake.points)
-        points.push_back(protocol::point_json(point));
-    json surfaces = json::array();
-    for (const core::SurfaceParameters& each : scene.surfaces) {
-        json surface{{"kind", protocol::name(each.kind)},
-                     {"from", each.from},
-                     {"to", each.to},
-                     {"separation", each.separation}};
-        if (each.sweep)
-            surface["sweep"] = protocol::point_json(*each.sweep);
-        surfaces.push_back(std::move(surface));
-    }
-    return {
-        {"rake", {{"kind", "line"}, {"points", std::move(points)}, {"seeds", scene.rake.seeds}}},
-        {"surfaces", std::move(surfaces)},
-        {"why", scene.why}};
+    return {{"rake", protocol::suggested_rake_json(scene.rake)},
+            {"surfaces", protocol::list_json(scene.surfaces, protocol::suggested_surface_json)},
+            {"why", scene.why}};
 }
 
 /// Values of the old data are not told as the new data's.
@@ -100,7 +84,7 @@ json look_at(const DatasetStatus& status) {
     return out;
 }
 
-/// Alive from the call to its answer.
+/// Lives from the call to its answer.
 struct Opening {
     explicit Opening(Reply to) : reply(std::move(to)) {}
 

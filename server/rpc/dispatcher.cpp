@@ -2,8 +2,6 @@
 
 #include "protocol/api/base/nearest_name.hpp"
 #include "protocol/api/openrpc.hpp"
-#include "server/rpc/call_log.hpp"
-#include "server/rpc/held_answer.hpp"
 #include "server/rpc/permission.hpp"
 #include "server/service/base/log_text.hpp"
 #include "server/service/limits.hpp"
@@ -24,7 +22,7 @@ using protocol::RpcFault;
 
 namespace {
 
-/// The answers of a batch, until all are there.
+/// Gathers the answers of a batch, until all are there.
 struct Batch {
     std::vector<std::string> answers;
     std::size_t bytes = 0;
@@ -51,7 +49,7 @@ struct Batch {
     }
 };
 
-/// Of all things of this kind, the one somebody may have meant by `name`.
+/// Returns, of all things of this kind, the one somebody may have meant by `name`.
 std::string
 hint(const std::string& name, const std::vector<std::string>& names, std::string otherwise) {
     const std::string meant = protocol::nearest_name(name, names);
@@ -81,6 +79,36 @@ RpcFault too_many_calls() {
 }
 
 const json no_parameters = json::object();
+
+/// Bounds an id: what is longer is no id of ours, and may be a secret in the wrong place.
+constexpr std::size_t longest_id = 32;
+
+/// ` name=id`, or nothing.
+std::string id_field(const char* name, const std::string& id) {
+    if (id.empty() || id.size() > longest_id)
+        return {};
+    return std::string(" ") + name + "=" + log_value(id);
+}
+
+std::string parameter(const Call& call, const char* name) {
+    const auto found = call.parameters.find(name);
+    return found != call.parameters.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+/// Writes a line of the log for each call, at level debug: which method, by whom, on what. Never what it
+/// said.
+void log_call(const Method& method, const Call& call) {
+    if (!spdlog::should_log(spdlog::level::debug))
+        return;
+    std::string session = parameter(call, "session");
+    if (session.empty() && call.client != nullptr && call.client->session())
+        session = call.client->session()->id();
+    spdlog::debug("event=call method={}{}{}{}{}{}", method.name, id_field("session", session),
+                  id_field("surface", parameter(call, "surface")),
+                  id_field("rake", parameter(call, "rake")),
+                  id_field("participant", call.client ? call.client->participant() : ""),
+                  id_field("grant", call.identity.grant));
+}
 
 } // namespace
 

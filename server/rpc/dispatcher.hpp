@@ -19,7 +19,8 @@ class Dispatcher {
     Dispatcher(const Dispatcher&) = delete;
     Dispatcher& operator=(const Dispatcher&) = delete;
 
-    /// `identity` is whose call it is, `client` its WebSocket, if it has one. `answer` is called once, now or later, with the text to send back: empty when there is none (notifications).
+    /// Takes one message: `identity` is whose call it is, `client` its WebSocket, if it has one. `answer` is
+    /// called once, now or later, with the text to send back: empty when there is none (notifications).
     using Answer = std::function<void(std::string)>;
     void dispatch(std::string_view text, const Visitor& identity, Client* client, Answer answer);
 

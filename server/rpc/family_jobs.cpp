@@ -19,7 +19,7 @@ core::Error not_made() {
 
 } // namespace
 
-/// What the work and this know of each other.
+/// Holds what the work and this know of each other.
 struct FamilyJobs::Shared {
     explicit Shared(DatasetCatalogue& of) : catalogue(of) {}
 

@@ -1,4 +1,5 @@
-// Families of stream surfaces made and removed on the compute threads, for those who call family.make and family.remove.
+// Families of stream surfaces made and removed on the compute threads, for those who call family.make and
+// family.remove.
 #pragma once
 
 #include "core/base/memory_account.hpp"
@@ -13,7 +14,8 @@
 
 namespace wakesurf::server {
 
-/// One after another for each dataset. Everybody is told that a dataset has others by the catalogue's listener. Loop thread only.
+/// Runs one after another for each dataset. Everybody is told that a dataset has others by the catalogue's
+/// listener. Loop thread only.
 class FamilyJobs {
   public:
     /// Loop and pool outlive the work, the catalogue outlives this.

@@ -2,7 +2,7 @@
 #include "protocol/api/family_json.hpp"
 #include "protocol/api/generated/family.hpp"
 #include "server/rpc/family_jobs.hpp"
-#include "server/rpc/method_table.hpp"
+#include "server/rpc/method.hpp"
 #include "server/rpc/permission.hpp"
 #include "server/rpc/work_progress.hpp"
 #include "server/service/base/forecast.hpp"
@@ -54,7 +54,7 @@ core::Result<core::FamilyRequest> family_request(const protocol::FamilyMake& of)
     return request;
 }
 
-/// How far one is, with a forecast.
+/// Says how far one is, with a forecast.
 class FamilyProgress {
   public:
     FamilyProgress(std::string name,
@@ -81,7 +81,7 @@ class FamilyProgress {
     Forecast forecast_;
 };
 
-/// Alive from the call to its answer.
+/// Lives from the call to its answer.
 struct Making {
     explicit Making(Reply to) : reply(std::move(to)) {}
 
@@ -90,7 +90,7 @@ struct Making {
     std::optional<WorkProgress> progress;
 };
 
-/// Nothing where the caller may change what the dataset has: whoever may edit in their session.
+/// Returns nothing where the caller may change what the dataset has: whoever may edit in their session.
 std::optional<protocol::RpcFault> refused_here(const Call& call) {
     if (role_of(call) == Role::Viewer)
         return protocol::RpcFault{protocol::RpcCode::NotPermitted,

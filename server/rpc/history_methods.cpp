@@ -1,8 +1,8 @@
 // history.undo, history.redo.
+#include "protocol/api/base/list_json.hpp"
 #include "protocol/api/generated/history.hpp"
-#include "server/rpc/author.hpp"
-#include "server/rpc/method_table.hpp"
-#include "server/rpc/session_choice.hpp"
+#include "server/rpc/caller.hpp"
+#include "server/rpc/method.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -21,23 +21,21 @@ json change_json(const RecordChange& change) {
     return out;
 }
 
+json skip_json(const HistoryMoveResult::Skip& each) {
+    return {{"type", name(each.key.type)}, {"id", each.key.id}, {"why", each.why}};
+}
+
 void move(HistoryMove by, const Call& call, const std::optional<std::string>& named, Reply reply) {
     const auto session = choose_session(call, named);
     if (!session)
         return reply.fault(session.error());
     const HistoryMoveResult result = (*session)->move_in_history(by, author_of(call, **session));
-    json changes = json::array();
-    for (const RecordChange& each : result.changes)
-        changes.push_back(change_json(each));
-    json skipped = json::array();
-    for (const HistoryMoveResult::Skip& each : result.skipped)
-        skipped.push_back({{"type", name(each.key.type)}, {"id", each.key.id}, {"why", each.why}});
-    json out{{"skipped", std::move(skipped)},
+    json out{{"skipped", protocol::list_json(result.skipped, skip_json)},
              {"undo", result.left.undo},
              {"redo", result.left.redo},
              {"seq", (*session)->seq()}};
     out[by == HistoryMove::Undo ? "undone" : "redone"] =
-        changes.empty() ? json(nullptr) : std::move(changes);
+        result.changes.empty() ? json(nullptr) : protocol::list_json(result.changes, change_json);
     reply.result(out);
 }
 

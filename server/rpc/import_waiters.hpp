@@ -1,5 +1,5 @@
-// Those who wait until a dataset is imported: unanswered dataset.open calls. The last of them who does not want it any more ends
-// the import.
+// Those who wait until a dataset is imported: unanswered dataset.open calls. The last of them who does not
+// want it any more ends the import.
 #pragma once
 
 #include "server/service/base/loop.hpp"
@@ -27,19 +27,20 @@ class ImportWaiters {
     ImportWaiters(const ImportWaiters&) = delete;
     ImportWaiters& operator=(const ImportWaiters&) = delete;
 
-    /// How a dataset stands. Error: NotFound.
+    /// Returns how a dataset stands. Error: NotFound.
     core::Result<DatasetStatus> status(const std::string& dataset) const {
         return catalogue_.status(dataset);
     }
 
-    /// As of the catalogue.
+    /// Does as the catalogue does.
     core::Result<void> choose_velocity(const std::string& dataset, const std::string& velocity) {
         return catalogue_.choose_velocity(dataset, velocity);
     }
 
-    /// Calls the waiter once the import is ready, has failed or was stopped, at once if it is ready or has failed already, or
-    /// after `patience` with how it stands then: at once without any. An import that was stopped begins again. Returns a
-    /// ticket for leave(); 0 once the waiter has been called. Error, by the waiter: NotFound, OverLimit.
+    /// Calls the waiter once the import is ready, has failed or was stopped, at once if it is ready or has
+    /// failed already, or after `patience` with how it stands then: at once without any. An import that was
+    /// stopped begins again. Returns a ticket for leave(); 0 once the waiter has been called. Error, by the
+    /// waiter: NotFound, OverLimit.
     std::uint64_t
     wait(const std::string& dataset, std::chrono::milliseconds patience, Waiter waiter);
 

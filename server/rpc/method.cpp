@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace wakesurf::server {
@@ -43,6 +44,32 @@ Method described(std::string_view name, Method::Handler handler) {
 core::Result<Budgets::Place> take(const Call& call, Use use) {
     Budgets* const budgets = call.context.budgets;
     return budgets == nullptr ? Budgets::Place() : budgets->take(call.identity, use);
+}
+
+Reply held_until_settled(Reply reply, Journal& journal) {
+    auto kept = std::make_shared<Reply>(std::move(reply));
+    return Reply([kept, &journal](const nlohmann::json* result, const protocol::RpcFault* fault) {
+        if (fault != nullptr)
+            return kept->fault(*fault);
+        journal.settled([kept, answer = *result](const core::Result<void>& outcome) mutable {
+            if (answer.is_object()) {
+                answer["durable"] = outcome.has_value();
+                if (!outcome)
+                    answer["hint"] = outcome.error().message + ": " + outcome.error().hint;
+            }
+            kept->result(answer);
+        });
+    });
+}
+
+std::vector<Method> method_table() {
+    std::vector<Method> table;
+    for (auto part :
+         {server_methods, dataset_methods, family_methods, session_methods, session_keeping_methods,
+          share_methods, presence_methods, rake_methods, surface_methods, subscription_methods,
+          wait_methods, mark_methods, history_methods, time_methods})
+        std::ranges::move(part(), std::back_inserter(table));
+    return table;
 }
 
 } // namespace wakesurf::server

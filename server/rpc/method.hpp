@@ -1,5 +1,5 @@
-// A method of the API as the dispatcher calls it: its description, which protocol/api has, and the code behind it. The code gets
-// parameters that were checked against the description.
+// A method of the API as the dispatcher calls it: its description, which protocol/api has, and the code
+// behind it. The code gets parameters that were checked against the description.
 #pragma once
 
 #include "protocol/api/base/checked_json.hpp"
@@ -29,7 +29,7 @@ namespace wakesurf::server {
 class FamilyJobs;
 class ImportWaiters;
 
-/// The one answer to a call. Move-only; one that goes unanswered answers with an internal error.
+/// Is the one answer to a call. Move-only; one that goes unanswered answers with an internal error.
 class Reply {
   public:
     using Sink = std::function<void(const nlohmann::json* result, const protocol::RpcFault* fault)>;
@@ -50,7 +50,7 @@ class Reply {
     Sink sink_;
 };
 
-/// What the methods act on.
+/// Holds what the methods act on.
 struct MethodContext {
     SessionDirectory& sessions;
     const Datasets& datasets;
@@ -78,10 +78,10 @@ struct Call {
     std::stop_token cancelled{};      ///< by $/cancelRequest; fires before `stop`
 };
 
-/// One of a kind, of the caller's budget. Error: OverLimit.
+/// Takes one of a kind, of the caller's budget. Error: OverLimit.
 core::Result<Budgets::Place> take(const Call& call, Use use);
 
-/// Who may call a method, from where, and whether its answer waits for the disk.
+/// Says who may call a method, from where, and whether its answer waits for the disk.
 struct MethodTraits {
     Role least = Role::Viewer; ///< the least role in the session that may
     bool websocket_only = false;
@@ -101,11 +101,11 @@ struct Method {
     bool takes(std::string_view parameter) const;
 };
 
-/// The method of this name, as it is described. REQUIRES: there is one.
+/// Returns the method of this name, as it is described. REQUIRES: there is one.
 Method described(std::string_view name, Method::Handler handler);
 
-/// The method whose parameters these are. `handle` is called only with parameters that keep what the description says; what does
-/// not is answered with the first fault.
+/// Returns the method whose parameters these are. `handle` is called only with parameters that keep what the
+/// description says; what does not is answered with the first fault.
 template <class Parameters>
 Method method(void (*handle)(const Call& call, const Parameters& parameters, Reply reply)) {
     return described(Parameters::method, [handle](const Call& call, Reply reply) {
@@ -117,5 +117,29 @@ Method method(void (*handle)(const Call& call, const Parameters& parameters, Rep
         handle(call, parameters, std::move(reply));
     });
 }
+
+/// Returns a reply that gives its result to `reply` once the journal has settled, with the member `durable`:
+/// what has been answered has been kept. Where `durable` is false, the edit counts all the same, and `hint`
+/// says why it is not kept. Faults go through at once. REQUIRES: the journal outlives it.
+Reply held_until_settled(Reply reply, Journal& journal);
+
+// The methods of each noun, or of a part of it.
+std::vector<Method> server_methods();
+std::vector<Method> dataset_methods();
+std::vector<Method> family_methods();
+std::vector<Method> session_methods();
+std::vector<Method> session_keeping_methods();
+std::vector<Method> share_methods();
+std::vector<Method> presence_methods();
+std::vector<Method> rake_methods();
+std::vector<Method> surface_methods();
+std::vector<Method> subscription_methods();
+std::vector<Method> history_methods();
+std::vector<Method> wait_methods();
+std::vector<Method> time_methods();
+std::vector<Method> mark_methods();
+
+/// Returns all of them.
+std::vector<Method> method_table();
 
 } // namespace wakesurf::server

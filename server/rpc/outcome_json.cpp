@@ -1,8 +1,9 @@
 #include "server/rpc/outcome_json.hpp"
 
 #include "core/base/machine_memory.hpp"
+#include "protocol/api/base/list_json.hpp"
+#include "protocol/api/generated/subscription.hpp"
 #include "protocol/api/json_rpc.hpp"
-#include "protocol/api/statistics_json.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -20,27 +21,17 @@ nlohmann::json error_json(const core::Error& error) {
     return out;
 }
 
-nlohmann::json pass_json(const PassSeconds& took) {
-    return {{"queue", took.queue},
-            {"load", took.load},
-            {"compute", took.compute},
-            {"encode", took.encode}};
-}
-
 nlohmann::json ranges_json(const ValueRanges& ranges) {
-    nlohmann::json out = nlohmann::json::array();
-    for (const auto& [attribute, range] : ranges)
-        out.push_back({{"attribute", attribute},
-                       {"low", range.low},
-                       {"high", range.high},
-                       {"least", range.least},
-                       {"greatest", range.greatest}});
-    return out;
+    return protocol::list_json(ranges, [](const ToldRange& each) {
+        nlohmann::json range = protocol::value_range_json(each.range);
+        range["attribute"] = each.attribute;
+        return range;
+    });
 }
 
 nlohmann::json outcome_json(const SurfaceOutcome& outcome) {
-    nlohmann::json out =
-        protocol::statistics_json(outcome.statistics, core::peak_resident_memory());
+    nlohmann::json out = protocol::statistics_json(outcome.statistics);
+    out["peakBytes"] = core::peak_resident_memory();
     out["surface"] = outcome.surface;
     out["epoch"] = outcome.epoch;
     out["complete"] = outcome.complete;
@@ -48,7 +39,7 @@ nlohmann::json outcome_json(const SurfaceOutcome& outcome) {
     out["coarsened"] = outcome.complete && outcome.statistics.coarsened();
     out["stateSum"] = outcome.state_sum;
     if (outcome.took)
-        out["pass"] = pass_json(*outcome.took);
+        out["pass"] = protocol::pass_seconds_json(*outcome.took);
     if (outcome.error)
         out["error"] = error_json(*outcome.error);
     return out;

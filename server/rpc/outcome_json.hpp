@@ -1,4 +1,5 @@
-// How a surface's epoch ended, as surface.stats, surface.wait and surface.done tell it.
+// The end of a surface's epoch, as surface.stats, surface.wait and surface.done tell it. Names of shapes
+// are those of the description of the API.
 #pragma once
 
 #include "server/service/session/records/observer.hpp"
@@ -7,15 +8,13 @@
 
 namespace wakesurf::server {
 
-/// {queue, load, compute, encode}
-nlohmann::json pass_json(const PassSeconds& took);
-
-/// [{attribute, low, high, least, greatest}]
+/// Returns an array of ValueRange.
 nlohmann::json ranges_json(const ValueRanges& ranges);
 
+/// Returns a Statistics.
 nlohmann::json outcome_json(const SurfaceOutcome& outcome);
 
-/// {code, message, kind, hint, limit?}
+/// Returns a Problem.
 nlohmann::json error_json(const core::Error& error);
 
 } // namespace wakesurf::server

@@ -1,5 +1,5 @@
-// The calls of one WebSocket that are not answered yet, so that `$/cancelRequest` can name one: it is answered as
-// cancelled at once, its work is asked to stop, and what the work still answers goes nowhere.
+// The calls of one WebSocket that are not answered yet, so that `$/cancelRequest` can name one: it is
+// answered as cancelled at once, its work is asked to stop, and what the work still answers goes nowhere.
 #pragma once
 
 #include "protocol/api/json_rpc.hpp"

@@ -1,4 +1,5 @@
-// Whether somebody may make a call: asked for each one, also within a batch, by what the method's entry in the table says.
+// The check of whether somebody may make a call: asked for each one, also within a batch, by what the
+// method's entry in the table says.
 #pragma once
 
 #include "server/rpc/method.hpp"
@@ -8,18 +9,19 @@
 
 namespace wakesurf::server {
 
-/// The session a call is about: the one it names, the one its WebSocket has joined, or the one its share link is for. Empty for
-/// none, and for methods that are about none.
+/// Returns the session a call is about: the one it names, the one its WebSocket has joined, or the one its
+/// share link is for. Empty for none, and for methods that are about none.
 std::string session_of(const Method& method, const Call& call);
 
-/// What the caller may do in that session now: the role of the place taken there, else the token's or the link's for newcomers.
+/// Returns what the caller may do in that session now: the role of the place taken there, else the token's or
+/// the link's for newcomers.
 Role role_in(const std::string& session, const Call& call);
 
-/// The same in the session joined, or else the link's: for methods that are about no session.
+/// Returns the same in the session joined, or else the link's: for methods that are about no session.
 Role role_of(const Call& call);
 
-/// Unauthenticated once the share link has ended; NotPermitted for another session than the link's and for a lesser role than
-/// the method's; else nothing. Whether there is such a session is not told.
+/// Returns Unauthenticated once the share link has ended; NotPermitted for another session than the link's
+/// and for a lesser role than the method's; else nothing. Whether there is such a session is not told.
 std::optional<protocol::RpcFault> refused(const Method& method, const Call& call);
 
 } // namespace wakesurf::server

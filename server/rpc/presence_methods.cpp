@@ -1,7 +1,7 @@
 // presence.update.
 #include "protocol/api/messages_presence.hpp"
-#include "server/rpc/method_table.hpp"
-#include "server/rpc/session_choice.hpp"
+#include "server/rpc/caller.hpp"
+#include "server/rpc/method.hpp"
 
 #include <nlohmann/json.hpp>
 

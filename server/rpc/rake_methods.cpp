@@ -1,11 +1,12 @@
 // rake.set, rake.delete, rake.list.
 #include "protocol/api/base/point_json.hpp"
-#include "server/rpc/leased.hpp"
-#include "server/rpc/method_table.hpp"
+#include "server/rpc/method.hpp"
 #include "server/rpc/record_handlers.hpp"
-#include "server/rpc/records_json.hpp"
 
+#include <fmt/chrono.h>
 #include <nlohmann/json.hpp>
+
+#include <chrono>
 
 namespace wakesurf::server {
 
@@ -13,7 +14,34 @@ using nlohmann::json;
 
 namespace {
 
-/// Why the author may not edit a rake as it is now: somebody else drags it, or it is at another revision.
+/// Returns a point in time to the millisecond, RFC 3339.
+std::string utc_text(std::chrono::system_clock::time_point time) {
+    const auto ms = std::chrono::time_point_cast<std::chrono::milliseconds>(time);
+    const auto seconds = std::chrono::floor<std::chrono::seconds>(ms);
+    return fmt::format("{:%Y-%m-%dT%H:%M:%S}.{:03}Z", fmt::gmtime(seconds), (ms - seconds).count());
+}
+
+/// Returns a fault that says by whom the rake is dragged just now and until when, or nothing where the author
+/// may edit it.
+std::optional<protocol::RpcFault>
+leased(const Session& session, const std::string& rake, const Author& author) {
+    const auto lease = session.lease(rake);
+    if (!lease || lease->by.participant == author.participant)
+        return std::nullopt;
+    return protocol::RpcFault{
+        protocol::RpcCode::Leased,
+        "rake " + rake + " is being dragged by " + lease->by.name,
+        "wait until it is let go, or edit another rake; a host may use `force`",
+        {},
+        std::make_shared<const json>(
+            json{{"by", lease->by.participant},
+                 {"name", lease->by.name},
+                 {"until", utc_text(std::chrono::system_clock::now() + lease->left)},
+                 {"untilMs", lease->left.count()}})};
+}
+
+/// Says why the author may not edit a rake as it is now: somebody else drags it, or it is at another
+/// revision.
 std::optional<protocol::RpcFault> refusal(Session& session,
                                           const std::string& rake,
                                           const Author& author,
@@ -32,7 +60,7 @@ std::optional<protocol::RpcFault> refusal(Session& session,
     if (!force)
         if (auto held = leased(session, rake, author))
             return held;
-    return stale_revision(if_rev, now->rev, protocol::rake_json(*now));
+    return stale_revision(if_rev, now->rev, protocol::record_json(*now));
 }
 
 void rake_set(const Call& call, const protocol::RakeSetting& setting, Reply reply) {
@@ -48,15 +76,15 @@ void rake_set(const Call& call, const protocol::RakeSetting& setting, Reply repl
     const auto change = (*session)->set_rake(setting, author);
     if (!change)
         return reply.fault(change.error());
-    json surfaces = json::array();
-    for (const auto& [surface, epoch] : change->surfaces)
-        surfaces.push_back({{"surface", surface}, {"epoch", epoch}});
+    const auto surfaces = protocol::list_json(change->surfaces, [](const auto& each) {
+        return json{{"surface", each.first}, {"epoch", each.second}};
+    });
     reply.result({{"rake", change->record.rake},
                   {"rev", change->record.rev},
                   {"seq", (*session)->seq()},
                   {"clipped", change->record.clipped},
                   {"points", protocol::points_json(change->record.shape.points)},
-                  {"surfaces", std::move(surfaces)}});
+                  {"surfaces", surfaces}});
 }
 
 void rake_delete(const Call& call, const protocol::RakeDelete& of, Reply reply) {
@@ -72,7 +100,7 @@ void rake_delete(const Call& call, const protocol::RakeDelete& of, Reply reply) 
 }
 
 void rake_list(const Call& call, const protocol::RakeList& of, Reply reply) {
-    list_records(call, of.session, std::move(reply), "rakes", rakes_json);
+    list_records<protocol::RakeRecord>(call, of.session, std::move(reply), "rakes");
 }
 
 } // namespace

@@ -8,15 +8,17 @@ void reply_with_seq(Reply reply, const Session& session) {
     reply.result({{"seq", session.seq()}});
 }
 
-void list_records(const Call& call,
-                  const std::optional<std::string>& named,
-                  Reply reply,
-                  const char* name,
-                  nlohmann::json (*all)(const Session& session)) {
-    const auto session = choose_session(call, named);
-    if (!session)
-        return reply.fault(session.error());
-    reply.result({{name, all(**session)}});
+std::optional<protocol::RpcFault> stale_revision(std::optional<std::uint64_t> expected,
+                                                 std::uint64_t rev,
+                                                 const nlohmann::json& record) {
+    if (!expected || *expected == rev)
+        return std::nullopt;
+    return protocol::RpcFault{
+        protocol::RpcCode::Stale,
+        "the record is at revision " + std::to_string(rev) + ", not " + std::to_string(*expected),
+        "apply the edit to data.current and send it again",
+        {},
+        std::make_shared<const nlohmann::json>(nlohmann::json{{"current", record}})};
 }
 
 } // namespace wakesurf::server

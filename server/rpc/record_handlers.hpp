@@ -1,12 +1,9 @@
-// What the methods on every type of record share: a list, a deletion, and a setter that may be meant for one revision only.
+// The shared part of the methods on every type of record: a list, a deletion, and a setter that may be meant
+// for one revision only.
 #pragma once
 
-#include "server/rpc/author.hpp"
-#include "server/rpc/method.hpp"
-#include "server/rpc/session_choice.hpp"
-#include "server/rpc/stale_revision.hpp"
-
-#include <nlohmann/json_fwd.hpp>
+#include "server/rpc/caller.hpp"
+#include "server/rpc/records_json.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -15,33 +12,50 @@
 
 namespace wakesurf::server {
 
-/// The answer to a deletion: {seq}
+/// Answers a deletion: {seq}
 void reply_with_seq(Reply reply, const Session& session);
 
-/// {NAME: all of them}
-void list_records(const Call& call,
-                  const std::optional<std::string>& session,
-                  Reply reply,
-                  const char* name,
-                  nlohmann::json (*all)(const Session& session));
+/// Returns a fault that carries the current record, or nothing where its revision is the one that `ifRev`
+/// expects.
+std::optional<protocol::RpcFault> stale_revision(std::optional<std::uint64_t> expected,
+                                                 std::uint64_t rev,
+                                                 const nlohmann::json& record);
 
-/// A type of record as its methods name, find, tell and delete it.
-template <class Record>
+/// Says how the methods on a type of record name, find, set and delete it.
+template <class R, class Setting>
 struct RecordHandlers {
     const char* type; ///< the member with its id
-    core::Result<Record> (Session::*find)(const std::string& id) const;
-    nlohmann::json (*text)(const Record& record);
+    core::Result<R> (Session::*find)(const std::string& id) const;
+    core::Result<R> (Session::*put)(const Setting& setting, const Author& author);
     core::Result<void> (Session::*erase)(const std::string& id, const Author& author);
 
-    /// Why an edit is refused that was meant for another revision.
+    /// Says why an edit is refused that was meant for another revision.
     std::optional<protocol::RpcFault> stale(const Session& session,
                                             const std::optional<std::string>& id,
                                             std::optional<std::uint64_t> if_rev) const {
         const auto now = id ? (session.*find)(*id) : core::fail(core::Error::Code::NotFound, type);
-        return now ? stale_revision(if_rev, now->rev, text(*now)) : std::nullopt;
+        return now ? stale_revision(if_rev, now->rev, protocol::record_json(*now)) : std::nullopt;
     }
 
-    /// `parameters`: session, gesture and ifRev, beside the id.
+    /// Sets the record `id`, or a new one, and answers {TYPE, rev, seq}.
+    void set(const Call& call,
+             const Setting& setting,
+             const std::optional<std::string>& id,
+             Reply reply) const {
+        const auto session = choose_session(call, setting.session);
+        if (!session)
+            return reply.fault(session.error());
+        if (const auto refused = stale(**session, id, setting.if_rev))
+            return reply.fault(*refused);
+        const auto record =
+            ((**session).*put)(setting, author_of(call, **session, setting.gesture));
+        if (!record)
+            return reply.fault(record.error());
+        reply.result(
+            {{type, key_of(*record).id}, {"rev", record->rev}, {"seq", (*session)->seq()}});
+    }
+
+    /// Deletes the record `id`. `parameters` have session, gesture and ifRev beside the id.
     template <class Parameters>
     void remove(const Call& call,
                 const Parameters& parameters,
@@ -58,5 +72,17 @@ struct RecordHandlers {
         reply_with_seq(std::move(reply), **session);
     }
 };
+
+/// Answers {NAME: all records of the type}.
+template <class R>
+void list_records(const Call& call,
+                  const std::optional<std::string>& named,
+                  Reply reply,
+                  const char* name) {
+    const auto session = choose_session(call, named);
+    if (!session)
+        return reply.fault(session.error());
+    reply.result({{name, all_json<R>(**session)}});
+}
 
 } // namespace wakesurf::server

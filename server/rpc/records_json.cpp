@@ -1,6 +1,6 @@
 #include "server/rpc/records_json.hpp"
 
-#include "server/rpc/aside_json.hpp"
+#include "server/rpc/notices.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -10,45 +10,59 @@ using nlohmann::json;
 
 namespace {
 
+json put_json(std::string_view type, const std::string& id, json record) {
+    return {{"op", "put"}, {"type", type}, {"id", id}, {"record", std::move(record)}};
+}
+
 template <class R>
-json list(const Session& session, json (*write)(const R&)) {
-    json out = json::array();
-    for (const auto& [id, record] : session.records().all<R>())
-        out.push_back(write(record));
-    return out;
+json patch_json(const R& record) {
+    const RecordKey key = key_of(record);
+    return put_json(name(key.type), key.id, protocol::record_json(record));
+}
+
+json patch_json(const protocol::ClockRecord& record) {
+    return put_json("clock", "clock", protocol::record_json(record));
+}
+
+json patch_json(const SessionName& session) {
+    json record{{"session", session.session}, {"name", session.name}};
+    if (!session.units.empty())
+        record["units"] = protocol::units_json(session.units);
+    return put_json("session", session.session, std::move(record));
+}
+
+json patch_json(const DeletedRecord& record) {
+    return {{"op", "delete"}, {"type", record.type}, {"id", record.id}};
+}
+
+json aside_json(const KeptAside& each) {
+    return {{"type", each.type}, {"id", each.id}, {"why", each.why}, {"since", each.since}};
 }
 
 } // namespace
 
-json rakes_json(const Session& session) {
-    return list(session, protocol::rake_json);
-}
-
-json surfaces_json(const Session& session) {
-    return list(session, protocol::surface_json);
-}
-
-json bookmarks_json(const Session& session) {
-    return list(session, protocol::bookmark_json);
-}
-
-json annotations_json(const Session& session) {
-    return list(session, protocol::annotation_json);
-}
-
 json records_json(const Session& session) {
     json out{{"session", session.id()},
              {"name", session.name()},
-             {"rakes", rakes_json(session)},
-             {"surfaces", surfaces_json(session)},
-             {"bookmarks", bookmarks_json(session)},
-             {"annotations", annotations_json(session)},
-             {"clock", protocol::clock_json(session.clock().record())}};
+             {"rakes", all_json<protocol::RakeRecord>(session)},
+             {"surfaces", all_json<protocol::SurfaceRecord>(session)},
+             {"bookmarks", all_json<protocol::BookmarkRecord>(session)},
+             {"annotations", all_json<protocol::AnnotationRecord>(session)},
+             {"clock", protocol::record_json(session.clock().record())}};
     if (!session.units().empty())
         out["units"] = protocol::units_json(session.units());
+    constexpr std::size_t told = 50;
     if (!session.kept_aside().empty())
-        out["keptAside"] = kept_aside_json(session);
+        out["keptAside"] = {
+            {"count", session.kept_aside().size()},
+            {"records", protocol::list_json(newest_aside(session, told), aside_json)}};
     return out;
+}
+
+json patches_json(std::span<const Patch> patches) {
+    return protocol::list_json(patches, [](const Patch& patch) {
+        return std::visit([](const auto& each) { return patch_json(each); }, patch);
+    });
 }
 
 } // namespace wakesurf::server

@@ -1,4 +1,4 @@
-// What importing a session answers, over JSON-RPC and over HTTP.
+// The answer to importing a session, over JSON-RPC and over HTTP.
 #pragma once
 
 #include "server/service/session/session_directory.hpp"

@@ -1,11 +1,11 @@
-// session.rename, session.setUnits, session.delete, session.restore, session.export, session.import, session.thumbnail: what
-// becomes of a session as a whole.
+// session.rename, session.setUnits, session.delete, session.restore, session.export, session.import,
+// session.thumbnail: what becomes of a session as a whole.
 #include "core/base/plain_text.hpp"
 #include "protocol/api/generated/session.hpp"
 #include "protocol/api/utc_text.hpp"
-#include "server/rpc/method_table.hpp"
+#include "server/rpc/caller.hpp"
+#include "server/rpc/method.hpp"
 #include "server/rpc/permission.hpp"
-#include "server/rpc/session_choice.hpp"
 #include "server/rpc/session_import.hpp"
 #include "server/service/limits.hpp"
 #include "server/service/session/records/thumbnail.hpp"
@@ -48,7 +48,7 @@ void session_set_units(const Call& call, const protocol::SessionSetUnits& to, Re
     reply.result(std::move(out));
 }
 
-/// Whoever called by a share link of the session loses the connection with it, and is to have the answer before.
+/// Ends links after the answer: whoever called by a share link of the session loses the connection with it.
 void after_answer(const Call& call, std::function<void()> end_links) {
     if (call.context.journal == nullptr)
         return end_links();
@@ -56,7 +56,7 @@ void after_answer(const Call& call, std::function<void()> end_links) {
         [end_links = std::move(end_links)](const core::Result<void>&) { end_links(); });
 }
 
-/// By who copied it by a share link.
+/// Deletes a copy for who made it by a share link.
 void delete_copy(const Call& call, const std::string& id, Reply reply) {
     const std::string& grant = call.identity.grant;
     if (!call.context.sessions.may_give_up(id, grant))

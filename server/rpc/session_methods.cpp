@@ -2,19 +2,14 @@
 #include "core/base/plain_text.hpp"
 #include "protocol/api/generated/session.hpp"
 #include "protocol/api/utc_text.hpp"
-#include "server/rpc/aside_json.hpp"
-#include "server/rpc/author.hpp"
-#include "server/rpc/durability_notice.hpp"
-#include "server/rpc/method_table.hpp"
-#include "server/rpc/patch_json.hpp"
+#include "server/rpc/caller.hpp"
+#include "server/rpc/notices.hpp"
 #include "server/rpc/records_json.hpp"
-#include "server/rpc/replaced_data_notice.hpp"
-#include "server/rpc/session_choice.hpp"
-#include "server/rpc/session_entry.hpp"
 #include "server/service/limits.hpp"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 
 namespace wakesurf::server {
@@ -24,15 +19,15 @@ using nlohmann::json;
 namespace {
 
 json participants_json(Session& session) {
-    json list = json::array();
-    for (const auto& each : session.participants().shown())
-        list.push_back(protocol::participant_json(each, protocol::member::person |
-                                                            protocol::said(each.presence)));
-    return list;
+    return protocol::list_json(session.participants().shown(), [](const auto& each) {
+        return protocol::participant_json(each,
+                                          protocol::member::person | protocol::said(each.presence));
+    });
 }
 
-/// With a share link: a link of its own into the copy, which the caller could not enter otherwise. Copies that nobody has changed make room
-/// for further ones, so that nobody can keep the other holders of the link from theirs by making many and leaving them.
+/// Says whether one who came by a share link may make a copy. Copies that nobody has changed make room for
+/// further ones, so that nobody can keep the other holders of the link from theirs by making many and leaving
+/// them.
 core::Result<void> room_for_copy(const Call& call) {
     if (call.identity.grant.empty())
         return {};
@@ -95,6 +90,53 @@ void session_fork(const Call& call, const protocol::SessionFork& of, Reply reply
         out["link"] = link_to((*session)->id(), made->key);
     }
     reply.result(std::move(out));
+}
+
+json profile_json(const protocol::SessionProfile& profile) {
+    const auto visitor = [](const protocol::SessionPerson& each) {
+        return json{{"name", each.name}, {"colour", each.colour}};
+    };
+    json out{{"people", protocol::list_json(profile.people, visitor)},
+             {"lastUsed", protocol::utc_text(profile.last_used)},
+             {"edited", profile.edited}};
+    if (profile.created)
+        out["created"] = protocol::utc_text(*profile.created);
+    return out;
+}
+
+void add_counts(json& out, const std::array<std::size_t, record_types.size()>& records) {
+    for (const RecordType type : record_types)
+        out[std::string(name(type)) + "s"] = records[static_cast<std::size_t>(type)];
+}
+
+/// Returns a SessionEntry. @param now  seconds since 1970: somebody who is in a session uses it now
+json session_entry(const Session& session, std::int64_t now) {
+    const std::size_t here = session.participants().present().size();
+    protocol::SessionProfile profile = session.profile();
+    if (here > 0)
+        profile.last_used = std::clamp<std::int64_t>(now, 0, protocol::last_utc_second);
+    json out = profile_json(profile);
+    std::array<std::size_t, record_types.size()> records{};
+    for (const RecordType type : record_types)
+        records[static_cast<std::size_t>(type)] = session.records().count(type);
+    add_counts(out, records);
+    out["session"] = session.id();
+    out["name"] = session.name();
+    out["participants"] = here;
+    out["thumbnail"] = !session.thumbnail().empty();
+    return out;
+}
+
+json session_entry(const TrashedSession& session) {
+    json out = profile_json(session.profile);
+    add_counts(out, session.records);
+    out["session"] = session.id;
+    out["name"] = session.name;
+    out["participants"] = 0;
+    out["thumbnail"] = session.thumbnail;
+    out["deletedAt"] = protocol::utc_text(session.profile.deleted.value_or(0));
+    out["deletedUntil"] = protocol::utc_text(deleted_until(session.profile));
+    return out;
 }
 
 void session_list(const Call& call, const protocol::SessionList& of, Reply reply) {

@@ -1,9 +1,8 @@
-// session.share, session.shares, session.unshare, session.setRole, session.kick: who may be in a session, and as what. For its
-// hosts.
+// session.share, session.shares, session.unshare, session.setRole, session.kick: who may be in a session, and
+// as what. For its hosts.
 #include "protocol/api/generated/share.hpp"
-#include "server/rpc/author.hpp"
-#include "server/rpc/method_table.hpp"
-#include "server/rpc/session_choice.hpp"
+#include "server/rpc/caller.hpp"
+#include "server/rpc/method.hpp"
 #include "server/service/limits.hpp"
 
 #include <nlohmann/json.hpp>
@@ -38,7 +37,8 @@ json grants_json(const std::vector<Grant>& list, const Grants& grants) {
     return out;
 }
 
-/// Nothing: never. Null says so on purpose; left out it is a week, or as long as the maker's own link.
+/// Returns nothing for never. Null says so on purpose; left out it is a week, or as long as the maker's own
+/// link.
 std::optional<std::chrono::seconds> lifetime(const protocol::SessionShare& of, const Call& call) {
     using std::chrono::seconds;
     if (of.expires_in.value)
@@ -93,7 +93,7 @@ std::optional<protocol::RpcFault> out_of_hand(const Participant& place, const Id
                               {}};
 }
 
-/// The session, where the participant is one whom the caller may do something to.
+/// Returns the session, where the participant is one whom the caller may do something to.
 template <class Parameters>
 tl::expected<std::shared_ptr<Session>, protocol::RpcFault> session_of(const Parameters& of,
                                                                       const Call& call) {

@@ -2,10 +2,10 @@
 #include "protocol/api/generated/limits.hpp"
 #include "protocol/api/generated/subscription.hpp"
 #include "protocol/wire/mesh_encoder.hpp"
-#include "server/rpc/lattice_json.hpp"
-#include "server/rpc/method_table.hpp"
+#include "server/rpc/caller.hpp"
+#include "server/rpc/dataset_entry.hpp"
+#include "server/rpc/method.hpp"
 #include "server/rpc/outcome_json.hpp"
-#include "server/rpc/session_choice.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,6 @@
 // surface.set, .delete, .stop, .list.
-#include "server/rpc/method_table.hpp"
+#include "server/rpc/method.hpp"
 #include "server/rpc/record_handlers.hpp"
-#include "server/rpc/records_json.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -9,8 +8,8 @@ namespace wakesurf::server {
 
 namespace {
 
-constexpr RecordHandlers<protocol::SurfaceRecord> surface_handlers{
-    "surface", &Session::surface, protocol::surface_json, &Session::delete_surface};
+constexpr RecordHandlers<protocol::SurfaceRecord, protocol::SurfaceSetting> surface_handlers{
+    "surface", &Session::surface, &Session::set_surface, &Session::delete_surface};
 
 /// Where `from` is left out; what is wrong with the dataset is told later.
 double usual_start(const Call& call, const protocol::SurfaceSetting& asked) {
@@ -60,7 +59,7 @@ void surface_stop(const Call& call, const protocol::SurfaceStop& of, Reply reply
 }
 
 void surface_list(const Call& call, const protocol::SurfaceList& of, Reply reply) {
-    list_records(call, of.session, std::move(reply), "surfaces", surfaces_json);
+    list_records<protocol::SurfaceRecord>(call, of.session, std::move(reply), "surfaces");
 }
 
 } // namespace

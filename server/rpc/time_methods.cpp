@@ -1,7 +1,7 @@
 // time.set, time.play, time.pause: the clock of a session. It is kept, but no one waits for the disk.
 #include "protocol/api/generated/time.hpp"
-#include "server/rpc/method_table.hpp"
-#include "server/rpc/session_choice.hpp"
+#include "server/rpc/caller.hpp"
+#include "server/rpc/method.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -10,7 +10,7 @@ namespace wakesurf::server {
 namespace {
 
 void answer(Session& session, Reply& reply) {
-    reply.result({{"clock", protocol::clock_json(session.clock().record())}});
+    reply.result({{"clock", protocol::record_json(session.clock().record())}});
 }
 
 void time_set(const Call& call, const protocol::TimeSet& to, Reply reply) {

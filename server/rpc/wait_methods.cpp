@@ -1,9 +1,9 @@
 // surface.wait, and $/cancelRequest, which ends it and every other call that is not answered yet.
 #include "protocol/api/generated/server.hpp"
 #include "protocol/api/generated/subscription.hpp"
-#include "server/rpc/method_table.hpp"
+#include "server/rpc/caller.hpp"
+#include "server/rpc/method.hpp"
 #include "server/rpc/outcome_json.hpp"
-#include "server/rpc/session_choice.hpp"
 #include "server/rpc/work_progress.hpp"
 #include "server/service/base/forecast.hpp"
 
@@ -20,7 +20,8 @@ using nlohmann::json;
 
 namespace {
 
-/// What somebody who waits would like to know: the newest state there is, and how far the work on a better one is.
+/// Returns what somebody who waits would like to know: the newest state there is, and how far the work on a
+/// better one is.
 json look_at(const LiveSurface& live, Forecast& forecast) {
     const SurfaceOutcome now = live.outcome();
     const BuildStanding standing = live.standing();
@@ -46,7 +47,7 @@ json look_at(const LiveSurface& live, Forecast& forecast) {
     return out;
 }
 
-/// Alive from the call to its answer.
+/// Lives from the call to its answer.
 struct Waiting {
     explicit Waiting(Reply to) : reply(std::move(to)) {}
 

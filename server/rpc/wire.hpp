@@ -24,23 +24,26 @@ class Wire {
     virtual ~Wire() = default;
     virtual void send(std::string message) = 0;
 
-    /// The same text for many.
+    /// Sends the same text to many.
     virtual void send_shared(const std::shared_ptr<const std::string>& message) { send(*message); }
 
-    /// Whether a further surface may be followed.
+    /// Says whether a further surface may be followed.
     virtual bool may_follow(std::uint32_t surface) = 0;
 
-    /// Sends a surface's updates from where the cursor stands, until unfollow() or the ring's end; one cursor a surface.
+    /// Sends a surface's updates from where the cursor stands, until unfollow() or the ring's end; one cursor
+    /// a surface.
     virtual void follow(FrameCursor cursor) = 0;
 
     /// False when the surface was not followed.
     virtual bool unfollow(std::uint32_t surface) = 0;
 
-    /// The client has folded update `seq`; without an epoch, of the newest. False when the surface is not followed.
+    /// Is told that the client has folded update `seq`; without an epoch, of the newest. False when the
+    /// surface is not followed.
     virtual bool
     acknowledge(std::uint32_t surface, std::optional<std::uint32_t> epoch, std::uint32_t seq) = 0;
 
-    /// Ends the connection soon; `reason` has at most 120 bytes. The client is gone after this call has returned.
+    /// Ends the connection soon; `reason` has at most 120 bytes. The client is gone after this call has
+    /// returned.
     virtual void close(Goodbye goodbye, const std::string& reason) = 0;
 };
 

@@ -1,5 +1,6 @@
-// $/progress for one call that takes its time and came with a `workDoneToken`: begin, now and then a report, end. A look
-// at the work ten times a second, not an event for each change, so that no work can flood its caller.
+// $/progress for one call that takes its time and came with a `workDoneToken`: begin, now and then a report,
+// end. A look at the work ten times a second, not an event for each change, so that no work can flood its
+// caller.
 #pragma once
 
 #include "server/rpc/method.hpp"
@@ -15,14 +16,15 @@
 
 namespace wakesurf::server {
 
-/// The token that was given, as JSON text. None of a call that nothing stops when its caller goes: over HTTP, or a notification.
+/// Returns the token that was given, as JSON text. None of a call that nothing stops when its caller goes:
+/// over HTTP, or a notification.
 std::optional<std::string> work_token(const Call& call, const std::optional<std::string>& given);
 
-/// Loop thread only. Ends with the answer: destroy it just before. Says nothing once its call was cancelled, and never
-/// touches a client that has gone, because a client stops its calls first.
+/// Reports for one call. Loop thread only. Ends with the answer: destroy it just before. Says nothing once
+/// its call was cancelled, and never touches a client that has gone, because a client stops its calls first.
 class WorkProgress {
   public:
-    /// What the work would report now, or nothing new. Members of `value` beside `kind`.
+    /// Returns what the work would report now, or nothing new. Members of `value` beside `kind`.
     using Look = std::function<nlohmann::json()>;
 
     /// Tells `begin` at once. REQUIRES: call.client, and a token that work_token returned.

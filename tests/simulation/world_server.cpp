@@ -2,7 +2,7 @@
 
 #include "server/net/outbox.hpp"
 #include "server/rpc/client.hpp"
-#include "server/rpc/method_table.hpp"
+#include "server/rpc/method.hpp"
 #include "server/service/session/session_restoring.hpp"
 
 #include <algorithm>

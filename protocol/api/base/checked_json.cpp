@@ -25,7 +25,8 @@ std::string range_text(double lo, double hi) {
     return fmt::format("must be a number between {} and {}", lo, hi);
 }
 
-/// Nothing for other types, fractions, and what 64 bits do not hold. 3.0 is a whole number, as in JSON Schema.
+/// Returns nothing for other types, fractions, and what 64 bits do not hold. 3.0 is a whole number, as in
+/// JSON Schema.
 std::optional<std::uint64_t> whole(const json& value) {
     if (value.is_number_unsigned())
         return value.get<std::uint64_t>();
@@ -91,6 +92,20 @@ std::string CheckedJson::text(std::string_view name, std::size_t longest) {
 
 std::optional<std::string> CheckedJson::text_if(std::string_view name, std::size_t longest) {
     return find(name) == nullptr ? std::nullopt : std::optional(text_or(name, {}, longest));
+}
+
+std::string CheckedJson::some_text(std::string_view name, std::size_t longest) {
+    std::string out = text(name, longest);
+    if (out.empty())
+        fault(name, "must not be empty");
+    return out;
+}
+
+std::optional<std::string> CheckedJson::some_text_if(std::string_view name, std::size_t longest) {
+    auto out = text_if(name, longest);
+    if (out && out->empty())
+        fault(name, "must not be empty: leave it out");
+    return out;
 }
 
 std::string CheckedJson::text_or(std::string_view name, std::string fallback, std::size_t longest) {

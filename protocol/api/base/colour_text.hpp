@@ -1,4 +1,4 @@
-// How colours are written in messages and records.
+// Colours, as they are written in messages and records.
 #pragma once
 
 #include <algorithm>

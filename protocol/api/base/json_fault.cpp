@@ -117,7 +117,7 @@ class TwiceFinder final : public Follower {
     }
 };
 
-/// What languages print for numbers that JSON has not: the one whose letters `position` is among.
+/// Returns what languages print for numbers that JSON has not: the one whose letters `position` is among.
 std::string_view no_number(std::string_view text, std::size_t position) {
     constexpr std::array<std::string_view, 5> words{"-Infinity", "Infinity", "NaN", "-inf", "inf"};
     const auto letter = [](char c) {

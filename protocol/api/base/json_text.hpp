@@ -18,8 +18,8 @@ struct JsonLimits {
     std::size_t values = std::size_t{1} << 22; ///< each takes some 40 bytes of memory
 };
 
-/// Error: OverLimit (too long, too deep, too many values), Corrupt (not JSON, not UTF-8, a number beyond double), InvalidArgument (an object has a
-/// member twice: readers would take different ones for it).
+/// Error: OverLimit (too long, too deep, too many values), Corrupt (not JSON, not UTF-8, a number beyond
+/// double), InvalidArgument (an object has a member twice: readers would take different ones for it).
 core::Result<nlohmann::json> parse_json(std::string_view text, JsonLimits limits);
 
 /// Compact, or indented where `indent` >= 0. Never throws: what is not UTF-8 is replaced by U+FFFD.

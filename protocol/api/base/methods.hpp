@@ -1,4 +1,4 @@
-// What is said of every method of the API beside its parameters: who may call it, and from where.
+// Every method of the API as it is described, beside its parameters: who may call it, and from where.
 #pragma once
 
 #include <span>
@@ -17,10 +17,10 @@ struct MethodDescription {
     std::span<const std::string_view> parameters;
 };
 
-/// In the order of the documents.
+/// Returns all, in the order of the documents.
 std::span<const MethodDescription> described_methods();
 
-/// Null where there is none of this name.
+/// Returns null where there is none of this name.
 const MethodDescription* described_method(std::string_view name);
 
 } // namespace wakesurf::protocol

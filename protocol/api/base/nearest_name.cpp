@@ -18,7 +18,7 @@ std::string folded(std::string_view name) {
     return out;
 }
 
-/// How many letters must be changed, put in or left out (Levenshtein).
+/// Returns how many letters must be changed, put in or left out (Levenshtein).
 std::size_t distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> row(b.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t{0});

@@ -7,9 +7,9 @@
 
 namespace wakesurf::protocol {
 
-/// The one of `names` that is spelt most alike, whatever the case and the underscores: `max_quads` is maxQuads, `color` is
-/// colour. Empty where none is near: up to a third of the letters, at most three, may be others. The first of several. Looks
-/// at 64 letters.
+/// Returns the one of `names` that is spelt most alike, whatever the case and the underscores: `max_quads` is
+/// maxQuads, `color` is colour. Empty where none is near: up to a third of the letters, at most three, may be
+/// others. The first of several. Looks at 64 letters.
 std::string nearest_name(std::string_view wanted, std::span<const std::string> names);
 
 /// "there is `a`, `b`", or that there is nothing.

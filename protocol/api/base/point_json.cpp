@@ -1,5 +1,7 @@
 #include "protocol/api/base/point_json.hpp"
 
+#include "protocol/api/base/list_json.hpp"
+
 #include <nlohmann/json.hpp>
 
 namespace wakesurf::protocol {
@@ -9,10 +11,7 @@ nlohmann::json point_json(const core::Vec3& point) {
 }
 
 nlohmann::json points_json(const std::vector<core::Vec3>& points) {
-    auto list = nlohmann::json::array();
-    for (const core::Vec3& point : points)
-        list.push_back(point_json(point));
-    return list;
+    return list_json(points, point_json);
 }
 
 } // namespace wakesurf::protocol

@@ -9,30 +9,12 @@
 namespace wakesurf::protocol {
 
 void read(CheckedJson& in, AnnotationRecord& out) {
-    out.annotation = in.text("annotation", 256);
-    if (out.annotation.empty())
-        in.fault("annotation", "must not be empty");
+    out.annotation = in.some_text("annotation", 256);
     out.rev = in.count("rev", 0, 9007199254740992);
     out.text = in.lines("text", limits::annotation_bytes);
     out.position = in.point("position");
     out.author = in.text_or("author", "", limits::name_bytes);
     out.surface = in.text_if("surface", 256);
-}
-
-nlohmann::json annotation_json(const AnnotationRecord& record) {
-    return kept_json(record);
-}
-
-nlohmann::json kept_json(const AnnotationRecord& record) {
-    nlohmann::json out = nlohmann::json::object();
-    out["annotation"] = record.annotation;
-    out["rev"] = record.rev;
-    out["text"] = record.text;
-    out["position"] = point_json(record.position);
-    out["author"] = record.author;
-    if (record.surface)
-        out["surface"] = *record.surface;
-    return out;
 }
 
 void read(CheckedJson& in, AnnotationSetting& out) {
@@ -41,27 +23,30 @@ void read(CheckedJson& in, AnnotationSetting& out) {
     out.text = in.lines("text", limits::annotation_bytes);
     out.position = in.point("position");
     out.surface = in.text_if("surface", 256);
-    if (in.has("gesture")) {
-        out.gesture = in.text("gesture", limits::gesture_bytes);
-        if (out.gesture->empty())
-            in.fault("gesture", "must not be empty: leave it out");
-    }
+    out.gesture = in.some_text_if("gesture", limits::gesture_bytes);
     out.if_rev = in.count_if("ifRev", 0, 9007199254740992);
 }
 
 void read(CheckedJson& in, AnnotationDelete& out) {
     out.session = in.text_if("session", 256);
     out.annotation = in.text("annotation", 256);
-    if (in.has("gesture")) {
-        out.gesture = in.text("gesture", limits::gesture_bytes);
-        if (out.gesture->empty())
-            in.fault("gesture", "must not be empty: leave it out");
-    }
+    out.gesture = in.some_text_if("gesture", limits::gesture_bytes);
     out.if_rev = in.count_if("ifRev", 0, 9007199254740992);
 }
 
-void read(CheckedJson& in, AnnotationList& out) {
-    out.session = in.text_if("session", 256);
+nlohmann::json record_json(const AnnotationRecord& record) {
+    return kept_json(record);
+}
+
+nlohmann::json kept_json(const AnnotationRecord& record) {
+    nlohmann::json out{{"annotation", record.annotation},
+                       {"rev", record.rev},
+                       {"text", record.text},
+                       {"position", point_json(record.position)},
+                       {"author", record.author}};
+    if (record.surface)
+        out["surface"] = *record.surface;
+    return out;
 }
 
 } // namespace wakesurf::protocol

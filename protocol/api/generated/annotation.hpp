@@ -35,9 +35,9 @@ struct AnnotationRecord {
 
 void read(CheckedJson& in, AnnotationRecord& out);
 
-nlohmann::json annotation_json(const AnnotationRecord& record);
+nlohmann::json record_json(const AnnotationRecord& record);
 
-/// As it is kept: what read() reads.
+/// Returns it as it is kept: what read() reads.
 nlohmann::json kept_json(const AnnotationRecord& record);
 
 /// Holds the parameters of annotation.set.
@@ -56,8 +56,6 @@ struct AnnotationSetting : InSession {
     std::optional<std::string> gesture;
     /// the edit is refused if the record is at another revision
     std::optional<std::uint64_t> if_rev;
-
-    bool operator==(const AnnotationSetting&) const = default;
 };
 
 /// Holds the parameters of annotation.delete.
@@ -70,8 +68,6 @@ struct AnnotationDelete : InSession {
     std::optional<std::string> gesture;
     /// the edit is refused if the record is at another revision
     std::optional<std::uint64_t> if_rev;
-
-    bool operator==(const AnnotationDelete&) const = default;
 };
 
 /// Holds the parameters of annotation.list.
@@ -81,6 +77,5 @@ struct AnnotationList : InSession {
 
 void read(CheckedJson& in, AnnotationSetting& out);
 void read(CheckedJson& in, AnnotationDelete& out);
-void read(CheckedJson& in, AnnotationList& out);
 
 } // namespace wakesurf::protocol

@@ -8,28 +8,11 @@
 namespace wakesurf::protocol {
 
 void read(CheckedJson& in, BookmarkRecord& out) {
-    out.bookmark = in.text("bookmark", 256);
-    if (out.bookmark.empty())
-        in.fault("bookmark", "must not be empty");
+    out.bookmark = in.some_text("bookmark", 256);
     out.rev = in.count("rev", 0, 9007199254740992);
     out.name = in.text_or("name", "", limits::name_bytes);
     out.view = in.object_text("view", limits::view_bytes);
     out.time = in.number_if("time", -3.4028234663852886e+38, 3.4028234663852886e+38);
-}
-
-nlohmann::json bookmark_json(const BookmarkRecord& record) {
-    return kept_json(record);
-}
-
-nlohmann::json kept_json(const BookmarkRecord& record) {
-    nlohmann::json out = nlohmann::json::object();
-    out["bookmark"] = record.bookmark;
-    out["rev"] = record.rev;
-    out["name"] = record.name;
-    out["view"] = nlohmann::json::parse(record.view);
-    if (record.time)
-        out["time"] = *record.time;
-    return out;
 }
 
 void read(CheckedJson& in, BookmarkSetting& out) {
@@ -38,27 +21,29 @@ void read(CheckedJson& in, BookmarkSetting& out) {
     out.name = in.text_or("name", "", limits::name_bytes);
     out.view = in.object_text("view", limits::view_bytes);
     out.time = in.number_if("time", -3.4028234663852886e+38, 3.4028234663852886e+38);
-    if (in.has("gesture")) {
-        out.gesture = in.text("gesture", limits::gesture_bytes);
-        if (out.gesture->empty())
-            in.fault("gesture", "must not be empty: leave it out");
-    }
+    out.gesture = in.some_text_if("gesture", limits::gesture_bytes);
     out.if_rev = in.count_if("ifRev", 0, 9007199254740992);
 }
 
 void read(CheckedJson& in, BookmarkDelete& out) {
     out.session = in.text_if("session", 256);
     out.bookmark = in.text("bookmark", 256);
-    if (in.has("gesture")) {
-        out.gesture = in.text("gesture", limits::gesture_bytes);
-        if (out.gesture->empty())
-            in.fault("gesture", "must not be empty: leave it out");
-    }
+    out.gesture = in.some_text_if("gesture", limits::gesture_bytes);
     out.if_rev = in.count_if("ifRev", 0, 9007199254740992);
 }
 
-void read(CheckedJson& in, BookmarkList& out) {
-    out.session = in.text_if("session", 256);
+nlohmann::json record_json(const BookmarkRecord& record) {
+    return kept_json(record);
+}
+
+nlohmann::json kept_json(const BookmarkRecord& record) {
+    nlohmann::json out{{"bookmark", record.bookmark},
+                       {"rev", record.rev},
+                       {"name", record.name},
+                       {"view", nlohmann::json::parse(record.view)}};
+    if (record.time)
+        out["time"] = *record.time;
+    return out;
 }
 
 } // namespace wakesurf::protocol

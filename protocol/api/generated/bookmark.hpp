@@ -32,9 +32,9 @@ struct BookmarkRecord {
 
 void read(CheckedJson& in, BookmarkRecord& out);
 
-nlohmann::json bookmark_json(const BookmarkRecord& record);
+nlohmann::json record_json(const BookmarkRecord& record);
 
-/// As it is kept: what read() reads.
+/// Returns it as it is kept: what read() reads.
 nlohmann::json kept_json(const BookmarkRecord& record);
 
 /// Holds the parameters of bookmark.set.
@@ -53,8 +53,6 @@ struct BookmarkSetting : InSession {
     std::optional<std::string> gesture;
     /// the edit is refused if the record is at another revision
     std::optional<std::uint64_t> if_rev;
-
-    bool operator==(const BookmarkSetting&) const = default;
 };
 
 /// Holds the parameters of bookmark.delete.
@@ -67,8 +65,6 @@ struct BookmarkDelete : InSession {
     std::optional<std::string> gesture;
     /// the edit is refused if the record is at another revision
     std::optional<std::uint64_t> if_rev;
-
-    bool operator==(const BookmarkDelete&) const = default;
 };
 
 /// Holds the parameters of bookmark.list.
@@ -78,6 +74,5 @@ struct BookmarkList : InSession {
 
 void read(CheckedJson& in, BookmarkSetting& out);
 void read(CheckedJson& in, BookmarkDelete& out);
-void read(CheckedJson& in, BookmarkList& out);
 
 } // namespace wakesurf::protocol

@@ -1,11 +1,13 @@
 // Made by protocol/api/generate from dataset.schema.json: do not edit.
 #include "protocol/api/generated/dataset.hpp"
 
+#include "protocol/api/base/point_json.hpp"
 #include "protocol/api/generated/limits.hpp"
+#include "protocol/api/generated/names.hpp"
+
+#include <nlohmann/json.hpp>
 
 namespace wakesurf::protocol {
-
-void read(CheckedJson&, DatasetList&) {}
 
 void read(CheckedJson& in, DatasetDescribe& out) {
     out.dataset = in.text("dataset", 256);
@@ -31,6 +33,22 @@ void read(CheckedJson& in, ProbeSample& out) {
     out.points = in.points("points", limits::probe_points);
     out.time = in.number("time", -any_number, any_number);
     out.fields = in.texts_or_none("fields", limits::probe_fields);
+}
+
+nlohmann::json suggested_surface_json(const core::SurfaceParameters& record) {
+    nlohmann::json out{{"kind", name(record.kind)},
+                       {"from", record.from},
+                       {"to", record.to},
+                       {"separation", record.separation}};
+    if (record.sweep)
+        out["sweep"] = point_json(*record.sweep);
+    return out;
+}
+
+nlohmann::json suggested_rake_json(const core::Rake& record) {
+    return {{"kind", name(record.kind)},
+            {"points", points_json(record.points)},
+            {"seeds", record.seeds}};
 }
 
 } // namespace wakesurf::protocol

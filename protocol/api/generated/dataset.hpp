@@ -2,8 +2,12 @@
 // Datasets: what methods take. Readers leave what is wrong in `in`.
 #pragma once
 
-#include "core/base/vec3.hpp"
+#include "core/surface/rake.hpp"
+#include "core/surface/surface_parameters.hpp"
 #include "protocol/api/base/checked_json.hpp"
+#include "protocol/api/generated/shared.hpp"
+
+#include <nlohmann/json_fwd.hpp>
 
 #include <cstdint>
 #include <optional>
@@ -14,7 +18,7 @@
 namespace wakesurf::protocol {
 
 /// Holds the parameters of dataset.list.
-struct DatasetList {
+struct DatasetList : NoParameters {
     static constexpr std::string_view method = "dataset.list";
 };
 
@@ -24,8 +28,6 @@ struct DatasetDescribe {
 
     /// an id from dataset.list
     std::string dataset;
-
-    bool operator==(const DatasetDescribe&) const = default;
 };
 
 /// Holds the parameters of dataset.open.
@@ -42,8 +44,6 @@ struct DatasetOpen {
     std::string velocity;
     /// on a WebSocket: $/progress reports the progress of the work with this token
     std::optional<std::string> work_done_token;
-
-    bool operator==(const DatasetOpen&) const = default;
 };
 
 /// Holds the parameters of dataset.suggest.
@@ -52,8 +52,6 @@ struct DatasetSuggest {
 
     /// an id from dataset.list
     std::string dataset;
-
-    bool operator==(const DatasetSuggest&) const = default;
 };
 
 /// Holds the parameters of cache.status.
@@ -62,8 +60,6 @@ struct CacheStatus {
 
     /// an id from dataset.list
     std::string dataset;
-
-    bool operator==(const CacheStatus&) const = default;
 };
 
 /// Holds the parameters of probe.sample.
@@ -78,15 +74,15 @@ struct ProbeSample {
     double time = 0.0;
     /// name of the velocity, or names of scalar fields; if left out, the velocity
     std::vector<std::string> fields;
-
-    bool operator==(const ProbeSample&) const = default;
 };
 
-void read(CheckedJson& in, DatasetList& out);
 void read(CheckedJson& in, DatasetDescribe& out);
 void read(CheckedJson& in, DatasetOpen& out);
 void read(CheckedJson& in, DatasetSuggest& out);
 void read(CheckedJson& in, CacheStatus& out);
 void read(CheckedJson& in, ProbeSample& out);
+
+nlohmann::json suggested_surface_json(const core::SurfaceParameters& record);
+nlohmann::json suggested_rake_json(const core::Rake& record);
 
 } // namespace wakesurf::protocol

@@ -2,36 +2,28 @@
 #include "protocol/api/generated/family.hpp"
 
 #include "protocol/api/generated/limits.hpp"
-#include "protocol/api/generated/names.hpp"
+
+#include <nlohmann/json.hpp>
 
 namespace wakesurf::protocol {
 
 void read(CheckedJson& in, FamilyMake& out) {
     out.dataset = in.text("dataset", 256);
-    out.name = in.text("name", 64);
-    if (out.name.empty())
-        in.fault("name", "must not be empty");
+    out.name = in.some_text("name", 64);
     out.from = in.text("from");
     if (out.from != "inflow" && out.from != "plane" && out.from != "curve")
         in.fault("from", "must be inflow, plane or curve");
     out.scalar = in.text_or("scalar", "", 256);
     out.point = in.point_if("point");
     out.normal = in.point_if("normal");
-    if (in.has("rakeKind")) {
-        if (const auto found = rake_kind(in.text("rakeKind")))
-            out.rake_kind = *found;
-        else
-            in.fault("rakeKind", "must be line, polyline, circle or points");
-    }
-    if (in.has("points")) {
-        if (in.has("points"))
-            out.points = in.points("points", limits::rake_points);
-    }
+    if (in.has("rakeKind"))
+        in.word("rakeKind", in.text("rakeKind"), rake_kind, out.rake_kind,
+                "line, polyline, circle or points");
+    if (in.has("points"))
+        out.points = in.points("points", limits::rake_points);
     out.time = in.number_if("time", -3.4028234663852886e+38, 3.4028234663852886e+38);
-    if (const auto found = accuracy(in.text_or("accuracy", "balanced")))
-        out.accuracy = *found;
-    else
-        in.fault("accuracy", "must be fast, balanced or exact");
+    in.word("accuracy", in.text_or("accuracy", "balanced"), accuracy, out.accuracy,
+            "fast, balanced or exact");
     out.length = in.number_if("length", 0.0, 1e+30);
     if (out.length && !(*out.length > 0.0))
         in.fault("length", "must be a number greater than 0");
@@ -40,9 +32,15 @@ void read(CheckedJson& in, FamilyMake& out) {
 
 void read(CheckedJson& in, FamilyRemove& out) {
     out.dataset = in.text("dataset", 256);
-    out.name = in.text("name", 64);
-    if (out.name.empty())
-        in.fault("name", "must not be empty");
+    out.name = in.some_text("name", 64);
+}
+
+nlohmann::json family_step_json(const core::FamilyStep& record) {
+    return {{"index", record.index},           {"time", record.time},
+            {"nodes", record.counts.nodes},    {"reached", record.counts.reached},
+            {"atRest", record.counts.at_rest}, {"obstacle", record.counts.obstacle},
+            {"lost", record.counts.lost},      {"outside", record.counts.outside},
+            {"range", record.counts.range}};
 }
 
 } // namespace wakesurf::protocol

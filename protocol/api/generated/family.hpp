@@ -2,9 +2,12 @@
 // Families of stream surfaces: what methods take. Readers leave what is wrong in `in`.
 #pragma once
 
+#include "core/surface/family/family_record.hpp"
 #include "core/surface/rake.hpp"
 #include "core/surface/surface_parameters.hpp"
 #include "protocol/api/base/checked_json.hpp"
+
+#include <nlohmann/json_fwd.hpp>
 
 #include <optional>
 #include <string>
@@ -45,8 +48,6 @@ struct FamilyMake {
     std::optional<double> length;
     /// on a WebSocket: $/progress reports the progress of the work with this token
     std::optional<std::string> work_done_token;
-
-    bool operator==(const FamilyMake&) const = default;
 };
 
 /// Holds the parameters of family.remove.
@@ -57,11 +58,11 @@ struct FamilyRemove {
     std::string dataset;
     /// name of the field: letters, digits, and _ - .
     std::string name;
-
-    bool operator==(const FamilyRemove&) const = default;
 };
 
 void read(CheckedJson& in, FamilyMake& out);
 void read(CheckedJson& in, FamilyRemove& out);
+
+nlohmann::json family_step_json(const core::FamilyStep& record);
 
 } // namespace wakesurf::protocol

@@ -19,7 +19,4 @@ struct HistoryRedo : InSession {
     static constexpr std::string_view method = "history.redo";
 };
 
-void read(CheckedJson& in, HistoryUndo& out);
-void read(CheckedJson& in, HistoryRedo& out);
-
 } // namespace wakesurf::protocol

@@ -1,7 +1,10 @@
 // Made by protocol/api/generate from presence.schema.json: do not edit.
 #include "protocol/api/generated/presence.hpp"
 
+#include "protocol/api/base/point_json.hpp"
 #include "protocol/api/generated/limits.hpp"
+
+#include <nlohmann/json.hpp>
 
 namespace wakesurf::protocol {
 
@@ -34,6 +37,19 @@ void read(CheckedJson& in, PresenceUpdate& out) {
     }
     out.selected.given = in.given("selected");
     out.selected.value = in.text_if("selected", 64);
+}
+
+nlohmann::json camera_json(const CameraPose& record) {
+    nlohmann::json out{{"position", point_json(record.position)},
+                       {"target", point_json(record.target)},
+                       {"up", point_json(record.up)}};
+    if (record.fov)
+        out["fov"] = *record.fov;
+    return out;
+}
+
+nlohmann::json dragged_rake_json(const DraggedRake& record) {
+    return {{"rake", record.rake}, {"points", points_json(record.points)}};
 }
 
 } // namespace wakesurf::protocol

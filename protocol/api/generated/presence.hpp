@@ -7,6 +7,8 @@
 #include "protocol/api/base/nullable.hpp"
 #include "protocol/api/generated/shared.hpp"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <optional>
 #include <string>
 #include <string_view>
@@ -50,12 +52,13 @@ struct PresenceUpdate : InSession {
     Nullable<DraggedRake> dragging;
     /// id of the record they have selected
     Nullable<std::string> selected;
-
-    bool operator==(const PresenceUpdate&) const = default;
 };
 
 void read(CheckedJson& in, CameraPose& out);
 void read(CheckedJson& in, DraggedRake& out);
 void read(CheckedJson& in, PresenceUpdate& out);
+
+nlohmann::json camera_json(const CameraPose& record);
+nlohmann::json dragged_rake_json(const DraggedRake& record);
 
 } // namespace wakesurf::protocol

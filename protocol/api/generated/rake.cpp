@@ -11,14 +11,9 @@
 namespace wakesurf::protocol {
 
 void read(CheckedJson& in, RakeRecord& out) {
-    out.rake = in.text("rake", 256);
-    if (out.rake.empty())
-        in.fault("rake", "must not be empty");
+    out.rake = in.some_text("rake", 256);
     out.rev = in.count("rev", 0, 9007199254740992);
-    if (const auto found = rake_kind(in.text("kind")))
-        out.shape.kind = *found;
-    else
-        in.fault("kind", "must be line, polyline, circle or points");
+    in.word("kind", in.text("kind"), rake_kind, out.shape.kind, "line, polyline, circle or points");
     out.shape.points = in.points("points", limits::rake_points);
     out.shape.seeds =
         static_cast<std::uint32_t>(in.count("seeds", limits::seeds_least, limits::seeds_most));
@@ -30,35 +25,10 @@ void read(CheckedJson& in, RakeRecord& out) {
     out.clipped = in.flag_or("clipped", false);
 }
 
-nlohmann::json rake_json(const RakeRecord& record) {
-    nlohmann::json out = kept_json(record);
-    out["dragging"] = record.dragging;
-    if (!record.leased_by.empty())
-        out["leasedBy"] = record.leased_by;
-    return out;
-}
-
-nlohmann::json kept_json(const RakeRecord& record) {
-    nlohmann::json out = nlohmann::json::object();
-    out["rake"] = record.rake;
-    out["rev"] = record.rev;
-    out["kind"] = name(record.shape.kind);
-    out["points"] = points_json(record.shape.points);
-    out["seeds"] = record.shape.seeds;
-    out["name"] = record.name;
-    out["colour"] = record.colour;
-    out["author"] = record.author;
-    out["clipped"] = record.clipped;
-    return out;
-}
-
 void read(CheckedJson& in, RakeSetting& out) {
     out.session = in.text_if("session", 256);
     out.rake = in.text_if("rake", 256);
-    if (const auto found = rake_kind(in.text("kind")))
-        out.shape.kind = *found;
-    else
-        in.fault("kind", "must be line, polyline, circle or points");
+    in.word("kind", in.text("kind"), rake_kind, out.shape.kind, "line, polyline, circle or points");
     out.shape.points = in.points("points", limits::rake_points);
     out.shape.seeds =
         static_cast<std::uint32_t>(in.count("seeds", limits::seeds_least, limits::seeds_most));
@@ -72,11 +42,7 @@ void read(CheckedJson& in, RakeSetting& out) {
         out.dragging = in.flag_or("dragging", false);
     out.force = in.flag_or("force", false);
     out.default_scene = in.flag_or("default", false);
-    if (in.has("gesture")) {
-        out.gesture = in.text("gesture", limits::gesture_bytes);
-        if (out.gesture->empty())
-            in.fault("gesture", "must not be empty: leave it out");
-    }
+    out.gesture = in.some_text_if("gesture", limits::gesture_bytes);
     out.if_rev = in.count_if("ifRev", 0, 9007199254740992);
 }
 
@@ -84,16 +50,28 @@ void read(CheckedJson& in, RakeDelete& out) {
     out.session = in.text_if("session", 256);
     out.rake = in.text("rake", 256);
     out.force = in.flag_or("force", false);
-    if (in.has("gesture")) {
-        out.gesture = in.text("gesture", limits::gesture_bytes);
-        if (out.gesture->empty())
-            in.fault("gesture", "must not be empty: leave it out");
-    }
+    out.gesture = in.some_text_if("gesture", limits::gesture_bytes);
     out.if_rev = in.count_if("ifRev", 0, 9007199254740992);
 }
 
-void read(CheckedJson& in, RakeList& out) {
-    out.session = in.text_if("session", 256);
+nlohmann::json record_json(const RakeRecord& record) {
+    nlohmann::json out = kept_json(record);
+    out["dragging"] = record.dragging;
+    if (!record.leased_by.empty())
+        out["leasedBy"] = record.leased_by;
+    return out;
+}
+
+nlohmann::json kept_json(const RakeRecord& record) {
+    return {{"rake", record.rake},
+            {"rev", record.rev},
+            {"kind", name(record.shape.kind)},
+            {"points", points_json(record.shape.points)},
+            {"seeds", record.shape.seeds},
+            {"name", record.name},
+            {"colour", record.colour},
+            {"author", record.author},
+            {"clipped", record.clipped}};
 }
 
 } // namespace wakesurf::protocol

@@ -41,9 +41,9 @@ struct RakeRecord {
 
 void read(CheckedJson& in, RakeRecord& out);
 
-nlohmann::json rake_json(const RakeRecord& record);
+nlohmann::json record_json(const RakeRecord& record);
 
-/// As it is kept: what read() reads.
+/// Returns it as it is kept: what read() reads.
 nlohmann::json kept_json(const RakeRecord& record);
 
 /// Holds the parameters of rake.set.
@@ -70,8 +70,6 @@ struct RakeSetting : InSession {
     std::optional<std::string> gesture;
     /// the edit is refused if the record is at another revision
     std::optional<std::uint64_t> if_rev;
-
-    bool operator==(const RakeSetting&) const = default;
 };
 
 /// Holds the parameters of rake.delete.
@@ -86,8 +84,6 @@ struct RakeDelete : InSession {
     std::optional<std::string> gesture;
     /// the edit is refused if the record is at another revision
     std::optional<std::uint64_t> if_rev;
-
-    bool operator==(const RakeDelete&) const = default;
 };
 
 /// Holds the parameters of rake.list.
@@ -97,6 +93,5 @@ struct RakeList : InSession {
 
 void read(CheckedJson& in, RakeSetting& out);
 void read(CheckedJson& in, RakeDelete& out);
-void read(CheckedJson& in, RakeList& out);
 
 } // namespace wakesurf::protocol

@@ -3,14 +3,6 @@
 
 namespace wakesurf::protocol {
 
-void read(CheckedJson&, RpcDiscover&) {}
-
-void read(CheckedJson&, ServerInfo&) {}
-
-void read(CheckedJson&, ServerPing&) {}
-
-void read(CheckedJson&, ServerStats&) {}
-
 void read(CheckedJson& in, CancelRequest& out) {
     out.id = in.token("id", false);
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "protocol/api/base/checked_json.hpp"
+#include "protocol/api/generated/shared.hpp"
 
 #include <string>
 #include <string_view>
@@ -10,22 +11,22 @@
 namespace wakesurf::protocol {
 
 /// Holds the parameters of rpc.discover.
-struct RpcDiscover {
+struct RpcDiscover : NoParameters {
     static constexpr std::string_view method = "rpc.discover";
 };
 
 /// Holds the parameters of server.info.
-struct ServerInfo {
+struct ServerInfo : NoParameters {
     static constexpr std::string_view method = "server.info";
 };
 
 /// Holds the parameters of server.ping.
-struct ServerPing {
+struct ServerPing : NoParameters {
     static constexpr std::string_view method = "server.ping";
 };
 
 /// Holds the parameters of server.stats.
-struct ServerStats {
+struct ServerStats : NoParameters {
     static constexpr std::string_view method = "server.stats";
 };
 
@@ -35,14 +36,8 @@ struct CancelRequest {
 
     /// id of the call
     std::string id;
-
-    bool operator==(const CancelRequest&) const = default;
 };
 
-void read(CheckedJson& in, RpcDiscover& out);
-void read(CheckedJson& in, ServerInfo& out);
-void read(CheckedJson& in, ServerPing& out);
-void read(CheckedJson& in, ServerStats& out);
 void read(CheckedJson& in, CancelRequest& out);
 
 } // namespace wakesurf::protocol

@@ -33,12 +33,6 @@ void read(CheckedJson& in, SessionJoin& out) {
     out.last_seq = in.count_if("lastSeq", 0, 9007199254740992);
 }
 
-void read(CheckedJson&, SessionLeave&) {}
-
-void read(CheckedJson& in, SessionState& out) {
-    out.session = in.text_if("session", 256);
-}
-
 void read(CheckedJson& in, SessionRename& out) {
     out.session = in.text_if("session", 256);
     out.name = in.text("name", limits::name_bytes);
@@ -57,10 +51,6 @@ void read(CheckedJson& in, SessionDelete& out) {
 
 void read(CheckedJson& in, SessionRestore& out) {
     out.session = in.text("session", 256);
-}
-
-void read(CheckedJson& in, SessionExport& out) {
-    out.session = in.text_if("session", 256);
 }
 
 void read(CheckedJson& in, SessionImport& out) {

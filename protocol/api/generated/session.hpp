@@ -18,8 +18,6 @@ struct SessionCreate {
 
     /// display name
     std::string name;
-
-    bool operator==(const SessionCreate&) const = default;
 };
 
 /// Holds the parameters of session.fork.
@@ -28,8 +26,6 @@ struct SessionFork : InSession {
 
     /// display name
     std::string name;
-
-    bool operator==(const SessionFork&) const = default;
 };
 
 /// Holds the parameters of session.list.
@@ -38,8 +34,6 @@ struct SessionList {
 
     /// true: list the deleted sessions instead
     bool trash = false;
-
-    bool operator==(const SessionList&) const = default;
 };
 
 /// Holds the parameters of session.join.
@@ -57,12 +51,10 @@ struct SessionJoin {
     std::optional<std::string> resume_token;
     /// with `resumeToken`: the last `seq` seen; what was missed is returned instead of the snapshot
     std::optional<std::uint64_t> last_seq;
-
-    bool operator==(const SessionJoin&) const = default;
 };
 
 /// Holds the parameters of session.leave.
-struct SessionLeave {
+struct SessionLeave : NoParameters {
     static constexpr std::string_view method = "session.leave";
 };
 
@@ -77,8 +69,6 @@ struct SessionRename : InSession {
 
     /// display name
     std::string name;
-
-    bool operator==(const SessionRename&) const = default;
 };
 
 /// Holds the parameters of session.setUnits.
@@ -89,8 +79,6 @@ struct SessionSetUnits : InSession {
     std::string length;
     /// unit of times; empty: as in dataset.describe
     std::string time;
-
-    bool operator==(const SessionSetUnits&) const = default;
 };
 
 /// Holds the parameters of session.delete.
@@ -101,8 +89,6 @@ struct SessionDelete {
     std::string session;
     /// true: permanently deletes a session that is in the trash
     bool forever = false;
-
-    bool operator==(const SessionDelete&) const = default;
 };
 
 /// Holds the parameters of session.restore.
@@ -111,8 +97,6 @@ struct SessionRestore {
 
     /// an id from session.list
     std::string session;
-
-    bool operator==(const SessionRestore&) const = default;
 };
 
 /// Holds the parameters of session.export.
@@ -128,8 +112,6 @@ struct SessionImport {
     std::string file;
     /// name of the new session; if left out, the name in the document
     std::string name;
-
-    bool operator==(const SessionImport&) const = default;
 };
 
 /// Holds the parameters of session.thumbnail.
@@ -138,21 +120,16 @@ struct SessionThumbnail : InSession {
 
     /// a PNG, JPEG or WebP picture of at most 24 KiB, in base64
     std::string image;
-
-    bool operator==(const SessionThumbnail&) const = default;
 };
 
 void read(CheckedJson& in, SessionCreate& out);
 void read(CheckedJson& in, SessionFork& out);
 void read(CheckedJson& in, SessionList& out);
 void read(CheckedJson& in, SessionJoin& out);
-void read(CheckedJson& in, SessionLeave& out);
-void read(CheckedJson& in, SessionState& out);
 void read(CheckedJson& in, SessionRename& out);
 void read(CheckedJson& in, SessionSetUnits& out);
 void read(CheckedJson& in, SessionDelete& out);
 void read(CheckedJson& in, SessionRestore& out);
-void read(CheckedJson& in, SessionExport& out);
 void read(CheckedJson& in, SessionImport& out);
 void read(CheckedJson& in, SessionThumbnail& out);
 

@@ -14,10 +14,6 @@ void read(CheckedJson& in, SessionShare& out) {
     out.expires_in.value = in.count_if("expiresIn", 1, limits::grant_seconds);
 }
 
-void read(CheckedJson& in, SessionShares& out) {
-    out.session = in.text_if("session", 256);
-}
-
 void read(CheckedJson& in, SessionUnshare& out) {
     out.session = in.text_if("session", 256);
     out.grant = in.text("grant", 256);

@@ -21,8 +21,6 @@ struct SessionShare : InSession {
     /// how long the link is valid; if left out, 7 days, or as long as the link you came by; null:
     /// until it is revoked (s)
     Nullable<std::uint64_t> expires_in;
-
-    bool operator==(const SessionShare&) const = default;
 };
 
 /// Holds the parameters of session.shares.
@@ -38,8 +36,6 @@ struct SessionUnshare : InSession {
     std::string grant;
     /// true: also revoke the links that were made through it, directly or indirectly
     bool children = false;
-
-    bool operator==(const SessionUnshare&) const = default;
 };
 
 /// Holds the parameters of session.setRole.
@@ -50,8 +46,6 @@ struct SessionSetRole : InSession {
     std::string participant;
     /// viewers look, editors edit, hosts also decide who may be here
     std::string role;
-
-    bool operator==(const SessionSetRole&) const = default;
 };
 
 /// Holds the parameters of session.kick.
@@ -60,12 +54,9 @@ struct SessionKick : InSession {
 
     /// an id from session.state
     std::string participant;
-
-    bool operator==(const SessionKick&) const = default;
 };
 
 void read(CheckedJson& in, SessionShare& out);
-void read(CheckedJson& in, SessionShares& out);
 void read(CheckedJson& in, SessionUnshare& out);
 void read(CheckedJson& in, SessionSetRole& out);
 void read(CheckedJson& in, SessionKick& out);

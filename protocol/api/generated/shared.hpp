@@ -2,6 +2,8 @@
 // What the parameters of many methods share.
 #pragma once
 
+#include "protocol/api/base/checked_json.hpp"
+
 #include <optional>
 #include <string>
 
@@ -15,5 +17,14 @@ struct InSession {
 
     bool operator==(const InSession&) const = default;
 };
+
+inline void read(CheckedJson& in, InSession& out) {
+    out.session = in.text_if("session", 256);
+}
+
+/// Stands for the parameters of a method that takes none.
+struct NoParameters {};
+
+inline void read(CheckedJson&, NoParameters&) {}
 
 } // namespace wakesurf::protocol

@@ -2,8 +2,12 @@
 // Looking at surfaces: what methods take. Readers leave what is wrong in `in`.
 #pragma once
 
+#include "core/surface/surface_statistics.hpp"
+#include "core/surface/value_range.hpp"
 #include "protocol/api/base/checked_json.hpp"
 #include "protocol/api/generated/shared.hpp"
+
+#include <nlohmann/json_fwd.hpp>
 
 #include <cstdint>
 #include <optional>
@@ -23,14 +27,26 @@ struct UpdatePlace {
     bool operator==(const UpdatePlace&) const = default;
 };
 
+/// How long the pass that made the newest state took.
+struct PassSeconds {
+    /// from the edit, or the state before, until the pass began (s)
+    double queue = 0.0;
+    /// waiting for time-steps of the velocity (s)
+    double load = 0.0;
+    /// everything else in building the surface (s)
+    double compute = 0.0;
+    /// encoding frames (s)
+    double encode = 0.0;
+
+    bool operator==(const PassSeconds&) const = default;
+};
+
 /// Holds the parameters of surface.stats.
 struct SurfaceStats : InSession {
     static constexpr std::string_view method = "surface.stats";
 
     /// an id from surface.list
     std::string surface;
-
-    bool operator==(const SurfaceStats&) const = default;
 };
 
 /// Holds the parameters of surface.wait.
@@ -45,8 +61,6 @@ struct SurfaceWait : InSession {
     std::uint64_t timeout_ms = 0;
     /// on a WebSocket: $/progress reports the progress of the work with this token
     std::optional<std::string> work_done_token;
-
-    bool operator==(const SurfaceWait&) const = default;
 };
 
 /// Holds the parameters of surface.subscribe.
@@ -58,8 +72,6 @@ struct SurfaceSubscribe : InSession {
     /// the last update that was applied before a connection was lost; the server goes on after it
     /// if possible
     std::optional<UpdatePlace> from;
-
-    bool operator==(const SurfaceSubscribe&) const = default;
 };
 
 /// Holds the parameters of surface.unsubscribe.
@@ -70,8 +82,6 @@ struct SurfaceUnsubscribe : InSession {
     std::optional<std::uint32_t> subscription;
     /// id of the surface, instead of the number
     std::optional<std::string> surface;
-
-    bool operator==(const SurfaceUnsubscribe&) const = default;
 };
 
 /// Holds the parameters of frame.ack.
@@ -84,8 +94,6 @@ struct FrameAck {
     std::optional<std::uint32_t> epoch;
     /// number of the update in its epoch
     std::uint32_t seq = 0;
-
-    bool operator==(const FrameAck&) const = default;
 };
 
 void read(CheckedJson& in, UpdatePlace& out);
@@ -94,5 +102,12 @@ void read(CheckedJson& in, SurfaceWait& out);
 void read(CheckedJson& in, SurfaceSubscribe& out);
 void read(CheckedJson& in, SurfaceUnsubscribe& out);
 void read(CheckedJson& in, FrameAck& out);
+
+nlohmann::json pass_seconds_json(const PassSeconds& record);
+nlohmann::json terminations_json(const core::SurfaceStatistics::Terminated& record);
+nlohmann::json build_seconds_json(const core::SurfaceStatistics::Seconds& record);
+nlohmann::json emptiness_json(const core::Emptiness& record);
+nlohmann::json statistics_json(const core::SurfaceStatistics& record);
+nlohmann::json value_range_json(const core::ValueRange& record);
 
 } // namespace wakesurf::protocol

@@ -11,30 +11,19 @@
 namespace wakesurf::protocol {
 
 void read(CheckedJson& in, SurfaceRecord& out) {
-    out.surface = in.text("surface", 256);
-    if (out.surface.empty())
-        in.fault("surface", "must not be empty");
+    out.surface = in.some_text("surface", 256);
     out.rev = in.count("rev", 0, 9007199254740992);
     out.epoch = static_cast<std::uint32_t>(in.count("epoch", 0, 4294967295));
     out.rake = in.text("rake", 256);
     out.rake2 = in.text_if("rake2", 256);
     out.dataset = in.text("dataset", 256);
-    if (const auto found = surface_kind(in.text("kind")))
-        out.parameters.kind = *found;
-    else
-        in.fault("kind", "must be stream, path, streak, time or level");
-    if (const auto found = accuracy(in.text_or("accuracy", "balanced")))
-        out.parameters.accuracy = *found;
-    else
-        in.fault("accuracy", "must be fast, balanced or exact");
-    if (const auto found = interpolation(in.text_or("interpolation", "linear")))
-        out.parameters.interpolation = *found;
-    else
-        in.fault("interpolation", "must be linear or smooth");
-    if (const auto found = refine(in.text_or("refine", "on")))
-        out.parameters.refine = *found;
-    else
-        in.fault("refine", "must be on or off");
+    in.word("kind", in.text("kind"), surface_kind, out.parameters.kind,
+            "stream, path, streak, time or level");
+    in.word("accuracy", in.text_or("accuracy", "balanced"), accuracy, out.parameters.accuracy,
+            "fast, balanced or exact");
+    in.word("interpolation", in.text_or("interpolation", "linear"), interpolation,
+            out.parameters.interpolation, "linear or smooth");
+    in.word("refine", in.text_or("refine", "on"), refine, out.parameters.refine, "on or off");
     out.parameters.to = in.number("to", -3.4028234663852886e+38, 3.4028234663852886e+38);
     out.parameters.release_until =
         in.number_if("releaseUntil", -3.4028234663852886e+38, 3.4028234663852886e+38);
@@ -52,54 +41,11 @@ void read(CheckedJson& in, SurfaceRecord& out) {
     out.parameters.max_quads =
         in.count_or("maxQuads", 1, limits::quads_most, limits::quads_default);
     out.parameters.from = in.number("from", -3.4028234663852886e+38, 3.4028234663852886e+38);
-    if (in.has("direction")) {
-        if (const auto found = direction(in.text("direction")))
-            out.parameters.direction = *found;
-        else
-            in.fault("direction", "must be forward, backward or both");
-    }
+    if (in.has("direction"))
+        in.word("direction", in.text("direction"), direction, out.parameters.direction,
+                "forward, backward or both");
     out.parameters.separation = in.number_or("separation", 0.0, any_number, 0.0);
     out.fields = in.texts_or_none("fields", 16);
-}
-
-nlohmann::json surface_json(const SurfaceRecord& record) {
-    return kept_json(record);
-}
-
-nlohmann::json kept_json(const SurfaceRecord& record) {
-    nlohmann::json out = nlohmann::json::object();
-    out["surface"] = record.surface;
-    out["rev"] = record.rev;
-    out["epoch"] = record.epoch;
-    out["rake"] = record.rake;
-    if (record.rake2)
-        out["rake2"] = *record.rake2;
-    out["dataset"] = record.dataset;
-    out["kind"] = name(record.parameters.kind);
-    out["accuracy"] = name(record.parameters.accuracy);
-    out["interpolation"] = name(record.parameters.interpolation);
-    out["refine"] = name(record.parameters.refine);
-    out["to"] = record.parameters.to;
-    if (record.parameters.release_until)
-        out["releaseUntil"] = *record.parameters.release_until;
-    if (record.parameters.life)
-        out["life"] = *record.parameters.life;
-    if (record.parameters.sweep)
-        out["sweep"] = point_json(*record.parameters.sweep);
-    if (record.parameters.field)
-        out["field"] = *record.parameters.field;
-    if (record.parameters.level)
-        out["level"] = *record.parameters.level;
-    out["merge"] = record.parameters.merge;
-    out["angle"] = record.parameters.angle;
-    out["stagnationSpeed"] = record.parameters.stagnation_speed;
-    out["maxQuads"] = record.parameters.max_quads;
-    out["from"] = record.parameters.from;
-    if (record.parameters.direction)
-        out["direction"] = name(*record.parameters.direction);
-    out["separation"] = record.parameters.separation;
-    out["fields"] = record.fields;
-    return out;
 }
 
 void read(CheckedJson& in, SurfaceSetting& out) {
@@ -108,30 +54,18 @@ void read(CheckedJson& in, SurfaceSetting& out) {
     out.rake = in.text("rake", 256);
     out.rake2 = in.text_if("rake2", 256);
     out.dataset = in.text("dataset", 256);
-    if (const auto found = surface_kind(in.text("kind")))
-        out.parameters.kind = *found;
-    else
-        in.fault("kind", "must be stream, path, streak, time or level");
+    in.word("kind", in.text("kind"), surface_kind, out.parameters.kind,
+            "stream, path, streak, time or level");
     out.from = in.number_if("from", -3.4028234663852886e+38, 3.4028234663852886e+38);
     out.parameters.to = in.number("to", -3.4028234663852886e+38, 3.4028234663852886e+38);
-    if (in.has("direction")) {
-        if (const auto found = direction(in.text("direction")))
-            out.parameters.direction = *found;
-        else
-            in.fault("direction", "must be forward, backward or both");
-    }
-    if (const auto found = accuracy(in.text_or("accuracy", "balanced")))
-        out.parameters.accuracy = *found;
-    else
-        in.fault("accuracy", "must be fast, balanced or exact");
-    if (const auto found = interpolation(in.text_or("interpolation", "linear")))
-        out.parameters.interpolation = *found;
-    else
-        in.fault("interpolation", "must be linear or smooth");
-    if (const auto found = refine(in.text_or("refine", "on")))
-        out.parameters.refine = *found;
-    else
-        in.fault("refine", "must be on or off");
+    if (in.has("direction"))
+        in.word("direction", in.text("direction"), direction, out.parameters.direction,
+                "forward, backward or both");
+    in.word("accuracy", in.text_or("accuracy", "balanced"), accuracy, out.parameters.accuracy,
+            "fast, balanced or exact");
+    in.word("interpolation", in.text_or("interpolation", "linear"), interpolation,
+            out.parameters.interpolation, "linear or smooth");
+    in.word("refine", in.text_or("refine", "on"), refine, out.parameters.refine, "on or off");
     out.parameters.release_until =
         in.number_if("releaseUntil", -3.4028234663852886e+38, 3.4028234663852886e+38);
     out.parameters.life = in.number_if("life", -any_number, any_number);
@@ -152,11 +86,7 @@ void read(CheckedJson& in, SurfaceSetting& out) {
         in.fault("separation", "must be a number greater than 0");
     out.fields = in.texts_or_none("fields", limits::fields);
     out.default_scene = in.flag_or("default", false);
-    if (in.has("gesture")) {
-        out.gesture = in.text("gesture", limits::gesture_bytes);
-        if (out.gesture->empty())
-            in.fault("gesture", "must not be empty: leave it out");
-    }
+    out.gesture = in.some_text_if("gesture", limits::gesture_bytes);
     out.if_rev = in.count_if("ifRev", 0, 9007199254740992);
 }
 
@@ -200,11 +130,7 @@ std::vector<std::pair<std::string_view, double>> given_numbers(const core::Surfa
 void read(CheckedJson& in, SurfaceDelete& out) {
     out.session = in.text_if("session", 256);
     out.surface = in.text("surface", 256);
-    if (in.has("gesture")) {
-        out.gesture = in.text("gesture", limits::gesture_bytes);
-        if (out.gesture->empty())
-            in.fault("gesture", "must not be empty: leave it out");
-    }
+    out.gesture = in.some_text_if("gesture", limits::gesture_bytes);
     out.if_rev = in.count_if("ifRev", 0, 9007199254740992);
 }
 
@@ -213,8 +139,43 @@ void read(CheckedJson& in, SurfaceStop& out) {
     out.surface = in.text("surface", 256);
 }
 
-void read(CheckedJson& in, SurfaceList& out) {
-    out.session = in.text_if("session", 256);
+nlohmann::json record_json(const SurfaceRecord& record) {
+    return kept_json(record);
+}
+
+nlohmann::json kept_json(const SurfaceRecord& record) {
+    nlohmann::json out{{"surface", record.surface},
+                       {"rev", record.rev},
+                       {"epoch", record.epoch},
+                       {"rake", record.rake},
+                       {"dataset", record.dataset},
+                       {"kind", name(record.parameters.kind)},
+                       {"accuracy", name(record.parameters.accuracy)},
+                       {"interpolation", name(record.parameters.interpolation)},
+                       {"refine", name(record.parameters.refine)},
+                       {"to", record.parameters.to},
+                       {"merge", record.parameters.merge},
+                       {"angle", record.parameters.angle},
+                       {"stagnationSpeed", record.parameters.stagnation_speed},
+                       {"maxQuads", record.parameters.max_quads},
+                       {"from", record.parameters.from},
+                       {"separation", record.parameters.separation},
+                       {"fields", record.fields}};
+    if (record.rake2)
+        out["rake2"] = *record.rake2;
+    if (record.parameters.release_until)
+        out["releaseUntil"] = *record.parameters.release_until;
+    if (record.parameters.life)
+        out["life"] = *record.parameters.life;
+    if (record.parameters.sweep)
+        out["sweep"] = point_json(*record.parameters.sweep);
+    if (record.parameters.field)
+        out["field"] = *record.parameters.field;
+    if (record.parameters.level)
+        out["level"] = *record.parameters.level;
+    if (record.parameters.direction)
+        out["direction"] = name(*record.parameters.direction);
+    return out;
 }
 
 } // namespace wakesurf::protocol

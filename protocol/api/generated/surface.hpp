@@ -46,9 +46,9 @@ struct SurfaceRecord {
 
 void read(CheckedJson& in, SurfaceRecord& out);
 
-nlohmann::json surface_json(const SurfaceRecord& record);
+nlohmann::json record_json(const SurfaceRecord& record);
 
-/// As it is kept: what read() reads.
+/// Returns it as it is kept: what read() reads.
 nlohmann::json kept_json(const SurfaceRecord& record);
 
 /// Holds the parameters of surface.set.
@@ -83,8 +83,6 @@ struct SurfaceSetting : InSession {
     std::optional<std::string> gesture;
     /// the edit is refused if the record is at another revision
     std::optional<std::uint64_t> if_rev;
-
-    bool operator==(const SurfaceSetting&) const = default;
 };
 
 /// What only some kinds take, and what they must have. Error: InvalidArgument, naming the parameter.
@@ -107,8 +105,6 @@ struct SurfaceDelete : InSession {
     std::optional<std::string> gesture;
     /// the edit is refused if the record is at another revision
     std::optional<std::uint64_t> if_rev;
-
-    bool operator==(const SurfaceDelete&) const = default;
 };
 
 /// Holds the parameters of surface.stop.
@@ -117,8 +113,6 @@ struct SurfaceStop : InSession {
 
     /// an id from surface.list
     std::string surface;
-
-    bool operator==(const SurfaceStop&) const = default;
 };
 
 /// Holds the parameters of surface.list.
@@ -129,6 +123,5 @@ struct SurfaceList : InSession {
 void read(CheckedJson& in, SurfaceSetting& out);
 void read(CheckedJson& in, SurfaceDelete& out);
 void read(CheckedJson& in, SurfaceStop& out);
-void read(CheckedJson& in, SurfaceList& out);
 
 } // namespace wakesurf::protocol

@@ -22,21 +22,6 @@ void read(CheckedJson& in, ClockRecord& out) {
         in.fault("playing", "needs `time` and `from`");
 }
 
-nlohmann::json clock_json(const ClockRecord& record) {
-    return kept_json(record);
-}
-
-nlohmann::json kept_json(const ClockRecord& record) {
-    nlohmann::json out = nlohmann::json::object();
-    out["time"] = record.time ? nlohmann::json(*record.time) : nlohmann::json(nullptr);
-    out["playing"] = record.playing;
-    out["speed"] = record.speed;
-    out["loop"] = record.loop;
-    out["from"] = record.from ? nlohmann::json(*record.from) : nlohmann::json(nullptr);
-    out["to"] = record.to ? nlohmann::json(*record.to) : nlohmann::json(nullptr);
-    return out;
-}
-
 void read(CheckedJson& in, TimeSet& out) {
     out.session = in.text_if("session", 256);
     out.time.given = in.given("time");
@@ -56,8 +41,17 @@ void read(CheckedJson& in, PlaySetting& out) {
         in.fault("to", "must be later than `from`");
 }
 
-void read(CheckedJson& in, TimePause& out) {
-    out.session = in.text_if("session", 256);
+nlohmann::json record_json(const ClockRecord& record) {
+    return kept_json(record);
+}
+
+nlohmann::json kept_json(const ClockRecord& record) {
+    return {{"time", record.time ? nlohmann::json(*record.time) : nlohmann::json(nullptr)},
+            {"playing", record.playing},
+            {"speed", record.speed},
+            {"loop", record.loop},
+            {"from", record.from ? nlohmann::json(*record.from) : nlohmann::json(nullptr)},
+            {"to", record.to ? nlohmann::json(*record.to) : nlohmann::json(nullptr)}};
 }
 
 } // namespace wakesurf::protocol

@@ -37,9 +37,9 @@ struct ClockRecord {
 
 void read(CheckedJson& in, ClockRecord& out);
 
-nlohmann::json clock_json(const ClockRecord& record);
+nlohmann::json record_json(const ClockRecord& record);
 
-/// As it is kept: what read() reads.
+/// Returns it as it is kept: what read() reads.
 nlohmann::json kept_json(const ClockRecord& record);
 
 /// Holds the parameters of time.set.
@@ -49,8 +49,6 @@ struct TimeSet : InSession {
     /// simulation time; null: no time, and surfaces are shown at their end (the dataset's unit of
     /// time)
     Nullable<double> time;
-
-    bool operator==(const TimeSet&) const = default;
 };
 
 /// Holds the parameters of time.play.
@@ -67,8 +65,6 @@ struct PlaySetting : InSession {
     /// time at which playing ends; if left out, as before, at first where the last surface ends
     /// (the dataset's unit of time)
     std::optional<double> to;
-
-    bool operator==(const PlaySetting&) const = default;
 };
 
 /// Holds the parameters of time.pause.
@@ -78,6 +74,5 @@ struct TimePause : InSession {
 
 void read(CheckedJson& in, TimeSet& out);
 void read(CheckedJson& in, PlaySetting& out);
-void read(CheckedJson& in, TimePause& out);
 
 } // namespace wakesurf::protocol

@@ -1,17 +1,14 @@
-"""C++ of one noun: structs of records and of parameters, their readers with every check, the writers of records."""
+"""C++ of one noun: structs of records, of parameters and of what is told; readers with every check, and writers."""
 import re
 import textwrap
 
+from .cpp_writers import Writers, names_in, quoted
 from .schema import camel, either, snake
 
 MADE = "// Made by protocol/api/generate from {}: do not edit."
 CHECKS = {"^#[0-9a-fA-F]{6}$": ("is_colour", "must be written #rrggbb")}
 KEYWORDS = {"default", "delete", "new", "class", "struct"}
 LONGEST_TEXT = 256
-
-
-def quoted(text):
-    return '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'
 
 
 def number(value):
@@ -29,11 +26,25 @@ def limit_name(api, name):
     return dict(api.limits)[name].get("x-cpp", snake(name))
 
 
-class Cpp:
+# What a header includes where it uses what matches.
+NEEDS = {"family_record": r"core::Family", "rake.hpp": r"core::Rake", "surface_parameters": r"core::(SurfaceParameters|SurfaceKind|Direction|"
+         "Accuracy|Interpolation|Refine)", "surface_statistics": r"core::(SurfaceStatistics|Emptiness)", "value_range": r"core::ValueRange",
+         "nullable": "Nullable<", "<vector>": "std::vector", "<utility>": "std::pair", "json_fwd": "nlohmann", "<cstdint>": "std::uint",
+         "<optional>": "std::optional", "<string>": "std::string[ >]", "<string_view>": "std::string_view"}
+
+
+def needed(line, used):
+    """Whether a header that uses this keeps the line of its head."""
+    return all(re.search(pattern, used) for word, pattern in NEEDS.items() if line.startswith("#include") and word in line)
+
+
+class Cpp(Writers):
     """Writes the C++ of a description."""
 
     def __init__(self, api):
         self.api = api
+        self.taken = names_in([each.params for each in api.methods])
+        self.told = names_in([each.result for each in api.methods] + [params for *_, params in api.notifications])
 
     # Types and names.
 
@@ -58,7 +69,7 @@ class Cpp:
 
     def is_optional(self, each, record):
         node = each.node
-        if node.get("x-plain") or (record and node.get("x-kept") is False):
+        if node.get("x-plain") or (record and (node.get("x-kept") is False or node.get("x-emptyIsMissing"))):
             return False
         if record and "x-older" in node:
             return node["x-older"] is None
@@ -94,9 +105,10 @@ class Cpp:
     def struct(self, shape, name, words, method=""):
         record = bool(shape.get("x-record")) or not method
         in_session = bool(method) and self.in_session(shape)
-        lines = [*comment(words), f"struct {name}{' : InSession' if in_session else ''} {{"]
+        base = " : InSession" if in_session else "" if shape.fields else " : NoParameters"
+        lines = [*comment(words), f"struct {name}{base} {{"]
         if method:
-            lines += [f"    static constexpr std::string_view method = {quoted(method)};", ""]
+            lines += [f"    static constexpr std::string_view method = {quoted(method)};"] + [""] * self.has_own(shape)
         seen = set()
         for each in shape.fields[1 if in_session else 0:]:
             member = self.member(each)
@@ -110,10 +122,13 @@ class Cpp:
                 continue
             lines += comment(self.words(each), 4)
             lines.append(f"    {self.full_type(each, record)} {member}{self.initial(each, record)};")
-        if shape.fields[1 if in_session else 0:]:
-            lines.append("")
-            lines.append(f"    bool operator==(const {name}&) const = default;")
+        if not method:
+            lines += ["", f"    bool operator==(const {name}&) const = default;"]
         return lines + ["};"]
+
+    def has_own(self, shape):
+        """There are parameters beside those that its base has."""
+        return len(shape.fields) > self.in_session(shape)
 
     def in_session(self, shape):
         """The parameters begin with that of every method on a session."""
@@ -135,8 +150,6 @@ class Cpp:
     def reader(self, shape, name, method=""):
         record = bool(shape.get("x-record")) or not method
         lines = [f"void read(CheckedJson& in, {name}& out) {{"]
-        if not shape.fields:
-            lines = [f"void read(CheckedJson&, {name}&) {{"]
         for each in shape.fields:
             if record and each.node.get("x-kept") is False:
                 continue
@@ -149,7 +162,8 @@ class Cpp:
         if self.is_nullable(each, record):
             lines = [f"{to}.given = in.given({name});"]
             if each.required:
-                lines += [f"if (!{to}.given)", f"    in.fault({name}, {quoted(node.get('x-missing', 'is missing'))});"]
+                means = f"; null {node['x-nullable']}" if isinstance(node.get("x-nullable"), str) else ""
+                lines += [f"if (!{to}.given)", f"    in.fault({name}, {quoted('is missing' + means)});"]
             return lines + self.read_optional(each, to + ".value")
         if self.is_optional(each, record):
             return self.read_optional(each, to)
@@ -196,7 +210,7 @@ class Cpp:
                     f"    in.inside({name}, [&](CheckedJson& inner) {{ read(inner, *{to}); }});", "}"]
         lines = [line.replace(f"*{to}.", f"{to}->") for line in self.read_plain(each, to, False, f"*{to}")]
         if len(lines) == 1 and kind == "text":
-            return [f"{to} = in.text_if({name}, {self.longest(node)});"]
+            return [f"{to} = in.{'some_text_if' if node.get('minLength') else 'text_if'}({name}, {self.longest(node)});"]
         if node.get("x-emptyIsMissing"):
             lines = (lines[:1] + [f"if ({to}->empty())", f"    {to}.reset();"]
                      + [line.replace("if (!", f"if ({to} && !") for line in lines[1:]])
@@ -212,19 +226,15 @@ class Cpp:
         start = node.get("default", node.get("x-older"))
         if kind == "enum" and "x-cpp-type" in node:
             text = f"in.text_or({name}, {quoted(start)})" if has_default else f"in.text({name})"
-            return [f"if (const auto found = {self.parser(node)}({text}))", f"    {to} = *found;", "else",
-                    f"    in.fault({name}, {quoted('must be ' + either(node['enum']))});"]
+            return [f"in.word({name}, {text}, {self.parser(node)}, {to}, {quoted(either(node['enum']))});"]
         if kind == "enum":
             known = " && ".join(f"{value} != {quoted(word)}" for word in node["enum"])
             return [f"{to} = in.text({name});", f"if ({known})",
                     f"    in.fault({name}, {quoted('must be ' + either(node['enum']))});"]
         if kind == "text":
             text = (f"in.text_or({name}, {quoted(start)}, {self.longest(node)})" if has_default
-                    else f"in.text({name}, {self.longest(node)})")
+                    else f"in.{'some_text' if node.get('minLength') else 'text'}({name}, {self.longest(node)})")
             lines = [f"{to} = {text};"]
-            if node.get("minLength"):
-                wrong = "must not be empty" if each.required else "must not be empty: leave it out"
-                lines += [f"if ({value}.empty())", f"    in.fault({name}, {quoted(wrong)});"]
             if "pattern" in node:
                 check, wrong = CHECKS[node["pattern"]]
                 unless = f"!{value}.empty() && " if has_default else ""
@@ -252,7 +262,7 @@ class Cpp:
             return [f"{to} = in.point({name});"]
         if kind == "points":
             read = f"{to} = in.points({name}, {self.most(node)});"
-            return [read] if each.required else [f"if (in.has({name}))", "    " + read]
+            return [read] if each.required or value != to else [f"if (in.has({name}))", "    " + read]
         if kind == "texts":
             return [f"{to} = in.texts_or_none({name}, {self.most(node)});"]
         if kind == "token":
@@ -325,44 +335,6 @@ class Cpp:
     def place_in_engine(self, each):
         return "p." + self.member(each).removeprefix("parameters.")
 
-    # Writers.
-
-    def writer(self, shape, name):
-        lines = [f"nlohmann::json {snake(shape.name)}_json(const {name}& record) {{", "    nlohmann::json out = kept_json(record);"]
-        for each in shape.fields:
-            if each.node.get("x-kept") is False:
-                lines += ["    " + line for line in self.write_member(each)]
-        lines += ["    return out;", "}"]
-        kept = [each for each in shape.fields if each.node.get("x-kept") is not False]
-        if len(kept) == len(shape.fields):
-            lines = [f"nlohmann::json {snake(shape.name)}_json(const {name}& record) {{", "    return kept_json(record);", "}"]
-        lines += ["", f"nlohmann::json kept_json(const {name}& record) {{", "    nlohmann::json out = nlohmann::json::object();"]
-        for each in kept:
-            lines += ["    " + line for line in self.write_member(each)]
-        return lines + ["    return out;", "}"]
-
-    def write_member(self, each):
-        place = "record." + self.member(each)
-        name, node = quoted(each.name), each.node
-        if self.is_optional(each, True) and not each.node.nullable:
-            return [f"if ({place})", f"    out[{name}] = {self.written(node, '*' + place)};"]
-        if each.node.nullable:
-            return [f"out[{name}] = {place} ? nlohmann::json({self.written(node, '*' + place)}) : nlohmann::json(nullptr);"]
-        if not each.required:
-            return [f"if (!{place}.empty())", f"    out[{name}] = {self.written(node, place)};"]
-        return [f"out[{name}] = {self.written(node, place)};"]
-
-    def written(self, node, value):
-        if node.kind == "enum" and "x-cpp-type" in node:
-            return f"name({value})"
-        if node.kind == "point":
-            return f"point_json({value})"
-        if node.kind == "points":
-            return f"points_json({value})"
-        if node.kind == "json":
-            return f"nlohmann::json::parse({value})"
-        return value
-
     # Files.
 
     def structs_of(self, noun):
@@ -384,8 +356,9 @@ class Cpp:
                 f"// {self.api.titles[noun][0]}: what methods take" + (", and the record" if any(each[0].get("x-record") for each in structs)
                                                                      else "") + ". Readers leave what is wrong in `in`.",
                 "#pragma once", "",
-                '#include "core/surface/rake.hpp"', '#include "core/surface/surface_parameters.hpp"',
-                '#include "protocol/api/base/checked_json.hpp"', '#include "protocol/api/base/nullable.hpp"', "",
+                '#include "core/surface/family/family_record.hpp"', '#include "core/surface/rake.hpp"',
+                '#include "core/surface/surface_parameters.hpp"', '#include "core/surface/surface_statistics.hpp"',
+                '#include "core/surface/value_range.hpp"', '#include "protocol/api/base/checked_json.hpp"', '#include "protocol/api/base/nullable.hpp"', "",
                 "#include <nlohmann/json_fwd.hpp>", "", "#include <cstdint>", "#include <optional>", "#include <string>",
                 "#include <string_view>", "#include <utility>", "#include <vector>", "", "namespace wakesurf::protocol {", ""]
         body, readers = [], []
@@ -393,9 +366,9 @@ class Cpp:
             body += self.struct(shape, name, words, method) + [""]
             if shape.get("x-record"):
                 body += [f"void read(CheckedJson& in, {name}& out);", "",
-                         f"nlohmann::json {snake(shape.name)}_json(const {name}& record);", "",
-                         "/// As it is kept: what read() reads.", f"nlohmann::json kept_json(const {name}& record);", ""]
-            else:
+                         f"nlohmann::json record_json(const {name}& record);", "",
+                         "/// Returns it as it is kept: what read() reads.", f"nlohmann::json kept_json(const {name}& record);", ""]
+            elif self.has_own(shape) and (method or not shape.name or shape.name in self.taken):
                 readers.append(f"void read(CheckedJson& in, {name}& out);")
             if method and self.rules_of(noun) and method == self.rules_of(noun).name:
                 body += ["/// What only some kinds take, and what they must have. Error: InvalidArgument, naming the parameter.",
@@ -404,16 +377,13 @@ class Cpp:
                          f"core::Result<void> check_rules(const {name}& setting);", "",
                          "/// The optional numbers that were given, by their names.",
                          "std::vector<std::pair<std::string_view, double>> given_numbers(const core::SurfaceParameters& parameters);", ""]
-        body += [*readers, ""]
+        body += [*readers, ""] if readers else []
+        writers = [self.writers(shape)[0].removesuffix(" {") + ";" for shape in self.written_shapes(noun) if not shape.get("x-record")]
+        body += [*writers, ""] if writers else []
         used = "\n".join(body)
-        if " : InSession" in used:
+        if " : InSession" in used or " : NoParameters" in used:
             text.insert(text.index('#include "protocol/api/base/nullable.hpp"'), '#include "protocol/api/generated/shared.hpp"')
-        text = [line for line in text if not (
-            ("rake.hpp" in line and "core::Rake" not in used) or ("surface_parameters" in line and not re.search(r"core::(SurfaceParameters|SurfaceKind|Direction|Accuracy|Interpolation|Refine)", used))
-            or ("nullable" in line and "Nullable<" not in used) or ("<vector>" in line and "std::vector" not in used) or ("<utility>" in line and "std::pair" not in used)
-            or ("json_fwd" in line and "nlohmann" not in used) or ("<cstdint>" in line and "std::uint" not in used)
-            or ("<optional>" in line and "std::optional" not in used) or ("<string>" in line and "std::string " not in used
-                                                                         and "std::string>" not in used))]
+        text = [line for line in text if needed(line, used)]
         if "core::Vec3" in used and "core::Rake" not in used:
             text.insert(text.index('#include "protocol/api/base/checked_json.hpp"'), '#include "core/base/vec3.hpp"')
         return "\n".join(text + body + ["} // namespace wakesurf::protocol", ""])
@@ -421,18 +391,23 @@ class Cpp:
     def shared(self):
         shape = self.api.shape("InSession")
         return "\n".join([MADE.format("shared.schema.json"), "// What the parameters of many methods share.", "#pragma once", "",
-                          "#include <optional>", "#include <string>", "", "namespace wakesurf::protocol {", "",
-                          *self.struct(shape, shape.name, shape.words), "", "} // namespace wakesurf::protocol", ""])
+                          '#include "protocol/api/base/checked_json.hpp"', "", "#include <optional>", "#include <string>", "",
+                          "namespace wakesurf::protocol {", "", *self.struct(shape, shape.name, shape.words), "",
+                          "inline void read(CheckedJson& in, InSession& out) {",
+                          *["    " + line for line in self.read_member(shape.fields[0], "out.session", False)], "}", "",
+                          "/// Stands for the parameters of a method that takes none.", "struct NoParameters {};", "",
+                          "inline void read(CheckedJson&, NoParameters&) {}", "", "} // namespace wakesurf::protocol", ""])
 
     def source(self, noun):
         structs = self.structs_of(noun)
         body = []
         for shape, name, _, method in structs:
-            body += self.reader(shape, name, method) + [""]
-            if shape.get("x-record"):
-                body += self.writer(shape, name) + [""]
+            if self.has_own(shape) and (method or not shape.name or shape.name in self.taken or shape.get("x-record")):
+                body += self.reader(shape, name, method) + [""]
             if method and self.rules_of(noun) and method == self.rules_of(noun).name:
                 body += self.rules(self.rules_of(noun)) + [""]
+        for shape in self.written_shapes(noun):
+            body += self.writers(shape) + [""]
         used = "\n".join(body)
         includes = ['#include "protocol/api/generated/limits.hpp"'] if "limits::" in used else []
         includes += ['#include "protocol/api/generated/names.hpp"'] if "name(" in used or "= *found" in used else []
@@ -445,4 +420,4 @@ class Cpp:
         if "nlohmann::json" in used:
             text += ["#include <nlohmann/json.hpp>", ""]
         text += ["namespace wakesurf::protocol {", ""]
-        return "\n".join(text + body + ["} // namespace wakesurf::protocol", ""])
+        return "\n".join(text + body + ["} // namespace wakesurf::protocol", ""]) if body else ""

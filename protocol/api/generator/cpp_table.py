@@ -139,4 +139,4 @@ def files(api, cpp):
            "surface_options.hpp": options_header(api), "shared.hpp": cpp.shared()}
     for noun in NOUNS:
         out[f"{noun}.hpp"], out[f"{noun}.cpp"] = cpp.header(noun), cpp.source(noun)
-    return out
+    return {name: text for name, text in out.items() if text}

@@ -89,7 +89,7 @@ def components(api):
     """(shapes, errors) of `components`."""
     shapes = {name: schema_json(shape, whole=True) for name, shape in api.shapes.items() if is_component(shape)}
     errors = {kind: {"code": data["code"], "message": data["description"], "data": {"kind": kind, "hint": "what to do about it"}}
-              for kind, data in api.errors.items() if not data.get("x-envelope")}
+              for kind, data in api.errors.items() if data.get("x-always") is not False}
     return shapes, errors
 
 

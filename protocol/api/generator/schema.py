@@ -13,11 +13,11 @@ NOUNS = ("server", "dataset", "family", "session", "share", "presence", "rake", 
 OTHERS = ("shared", "limits", "errors")
 
 # Words beside a reference that say something of its use and leave the shape what it is.
-OF_USE = {"description", "default", "x-cpp", "x-option", "x-only-for", "x-needed-for", "x-older", "x-unit", "x-kept", "x-missing", "x-plain",
+OF_USE = {"description", "default", "x-cpp", "x-option", "x-only-for", "x-needed-for", "x-older", "x-unit", "x-kept", "x-plain",
           "x-nullable", "x-emptyIsMissing", "x-partial", "x-nonzero", "x-between", "x-differs"}
 OF_SHAPE = {"type", "enum", "const", "minimum", "maximum", "exclusiveMinimum", "minLength", "maxLength", "pattern", "items", "minItems",
             "maxItems", "properties", "required", "additionalProperties", "unevaluatedProperties", "allOf", "anyOf", "prefixItems", "$ref",
-            "x-limit", "x-shape", "x-lines", "x-cpp-type", "x-cpp-members", "x-order", "x-record", "x-ordered", "x-together", "x-needs",
+            "x-limit", "x-shape", "x-cpp-type", "x-cpp-members", "x-order", "x-record", "x-ordered", "x-together", "x-needs",
             "x-exactly-one", "x-maxBytes"}
 LAST = ("default", "gesture", "ifRev")  # what all edits have comes after what is their own
 OF_METHOD = {"description", "x-role", "x-edits", "x-websocketOnly", "x-wholeServer", "x-copier", "x-errors", "params", "result", "x-example"}
@@ -67,7 +67,7 @@ class Node:
         shape = self.data.get("x-shape")
         if shape == "text":
             return "json"
-        if shape in ("point", "token"):
+        if shape in ("point", "token", "lines"):
             return shape
         if "const" in self.data:
             return "const"
@@ -75,7 +75,7 @@ class Node:
             return "enum"
         plain = [each for each in self.types if each != "null"]
         if plain == ["string"]:
-            return "lines" if self.data.get("x-lines") else "text"
+            return "text"
         if plain in (["boolean"], ["number"]):
             return {"boolean": "flag", "number": "number"}[plain[0]]
         if plain == ["integer"]:

@@ -35,8 +35,8 @@ std::string fault(const json& parameters) {
 json echo(const json& parameters) {
     auto setting = read(parameters);
     setting.parameters.from = setting.from.value_or(0.0);
-    return surface_json({"s1", 1, 1, setting.rake, setting.rake2, setting.dataset,
-                         setting.parameters, setting.fields});
+    return record_json(SurfaceRecord{"s1", 1, 1, setting.rake, setting.rake2, setting.dataset,
+                                     setting.parameters, setting.fields});
 }
 
 } // namespace

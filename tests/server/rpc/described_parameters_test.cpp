@@ -1,6 +1,6 @@
 // What /openrpc.json says of a parameter is what the dispatcher asks of it: every one is tried with values beyond its description.
 #include "server/rpc/dispatcher.hpp"
-#include "server/rpc/method_table.hpp"
+#include "server/rpc/method.hpp"
 #include "tests/support/server/hand_clock.hpp"
 #include "tests/support/server/no_datasets.hpp"
 #include "tests/support/server/noted_wire.hpp"

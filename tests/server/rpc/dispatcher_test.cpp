@@ -1,7 +1,7 @@
 // The examples of the JSON-RPC 2.0 specification, section 7, all 15 of them, against the methods they assume.
 #include "protocol/api/base/methods.hpp"
 #include "server/rpc/dispatcher.hpp"
-#include "server/rpc/method_table.hpp"
+#include "server/rpc/method.hpp"
 #include "server/service/base/log_text.hpp"
 #include "server/service/limits.hpp"
 #include "tests/support/server/no_datasets.hpp"

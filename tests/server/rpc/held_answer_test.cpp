@@ -1,5 +1,5 @@
 // When the answer to an edit goes out, and what it says of durability.
-#include "server/rpc/held_answer.hpp"
+#include "server/rpc/method.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
 // Who may call what: every method of the table, by every role, about the own session and about another one.
 #include "server/rpc/dispatcher.hpp"
-#include "server/rpc/method_table.hpp"
+#include "server/rpc/method.hpp"
 #include "tests/support/server/hand_clock.hpp"
 #include "tests/support/server/no_datasets.hpp"
 #include "tests/support/server/noted_wire.hpp"

@@ -1,6 +1,6 @@
 // Sessions as calls see them: listed, renamed, deleted, brought back, pictured; who is told, and what the errors say.
 #include "server/rpc/dispatcher.hpp"
-#include "server/rpc/method_table.hpp"
+#include "server/rpc/method.hpp"
 #include "server/service/limits.hpp"
 #include "server/service/session/session_restoring.hpp"
 #include "tests/support/server/noted_wire.hpp"
