@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace wakesurf::core {
 
@@ -24,6 +25,10 @@ struct UniformGrid {
                 origin + spacing * Vec3(dimensions[0] - 1, dimensions[1] - 1, dimensions[2] - 1)};
     }
 };
+
+/// Returns whether coordinates along an axis, at least 2 and rising, are a uniform grid's but for rounding: by no more
+/// than a millionth of the spacing, or the precision they are kept in.
+bool is_even(std::span<const double> nodes, bool single_precision);
 
 /// Returns the position of the node of a flat index, x fastest.
 inline Vec3 node_position(const UniformGrid& grid, std::size_t node) {

@@ -13,7 +13,7 @@
 
 namespace wakesurf::core {
 
-/// Offers IntervalFlow what UniformSampling does. `smooth` changes nothing: the field of a mesh of cells is
+/// Offers IntervalFlow what GridSampling does. `smooth` changes nothing: the field of a mesh of cells is
 /// what its shape functions give. Thread safety: concurrent calls are fine. It keeps a reference to the mesh.
 class CellSampling {
   public:

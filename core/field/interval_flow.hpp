@@ -18,7 +18,7 @@
 
 namespace wakesurf::core {
 
-/// @tparam Sampling  what samples the grid of the cache's source; uniform_sampling.hpp shows what is asked of
+/// @tparam Sampling  what samples the grid of the cache's source; grid_sampling.hpp shows what is asked of
 /// it
 template <class Sampling>
 class IntervalFlow final : public Flow {

@@ -1,9 +1,8 @@
 #include "core/field/stored_flow.hpp"
 
 #include "core/field/cell_sampling.hpp"
+#include "core/field/grid_sampling.hpp"
 #include "core/field/interval_flow.hpp"
-#include "core/field/rectilinear_sampling.hpp"
-#include "core/field/uniform_sampling.hpp"
 
 #include <variant>
 

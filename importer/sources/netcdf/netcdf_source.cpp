@@ -1,3 +1,4 @@
+#include "core/dataset/uniform_grid.hpp"
 #include "importer/base/notes.hpp"
 #include "importer/fields/velocity_choice.hpp"
 #include "importer/sources/blocks/fluid_blocks.hpp"
@@ -23,18 +24,6 @@ using core::FieldInfo;
 
 namespace {
 
-bool is_even(const std::vector<double>& nodes, bool single_precision) {
-    const double spacing = (nodes.back() - nodes.front()) / static_cast<double>(nodes.size() - 1);
-    if (!std::isfinite(spacing))
-        return false;
-    const double furthest = std::max(std::abs(nodes.front()), std::abs(nodes.back()));
-    const double slack = std::max(1e-6 * spacing, single_precision ? furthest * 0x1p-23 : 0.0);
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-        if (std::abs(nodes[i] - (nodes.front() + static_cast<double>(i) * spacing)) > slack)
-            return false;
-    return true;
-}
-
 vtkSmartPointer<vtkDataSet> make_grid(const NetcdfFile& file, const NetcdfGrid& grid) {
     std::array<int, 3> dimensions{};
     bool even = true;
@@ -43,7 +32,7 @@ vtkSmartPointer<vtkDataSet> make_grid(const NetcdfFile& file, const NetcdfGrid& 
         dimensions[i] = static_cast<int>(axis.nodes.size());
         const auto* variable =
             file.variable(file.dimensions()[static_cast<std::size_t>(axis.dimension)].name);
-        even = even && is_even(axis.nodes, variable != nullptr && variable->type == NC_FLOAT);
+        even = even && core::is_even(axis.nodes, variable != nullptr && variable->type == NC_FLOAT);
     }
     if (even) {
         auto image = vtkSmartPointer<vtkImageData>::New();

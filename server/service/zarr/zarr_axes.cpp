@@ -1,5 +1,6 @@
 #include "server/service/zarr/zarr_axes.hpp"
 
+#include "core/dataset/uniform_grid.hpp"
 #include "store/velocity_names.hpp"
 
 #include <algorithm>
@@ -97,16 +98,6 @@ line_along(const ZarrGroup& group, const ZarrArray& array, std::size_t axis, con
     return line != nullptr && line->shape == std::vector{array.shape[axis]} ? line : nullptr;
 }
 
-bool is_even(const std::vector<double>& nodes, bool single_precision) {
-    const double spacing = (nodes.back() - nodes.front()) / static_cast<double>(nodes.size() - 1);
-    const double furthest = std::max(std::abs(nodes.front()), std::abs(nodes.back()));
-    const double slack = std::max(1e-6 * spacing, single_precision ? furthest * 0x1p-23 : 0.0);
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-        if (std::abs(nodes[i] - (nodes.front() + static_cast<double>(i) * spacing)) > slack)
-            return false;
-    return true;
-}
-
 Result<void> check_rising(const std::vector<double>& values, const std::string& name) {
     for (std::size_t i = 0; i < values.size(); ++i)
         if (!std::isfinite(values[i]) || (i > 0 && !(values[i - 1] < values[i])))
@@ -194,7 +185,7 @@ Result<ZarrCoordinates> zarr_coordinates(const ZarrGroup& group,
         if (auto rising = check_rising(*read, line->name); !rising)
             return tl::unexpected(rising.error());
         const bool single = line->number == ZarrArray::Number::Float && line->number_bytes == 4;
-        even = even && is_even(*read, single);
+        even = even && core::is_even(*read, single);
         nodes[i] = std::move(*read);
         out.length_unit = line->unit;
     }

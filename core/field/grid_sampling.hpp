@@ -1,24 +1,33 @@
-// Samples a stored field on a rectilinear grid between two time-steps: as on a uniform one, but for the
-// smooth field, which is trilinear here.
+// Samples a stored field on a uniform or rectilinear grid between two time-steps: linear, smooth, in batches of the
+// vector kernel, or cell by cell, whichever serves. Only a uniform grid has a smooth field.
 #pragma once
 
 #include "core/field/advance_stored.hpp"
+#include "core/field/cubic_sampler.hpp"
 #include "core/field/rectilinear_axes.hpp"
 #include "core/field/stored_steps.hpp"
 
+#include <concepts>
+#include <mutex>
+#include <optional>
 #include <span>
 #include <stop_token>
 
 namespace wakesurf::core {
 
-/// Samples a rectilinear grid. Thread safety: concurrent calls are allowed. Keeps references to grid and
-/// mask. Twin: uniform_sampling.hpp.
-class RectilinearSampling {
+/// Samples on the grid of `Axes`: UniformGrid or RectilinearAxes. Thread safety: concurrent calls are fine. Keeps a
+/// reference to the mask.
+template <class Axes>
+class GridSampling {
   public:
-    static constexpr bool has_smooth = false;
+    static constexpr bool has_smooth = std::same_as<Axes, UniformGrid>;
     static constexpr bool steps_in_batches = true;
 
-    RectilinearSampling(const RectilinearGrid& grid, const SolidMask& mask, Simd simd);
+    /// @param grid  what the axes are made of
+    template <class Grid>
+    GridSampling(const Grid& grid, const SolidMask& mask, Simd simd)
+        : axes_(grid), mask_(mask), cells_(nodes_along(axes_), mask),
+          kernel_(choose_rk4_kernel(simd)) {}
 
     /// Returns the status at no particular time.
     PointStatus status(const Vec3& position) const { return linear({}).status(position); }
@@ -36,8 +45,8 @@ class RectilinearSampling {
                  const AdvanceOptions& options,
                  const std::stop_token& stop) const;
 
-    /// Velocities at points at one time, as particles are carried. False: not to be had here, or `stop`
-    /// fired.
+    /// Samples velocities at points at one time, as particles are carried. Returns false where they are not to be had
+    /// here, or if `stop` fired.
     bool sample_at(const Interval& interval,
                    std::span<const Vec3> positions,
                    double time,
@@ -54,19 +63,37 @@ class RectilinearSampling {
 
     /// Calls `use` with a sampler that has `velocity(position, time)`.
     template <class Use>
-    void with_field(const Interval& interval, bool /*smoothly*/, const Use& use) const {
+    void with_field(const Interval& interval, bool smoothly, const Use& use) const {
+        if constexpr (has_smooth)
+            if (smoothly)
+                return use(smooth(interval));
         use(linear(interval));
     }
 
   private:
-    GridSampler<RectilinearAxes> linear(const Interval& interval) const {
+    GridSampler<Axes> linear(const Interval& interval) const {
         return linear_sampler(axes_, cells_, mask_, interval);
     }
 
-    RectilinearAxes axes_;
+    static std::array<std::uint32_t, 3> nodes_along(const Axes& axes) {
+        if constexpr (has_smooth)
+            return axes.dimensions;
+        else
+            return axes.dimensions();
+    }
+
+    CubicSampler smooth(const Interval& interval) const requires has_smooth;
+
+    Axes axes_;
     const SolidMask& mask_;
     CellMask cells_;
+    mutable std::once_flag round_cells_made_;
+    /// Is made when the field is smooth for the first time.
+    mutable std::optional<CellMask> round_cells_;
     Rk4Kernel kernel_;
 };
+
+using UniformSampling = GridSampling<UniformGrid>;
+using RectilinearSampling = GridSampling<RectilinearAxes>;
 
 } // namespace wakesurf::core
