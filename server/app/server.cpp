@@ -14,7 +14,6 @@
 #include "server/service/base/late_file.hpp"
 #include "server/service/base/log_text.hpp"
 #include "server/service/base/shipped_files.hpp"
-#include "server/service/base/waking_clock.hpp"
 #include "server/service/compute/thread_priority.hpp"
 #include "server/service/journal/kept_sessions.hpp"
 #include "server/service/journal/sqlite_journal.hpp"
@@ -30,6 +29,7 @@
 #include <nlohmann/json.hpp>
 #include <signal.h>
 #include <spdlog/spdlog.h>
+#include <time.h>
 
 #include <map>
 #include <utility>
@@ -39,6 +39,17 @@ namespace wakesurf::server {
 namespace asio = boost::asio;
 
 namespace {
+
+/// Goes on while the machine sleeps, as a laptop does; no one can set it.
+class WakingClock final : public core::Clock {
+  public:
+    std::chrono::steady_clock::time_point now() const override {
+        timespec now{};
+        ::clock_gettime(CLOCK_BOOTTIME, &now);
+        return std::chrono::steady_clock::time_point(std::chrono::seconds(now.tv_sec) +
+                                                     std::chrono::nanoseconds(now.tv_nsec));
+    }
+};
 
 constexpr std::chrono::milliseconds goodbye{700};
 
@@ -66,60 +77,136 @@ limits::Budget budget_for(std::size_t connections) {
 
 } // namespace
 
-/// Holds the parts in order of dependence: the last declared is destroyed first. Connections end with the
-/// context's handlers, jobs with the pool.
-struct Server::Parts {
-    Parts(const ServerOptions& options, std::optional<KeptSessions> found)
-        : memory(options.memory), kept(std::move(found)), pool(options.threads),
-          files(StaticFiles::load(options.web.empty() ? find_web_client() : options.web)) {}
+/// Holds what can fail, and what that is made with. In order of need: what goes first is declared last.
+/// Connections end with the context's handlers.
+struct Server::Inputs {
+    Inputs(const ServerOptions& options, std::optional<KeptSessions> found)
+        : memory(options.memory), kept(std::move(found)), proxies(options.proxies),
+          headers(options.frame_origins) {}
 
-    void serve(const ServerOptions& options) {
-        port = listener->port();
+    core::Result<void> open(const ServerOptions& options);
+
+    ProcessAccount memory;
+    std::optional<KeptSessions> kept; ///< with `--state`
+    SystemEntropy entropy;
+    core::SteadyClock clock;
+    Metrics metrics{clock};
+    OutboxMemory outboxes{memory.account()};
+    const Admission::Limits places = limits_for_descriptors();
+    Admission admission{places, metrics};
+    Budgets budgets{clock, &metrics, budget_for(places.connections)};
+    TrustedProxies proxies;
+    SecurityHeaders headers;
+    std::unique_ptr<TlsContext> tls; ///< null: plain HTTP
+    Connections connections;
+    WriteTurns turns{[this](std::function<void()> task) { loop.post(std::move(task)); }, clock};
+    asio::io_context context{1};
+    IoLoop loop{context};
+    std::optional<LateFile> ended_logins; ///< with `--state`
+    std::optional<KeptLogins> logins;     ///< with `--state`
+    std::function<void(asio::ip::tcp::socket)> accepted;
+    std::shared_ptr<Listener> listener; ///< calls `accepted`, once it is started
+    std::function<void(const std::string& dataset)> changed;
+    std::unique_ptr<DatasetCatalogue> catalogue; ///< has the loop call `changed`
+};
+
+core::Result<void> Server::Inputs::open(const ServerOptions& options) {
+    if (kept) {
+        ended_logins.emplace(loop, kept->folder.path() / KeptLogins::ended_name);
+        auto found = KeptLogins::open(kept->folder.path(), entropy,
+                                      [this](std::string text, KeptLogins::Done done) {
+                                          ended_logins->put(std::move(text), std::move(done));
+                                      });
+        if (!found)
+            return tl::unexpected(found.error());
+        logins.emplace(std::move(*found));
+    }
+    if (!options.certificate.empty()) {
+        auto loaded = TlsContext::load(options.certificate, options.key);
+        if (!loaded)
+            return tl::unexpected(loaded.error());
+        tls = std::move(*loaded);
+    }
+    auto listening =
+        Listener::open(context, options.host, options.port,
+                       [this](asio::ip::tcp::socket socket) { accepted(std::move(socket)); });
+    if (!listening)
+        return tl::unexpected(listening.error());
+    listener = *listening;
+    OpenOptions how;
+    how.store_root = options.store_root;
+    how.taken = options.taken;
+    how.cache.account = memory.account();
+    if (!options.brick_words.empty()) {
+        how.ranks.emplace();
+        how.ranks->words = options.brick_words;
+        how.ranks->program = this_program().parent_path() / "wakesurf-bricks";
+        how.ranks->memory = options.brick_memory;
+    }
+    auto opened = DatasetCatalogue::open(options.datasets, how, [this](const std::string& dataset) {
+        loop.post([this, dataset] { changed(dataset); });
+    });
+    if (!opened)
+        return tl::unexpected(opened.error());
+    catalogue = std::move(*opened);
+    return {};
+}
+
+/// In order of need, like Inputs: what goes first is declared last. Jobs end with the pool.
+struct Server::Parts {
+    Parts(const ServerOptions& options, std::unique_ptr<Inputs> made)
+        : inputs(std::move(made)), pool(options.threads),
+          files(StaticFiles::load(options.web.empty() ? find_web_client() : options.web)),
+          desk(start_desk(options)), gate({options.token, options.host, port, options.origins,
+                                           in.tls != nullptr, in.logins ? &*in.logins : nullptr},
+                                          in.entropy,
+                                          in.clock,
+                                          grants,
+                                          &in.metrics) {
+        in.accepted = [this](asio::ip::tcp::socket socket) {
+            serve_http(std::move(socket),
+                       {routes, in.connections, grants, in.admission, in.budgets, in.proxies,
+                        in.metrics, in.outboxes, in.turns, in.headers, in.tls.get()});
+        };
+        in.changed = [this](const std::string& dataset) { tell_all(dataset); };
         if (journal)
-            metrics.durable(true);
-        desk = start_desk(options);
-        gate.emplace(GateOptions{options.token, options.host, port, options.origins, tls != nullptr,
-                                 logins ? &*logins : nullptr},
-                     entropy, clock, grants, &metrics);
-        std::string notice;
-        if (kept) {
-            starts.emplace(kept->folder.path());
-            if (starts->careful()) {
-                withheld_surfaces = withheld(starts->died());
-                notice = careful_notice(starts->died());
-                spdlog::warn("event=careful_start died={} message=\"{}\" hint=\"{}\"",
-                             starts->died(), withheld_surfaces->message, withheld_surfaces->hint);
-            }
-        }
-        datasets.emplace(*catalogue);
-        SessionServices services{loop, pool, *datasets, entropy, &metrics, journal.get(), &clock};
-        services.memory = &memory.account();
-        services.withheld = withheld_surfaces ? &*withheld_surfaces : nullptr;
-        sessions.emplace(std::move(services));
-        sessions->on_gone([this](const std::string& id) { grants.forget(id); });
-        dispatcher.emplace(
-            method_table(),
-            MethodContext{*sessions, *datasets, [this] { return dataset_entries(*catalogue); },
-                          prober, grants, clock, loop, journal.get(), [this] { return standing(); },
-                          &metrics, &imports.emplace(*catalogue, loop), notice, &budgets,
-                          &families.emplace(loop, pool, *catalogue, memory.account())},
-            protocol::RpcLimits{limits::message_bytes, limits::message_depth, limits::batch});
-        downloads.emplace(loop, pool, *sessions, *catalogue, memory.account());
-        session_files.emplace(loop, pool, *sessions, *datasets, journal.get());
-        routes.emplace(
-            *gate, budgets, outboxes, files, *dispatcher, *downloads, *session_files,
-            [this] { return metrics.text(standing()); },
-            [this] { return health_text(dataset_counts()); },
-            [this](const std::string& person) { connections.log_out(person); });
-        if (kept)
+            in.metrics.durable(true);
+        sessions.on_gone([this](const std::string& id) { grants.forget(id); });
+        if (in.kept)
             restore();
+    }
+
+    /// Returns why surfaces are not computed; nothing where they are.
+    std::optional<core::Error> why_withheld() const {
+        if (!starts || !starts->careful())
+            return std::nullopt;
+        core::Error why = withheld(starts->died());
+        spdlog::warn("event=careful_start died={} message=\"{}\" hint=\"{}\"", starts->died(),
+                     why.message, why.hint);
+        return why;
+    }
+
+    SessionServices session_services() {
+        SessionServices out{in.loop,     pool,          datasets, in.entropy,
+                            &in.metrics, journal.get(), &in.clock};
+        out.memory = &in.memory.account();
+        out.withheld = withheld_surfaces ? &*withheld_surfaces : nullptr;
+        return out;
+    }
+
+    MethodContext method_context() {
+        return {sessions,    datasets,      [this] { return dataset_entries(*in.catalogue); },
+                prober,      grants,        in.clock,
+                in.loop,     journal.get(), [this] { return standing(); },
+                &in.metrics, &imports,      withheld_surfaces ? careful_notice(starts->died()) : "",
+                &in.budgets, &families};
     }
 
     std::vector<DatasetCount> dataset_counts() const {
         std::vector<DatasetCount> out;
         for (const std::string_view state : dataset_state_names)
             out.push_back({state, 0});
-        for (const DatasetStatus& each : catalogue->list())
+        for (const DatasetStatus& each : in.catalogue->list())
             ++out[static_cast<std::size_t>(each.state)].count;
         return out;
     }
@@ -127,17 +214,17 @@ struct Server::Parts {
     Standing standing() const {
         Standing out;
         out.datasets = dataset_counts();
-        out.uptime = std::chrono::duration<double>(clock.now() - started).count();
-        out.connections = admission.connections();
-        out.clients = budgets.used(Use::Socket);
-        out.memory = memory_standing(memory.account());
-        out.sessions = sessions->all().size();
-        for (const auto& [id, session] : sessions->all()) {
+        out.uptime = std::chrono::duration<double>(in.clock.now() - started).count();
+        out.connections = in.admission.connections();
+        out.clients = in.budgets.used(Use::Socket);
+        out.memory = memory_standing(in.memory.account());
+        out.sessions = sessions.all().size();
+        for (const auto& [id, session] : sessions.all()) {
             out.surfaces += session->records().count(RecordType::Surface);
             out.participants += session->participants().present().size();
         }
-        for (const DatasetStatus& each : catalogue->list())
-            if (const auto open = catalogue->find(each.dataset); open && (*open)->cache) {
+        for (const DatasetStatus& each : in.catalogue->list())
+            if (const auto open = in.catalogue->find(each.dataset); open && (*open)->cache) {
                 const auto status = (*open)->cache->status();
                 out.caches.push_back(
                     {each.dataset, status.hits, status.loads, status.bytes, status.budget});
@@ -152,19 +239,19 @@ struct Server::Parts {
 
     /// Detects memory that was taken without the account, and makes others release some.
     void watch_memory() {
-        if (memory.too_much())
-            pool.run([account = memory.account()] { account.make_room(0); });
-        for (const DatasetStatus& each : catalogue->list())
-            if (const auto open = catalogue->find(each.dataset); open && (*open)->levels)
+        if (in.memory.too_much())
+            pool.run([account = in.memory.account()] { account.make_room(0); });
+        for (const DatasetStatus& each : in.catalogue->list())
+            if (const auto open = in.catalogue->find(each.dataset); open && (*open)->levels)
                 pool.let_go((*open)->levels->take_idle());
-        watching = loop.after(limits::memory_look, [this] { watch_memory(); });
+        watching = in.loop.after(limits::memory_look, [this] { watch_memory(); });
     }
 
     std::unique_ptr<SqliteJournal> start_journal() {
-        if (!kept)
+        if (!in.kept)
             return nullptr;
         return std::make_unique<SqliteJournal>(
-            loop, std::move(kept->store),
+            in.loop, std::move(in.kept->store),
             [this](const core::Result<void>& turn) { tell_durability(turn); });
     }
 
@@ -179,13 +266,13 @@ struct Server::Parts {
 
     void restore() {
         const RestoredSessions restored =
-            restore_sessions(std::exchange(kept->sessions, {}), *sessions, grants);
-        for (const auto& [id, records] : std::exchange(kept->aside, {}))
-            if (const auto session = sessions->find(id))
+            restore_sessions(std::exchange(in.kept->sessions, {}), sessions, grants);
+        for (const auto& [id, records] : std::exchange(in.kept->aside, {}))
+            if (const auto session = sessions.find(id))
                 (*session)->recall_aside(records, false);
-        for (const auto& [id, records] : std::exchange(kept->damaged, {})) {
+        for (const auto& [id, records] : std::exchange(in.kept->damaged, {})) {
             spdlog::warn("event=records_damaged session={} count={}", id, records.size());
-            if (const auto session = sessions->find(id))
+            if (const auto session = sessions.find(id))
                 (*session)->recall_aside(records, true);
         }
         for (const RestoredSessions::Refused& each : restored.refused)
@@ -195,21 +282,21 @@ struct Server::Parts {
     }
 
     void tell_durability(const core::Result<void>& turn) {
-        metrics.durable(turn.has_value());
+        in.metrics.durable(turn.has_value());
         spdlog::log(turn ? spdlog::level::info : spdlog::level::warn, "event=durable yes={}",
                     turn.has_value());
-        connections.announce(durability_notice(turn));
+        in.connections.announce(durability_notice(turn));
     }
 
     void tell_all(const std::string& dataset) {
-        const auto open = catalogue->find(dataset);
+        const auto open = in.catalogue->find(dataset);
         if (open)
             news.watch(dataset, (*open)->cache);
-        sessions->dataset_changed(dataset);
+        sessions.dataset_changed(dataset);
         tell_of_replaced_data(dataset, open ? (*open)->store : nullptr);
-        imports->changed(dataset);
-        if (const auto status = catalogue->status(dataset))
-            connections.announce(
+        imports.changed(dataset);
+        if (const auto status = in.catalogue->status(dataset))
+            in.connections.announce(
                 protocol::rpc_notification("dataset.patched", dataset_entry(*status)));
     }
 
@@ -228,15 +315,15 @@ struct Server::Parts {
         if (!known || same)
             return;
         spdlog::info("event=data_replaced dataset={}", log_value(dataset));
-        connections.announce(replaced_data_notice({catalogue->status(dataset)->name}));
+        in.connections.announce(replaced_data_notice({in.catalogue->status(dataset)->name}));
     }
 
     /// Ends run() once every client has taken the goodbye, or at `deadline`.
     void stop_when_alone(std::chrono::steady_clock::time_point deadline) {
-        if (connections.count() == 0 || clock.now() >= deadline)
-            return context.stop();
-        waiting = loop.after(std::chrono::milliseconds(10),
-                             [this, deadline] { stop_when_alone(deadline); });
+        if (in.connections.count() == 0 || in.clock.now() >= deadline)
+            return in.context.stop();
+        waiting = in.loop.after(std::chrono::milliseconds(10),
+                                [this, deadline] { stop_when_alone(deadline); });
     }
 
     /// Loads a renewed certificate at SIGHUP.
@@ -244,7 +331,7 @@ struct Server::Parts {
         hangup.async_wait([this, &hangup](boost::system::error_code error, int) {
             if (error)
                 return;
-            if (const auto renewed = tls->renew())
+            if (const auto renewed = in.tls->renew())
                 spdlog::info("event=certificate_renewed");
             else
                 spdlog::warn("event=certificate_kept reason={}",
@@ -254,38 +341,22 @@ struct Server::Parts {
     }
 
     void run_what_is_left() {
-        context.restart();
+        in.context.restart();
         for (int round = 0; round < 16; ++round)
-            context.poll();
+            in.context.poll();
     }
 
-    ProcessAccount memory;
-    std::optional<KeptSessions> kept;
-    std::optional<StartGuard> starts; ///< with `--state`
-    std::optional<core::Error> withheld_surfaces;
-    SystemEntropy entropy;
-    core::SteadyClock clock;
-    const std::chrono::steady_clock::time_point started = clock.now();
-    Metrics metrics{clock};
-    OutboxMemory outboxes{memory.account()};
-    const Admission::Limits places = limits_for_descriptors();
-    Admission admission{places, metrics};
-    Budgets budgets{clock, &metrics, budget_for(places.connections)};
-    TrustedProxies proxies;
-    SecurityHeaders headers;
-    std::unique_ptr<TlsContext> tls;
-    Connections connections;
-    WriteTurns turns{[this](std::function<void()> task) { loop.post(std::move(task)); }, clock};
-    asio::io_context context{1};
-    IoLoop loop{context};
+    std::unique_ptr<Inputs> inputs;
+    Inputs& in = *inputs;
+    const std::chrono::steady_clock::time_point started = in.clock.now();
     ComputePool pool;
-    Prober prober{loop, pool};
-    CacheNews news{loop, [this](const std::string& message) { connections.announce(message); }};
+    Prober prober{in.loop, pool};
+    CacheNews news{in.loop,
+                   [this](const std::string& message) { in.connections.announce(message); }};
     StaticFiles files;
     std::uint16_t port = 0;
     std::unique_ptr<SqliteJournal> journal = start_journal(); ///< null without `--state`
     std::unique_ptr<StateDesk> desk;                          ///< its thread asks the journal
-    std::unique_ptr<DatasetCatalogue> catalogue;
     WakingClock waking;
     Grants grants{{loop, waking, entropy, unix_seconds, journal.get()}};
     std::optional<LateFile> ended_logins; ///< with `--state`
@@ -300,7 +371,6 @@ struct Server::Parts {
     std::optional<SessionFiles> session_files;
     std::optional<Routes> routes;
     std::map<std::string, std::shared_ptr<const store::StoreReader>> told; ///< data, by dataset
-    std::shared_ptr<Listener> listener;
     std::shared_ptr<void> waiting, watching; ///< timers of stop_when_alone, watch_memory
 };
 
@@ -316,55 +386,10 @@ core::Result<std::unique_ptr<Server>> Server::open(const ServerOptions& options)
             return tl::unexpected(found.error());
         kept.emplace(std::move(*found));
     }
-    auto parts = std::make_unique<Parts>(options, std::move(kept));
-    Parts* const all = parts.get();
-    all->proxies = options.proxies;
-    all->headers = SecurityHeaders(options.frame_origins);
-    if (all->kept) {
-        all->ended_logins.emplace(all->loop, all->kept->folder.path() / KeptLogins::ended_name);
-        auto logins = KeptLogins::open(all->kept->folder.path(), all->entropy,
-                                       [all](std::string text, KeptLogins::Done done) {
-                                           all->ended_logins->put(std::move(text), std::move(done));
-                                       });
-        if (!logins)
-            return tl::unexpected(logins.error());
-        all->logins.emplace(std::move(*logins));
-    }
-    if (!options.certificate.empty()) {
-        auto tls = TlsContext::load(options.certificate, options.key);
-        if (!tls)
-            return tl::unexpected(tls.error());
-        all->tls = std::move(*tls);
-    }
-    auto listener = Listener::open(
-        all->context, options.host, options.port, [all](asio::ip::tcp::socket socket) {
-            serve_http(std::move(socket),
-                       {*all->routes, all->connections, all->grants, all->admission, all->budgets,
-                        all->proxies, all->metrics, all->outboxes, all->turns, all->headers,
-                        all->tls.get()});
-        });
-    if (!listener)
-        return tl::unexpected(listener.error());
-    all->listener = *listener;
-    OpenOptions open;
-    open.store_root = options.store_root;
-    open.taken = options.taken;
-    open.cache.account = all->memory.account();
-    if (!options.brick_words.empty()) {
-        open.ranks.emplace();
-        open.ranks->words = options.brick_words;
-        open.ranks->program = this_program().parent_path() / "wakesurf-bricks";
-        open.ranks->memory = options.brick_memory;
-    }
-    auto catalogue =
-        DatasetCatalogue::open(options.datasets, open, [all](const std::string& dataset) {
-            all->loop.post([all, dataset] { all->tell_all(dataset); });
-        });
-    if (!catalogue)
-        return tl::unexpected(catalogue.error());
-    all->catalogue = std::move(*catalogue);
-    all->serve(options);
-    return std::unique_ptr<Server>(new Server(std::move(parts)));
+    auto inputs = std::make_unique<Inputs>(options, std::move(kept));
+    if (auto opened = inputs->open(options); !opened)
+        return tl::unexpected(opened.error());
+    return std::unique_ptr<Server>(new Server(std::make_unique<Parts>(options, std::move(inputs))));
 }
 
 std::uint16_t Server::port() const {
@@ -377,15 +402,16 @@ std::size_t Server::end_links() {
 
 void Server::run() {
     Parts& all = *parts_;
+    Inputs& in = all.in;
     if (all.files.empty())
         spdlog::warn("event=no_web_client message=\"the page is not beside this program\" "
                      "hint=\"build it, as ./run "
                      "does, or name its folder with --web; scripts can still connect\"");
     if (!all.journal)
         spdlog::info("event=sessions_not_kept hint=\"--state DIR keeps them\"");
-    asio::signal_set signals(all.context, SIGINT, SIGTERM);
-    asio::signal_set hangup(all.context);
-    if (all.tls) {
+    asio::signal_set signals(in.context, SIGINT, SIGTERM);
+    asio::signal_set hangup(in.context);
+    if (in.tls) {
         hangup.add(SIGHUP);
         all.renew_tls_on(hangup);
     } else if (!ignored(SIGHUP)) // nohup wants it to continue
@@ -393,16 +419,16 @@ void Server::run() {
     signals.async_wait([&](boost::system::error_code error, int) {
         if (error)
             return;
-        spdlog::info("event=stopping clients={}", all.budgets.used(Use::Socket));
-        all.listener->stop();
-        all.connections.go_away();
+        spdlog::info("event=stopping clients={}", in.budgets.used(Use::Socket));
+        in.listener->stop();
+        in.connections.go_away();
         all.stop_when_alone(std::chrono::steady_clock::now() + goodbye);
     });
-    spdlog::info("event=listening port={} tls={} connections={}", all.port, all.tls != nullptr,
-                 all.places.connections);
-    all.listener->start();
+    spdlog::info("event=listening port={} tls={} connections={}", all.port, in.tls != nullptr,
+                 in.places.connections);
+    in.listener->start();
     all.watch_memory();
-    const auto served = all.loop.after(limits::start_watched, [&all] {
+    const auto served = in.loop.after(limits::start_watched, [&all] {
         if (all.starts)
             all.starts->good();
     });
@@ -415,7 +441,7 @@ void Server::run() {
         all.starts->good();
     if (!all.journal)
         return;
-    all.sessions->keep_times();
+    all.sessions.keep_times();
     all.journal->finish();
     all.run_what_is_left();
 }

@@ -54,6 +54,7 @@ class Server {
     void run();
 
   private:
+    struct Inputs;
     struct Parts;
     explicit Server(std::unique_ptr<Parts> parts);
 

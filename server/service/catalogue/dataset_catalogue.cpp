@@ -1,12 +1,13 @@
 #include "server/service/catalogue/dataset_catalogue.hpp"
 
 #include "server/service/base/private_file.hpp"
-#include "server/service/catalogue/import_memory.hpp"
 #include "server/service/catalogue/import_process.hpp"
 #include "store/store_manifest.hpp"
 
 #include <algorithm>
 #include <chrono>
+#include <cstddef>
+#include <stop_token>
 
 namespace wakesurf::server {
 
@@ -15,6 +16,31 @@ using core::Error;
 namespace {
 
 constexpr std::size_t longest_choice = 4096; // bytes
+
+// The least memory an importer is given, in bytes: with less, none could begin.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr std::size_t smallest_import = std::size_t{1} << 30;
+#else
+constexpr std::size_t smallest_import = std::size_t{64} << 20;
+#endif
+
+// All imports together take one part in so many of the memory.
+constexpr std::size_t import_part = 4;
+
+/// Takes what an import under way needs from the account, as it is another process of the same machine, and waits until
+/// others have given it back.
+/// @param nth  the share is one `nth` of what there is for imports
+core::Result<core::MemoryAccount::Share>
+import_memory(const OpenOptions& options, std::size_t nth, const std::stop_token& stop) {
+    constexpr std::chrono::seconds patience{30};
+    if (!options.cache.account)
+        return core::MemoryAccount::Share();
+    auto share = options.cache.account->open(core::MemoryUse::Importers);
+    const std::size_t bytes = options.cache.account->budget() / import_part / nth;
+    if (share.grow_to(bytes, stop, patience) || stop.stop_requested())
+        return share;
+    return tl::unexpected(options.cache.account->refusal("importing", bytes));
+}
 
 } // namespace
 

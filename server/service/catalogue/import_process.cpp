@@ -5,14 +5,18 @@
 #include "protocol/api/dataset_json.hpp"
 #include "server/service/base/shipped_files.hpp"
 #include "server/service/catalogue/child_process.hpp"
-#include "server/service/catalogue/file_being_written.hpp"
 
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <chrono>
 #include <csignal>
+#include <filesystem>
+#include <optional>
+#include <string_view>
 
 namespace wakesurf::server {
 
@@ -21,6 +25,63 @@ using core::Error;
 namespace {
 
 constexpr std::string_view program_name = "wakesurf-import";
+
+/// A file that was changed so recently may still grow.
+constexpr std::chrono::seconds still_written{5};
+
+constexpr int deepest_folder = 3;
+constexpr int most_files = 20'000;
+
+bool within_a_name(std::string_view text, std::size_t at) {
+    const auto alphanumeric = [&](std::size_t i) {
+        return i < text.size() && std::isalnum(static_cast<unsigned char>(text[i])) != 0;
+    };
+    if (at >= text.size())
+        return false;
+    return alphanumeric(at) || text[at] == '_' || text[at] == '-' ||
+           (text[at] == '.' && alphanumeric(at + 1));
+}
+
+bool speaks_of(std::string_view words, std::string_view name) {
+    for (auto at = words.find(name); at != std::string_view::npos; at = words.find(name, at + 1))
+        if ((at == 0 || !within_a_name(words, at - 1)) && !within_a_name(words, at + name.size()))
+            return true;
+    return false;
+}
+
+bool speaks_of_a_part(const std::string& words, const std::filesystem::path& file) {
+    for (const auto& part : file)
+        if (speaks_of(words, part.string()))
+            return true;
+    return false;
+}
+
+/// Returns the name of a file in the source's folder, or three folders below, that `words` (of a reader) name and that was
+/// changed within the last `still_written`: what cannot be read of it is not damage. A time folder of a case stands for the
+/// files in it.
+std::optional<std::string> file_being_written(const std::filesystem::path& source,
+                                              const std::string& words) {
+    std::error_code error;
+    std::filesystem::path folder =
+        std::filesystem::is_directory(source, error) ? source : source.parent_path();
+    if (folder.empty())
+        folder = ".";
+    const auto since = std::filesystem::file_time_type::clock::now() - still_written;
+    int seen = 0;
+    for (std::filesystem::recursive_directory_iterator entry(folder, error), end;
+         !error && entry != end && seen < most_files; entry.increment(error), ++seen) {
+        if (entry.depth() >= deepest_folder)
+            entry.disable_recursion_pending();
+        std::error_code unknown;
+        const auto changed = std::filesystem::last_write_time(entry->path(), unknown);
+        if (unknown || changed < since || !entry->is_regular_file(unknown))
+            continue;
+        const auto name = entry->path().lexically_relative(folder);
+        if (speaks_of_a_part(words, name))
+            return name.string();
+    }
+    return std::nullopt;
+}
 
 std::filesystem::path program_of(const ImportCommand& command) {
     if (!command.program.empty())

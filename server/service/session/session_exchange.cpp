@@ -2,9 +2,11 @@
 
 #include "core/base/plain_text.hpp"
 #include "protocol/api/utc_text.hpp"
+#include "server/service/base/secret.hpp"
 #include "server/service/limits.hpp"
-#include "server/service/session/data/dataset_mark.hpp"
 #include "server/service/session/records/record_room.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
@@ -17,6 +19,40 @@ using core::Error;
 using core::fail;
 
 namespace {
+
+/// Writes what the fingerprint covers: coordinates to single precision, so that a store of either precision has the same.
+std::string identity_of(const core::DatasetInfo& info) {
+    const auto& [lo, hi] = info.bounds;
+    std::string out = fmt::format("{} {} {} {} {} {} {:.6g} {:.6g} {:.6g} {:.6g} {:.6g} {:.6g} {}",
+                                  static_cast<int>(info.grid), info.dimensions[0],
+                                  info.dimensions[1], info.dimensions[2], info.points, info.cells,
+                                  lo.x, lo.y, lo.z, hi.x, hi.y, hi.z, info.velocity);
+    if (info.grid == core::GridKind::Analytic)
+        out += " " + info.name;
+    for (const core::FieldInfo& each : info.fields)
+        if (!each.family) // anybody may make one of the same data
+            out += fmt::format(";{}:{}", each.name, each.components);
+    return out;
+}
+
+/// Marks a dataset so that it is told from others of its name: by mesh and fields, and by its values, of which a growing
+/// simulation changes none.
+protocol::DatasetMark mark_of(const OpenDataset& dataset) {
+    const core::DatasetInfo& info = dataset.info;
+    protocol::DatasetMark mark;
+    mark.dataset = info.dataset;
+    mark.name = info.name;
+    mark.fingerprint = digest_text(secret_digest(identity_of(info)));
+    if (dataset.store != nullptr)
+        mark.values = dataset.store->values();
+    mark.steps = info.times.size();
+    if (!info.times.empty()) {
+        mark.first = info.times.front();
+        mark.last = info.times.back();
+    }
+    mark.bounds = info.bounds;
+    return mark;
+}
 
 std::string list_of(const std::set<std::string>& ids) {
     std::string out;

@@ -1,19 +1,38 @@
 #include "server/service/session/records/record_entries.hpp"
 
+#include "core/base/plain_text.hpp"
 #include "core/surface/time_direction.hpp"
-#include "server/service/session/records/clean_names.hpp"
 #include "server/service/session/records/older_surface.hpp"
 #include "server/service/session/records/thumbnail.hpp"
 
 #include <algorithm>
 #include <map>
+#include <type_traits>
 #include <utility>
+#include <variant>
 
 namespace wakesurf::server {
 
 using core::Error;
 
 namespace {
+
+/// Cleans what people type (names of rakes and bookmarks, texts of notes, names of authors), so that nothing in it acts.
+void clean_names(Record& record) {
+    const auto clean = [](std::string& name) { name = core::display_name(name, name.size()); };
+    std::visit(
+        [&](auto& each) {
+            using Kind = std::decay_t<decltype(each)>;
+            if constexpr (std::is_same_v<Kind, protocol::AnnotationRecord>)
+                each.text = core::display_lines(each.text, each.text.size());
+            else if constexpr (!std::is_same_v<Kind, protocol::SurfaceRecord>)
+                clean(each.name);
+            if constexpr (std::is_same_v<Kind, protocol::AnnotationRecord> ||
+                          std::is_same_v<Kind, protocol::RakeRecord>)
+                clean(each.author);
+        },
+        record);
+}
 
 core::Result<Record> parse(RecordType type, const std::string& text) {
     const auto wide = [](auto record) { return Record(std::move(record)); };
