@@ -248,7 +248,7 @@ core::Result<void> Downloads::offer(const HttpRequest& request,
     const auto session = sessions_.find(place.session);
     if (!session)
         return tl::unexpected(session.error());
-    const auto record = (*session)->surface(place.surface);
+    const auto record = (*session)->records().get<protocol::SurfaceRecord>(place.surface);
     if (!record)
         return tl::unexpected(record.error());
     // An error of the surface, for example that a user has stopped it, holds for its file as well.

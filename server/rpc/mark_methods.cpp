@@ -8,11 +8,10 @@ namespace wakesurf::server {
 namespace {
 
 constexpr RecordHandlers<protocol::BookmarkRecord, protocol::BookmarkSetting> bookmark_handlers{
-    "bookmark", &Session::bookmark, &Session::set_bookmark, &Session::delete_bookmark};
+    "bookmark", &Session::set_bookmark};
 
 constexpr RecordHandlers<protocol::AnnotationRecord, protocol::AnnotationSetting>
-    annotation_handlers{"annotation", &Session::annotation, &Session::set_annotation,
-                        &Session::delete_annotation};
+    annotation_handlers{"annotation", &Session::set_annotation};
 
 void bookmark_set(const Call& call, const protocol::BookmarkSetting& setting, Reply reply) {
     bookmark_handlers.set(call, setting, setting.bookmark, std::move(reply));

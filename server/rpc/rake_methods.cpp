@@ -48,7 +48,7 @@ std::optional<protocol::RpcFault> refusal(Session& session,
                                           std::optional<std::uint64_t> if_rev,
                                           bool force,
                                           const Call& call) {
-    const auto now = session.rake(rake);
+    const auto now = session.records().get<protocol::RakeRecord>(rake);
     if (!now)
         return protocol::fault_of(now.error());
     if (force && !is_host(call, session))
@@ -94,7 +94,7 @@ void rake_delete(const Call& call, const protocol::RakeDelete& of, Reply reply) 
     const Author author = author_of(call, **session, of.gesture);
     if (const auto refused = refusal(**session, of.rake, author, of.if_rev, of.force, call))
         return reply.fault(*refused);
-    if (const auto done = (*session)->delete_rake(of.rake, author); !done)
+    if (const auto done = (*session)->remove({RecordType::Rake, of.rake}, author); !done)
         return reply.fault(done.error());
     reply_with_seq(std::move(reply), **session);
 }

@@ -21,20 +21,19 @@ std::optional<protocol::RpcFault> stale_revision(std::optional<std::uint64_t> ex
                                                  std::uint64_t rev,
                                                  const nlohmann::json& record);
 
-/// Says how the methods on a type of record name, find, set and delete it.
+/// Says how the methods on a type of record name and set it.
 template <class R, class Setting>
 struct RecordHandlers {
     const char* type; ///< the member with its id
-    core::Result<R> (Session::*find)(const std::string& id) const;
     core::Result<R> (Session::*put)(const Setting& setting, const Author& author);
-    core::Result<void> (Session::*erase)(const std::string& id, const Author& author);
 
     /// Says why an edit is refused that was meant for another revision.
     std::optional<protocol::RpcFault> stale(const Session& session,
                                             const std::optional<std::string>& id,
                                             std::optional<std::uint64_t> if_rev) const {
-        const auto now = id ? (session.*find)(*id) : core::fail(core::Error::Code::NotFound, type);
-        return now ? stale_revision(if_rev, now->rev, protocol::record_json(*now)) : std::nullopt;
+        const R* const now = id ? session.records().find<R>(*id) : nullptr;
+        return now != nullptr ? stale_revision(if_rev, now->rev, protocol::record_json(*now))
+                              : std::nullopt;
     }
 
     /// Sets the record `id`, or a new one, and answers {TYPE, rev, seq}.
@@ -67,7 +66,7 @@ struct RecordHandlers {
         if (const auto refused = stale(**session, id, parameters.if_rev))
             return reply.fault(*refused);
         const Author author = author_of(call, **session, parameters.gesture);
-        if (const auto done = ((**session).*erase)(id, author); !done)
+        if (const auto done = (*session)->remove({type_of_record<R>, id}, author); !done)
             return reply.fault(done.error());
         reply_with_seq(std::move(reply), **session);
     }

@@ -107,7 +107,7 @@ void server_stats(const Call& call, const protocol::ServerStats&, Reply reply) {
     if (!session)
         return reply.fault(session.error());
     reply.result(stages_json(*call.context.metrics, (*session)->participants().present().size(),
-                             (*session)->surfaces().size()));
+                             (*session)->records().count(RecordType::Surface)));
 }
 
 } // namespace

@@ -9,7 +9,7 @@ namespace wakesurf::server {
 namespace {
 
 constexpr RecordHandlers<protocol::SurfaceRecord, protocol::SurfaceSetting> surface_handlers{
-    "surface", &Session::surface, &Session::set_surface, &Session::delete_surface};
+    "surface", &Session::set_surface};
 
 /// Where `from` is left out; what is wrong with the dataset is told later.
 double usual_start(const Call& call, const protocol::SurfaceSetting& asked) {

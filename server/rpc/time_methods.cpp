@@ -18,7 +18,7 @@ void time_set(const Call& call, const protocol::TimeSet& to, Reply reply) {
     if (!session)
         return reply.fault(session.error());
     if (to.time.value)
-        if (const auto there = (*session)->check_time("time", *to.time.value); !there)
+        if (const auto there = (*session)->builds().check_time("time", *to.time.value); !there)
             return reply.fault(there.error());
     (*session)->clock().set(to.time.value);
     answer(**session, reply);
@@ -30,9 +30,10 @@ void time_play(const Call& call, const protocol::PlaySetting& setting, Reply rep
         return reply.fault(session.error());
     for (const auto& [name, time] : {std::pair{"from", setting.from}, {"to", setting.to}})
         if (time)
-            if (const auto there = (*session)->check_time(name, *time); !there)
+            if (const auto there = (*session)->builds().check_time(name, *time); !there)
                 return reply.fault(there.error());
-    if (const auto plays = (*session)->clock().play(setting, (*session)->moving_range()); !plays)
+    if (const auto plays = (*session)->clock().play(setting, (*session)->builds().moving_range());
+        !plays)
         return reply.fault(plays.error());
     answer(**session, reply);
 }

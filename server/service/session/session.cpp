@@ -13,32 +13,6 @@ namespace wakesurf::server {
 using core::Error;
 using core::fail;
 
-namespace {
-
-tl::unexpected<Error> no_record(const RecordKey& key) {
-    const std::string type(name(key.type));
-    return fail(Error::Code::NotFound, "there is no " + type + " `" + key.id.substr(0, 64) + "`",
-                "`" + type + ".list` lists them");
-}
-
-template <class R>
-core::Result<R> found_or(const R* record, const RecordKey& key) {
-    if (record == nullptr)
-        return no_record(key);
-    return *record;
-}
-
-template <class R>
-std::vector<R> values_of(const std::map<std::string, R>& records) {
-    std::vector<R> out;
-    out.reserve(records.size());
-    for (const auto& [id, record] : records)
-        out.push_back(record);
-    return out;
-}
-
-} // namespace
-
 Session::Session(std::string id,
                  std::string name,
                  SessionServices services,
@@ -69,30 +43,6 @@ std::optional<std::vector<Patch>> Session::changes_since(std::uint64_t seq) cons
             if (std::holds_alternative<protocol::ClockRecord>(each))
                 each = clock_.record();
     return changes;
-}
-
-std::vector<protocol::RakeRecord> Session::rakes() const {
-    return values_of(records_.all<protocol::RakeRecord>());
-}
-
-std::vector<protocol::SurfaceRecord> Session::surfaces() const {
-    return values_of(records_.all<protocol::SurfaceRecord>());
-}
-
-core::Result<protocol::RakeRecord> Session::rake(const std::string& id) const {
-    return found_or(records_.find<protocol::RakeRecord>(id), {RecordType::Rake, id});
-}
-
-core::Result<protocol::SurfaceRecord> Session::surface(const std::string& id) const {
-    return found_or(records_.find<protocol::SurfaceRecord>(id), {RecordType::Surface, id});
-}
-
-core::Result<protocol::BookmarkRecord> Session::bookmark(const std::string& id) const {
-    return found_or(records_.find<protocol::BookmarkRecord>(id), {RecordType::Bookmark, id});
-}
-
-core::Result<protocol::AnnotationRecord> Session::annotation(const std::string& id) const {
-    return found_or(records_.find<protocol::AnnotationRecord>(id), {RecordType::Annotation, id});
 }
 
 core::Result<std::shared_ptr<LiveSurface>> Session::live(const std::string& id) const {
@@ -257,22 +207,6 @@ core::Result<void> Session::remove(const RecordKey& key, const Author& author) {
         return no_record(key);
     edit(deletion(key), author);
     return {};
-}
-
-core::Result<void> Session::delete_rake(const std::string& id, const Author& author) {
-    return remove({RecordType::Rake, id}, author);
-}
-
-core::Result<void> Session::delete_surface(const std::string& id, const Author& author) {
-    return remove({RecordType::Surface, id}, author);
-}
-
-core::Result<void> Session::delete_bookmark(const std::string& id, const Author& author) {
-    return remove({RecordType::Bookmark, id}, author);
-}
-
-core::Result<void> Session::delete_annotation(const std::string& id, const Author& author) {
-    return remove({RecordType::Annotation, id}, author);
 }
 
 core::Result<protocol::SurfaceRecord> Session::set_surface(const protocol::SurfaceSetting& asked,

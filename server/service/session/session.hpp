@@ -82,25 +82,10 @@ class Session {
 
     const SessionClock& clock() const { return clock_; }
 
-    /// Returns the times that its moving surfaces can be played over; nothing without any.
-    std::optional<std::array<double, 2>> moving_range() const { return builds_.moving_range(); }
-
-    /// Checks like SurfaceBuilds::check_time.
-    core::Result<void> check_time(const char* name, double time) const {
-        return builds_.check_time(name, time);
-    }
-
     /// Returns what ChangeLog::since does, with the clock as it is now.
     std::optional<std::vector<Patch>> changes_since(std::uint64_t seq) const;
 
-    std::vector<protocol::RakeRecord> rakes() const;
-    std::vector<protocol::SurfaceRecord> surfaces() const;
-
-    /// Error: NotFound.
-    core::Result<protocol::RakeRecord> rake(const std::string& id) const;
-    core::Result<protocol::SurfaceRecord> surface(const std::string& id) const;
-    core::Result<protocol::BookmarkRecord> bookmark(const std::string& id) const;
-    core::Result<protocol::AnnotationRecord> annotation(const std::string& id) const;
+    /// Error: NotFound if no surface has the id.
     core::Result<std::shared_ptr<LiveSurface>> live(const std::string& id) const;
 
     /// Works like Participants::join; the profile remembers who came.
@@ -125,25 +110,22 @@ class Session {
     core::Result<RakeChange> set_rake(const protocol::RakeSetting& setting,
                                       const Author& author = {});
 
-    /// Deletes the surfaces that hang on it as well.
-    core::Result<void> delete_rake(const std::string& id, const Author& author = {});
-
     /// Creates or replaces a surface and starts building it. Error: NotFound (surface, rake, dataset),
     /// Unsupported (kind), OutOfTime, OutOfDomain, InvalidArgument, OverLimit.
     core::Result<protocol::SurfaceRecord> set_surface(const protocol::SurfaceSetting& setting,
                                                       const Author& author = {});
-    core::Result<void> delete_surface(const std::string& id, const Author& author = {});
 
     /// Error: NotFound, OverLimit.
     core::Result<protocol::BookmarkRecord> set_bookmark(const protocol::BookmarkSetting& setting,
                                                         const Author& author = {});
-    core::Result<void> delete_bookmark(const std::string& id, const Author& author = {});
 
     /// Creates or replaces an annotation. A new one carries the author's name, and keeps it. Error: NotFound
     /// (annotation, surface), OverLimit.
     core::Result<protocol::AnnotationRecord>
     set_annotation(const protocol::AnnotationSetting& setting, const Author& author = {});
-    core::Result<void> delete_annotation(const std::string& id, const Author& author = {});
+
+    /// Deletes a record, and with a rake the surfaces that hang on it. Error: NotFound if there is none.
+    core::Result<void> remove(const RecordKey& key, const Author& author = {});
 
     /// Takes the author's newest edit back, or does it again, as an edit like any other. Where a record of
     /// it is no longer as the author left it, nothing happens but that the edit is forgotten.
@@ -212,7 +194,6 @@ class Session {
     core::Result<void> may_keep(const Record& record) const;
     core::Result<void> has_room(std::size_t before, std::size_t after) const;
     void count_memory();
-    core::Result<void> remove(const RecordKey& key, const Author& author);
     core::Result<core::ClippedRake> clip(const protocol::RakeSetting& setting) const;
     core::Result<core::ClippedRake> clip_to(const core::Rake& shape,
                                             const std::string& dataset) const;

@@ -30,7 +30,8 @@ class RandomEdits {
                 author);
             break;
         case 5:
-            (void)session.delete_rake(some(server::RecordType::Rake), author);
+            (void)session.remove({server::RecordType::Rake, some(server::RecordType::Rake)},
+                                 author);
             break;
         case 6:
             (void)session.set_surface(surface_on(some(server::RecordType::Rake)), author);
@@ -41,7 +42,8 @@ class RandomEdits {
                 author);
             break;
         case 8:
-            (void)session.delete_surface(some(server::RecordType::Surface), author);
+            (void)session.remove({server::RecordType::Surface, some(server::RecordType::Surface)},
+                                 author);
             break;
         case 9:
             (void)session.set_bookmark(
@@ -49,14 +51,16 @@ class RandomEdits {
                 author);
             break;
         case 10:
-            (void)session.delete_bookmark(some(server::RecordType::Bookmark), author);
+            (void)session.remove({server::RecordType::Bookmark, some(server::RecordType::Bookmark)},
+                                 author);
             break;
         case 11:
             (void)session.set_annotation(note(std::to_string(random_() % 9), some_or_new("a")),
                                          author);
             break;
         case 12:
-            (void)session.delete_annotation(some(server::RecordType::Annotation), author);
+            (void)session.remove(
+                {server::RecordType::Annotation, some(server::RecordType::Annotation)}, author);
             break;
         case 13:
             (void)session.move_in_history(server::HistoryMove::Undo, author);

@@ -75,6 +75,13 @@ std::string_view name(RecordType type) {
     return names[static_cast<std::size_t>(type)];
 }
 
+tl::unexpected<core::Error> no_record(const RecordKey& key) {
+    const std::string type(name(key.type));
+    return core::fail(core::Error::Code::NotFound,
+                      "there is no " + type + " `" + key.id.substr(0, 64) + "`",
+                      "`" + type + ".list` lists them");
+}
+
 std::size_t most_records(RecordType type) {
     constexpr std::array<std::size_t, 4> counts{limits::rakes, limits::surfaces, limits::bookmarks,
                                                 limits::annotations};

@@ -3,6 +3,7 @@
 // kind.
 #pragma once
 
+#include "core/base/result.hpp"
 #include "protocol/api/generated/annotation.hpp"
 #include "protocol/api/generated/bookmark.hpp"
 #include "protocol/api/generated/rake.hpp"
@@ -15,6 +16,7 @@
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -35,12 +37,20 @@ inline constexpr std::array<RecordType, 4> record_types{
 /// `rake`, `surface`, `bookmark`, `annotation`; with static storage.
 std::string_view name(RecordType type);
 
+/// The type of the records of class R.
+template <class R>
+inline constexpr auto
+    type_of_record = static_cast<RecordType>(Record(std::in_place_type<R>).index());
+
 struct RecordKey {
     RecordType type = RecordType::Rake;
     std::string id;
 
     auto operator<=>(const RecordKey&) const = default;
 };
+
+/// Says that a session has no such record. Error: NotFound, always.
+tl::unexpected<core::Error> no_record(const RecordKey& key);
 
 /// Returns how many of a type a session may have.
 std::size_t most_records(RecordType type);
@@ -73,6 +83,13 @@ class SessionRecords {
     const R* find(const std::string& id) const {
         const auto found = all<R>().find(id);
         return found == all<R>().end() ? nullptr : &found->second;
+    }
+
+    /// Error: NotFound if no record of this type has the id.
+    template <class R>
+    core::Result<R> get(const std::string& id) const {
+        const R* const record = find<R>(id);
+        return record != nullptr ? core::Result<R>(*record) : no_record({type_of_record<R>, id});
     }
 
     /// Returns null where there is none.

@@ -111,7 +111,7 @@ TEST(HiddenSurfaces, AreNotComputedForEditsUntilSomebodyShowsThem) {
     looking.reset();
     life.live(id)->turned_away();
     life.loop.advance(milliseconds(2100));
-    const std::string rake = life.session().rakes().front().rake;
+    const std::string rake = life.session().records().all<protocol::RakeRecord>().begin()->first;
     ASSERT_TRUE(life.session().set_rake(tests::rake_at(1.5, rake)));
     EXPECT_EQ(life.settle(), 0U);
     EXPECT_FALSE(life.live(id)->busy());
@@ -147,7 +147,7 @@ TEST(HiddenSurfaces, AreComputedWhileOthersShowOrAwaitThem) {
     life.settle();
     EXPECT_TRUE(life.outcome(id).complete);
     other.reset();
-    const std::string rake = life.session().rakes().front().rake;
+    const std::string rake = life.session().records().all<protocol::RakeRecord>().begin()->first;
     ASSERT_TRUE(life.session().set_rake(tests::rake_at(1.5, rake)));
     EXPECT_EQ(life.settle(), 0U) << "the other is gone too";
     bool answered = false;
@@ -188,7 +188,7 @@ TEST_F(RestoredSurfaces, AreBuiltForWhoeverWaitsForThem) {
 
 TEST_F(RestoredSurfaces, ThatAreEditedAreBuiltAtOnce) {
     auto& session = after.session();
-    const std::string rake = session.rakes().front().rake;
+    const std::string rake = session.records().all<protocol::RakeRecord>().begin()->first;
     ASSERT_TRUE(session.set_surface(tests::surface_on(rake, ids[5])));
     after.settle();
     EXPECT_TRUE(after.outcome(ids[5]).complete);
@@ -252,7 +252,7 @@ TEST_F(WithheldSurfaces, AreNotBuiltThoughSomebodyLooksAndSayWhy) {
 
 TEST_F(WithheldSurfaces, AreBuiltOnceSomebodySetsThemOrMovesTheirRake) {
     auto& session = after.session();
-    const std::string rake = session.rakes().front().rake;
+    const std::string rake = session.records().all<protocol::RakeRecord>().begin()->first;
     ASSERT_TRUE(session.set_surface(tests::surface_on(rake, ids[0])));
     after.settle();
     EXPECT_TRUE(after.outcome(ids[0]).complete);

@@ -51,7 +51,8 @@ struct EmptySession : testing::Test {
     }
 
     void play() {
-        ASSERT_TRUE(session().clock().play({{}, 0.1, true, {}, {}}, session().moving_range()));
+        ASSERT_TRUE(
+            session().clock().play({{}, 0.1, true, {}, {}}, session().builds().moving_range()));
     }
 
     HandClock clock;

@@ -84,7 +84,7 @@ TEST(Document, RakesKeepColourAndAuthorWhenTheyAreUndoneForkedAndRestored) {
     setting.colour = "#123456";
     const std::string id = bench.session->set_rake(setting, bench.ada)->record.rake;
     const auto is_adas = [&](const server::Session& session) {
-        const auto rake = session.rake(id);
+        const auto rake = session.records().get<protocol::RakeRecord>(id);
         return rake && rake->colour == "#123456" && rake->author == "Ada";
     };
     setting = rake_at(1.0, id);
@@ -93,7 +93,7 @@ TEST(Document, RakesKeepColourAndAuthorWhenTheyAreUndoneForkedAndRestored) {
     ASSERT_FALSE(is_adas(*bench.session));
     (void)bench.session->move_in_history(server::HistoryMove::Undo, bench.bob);
     EXPECT_TRUE(is_adas(*bench.session)) << "an edit undone";
-    ASSERT_TRUE(bench.session->delete_rake(id, bench.bob));
+    ASSERT_TRUE(bench.session->remove({RecordType::Rake, id}, bench.bob));
     (void)bench.session->move_in_history(server::HistoryMove::Undo, bench.bob);
     EXPECT_TRUE(is_adas(*bench.session)) << "a deletion undone";
     SessionBench after;
@@ -115,7 +115,9 @@ TEST(Document, RakesKeptBeforeTheyHadColoursGetThemInTheOrderOfTheirMaking) {
                                (number == 2 ? R"(,"colour":"#0072b2","author":"Ada"})" : "}")});
     const auto report = old.sessions.restore("main", "main", entries);
     EXPECT_TRUE(report.refused.empty());
-    const auto colour = [&](const char* id) { return old.session->rake(id)->colour; };
+    const auto colour = [&](const char* id) {
+        return old.session->records().get<protocol::RakeRecord>(id)->colour;
+    };
     EXPECT_EQ(colour("r2"), server::palette[0]);
     EXPECT_EQ(colour("r1"), server::palette[1]);
     EXPECT_EQ(colour("r10"), server::palette[2]);
@@ -170,7 +172,7 @@ TEST(Document, ADamagedClockIsLeftOutAndTheRestIsThere) {
         SessionBench after;
         EXPECT_EQ(after.sessions.restore("main", "main", entries).refused.size(), 1u) << text;
         EXPECT_EQ(after.session->clock().record(), protocol::ClockRecord{});
-        EXPECT_EQ(after.session->rakes().size(), 1u);
+        EXPECT_EQ(after.session->records().all<protocol::RakeRecord>().size(), 1u);
     }
 }
 
@@ -183,10 +185,10 @@ TEST(Document, EveryEditIsOneBatchOfTheJournal) {
     EXPECT_EQ(bench.journal.batches, 3u);
     EXPECT_EQ(bench.journal.entries("main").size(), 5u)
         << "session, its profile, rake, two surfaces";
-    ASSERT_TRUE(bench.session->delete_rake(rake, bench.ada));
+    ASSERT_TRUE(bench.session->remove({RecordType::Rake, rake}, bench.ada));
     EXPECT_EQ(bench.journal.batches, 4u);
     EXPECT_EQ(bench.journal.entries("main").size(), 2u);
-    EXPECT_FALSE(bench.session->delete_rake(rake, bench.ada));
+    EXPECT_FALSE(bench.session->remove({RecordType::Rake, rake}, bench.ada));
     EXPECT_EQ(bench.journal.batches, 4u) << "what was refused is not written";
 }
 
@@ -209,7 +211,7 @@ TEST(Document, IdsAreNotGivenTwiceAcrossARestart) {
     SessionBench before;
     for (int i = 0; i < 3; ++i)
         ASSERT_TRUE(before.session->set_bookmark(bookmark_of("{}"), before.ada));
-    ASSERT_TRUE(before.session->delete_bookmark("b3", before.ada));
+    ASSERT_TRUE(before.session->remove({RecordType::Bookmark, "b3"}, before.ada));
     SessionBench after;
     after.sessions.restore("main", "main", before.journal.entries("main"));
     EXPECT_EQ(after.session->set_bookmark(bookmark_of("{}"), after.ada)->bookmark, "b4");
@@ -238,10 +240,11 @@ TEST(Document, ASurfaceWhoseDatasetIsNotThereSaysSoAndIsBuiltOnceItIs) {
     EXPECT_EQ(live->outcome().statistics.kind, core::SurfaceKind::Streak);
     after.loop.turn_until([&] { return !onlooker.outcomes.empty(); });
     EXPECT_TRUE(onlooker.outcomes[0].error);
-    const std::uint32_t told = after.session->surface(surface->surface)->epoch;
+    const std::uint32_t told =
+        after.session->records().get<protocol::SurfaceRecord>(surface->surface)->epoch;
     after.datasets.there = true;
     after.sessions.dataset_changed("abc");
-    EXPECT_GT(after.session->surface(surface->surface)->epoch, told);
+    EXPECT_GT(after.session->records().get<protocol::SurfaceRecord>(surface->surface)->epoch, told);
     EXPECT_TRUE(live->resting()) << "until someone looks at it";
     live->begin_now();
     after.loop.turn_until([&] { return onlooker.outcomes.size() > 1; });
@@ -268,8 +271,8 @@ TEST(Document, OfADamagedJournalTheSoundRecordsComeBack) {
     EXPECT_EQ(report.restored, 3u) << "r1, r3, s2";
     EXPECT_EQ(report.refused.size(), 5u)
         << "r2, the surface on it, two that are no records, a place that is none";
-    EXPECT_EQ(after.session->rakes().size(), 2u);
-    EXPECT_EQ(after.session->surfaces().front().surface, "s2");
+    EXPECT_EQ(after.session->records().all<protocol::RakeRecord>().size(), 2u);
+    EXPECT_EQ(after.session->records().all<protocol::SurfaceRecord>().begin()->first, "s2");
 }
 
 TEST(Document, AForkHasTheRecordsAndGoesItsOwnWay) {
@@ -286,11 +289,12 @@ TEST(Document, AForkHasTheRecordsAndGoesItsOwnWay) {
     EXPECT_EQ((*fork)->name(), "mine");
     EXPECT_EQ((*fork)->clock().time(), 0.25);
     EXPECT_EQ(content((*fork)->records()), content(bench.session->records()));
-    EXPECT_FALSE((*fork)->rakes().front().dragging) << "a lease is no one's in the fork";
-    EXPECT_EQ((*fork)->surfaces().front().epoch, 1u);
+    EXPECT_FALSE((*fork)->records().all<protocol::RakeRecord>().begin()->second.dragging)
+        << "a lease is no one's in the fork";
+    EXPECT_EQ((*fork)->records().all<protocol::SurfaceRecord>().begin()->second.epoch, 1u);
     EXPECT_NE((*(*fork)->live("s1"))->number(), (*bench.session->live("s1"))->number());
     const auto before = bench.session->records().list();
-    ASSERT_TRUE((*fork)->delete_rake(first, bench.bob));
+    ASSERT_TRUE((*fork)->remove({RecordType::Rake, first}, bench.bob));
     EXPECT_EQ(bench.session->records().list(), before);
     EXPECT_TRUE(
         bench.session->move_in_history(server::HistoryMove::Undo, bench.bob).changes.empty());
@@ -326,7 +330,7 @@ TEST(Document, AnAnnotationKeepsItsAuthorAndOutlivesItsSurface) {
     const auto made = bench.session->set_annotation(text, bench.ada);
     ASSERT_TRUE(made);
     EXPECT_EQ(made->author, "Ada");
-    ASSERT_TRUE(bench.session->delete_surface(surface, bench.bob));
+    ASSERT_TRUE(bench.session->remove({RecordType::Surface, surface}, bench.bob));
     text.annotation = made->annotation;
     text.text = "was a vortex";
     const auto edited = bench.session->set_annotation(text, bench.bob);

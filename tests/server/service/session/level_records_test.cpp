@@ -76,7 +76,9 @@ TEST(LevelRecords, HoldTheirFieldAndLevelThroughUndoAndARestart) {
     EXPECT_EQ(made->parameters.level, 0.25);
     ASSERT_TRUE(bench.session->set_surface(bench.level(0.5, made->surface), bench.ada));
     (void)bench.session->move_in_history(HistoryMove::Undo, bench.ada);
-    EXPECT_EQ(bench.session->surface(made->surface)->parameters.level, 0.25);
+    EXPECT_EQ(
+        bench.session->records().get<protocol::SurfaceRecord>(made->surface)->parameters.level,
+        0.25);
     const KeptRecords kept = read_entries(bench.journal.entries("main"));
     EXPECT_TRUE(kept.report.refused.empty());
     EXPECT_EQ(kept.records.find<protocol::SurfaceRecord>(made->surface)->parameters,
@@ -95,7 +97,8 @@ TEST(LevelRecords, NeedAFieldThatThereIsAndALevel) {
     setting.parameters.level.reset();
     EXPECT_EQ(bench.session->set_surface(setting, bench.ada).error().code,
               Error::Code::InvalidArgument);
-    EXPECT_TRUE(bench.session->surfaces().empty()) << "nothing was made";
+    EXPECT_TRUE(bench.session->records().all<protocol::SurfaceRecord>().empty())
+        << "nothing was made";
     tests::SessionBench formula;
     const std::string rake = formula.session->set_rake(tests::rake_at(1), formula.ada)->record.rake;
     setting = bench.level(0.25);
@@ -109,14 +112,14 @@ TEST(LevelRecords, AreNotExtractedAgainWhenTheirRakeMovesAndGoWithIt) {
     const auto level = bench.session->set_surface(bench.level(0.25), bench.ada);
     const auto stream = bench.session->set_surface(tests::surface_on(bench.rake), bench.ada);
     const auto epoch = [&](const auto& surface) {
-        return bench.session->surface(surface->surface)->epoch;
+        return bench.session->records().get<protocol::SurfaceRecord>(surface->surface)->epoch;
     };
     const auto before = std::pair(epoch(level), epoch(stream));
     ASSERT_TRUE(bench.session->set_rake(tests::rake_at(2, bench.rake), bench.ada));
     EXPECT_EQ(epoch(level), before.first);
     EXPECT_GT(epoch(stream), before.second);
-    ASSERT_TRUE(bench.session->delete_rake(bench.rake, bench.ada));
-    EXPECT_TRUE(bench.session->surfaces().empty());
+    ASSERT_TRUE(bench.session->remove({RecordType::Rake, bench.rake}, bench.ada));
+    EXPECT_TRUE(bench.session->records().all<protocol::SurfaceRecord>().empty());
 }
 
 } // namespace

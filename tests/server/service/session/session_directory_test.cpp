@@ -293,7 +293,7 @@ TEST(SessionDirectory, TheDefaultSceneIsNobodysEditAndOnlyForASessionThatHasNone
     EXPECT_FALSE(bench.session->profile().edited);
     EXPECT_TRUE(
         bench.session->move_in_history(server::HistoryMove::Undo, bench.ada).changes.empty());
-    ASSERT_TRUE(bench.session->delete_rake("r1", bench.ada));
+    ASSERT_TRUE(bench.session->remove({server::RecordType::Rake, "r1"}, bench.ada));
     EXPECT_FALSE(bench.session->set_rake(rake_at(0), page)) << "someone emptied it on purpose";
     Restarted after(bench);
     EXPECT_TRUE(after.bench.session->profile().edited);

@@ -36,7 +36,7 @@ void fill(SessionBench& bench) {
     ASSERT_TRUE(session.set_rake(rake_at(0), bench.ada));
     ASSERT_TRUE(session.set_rake(rake_at(1.0 / 3), bench.ada));
     ASSERT_TRUE(session.set_rake(rake_at(2), bench.bob));
-    ASSERT_TRUE(session.delete_rake("r1", bench.ada));
+    ASSERT_TRUE(session.remove({server::RecordType::Rake, "r1"}, bench.ada));
     auto surface = surface_on("r2");
     surface.parameters.to = 0.1 + 0.2;
     ASSERT_TRUE(session.set_surface(surface, bench.ada));
@@ -99,7 +99,7 @@ TEST(SessionExchange, AFileNamesItsDatasetsSoThatOthersAreNoticed) {
     EXPECT_NE(notes()[0].find("abc"), std::string::npos);
     const auto made = imported(bench, file);
     ASSERT_TRUE(made) << "the surface waits for its dataset";
-    EXPECT_EQ((*made)->surfaces().size(), 1u);
+    EXPECT_EQ((*made)->records().all<protocol::SurfaceRecord>().size(), 1u);
 }
 
 TEST(SessionExchange, FilesThatAreNoneOrHostileAreRefusedWholeAndSayWhy) {

@@ -148,13 +148,13 @@ TEST_F(SessionTest, TellsEveryChangeInOrderWithTheNewRecords) {
     EXPECT_EQ(moved->record.rev, 2u);
     ASSERT_EQ(moved->surfaces.size(), 1u);
     EXPECT_EQ(moved->surfaces[0].second, 2u) << "the edit begins an epoch";
-    ASSERT_TRUE(session->delete_rake(rake->record.rake));
+    ASSERT_TRUE(session->remove({RecordType::Rake, rake->record.rake}));
     EXPECT_EQ(me.seqs, (std::vector<std::uint64_t>{1, 2, 3, 4}));
     ASSERT_EQ(me.changed.size(), 6u);
     EXPECT_EQ(std::get<protocol::SurfaceRecord>(me.changed[3]).epoch, 2u);
     EXPECT_EQ(std::get<DeletedRecord>(me.changed[4]).type, "surface");
     EXPECT_EQ(std::get<DeletedRecord>(me.changed[5]).id, rake->record.rake);
-    EXPECT_TRUE(session->surfaces().empty());
+    EXPECT_TRUE(session->records().all<protocol::SurfaceRecord>().empty());
 }
 
 TEST_F(SessionTest, BuildsTheSurfaceOfTheNewestEditAndDropsTheOthers) {
@@ -239,9 +239,9 @@ TEST_F(SessionTest, HangsATimeSurfaceOnBothItsRakes) {
     loop.turn_until([&] { return !me.outcomes.empty(); });
     EXPECT_FALSE(me.outcomes[0].error);
     EXPECT_TRUE(me.outcomes[0].complete);
-    ASSERT_TRUE(session->delete_rake(two));
-    EXPECT_TRUE(session->surfaces().empty());
-    EXPECT_EQ(session->rakes().size(), 2U);
+    ASSERT_TRUE(session->remove({RecordType::Rake, two}));
+    EXPECT_TRUE(session->records().all<protocol::SurfaceRecord>().empty());
+    EXPECT_EQ(session->records().all<protocol::RakeRecord>().size(), 2U);
 }
 
 TEST_F(SessionTest, CutsTheSecondRakeToTheDomainToo) {
@@ -277,7 +277,7 @@ TEST_F(SessionTest, WaitsForTheSurfaceOrForTheTimeToRunOut) {
     ASSERT_EQ(answers.size(), 3u);
     EXPECT_FALSE(answers[2]->complete) << "epoch 7 is not there";
     live->wait(8, std::chrono::seconds(1), keep);
-    ASSERT_TRUE(session->delete_rake(rake));
+    ASSERT_TRUE(session->remove({RecordType::Rake, rake}));
     ASSERT_EQ(answers.size(), 4u);
     EXPECT_EQ(answers[3].error().code, core::Error::Code::NotFound);
 }
@@ -297,7 +297,7 @@ TEST_F(SessionTest, RefusesWhatItHasNotAndWhatIsTooMuch) {
     auto elsewhere = surface_on(rake);
     elsewhere.dataset = "none";
     EXPECT_EQ(session->set_surface(elsewhere).error().code, Code::NotFound);
-    EXPECT_TRUE(session->surfaces().empty());
+    EXPECT_TRUE(session->records().all<protocol::SurfaceRecord>().empty());
     for (std::size_t i = 1; i < limits::rakes; ++i)
         ASSERT_TRUE(session->set_rake(rake_at(0.0)));
     EXPECT_EQ(session->set_rake(rake_at(0.0)).error().code, Code::OverLimit);

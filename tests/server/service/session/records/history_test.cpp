@@ -31,7 +31,9 @@ class HistoryTest : public testing::Test {
         return content(session.records(), false);
     }
 
-    double x_of(const std::string& rake) const { return session.rake(rake)->shape.points[0].x; }
+    double x_of(const std::string& rake) const {
+        return session.records().get<protocol::RakeRecord>(rake)->shape.points[0].x;
+    }
 
     HistoryMoveResult undo(const server::Author& author) {
         return session.move_in_history(HistoryMove::Undo, author);
@@ -52,7 +54,7 @@ TEST_F(HistoryTest, WalksBackAndForthThroughAChainOfEdits) {
             EXPECT_EQ(x_of(rake), x);
         }
         EXPECT_EQ(undo(bench.ada).left.undo, 0u);
-        EXPECT_TRUE(session.rakes().empty());
+        EXPECT_TRUE(session.records().all<protocol::RakeRecord>().empty());
         EXPECT_TRUE(undo(bench.ada).changes.empty()) << "nothing left";
         for (int x = 0; x <= 5; ++x) {
             EXPECT_EQ(redo(bench.ada).changes.size(), 1u);
@@ -75,13 +77,14 @@ TEST_F(HistoryTest, ADeletedRakeComesBackWithItsSurfaces) {
     for (int i = 0; i < 7; ++i)
         move(bench.bob, rake, i);
     const auto before = content(session.records(), false);
-    const auto epoch = session.surface(surface)->epoch;
+    const auto epoch = session.records().get<protocol::SurfaceRecord>(surface)->epoch;
     const auto number = (*session.live(surface))->number();
-    ASSERT_TRUE(session.delete_rake(rake, bench.ada));
+    ASSERT_TRUE(session.remove({server::RecordType::Rake, rake}, bench.ada));
     EXPECT_TRUE(session.records().empty());
     EXPECT_EQ(undo(bench.ada).changes.size(), 2u);
     EXPECT_EQ(content(session.records(), false), before);
-    EXPECT_GT(session.surface(surface)->epoch, epoch) << "an epoch never comes again";
+    EXPECT_GT(session.records().get<protocol::SurfaceRecord>(surface)->epoch, epoch)
+        << "an epoch never comes again";
     EXPECT_NE((*session.live(surface))->number(), number) << "nor a number on the wire";
     redo(bench.ada);
     EXPECT_TRUE(session.records().empty());
@@ -94,11 +97,11 @@ TEST_F(HistoryTest, EpochsGoOnWhenACreationIsUndoneAndDoneAgain) {
     const auto surface = session.set_surface(surface_on(rake), bench.ada)->surface;
     for (int i = 0; i < 9; ++i)
         move(bench.bob, rake, i);
-    const auto epoch = session.surface(surface)->epoch;
+    const auto epoch = session.records().get<protocol::SurfaceRecord>(surface)->epoch;
     undo(bench.ada);
-    EXPECT_TRUE(session.surfaces().empty());
+    EXPECT_TRUE(session.records().all<protocol::SurfaceRecord>().empty());
     redo(bench.ada);
-    EXPECT_GT(session.surface(surface)->epoch, epoch);
+    EXPECT_GT(session.records().get<protocol::SurfaceRecord>(surface)->epoch, epoch);
 }
 
 TEST_F(HistoryTest, ADragIsOneStep) {
@@ -118,7 +121,7 @@ TEST_F(HistoryTest, ADragIsOneStep) {
     ASSERT_TRUE(session.set_rake(dragged(2, rake), bench.ada));
     undo(bench.ada);
     EXPECT_EQ(x_of(rake), 1);
-    EXPECT_FALSE(session.rake(rake)->dragging);
+    EXPECT_FALSE(session.records().get<protocol::RakeRecord>(rake)->dragging);
 }
 
 TEST_F(HistoryTest, AGestureIsOneStepAndPushesNoOlderOneOut) {
@@ -142,7 +145,7 @@ TEST_F(HistoryTest, GesturesOfAnotherNameOrAuthorAreOtherSteps) {
     const auto other = make_rake(in_gesture(bench.bob, "two"), 3);
     EXPECT_EQ(undo(bench.bob).left.undo, 0u);
     EXPECT_EQ(x_of(rake), 2);
-    EXPECT_FALSE(session.rake(other));
+    EXPECT_FALSE(session.records().get<protocol::RakeRecord>(other));
     EXPECT_EQ(undo(bench.ada).left.undo, 2u);
     EXPECT_EQ(x_of(rake), 1);
     EXPECT_EQ(undo(bench.ada).left.undo, 1u);
@@ -157,7 +160,7 @@ TEST_F(HistoryTest, AnEditBetweenEndsAGesture) {
     undo(bench.ada);
     EXPECT_EQ(x_of(rake), 1);
     undo(bench.ada);
-    EXPECT_FALSE(session.annotation(note_id));
+    EXPECT_FALSE(session.records().get<protocol::AnnotationRecord>(note_id));
     // The edit from before is on top again: it is of the past all the same.
     move(in_gesture(bench.ada, "g"), rake, 3);
     undo(bench.ada);
@@ -211,7 +214,7 @@ TEST_F(HistoryTest, AGestureGathersTheRecordsItMakes) {
     redo(bench.ada);
     move(bench.bob, rake, 3);
     EXPECT_EQ(undo(bench.ada).skipped.size(), 1u) << "Bob has moved a part of it";
-    EXPECT_TRUE(session.surface(surface));
+    EXPECT_TRUE(session.records().get<protocol::SurfaceRecord>(surface));
 }
 
 TEST_F(HistoryTest, WhatAGestureMadeAndDeletedNeverWas) {
@@ -219,9 +222,9 @@ TEST_F(HistoryTest, WhatAGestureMadeAndDeletedNeverWas) {
     const auto press = in_gesture(bench.ada, "g");
     const auto rake = make_rake(press);
     ASSERT_TRUE(session.set_surface(surface_on(rake), press));
-    ASSERT_TRUE(session.delete_rake(rake, press));
+    ASSERT_TRUE(session.remove({server::RecordType::Rake, rake}, press));
     EXPECT_EQ(undo(bench.ada).changes[0].key.id, kept);
-    EXPECT_TRUE(session.rakes().empty());
+    EXPECT_TRUE(session.records().all<protocol::RakeRecord>().empty());
 }
 
 TEST_F(HistoryTest, WhatOthersMadeOfItComesBackAllTheSame) {
@@ -229,10 +232,10 @@ TEST_F(HistoryTest, WhatOthersMadeOfItComesBackAllTheSame) {
     const auto rake = make_rake(press);
     const auto surface = session.set_surface(surface_on(rake), bench.bob)->surface;
     const auto before = content(session.records(), false);
-    ASSERT_TRUE(session.delete_rake(rake, press));
+    ASSERT_TRUE(session.remove({server::RecordType::Rake, rake}, press));
     undo(bench.ada);
     EXPECT_EQ(content(session.records(), false), before);
-    EXPECT_TRUE(session.surface(surface));
+    EXPECT_TRUE(session.records().get<protocol::SurfaceRecord>(surface));
 }
 
 TEST_F(HistoryTest, WhatAGestureDeletedComesBackAtALaterRevisionThanItEverHad) {
@@ -240,11 +243,11 @@ TEST_F(HistoryTest, WhatAGestureDeletedComesBackAtALaterRevisionThanItEverHad) {
     const auto press = in_gesture(bench.ada, "g");
     for (int x = 1; x <= 5; ++x)
         move(press, rake, x);
-    const auto last = session.rake(rake)->rev;
-    ASSERT_TRUE(session.delete_rake(rake, press));
+    const auto last = session.records().get<protocol::RakeRecord>(rake)->rev;
+    ASSERT_TRUE(session.remove({server::RecordType::Rake, rake}, press));
     undo(bench.ada);
     EXPECT_EQ(x_of(rake), 0);
-    EXPECT_GT(session.rake(rake)->rev, last);
+    EXPECT_GT(session.records().get<protocol::RakeRecord>(rake)->rev, last);
 }
 
 TEST_F(HistoryTest, AGestureGathersABoundedNumberOfRecords) {
@@ -380,10 +383,10 @@ TEST_F(HistoryTest, DoesNotTakeARakeFromUnderSomebodyElsesSurface) {
     const auto skipped = undo(bench.ada);
     ASSERT_EQ(skipped.skipped.size(), 1u);
     EXPECT_NE(skipped.skipped[0].why.find(surface), std::string::npos);
-    EXPECT_TRUE(session.surface(surface));
+    EXPECT_TRUE(session.records().get<protocol::SurfaceRecord>(surface));
     undo(bench.bob);
-    EXPECT_TRUE(session.surfaces().empty());
-    EXPECT_TRUE(session.rake(rake));
+    EXPECT_TRUE(session.records().all<protocol::SurfaceRecord>().empty());
+    EXPECT_TRUE(session.records().get<protocol::RakeRecord>(rake));
 }
 
 TEST_F(HistoryTest, DoesNotHangASurfaceOnARakeThatIsGone) {
@@ -391,9 +394,9 @@ TEST_F(HistoryTest, DoesNotHangASurfaceOnARakeThatIsGone) {
     const auto two = make_rake(bench.ada, 1);
     const auto surface = session.set_surface(surface_on(one), bench.ada)->surface;
     ASSERT_TRUE(session.set_surface(surface_on(two, surface), bench.ada));
-    ASSERT_TRUE(session.delete_rake(one, bench.bob));
+    ASSERT_TRUE(session.remove({server::RecordType::Rake, one}, bench.bob));
     EXPECT_EQ(undo(bench.ada).skipped.size(), 1u);
-    EXPECT_EQ(session.surface(surface)->rake, two);
+    EXPECT_EQ(session.records().get<protocol::SurfaceRecord>(surface)->rake, two);
 }
 
 TEST_F(HistoryTest, IsBoundedInSteps) {
@@ -439,7 +442,7 @@ TEST_F(HistoryTest, IsBoundedInAuthors) {
 TEST_F(HistoryTest, TheServersOwnDoingIsNobodysToUndo) {
     ASSERT_TRUE(session.set_rake(rake_at(0)));
     EXPECT_TRUE(session.move_in_history(HistoryMove::Undo, {}).changes.empty());
-    EXPECT_EQ(session.rakes().size(), 1u);
+    EXPECT_EQ(session.records().all<protocol::RakeRecord>().size(), 1u);
 }
 
 TEST_F(HistoryTest, AfterAnyEditUndoGivesTheRecordsBeforeIt) {
@@ -459,7 +462,8 @@ TEST_F(HistoryTest, AfterAnyEditUndoGivesTheRecordsBeforeIt) {
             ASSERT_EQ(content(other.session->records(), false), before) << "seed " << seed;
             ASSERT_EQ(other.session->move_in_history(HistoryMove::Redo, author).changes.size(), 1u);
             ASSERT_EQ(content(other.session->records(), false), after);
-            ASSERT_TRUE(other.session->delete_rake(made->record.rake, author));
+            ASSERT_TRUE(
+                other.session->remove({server::RecordType::Rake, made->record.rake}, author));
             ASSERT_EQ(content(other.session->records(), false), before);
             other.session->move_in_history(HistoryMove::Undo, author);
             ASSERT_EQ(content(other.session->records(), false), after);

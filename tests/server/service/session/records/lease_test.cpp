@@ -20,7 +20,7 @@ class LeaseTest : public testing::Test {
 
     std::string holder() const {
         const auto lease = session.lease(rake);
-        const auto record = session.rake(rake);
+        const auto record = session.records().get<protocol::RakeRecord>(rake);
         EXPECT_EQ(record->dragging, lease.has_value()) << "the record shows the lease";
         EXPECT_EQ(record->leased_by, lease ? lease->by.participant : "");
         return lease ? lease->by.participant : "";
@@ -56,7 +56,7 @@ TEST_F(LeaseTest, RunsOutAndEverybodyIsTold) {
     bench.loop.pass(milliseconds(1));
     EXPECT_EQ(holder(), "");
     EXPECT_EQ(session.seq(), seq + 1);
-    EXPECT_EQ(session.rake(rake)->rev, rev) << "no one edited it";
+    EXPECT_EQ(session.records().get<protocol::RakeRecord>(rake)->rev, rev) << "no one edited it";
     EXPECT_EQ(onlooker.records.list(), session.records().list());
     session.participants().leave(onlooker);
 }
@@ -67,9 +67,9 @@ TEST_F(LeaseTest, EndsWhenItsHolderLeavesAndNobodyElsesDoes) {
     ASSERT_TRUE(session.set_rake(dragged(2, other), bench.bob));
     session.end_leases("p1");
     EXPECT_EQ(holder(), "");
-    EXPECT_EQ(session.rake(other)->leased_by, "p2");
+    EXPECT_EQ(session.records().get<protocol::RakeRecord>(other)->leased_by, "p2");
     session.end_leases("p1");
-    EXPECT_EQ(session.rake(other)->leased_by, "p2");
+    EXPECT_EQ(session.records().get<protocol::RakeRecord>(other)->leased_by, "p2");
 }
 
 TEST_F(LeaseTest, AnEditOverItTakesItOverOrEndsIt) {
@@ -85,7 +85,7 @@ TEST_F(LeaseTest, AnEditOverItTakesItOverOrEndsIt) {
 
 TEST_F(LeaseTest, GoesWithItsRake) {
     drag(bench.ada);
-    ASSERT_TRUE(session.delete_rake(rake, bench.ada));
+    ASSERT_TRUE(session.remove({server::RecordType::Rake, rake}, bench.ada));
     EXPECT_FALSE(session.lease(rake));
     const auto seq = session.seq();
     bench.loop.pass(2 * server::limits::lease);

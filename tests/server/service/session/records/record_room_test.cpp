@@ -87,18 +87,19 @@ TEST_F(RecordRoom, OfASessionIsBoundedWhateverItsRecordsAre) {
 TEST_F(RecordRoom, ThatIsFullStillLetsRecordsBeMovedMadeSmallerAndDeleted) {
     Session& session = **sessions->find("main");
     fill(session);
-    const std::string first = session.rakes().front().rake;
+    const std::string first = session.records().all<protocol::RakeRecord>().begin()->first;
     EXPECT_TRUE(session.set_rake(long_rake(first), ada)) << "as large as it was";
     EXPECT_TRUE(session.set_rake(tests::rake_at(1, first), ada));
     EXPECT_TRUE(session.set_rake(long_rake(first), ada));
-    ASSERT_TRUE(session.delete_rake(first, ada));
+    ASSERT_TRUE(session.remove({RecordType::Rake, first}, ada));
     EXPECT_TRUE(session.set_rake(long_rake(), ada)) << "there is room again";
 }
 
 TEST_F(RecordRoom, IsNotExceededByUndo) {
     Session& session = **sessions->find("main");
     fill(session);
-    ASSERT_TRUE(session.delete_rake(session.rakes().front().rake, ada));
+    ASSERT_TRUE(session.remove(
+        {RecordType::Rake, session.records().all<protocol::RakeRecord>().begin()->first}, ada));
     ASSERT_TRUE(session.set_rake(long_rake(), bob));
     const HistoryMoveResult moved = session.move_in_history(HistoryMove::Undo, ada);
     EXPECT_TRUE(moved.changes.empty());
