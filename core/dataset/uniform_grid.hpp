@@ -26,8 +26,8 @@ struct UniformGrid {
     }
 };
 
-/// Returns whether coordinates along an axis, at least 2 and rising, are a uniform grid's but for rounding: by no more
-/// than a millionth of the spacing, or the precision they are kept in.
+/// Returns whether coordinates along an axis, at least 2 and rising, are a uniform grid's but for rounding:
+/// by no more than a millionth of the spacing, or the precision they are kept in.
 bool is_even(std::span<const double> nodes, bool single_precision);
 
 /// Returns the position of the node of a flat index, x fastest.

@@ -1,5 +1,5 @@
-// Samples a stored field on a uniform or rectilinear grid between two time-steps: linear, smooth, in batches of the
-// vector kernel, or cell by cell, whichever serves. Only a uniform grid has a smooth field.
+// Samples a stored field on a uniform or rectilinear grid between two time-steps: linear, smooth, in
+// batches of the vector kernel, or cell by cell, whichever serves. Only a uniform grid has a smooth field.
 #pragma once
 
 #include "core/field/advance_stored.hpp"
@@ -15,8 +15,8 @@
 
 namespace wakesurf::core {
 
-/// Samples on the grid of `Axes`: UniformGrid or RectilinearAxes. Thread safety: concurrent calls are fine. Keeps a
-/// reference to the mask.
+/// Samples on the grid of `Axes`: UniformGrid or RectilinearAxes. Thread safety: concurrent calls are fine.
+/// Keeps a reference to the mask.
 template <class Axes>
 class GridSampling {
   public:
@@ -45,8 +45,8 @@ class GridSampling {
                  const AdvanceOptions& options,
                  const std::stop_token& stop) const;
 
-    /// Samples velocities at points at one time, as particles are carried. Returns false where they are not to be had
-    /// here, or if `stop` fired.
+    /// Samples velocities at points at one time, as particles are carried. Returns false where they are not
+    /// to be had here, or if `stop` fired.
     bool sample_at(const Interval& interval,
                    std::span<const Vec3> positions,
                    double time,

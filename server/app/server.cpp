@@ -40,7 +40,7 @@ namespace asio = boost::asio;
 
 namespace {
 
-/// Goes on while the machine sleeps, as a laptop does; no one can set it.
+/// The clock goes on while the machine sleeps, as a laptop does, and no one can set it.
 class WakingClock final : public core::Clock {
   public:
     std::chrono::steady_clock::time_point now() const override {
@@ -77,8 +77,8 @@ limits::Budget budget_for(std::size_t connections) {
 
 } // namespace
 
-/// Holds what can fail, and what that is made with. In order of need: what goes first is declared last.
-/// Connections end with the context's handlers.
+/// The parts that may fail to open, and those that they are made of, in order of dependence: the last
+/// declared is destroyed first. Connections end with the context's handlers.
 struct Server::Inputs {
     Inputs(const ServerOptions& options, std::optional<KeptSessions> found)
         : memory(options.memory), kept(std::move(found)), proxies(options.proxies),
@@ -152,7 +152,7 @@ core::Result<void> Server::Inputs::open(const ServerOptions& options) {
     return {};
 }
 
-/// In order of need, like Inputs: what goes first is declared last. Jobs end with the pool.
+/// The other parts, in order of dependence like Inputs. Jobs end with the pool.
 struct Server::Parts {
     Parts(const ServerOptions& options, std::unique_ptr<Inputs> made)
         : inputs(std::move(made)), pool(options.threads),
@@ -176,7 +176,7 @@ struct Server::Parts {
             restore();
     }
 
-    /// Returns why surfaces are not computed; nothing where they are.
+    /// Returns why surfaces are not computed; empty where they are.
     std::optional<core::Error> why_withheld() const {
         if (!starts || !starts->careful())
             return std::nullopt;
@@ -354,22 +354,34 @@ struct Server::Parts {
     CacheNews news{in.loop,
                    [this](const std::string& message) { in.connections.announce(message); }};
     StaticFiles files;
-    std::uint16_t port = 0;
+    const std::uint16_t port = in.listener->port();
     std::unique_ptr<SqliteJournal> journal = start_journal(); ///< null without `--state`
     std::unique_ptr<StateDesk> desk;                          ///< its thread asks the journal
     WakingClock waking;
-    Grants grants{{loop, waking, entropy, unix_seconds, journal.get()}};
-    std::optional<LateFile> ended_logins; ///< with `--state`
-    std::optional<KeptLogins> logins;     ///< likewise
-    std::optional<Gate> gate;
-    std::optional<CatalogueDatasets> datasets;
-    std::optional<SessionDirectory> sessions;
-    std::optional<ImportWaiters> imports;
-    std::optional<FamilyJobs> families;
-    std::optional<Dispatcher> dispatcher;
-    std::optional<Downloads> downloads;
-    std::optional<SessionFiles> session_files;
-    std::optional<Routes> routes;
+    Grants grants{{in.loop, waking, in.entropy, unix_seconds, journal.get()}};
+    Gate gate;
+    std::optional<StartGuard> starts =
+        in.kept ? std::optional<StartGuard>(in.kept->folder.path()) : std::nullopt;
+    const std::optional<core::Error> withheld_surfaces = why_withheld();
+    CatalogueDatasets datasets{*in.catalogue};
+    SessionDirectory sessions{session_services()};
+    ImportWaiters imports{*in.catalogue, in.loop};
+    FamilyJobs families{in.loop, pool, *in.catalogue, in.memory.account()};
+    Dispatcher dispatcher{
+        method_table(), method_context(),
+        protocol::RpcLimits{limits::message_bytes, limits::message_depth, limits::batch}};
+    Downloads downloads{in.loop, pool, sessions, *in.catalogue, in.memory.account()};
+    SessionFiles session_files{in.loop, pool, sessions, datasets, journal.get()};
+    Routes routes{gate,
+                  in.budgets,
+                  in.outboxes,
+                  files,
+                  dispatcher,
+                  downloads,
+                  session_files,
+                  [this] { return in.metrics.text(standing()); },
+                  [this] { return health_text(dataset_counts()); },
+                  [this](const std::string& person) { in.connections.log_out(person); }};
     std::map<std::string, std::shared_ptr<const store::StoreReader>> told; ///< data, by dataset
     std::shared_ptr<void> waiting, watching; ///< timers of stop_when_alone, watch_memory
 };
@@ -433,9 +445,9 @@ void Server::run() {
             all.starts->good();
     });
     ask_for_short_slices();
-    all.context.run();
+    in.context.run();
     // The sockets' handlers own the connections; they must run while there are sessions to leave.
-    all.connections.abandon();
+    in.connections.abandon();
     all.run_what_is_left();
     if (all.starts)
         all.starts->good();

@@ -92,7 +92,7 @@ void SharedFiles::get(const std::string& tag,
     waiter.done = std::move(done);
     if (first)
         state_->pool.run(
-            asker, Pace::Long,
+            asker, PriorityClass::Long,
             [flight, make = std::move(make), tag, weak = std::weak_ptr(state_),
              &loop = state_->loop, account = state_->account] {
                 core::MemoryAccount::Share share = account != nullptr

@@ -24,9 +24,8 @@ COLOR = re.compile(r"\b\w*[cC]olor\w*\b")
 # Types named by a word with a home: the word, and the product's files that may declare one.
 HOMES = {
     "Turn": ("server/service/compute/fair_queue.hpp",),
-    "Lane": ("server/service/compute/quick_lanes.hpp", "server/service/compute/long_lanes.hpp"),
-    "Place": ("server/net/admission.hpp", "server/net/downloads.hpp", "server/service/compute/budgets.hpp",
-              "server/service/compute/history_budget.hpp", "server/service/session/records/change_log.hpp", "core/field/cells/box_tree.hpp"),
+    "Lane": (),
+    "Place": ("server/net/downloads.hpp", "server/service/session/records/change_log.hpp", "core/field/cells/box_tree.hpp"),
     "Places": ("protocol/wire/wire_match.hpp",),
     "History": ("server/service/session/records/history.hpp",),
     "Cell": ("core/surface/quad_complex.hpp",),

@@ -27,9 +27,8 @@ constexpr std::size_t smallest_import = std::size_t{64} << 20;
 // All imports together take one part in so many of the memory.
 constexpr std::size_t import_part = 4;
 
-/// Takes what an import under way needs from the account, as it is another process of the same machine, and waits until
-/// others have given it back.
-/// @param nth  the share is one `nth` of what there is for imports
+/// Takes what an import under way needs from the account, as it is another process of the same machine, and
+/// waits until others have given it back. @param nth  the share is one `nth` of what there is for imports
 core::Result<core::MemoryAccount::Share>
 import_memory(const OpenOptions& options, std::size_t nth, const std::stop_token& stop) {
     constexpr std::chrono::seconds patience{30};

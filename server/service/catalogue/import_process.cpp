@@ -56,9 +56,9 @@ bool speaks_of_a_part(const std::string& words, const std::filesystem::path& fil
     return false;
 }
 
-/// Returns the name of a file in the source's folder, or three folders below, that `words` (of a reader) name and that was
-/// changed within the last `still_written`: what cannot be read of it is not damage. A time folder of a case stands for the
-/// files in it.
+/// Returns the name of a file in the source's folder, or three folders below, that `words` (of a reader)
+/// name and that was changed within the last `still_written`: what cannot be read of it is not damage. A
+/// time folder of a case stands for the files in it.
 std::optional<std::string> file_being_written(const std::filesystem::path& source,
                                               const std::string& words) {
     std::error_code error;

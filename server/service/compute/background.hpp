@@ -24,7 +24,7 @@ void compute(Loop& loop,
              const std::string& line,
              std::function<core::Result<T>()> work,
              std::function<void(core::Result<T>)> done) {
-    pool.run(line, Pace::Long, [&loop, work = std::move(work), done = std::move(done)] {
+    pool.run(line, PriorityClass::Long, [&loop, work = std::move(work), done = std::move(done)] {
         auto result = std::make_shared<core::Result<T>>(
             core::fail(core::Error::Code::OverLimit, "there is not enough memory for this",
                        "ask for less at once"));

@@ -2,11 +2,15 @@
 
 #include "core/base/event_count.hpp"
 #include "core/base/mpsc_queue.hpp"
-#include "server/service/compute/long_threads.hpp"
-#include "server/service/compute/quick_threads.hpp"
+#include "server/service/compute/thread_priority.hpp"
+#include "server/service/compute/worker_threads.hpp"
+
+#include <oneapi/tbb/global_control.h>
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
+#include <cstdint>
 #include <limits>
 #include <mutex>
 #include <optional>
@@ -52,50 +56,80 @@ class Freeing {
     std::jthread thread_{[this] { free_all(); }};
 };
 
+/// Light sessions have threads of full priority, never all of them for one session. The others have threads that leave the
+/// processors to those and to the network thread.
+WorkerThreads::Rules quick_rules(unsigned cores) {
+    constexpr std::chrono::milliseconds patience{20};
+    const std::size_t each = std::max(2u, cores);
+    const std::size_t most = each + 32;
+    return {.queue = {.at_once = std::numeric_limits<std::size_t>::max(),
+                      .light_at_once = each - 1,
+                      .light_share = 0.5,
+                      .busy = 0.05,
+                      .memory = std::chrono::milliseconds(250)},
+            .light = {each, most, 0, patience},
+            .any = {each, most, crowd_niceness, patience},
+            .loop_threads = 1,
+            .charge_processor = true};
+}
+
+/// A session counts as light until its first job has run: after the patience the next light one has its turn.
+WorkerThreads::Rules long_rules(unsigned cores) {
+    const std::size_t any = std::max(4u, 2 * cores);
+    return {.queue = {.at_once = 1,
+                      .light_at_once = 1,
+                      .light_share = 0.5,
+                      .busy = std::numeric_limits<double>::infinity(),
+                      .memory = std::chrono::milliseconds(4000)},
+            .light = {2, 4, long_niceness, std::chrono::milliseconds(500)},
+            .any = {any, any + 64, long_niceness, std::nullopt},
+            .loop_threads = cores,
+            .charge_processor = false};
+}
+
 } // namespace
 
 struct ComputePool::State {
-    struct Threads {
-        explicit Threads(unsigned cores) : quick(std::max(2u, cores)), longer(cores) {}
+    explicit State(unsigned threads) : cores(threads) {}
 
+    /// All loops together use as many threads as there are cores.
+    struct Threads {
+        explicit Threads(unsigned cores)
+            : allowed(oneapi::tbb::global_control::max_allowed_parallelism, cores),
+              quick(quick_rules(cores)), longer(long_rules(cores)) {}
+
+        oneapi::tbb::global_control allowed;
         Freeing freeing;
-        QuickThreads quick;
-        LongThreads longer;
+        WorkerThreads quick, longer;
     };
 
-    unsigned cores = 1;
-    std::optional<Threads> threads;                            ///< nothing: by hand
-    std::mutex by_hand;                                        ///< guards what follows
-    QuickLanes quick{std::numeric_limits<std::size_t>::max()}; ///< by hand: one lane
-    LongLanes longer;
+    const unsigned cores;
+    std::optional<Threads> threads; ///< empty: by hand
+    std::mutex by_hand;             ///< guards the queues
+    FairQueue quick{quick_rules(cores).queue}, longer{long_rules(cores).queue};
+    std::atomic<std::uint64_t> without_session{0};
 };
 
-ComputePool::ComputePool(unsigned threads) : state_(std::make_unique<State>()) {
-    state_->cores = thread_count(threads);
+ComputePool::ComputePool(unsigned threads)
+    : state_(std::make_unique<State>(thread_count(threads))) {
     state_->threads.emplace(state_->cores);
 }
 
-ComputePool::ComputePool(ByHand) : state_(std::make_unique<State>()) {}
+ComputePool::ComputePool(ByHand) : state_(std::make_unique<State>(1)) {}
 
 ComputePool::~ComputePool() = default;
 
-void ComputePool::run(const std::string& session, Pace pace, std::function<void()> job) {
-    const bool quick = pace == Pace::Quick;
+void ComputePool::run(const std::string& session, PriorityClass priority, Job job) {
+    const bool quick = priority == PriorityClass::Quick;
     if (auto& threads = state_->threads)
-        return quick ? threads->quick.run(session, std::move(job))
-                     : threads->longer.run(session, std::move(job));
+        return (quick ? threads->quick : threads->longer).run(session, std::move(job));
     const std::lock_guard lock(state_->by_hand);
-    if (quick)
-        state_->quick.push(session, std::move(job), {});
-    else
-        state_->longer.push(session, std::move(job));
+    (quick ? state_->quick : state_->longer).push(session, std::move(job));
 }
 
-void ComputePool::run(std::function<void()> job) {
-    if (state_->threads)
-        return state_->threads->longer.run({}, std::move(job));
-    const std::lock_guard lock(state_->by_hand);
-    state_->longer.push_lone(std::move(job));
+void ComputePool::run(Job job) {
+    // No session is called like that.
+    run("\n" + std::to_string(state_->without_session++), PriorityClass::Long, std::move(job));
 }
 
 void ComputePool::let_go(std::shared_ptr<const void> thing) {
@@ -104,22 +138,16 @@ void ComputePool::let_go(std::shared_ptr<const void> thing) {
 }
 
 bool ComputePool::turn() {
-    constexpr auto lane = QuickLanes::Lane::Upper;
     std::unique_lock lock(state_->by_hand);
-    auto turn = state_->quick.pop(lane, {});
-    const bool quick = turn.has_value();
-    if (!quick)
-        turn = state_->longer.pop(LongLanes::Lane::Any, {});
-    if (!turn)
-        return false;
-    lock.unlock(); // it may queue others
-    std::exchange(turn->job, nullptr)();
-    lock.lock();
-    if (quick)
-        state_->quick.done(lane, turn->session, 0.0, {});
-    else
-        state_->longer.done(turn->session, 0.0, {});
-    return true;
+    for (FairQueue* queue : {&state_->quick, &state_->longer})
+        if (auto turn = queue->pop(FairQueue::Takes::Any, {})) {
+            lock.unlock(); // it may queue others
+            std::exchange(turn->job, nullptr)();
+            lock.lock();
+            queue->done(turn->session, 0.0, {});
+            return true;
+        }
+    return false;
 }
 
 unsigned ComputePool::threads() const {

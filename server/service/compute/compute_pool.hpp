@@ -9,13 +9,15 @@
 
 namespace wakesurf::server {
 
-/// How long a job is expected to take: a quick one is over within some 15 ms and waits for nothing.
-enum class Pace { Quick, Long };
+/// Jobs are of one of two priority classes, by how long they are expected to take. A quick one ends within some 15 ms.
+enum class PriorityClass { Quick, Long };
 
 /// Thread safety: run() may be called from any thread. The destructor waits for jobs that have begun or are queued;
 /// request them to stop first.
 class ComputePool {
   public:
+    using Job = std::function<void()>;
+
     /// For tests and simulations: no threads, turn() runs the jobs.
     struct ByHand {};
 
@@ -29,10 +31,10 @@ class ComputePool {
 
     /// Queues a job of a session, and waits for no other thread. Quick ones run on one thread each; one session never has all threads of
     /// full priority. Of the long ones of a session one runs at a time; its parallel loops use all cores. A job must not throw.
-    void run(const std::string& session, Pace pace, std::function<void()> job);
+    void run(const std::string& session, PriorityClass priority, Job job);
 
     /// Queues a long job that belongs to no session: it has turns like a session of its own.
-    void run(std::function<void()> job);
+    void run(Job job);
 
     /// What is large and no longer needed is freed on a thread that no one waits for: the network thread would stand still for
     /// milliseconds. By hand: at once.

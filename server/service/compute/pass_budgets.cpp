@@ -118,15 +118,16 @@ double PassBudgets::separation(Phase phase) const {
     return early(phase).separation;
 }
 
-Pace PassBudgets::pace(Phase phase) const {
+PriorityClass PassBudgets::priority(Phase phase) const {
     const double expected = phase == Phase::Coarse    ? coarse_seconds_
                             : phase == Phase::Refined ? refined_.budget
                                                       : expected_final();
-    return expected < (phase == Phase::Coarse ? 2.0 * quick : quick) ? Pace::Quick : Pace::Long;
+    return expected < (phase == Phase::Coarse ? 2.0 * quick : quick) ? PriorityClass::Quick
+                                                                     : PriorityClass::Long;
 }
 
-Pace PassBudgets::pace_of_moving_on() const {
-    return step_seconds_ < quick ? Pace::Quick : Pace::Long;
+PriorityClass PassBudgets::priority_of_moving_on() const {
+    return step_seconds_ < quick ? PriorityClass::Quick : PriorityClass::Long;
 }
 
 } // namespace wakesurf::server

@@ -44,8 +44,8 @@ class PassBudgets {
     /// the surface. 0: there was none.
     double separation(Phase phase) const;
 
-    Pace pace(Phase phase) const;
-    Pace pace_of_moving_on() const;
+    PriorityClass priority(Phase phase) const;
+    PriorityClass priority_of_moving_on() const;
 
   private:
     /// What an early pass aims at.

@@ -42,8 +42,8 @@ bool is_early(const SurfacePass& pass) {
     return pass.phase == Phase::Coarse || pass.phase == Phase::Refined;
 }
 
-std::size_t index(Pace pace) {
-    return pace == Pace::Quick ? 0 : 1;
+std::size_t index(PriorityClass priority) {
+    return priority == PriorityClass::Quick ? 0 : 1;
 }
 
 } // namespace
@@ -67,9 +67,9 @@ void LiveSurface::let_go_of_build() {
 }
 
 void LiveSurface::stop_jobs() {
-    for (auto& lane : lanes_)
-        if (lane)
-            lane->stop.request_stop();
+    for (auto& each : running_)
+        if (each)
+            each->stop.request_stop();
 }
 
 void LiveSurface::begin_epoch() {
@@ -212,13 +212,13 @@ void LiveSurface::give_up_stale() {
     if (wanted_.plan.parameters.kind == core::SurfaceKind::Path)
         return;
     const auto now = services_.clock.now();
-    for (auto& lane : lanes_) {
-        if (!lane || is_early(lane->pass) || lane->epoch != epoch_ || lane->pass.time == time_)
+    for (auto& each : running_) {
+        if (!each || is_early(each->pass) || each->epoch != epoch_ || each->pass.time == time_)
             continue;
-        if (lane->since >= jumped_) // of the time jumped to, or the clock has advanced since
+        if (each->since >= jumped_) // of the time jumped to, or the clock has advanced since
             continue;
-        if (now - lane->since >= patience_with_stale) {
-            lane->stop.request_stop();
+        if (now - each->since >= patience_with_stale) {
+            each->stop.request_stop();
             continue;
         }
         overtake_ = services_.loop.after(patience_with_stale, [weak = weak_from_this()] {
@@ -233,8 +233,8 @@ bool LiveSurface::busy() const {
 }
 
 bool LiveSurface::running() const {
-    return std::ranges::any_of(lanes_, [this](const auto& lane) {
-        return lane && lane->epoch == epoch_ && build_ && lane->build.lock() == build_;
+    return std::ranges::any_of(running_, [this](const auto& each) {
+        return each && each->epoch == epoch_ && build_ && each->build.lock() == build_;
     });
 }
 
@@ -268,8 +268,9 @@ std::optional<SurfacePass> LiveSurface::next_pass() const {
     return std::nullopt;
 }
 
-Pace LiveSurface::pace(const SurfacePass& pass) const {
-    return stage_ == SurfaceStage::Full ? budgets_.pace_of_moving_on() : budgets_.pace(pass.phase);
+PriorityClass LiveSurface::priority_of(const SurfacePass& pass) const {
+    return stage_ == SurfaceStage::Full ? budgets_.priority_of_moving_on()
+                                        : budgets_.priority(pass.phase);
 }
 
 void LiveSurface::advance() {
@@ -279,22 +280,22 @@ void LiveSurface::advance() {
     const auto pass = next_pass();
     if (!pass)
         return;
-    const Pace at = pace(*pass);
-    if (!lanes_[index(at)]) // else the end of a stopped job leads here
+    const PriorityClass at = priority_of(*pass);
+    if (!running_[index(at)]) // else the end of a stopped job leads here
         start(at, *pass);
 }
 
-void LiveSurface::start(Pace pace, const SurfacePass& pass) {
+void LiveSurface::start(PriorityClass priority, const SurfacePass& pass) {
     if (!build_)
         build_ =
             std::make_shared<SurfaceBuild>(wanted_, services_.clock, services_.memory, next_seq_);
-    Running& running = lanes_[index(pace)].emplace(
+    Running& running = running_[index(priority)].emplace(
         Running{epoch_, pass, std::stop_source(), services_.clock.now(), pass_wanted_,
                 std::make_shared<core::WorkDone>(), build_});
     progress_.start(pass.phase, running.work, running.since);
     services_.pool.run(
-        session_, pace,
-        [build = build_, pass, pace, stop = running.stop.get_token(), weak = weak_from_this(),
+        session_, priority,
+        [build = build_, pass, priority, stop = running.stop.get_token(), weak = weak_from_this(),
          services = services_, first = stage_ != SurfaceStage::Full, queued = running.since,
          wanted = running.wanted, work = running.work, wanted_job = wanted_] {
             const auto start = services.clock.now();
@@ -306,15 +307,15 @@ void LiveSurface::start(Pace pace, const SurfacePass& pass) {
                 (*result)->took.queue = std::chrono::duration<double>(start - wanted).count();
             if (services.metrics != nullptr)
                 count(*services.metrics, start - queued, *result, first);
-            services.loop.post([weak, pace, result, seconds = taken.count()] {
+            services.loop.post([weak, priority, result, seconds = taken.count()] {
                 if (const auto self = weak.lock())
-                    self->finished(pace, std::move(*result), seconds);
+                    self->finished(priority, std::move(*result), seconds);
             });
         });
 }
 
-void LiveSurface::finished(Pace pace, core::Result<Update> result, double seconds) {
-    const Running job = *std::exchange(lanes_[index(pace)], std::nullopt);
+void LiveSurface::finished(PriorityClass priority, core::Result<Update> result, double seconds) {
+    const Running job = *std::exchange(running_[index(priority)], std::nullopt);
     const bool of_now = job.epoch == epoch_ && job.build.lock() == build_ && build_;
     if (of_now) {
         pass_wanted_ = services_.clock.now();
@@ -488,10 +489,10 @@ void LiveSurface::encode_key() {
         });
     };
     if (newest->statistics.vertices < quick_key)
-        services_.pool.run(session_, Pace::Quick, job);
+        services_.pool.run(session_, PriorityClass::Quick, job);
     else
-        services_.pool.run(session_ + "\nkeys", Pace::Long,
-                           job); // not behind the session's own work
+        // Under a name of its own it does not wait behind the session's own work.
+        services_.pool.run(session_ + "\nkeys", PriorityClass::Long, job);
 }
 
 } // namespace wakesurf::server

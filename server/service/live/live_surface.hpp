@@ -168,16 +168,17 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
         std::optional<double> time; ///< of the session's clock
     };
 
-    /// The running jobs, one a pace: the coarse pass of an edit does not wait for the long one that it ends.
-    std::array<std::optional<Running>, 2> lanes_;
+    /// The running jobs, one a priority class: the coarse pass of an edit does not wait for the long one
+    /// that it ends.
+    std::array<std::optional<Running>, 2> running_;
 
     bool running() const; ///< a job of the current epoch
     bool unseen() const;  ///< hidden by all
     void advance();
     std::optional<SurfacePass> next_pass() const;
-    Pace pace(const SurfacePass& pass) const;
-    void start(Pace pace, const SurfacePass& pass);
-    void finished(Pace pace, core::Result<Update> result, double seconds);
+    PriorityClass priority_of(const SurfacePass& pass) const;
+    void start(PriorityClass priority, const SurfacePass& pass);
+    void finished(PriorityClass priority, core::Result<Update> result, double seconds);
     void publish(const SurfacePass& pass, Update update);
     void failed(const SurfacePass& pass, core::Error error, double seconds);
     void conclude();

@@ -27,9 +27,9 @@ TEST(ComputePool, RunsQuickJobsWhileEveryLongThreadIsBusy) {
     std::promise<void> release;
     const auto released = release.get_future().share();
     for (int i = 0; i < 20; ++i)
-        pool.run("heavy" + std::to_string(i), Pace::Long, [released] { released.wait(); });
+        pool.run("heavy" + std::to_string(i), PriorityClass::Long, [released] { released.wait(); });
     std::promise<int> quick;
-    pool.run("light", Pace::Quick, [&] { quick.set_value(own_priority()); });
+    pool.run("light", PriorityClass::Quick, [&] { quick.set_value(own_priority()); });
     EXPECT_EQ(quick.get_future().get(), own_priority());
     release.set_value();
 }
@@ -39,9 +39,9 @@ TEST(ComputePool, RunsAQuickJobOfOneSessionWhileAnotherHasMoreOfThemThanThreads)
     std::promise<void> release;
     const auto released = release.get_future().share();
     for (int i = 0; i < 64; ++i)
-        pool.run("heavy", Pace::Quick, [released] { released.wait(); });
+        pool.run("heavy", PriorityClass::Quick, [released] { released.wait(); });
     std::promise<int> quick;
-    pool.run("light", Pace::Quick, [&] { quick.set_value(own_priority()); });
+    pool.run("light", PriorityClass::Quick, [&] { quick.set_value(own_priority()); });
     EXPECT_EQ(quick.get_future().get(), own_priority());
     release.set_value();
 }
@@ -51,12 +51,12 @@ TEST(ComputePool, RunsALongJobWhileAsManySessionsAsThereAreThreadsWaitForData) {
     std::promise<void> arrive;
     const auto arrived = arrive.get_future().share();
     for (int i = 0; i < 40; ++i)
-        pool.run("cold" + std::to_string(i), Pace::Long, [arrived] {
+        pool.run("cold" + std::to_string(i), PriorityClass::Long, [arrived] {
             const core::BlockingWait blocked;
             arrived.wait();
         });
     std::promise<void> warm;
-    pool.run("warm", Pace::Long, [&] { warm.set_value(); });
+    pool.run("warm", PriorityClass::Long, [&] { warm.set_value(); });
     EXPECT_EQ(warm.get_future().wait_for(std::chrono::minutes(2)), std::future_status::ready);
     arrive.set_value();
 }
@@ -66,12 +66,12 @@ TEST(ComputePool, RunsTheManyQuickJobsOfASessionAtAPriorityBetweenAFewAndLongOne
     std::promise<void> release;
     const auto released = release.get_future().share();
     std::promise<int> few, many, longer;
-    pool.run("a", Pace::Quick, [&, released] {
+    pool.run("a", PriorityClass::Quick, [&, released] {
         few.set_value(own_priority());
         released.wait();
     });
-    pool.run("a", Pace::Quick, [&] { many.set_value(own_priority()); });
-    pool.run("a", Pace::Long, [&] { longer.set_value(own_priority()); });
+    pool.run("a", PriorityClass::Quick, [&] { many.set_value(own_priority()); });
+    pool.run("a", PriorityClass::Long, [&] { longer.set_value(own_priority()); });
     const int of_many = many.get_future().get();
     EXPECT_GT(of_many, few.get_future().get());
     EXPECT_LT(of_many, longer.get_future().get());
@@ -83,16 +83,16 @@ TEST(ComputePool, RunsLongJobsOfSeveralSessionsAtATimeAndOneOfEach) {
     std::atomic<int> running{0}, most{0};
     std::promise<void> both;
     for (int i = 0; i < 8; ++i)
-        pool.run("a", Pace::Long, [&] {
+        pool.run("a", PriorityClass::Long, [&] {
             most = std::max(most.load(), ++running);
             --running;
         });
     std::promise<void> a_waits, b_waits;
-    pool.run("a", Pace::Long, [&, other = b_waits.get_future().share()] {
+    pool.run("a", PriorityClass::Long, [&, other = b_waits.get_future().share()] {
         a_waits.set_value();
         other.wait();
     });
-    pool.run("b", Pace::Long, [&, other = a_waits.get_future().share()] {
+    pool.run("b", PriorityClass::Long, [&, other = a_waits.get_future().share()] {
         b_waits.set_value();
         other.wait();
         both.set_value();
@@ -104,7 +104,7 @@ TEST(ComputePool, RunsLongJobsOfSeveralSessionsAtATimeAndOneOfEach) {
 TEST(ComputePool, RunsLongJobsAtALowerPriority) {
     ComputePool pool(2);
     std::promise<int> priority;
-    pool.run("a", Pace::Long, [&] { priority.set_value(own_priority()); });
+    pool.run("a", PriorityClass::Long, [&] { priority.set_value(own_priority()); });
     EXPECT_GT(priority.get_future().get(), own_priority());
 }
 
@@ -112,9 +112,9 @@ TEST(ComputePool, RunsJobsByHandInTheOrderOfTurns) {
     ComputePool pool{ComputePool::ByHand{}};
     std::string order;
     for (const char job : {'1', '2'})
-        pool.run("a", Pace::Long, [&order, job] { order += job; });
-    pool.run("b", Pace::Long, [&order] { order += 'b'; });
-    pool.run("b", Pace::Quick, [&order] { order += 'q'; });
+        pool.run("a", PriorityClass::Long, [&order, job] { order += job; });
+    pool.run("b", PriorityClass::Long, [&order] { order += 'b'; });
+    pool.run("b", PriorityClass::Quick, [&order] { order += 'q'; });
     pool.run([&order] { order += 'l'; });
     while (pool.turn()) {
     }

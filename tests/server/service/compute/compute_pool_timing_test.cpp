@@ -70,7 +70,8 @@ TEST(ComputePoolTiming, LetsGoOfEveryStoppedJobWithin50Milliseconds) {
         SurfaceBuild build(large_surface(), clock);
         std::stop_source stop;
         std::promise<core::Result<Update>> ended;
-        pool.run("a", Pace::Long, [&] { ended.set_value(build.run({}, stop.get_token())); });
+        pool.run("a", PriorityClass::Long,
+                 [&] { ended.set_value(build.run({}, stop.get_token())); });
         ASSERT_EQ(amid.wait_for(std::chrono::minutes(1)), std::future_status::ready);
         const Spent before = Spent::now();
         stop.request_stop();
