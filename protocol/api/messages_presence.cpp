@@ -61,7 +61,7 @@ std::string presence_patched(const std::string& session,
     return text + R"(],"left":)" + json(left).dump() + "}}";
 }
 
-std::string place_text(const PlaceRecord& record) {
+std::string membership_text(const MembershipRecord& record) {
     json out{{"name", record.name},   {"colour", record.colour}, {"role", record.role},
              {"grant", record.grant}, {"sha256", record.digest}, {"roleSet", record.role_set}};
     if (record.left)
@@ -71,14 +71,15 @@ std::string place_text(const PlaceRecord& record) {
     return out.dump();
 }
 
-core::Result<PlaceRecord> read_place(std::string_view text) {
+core::Result<MembershipRecord> read_membership(std::string_view text) {
     const json kept = json::parse(text, nullptr, false);
     const auto corrupt = core::fail(core::Error::Code::Corrupt, "a saved participant is damaged",
                                     "join the session again");
     for (const char* name : {"name", "colour", "role", "grant", "sha256"})
         if (!kept.is_object() || !kept.contains(name) || !kept[name].is_string())
             return corrupt;
-    PlaceRecord record{kept["name"], kept["colour"], kept["role"], kept["grant"], kept["sha256"]};
+    MembershipRecord record{kept["name"], kept["colour"], kept["role"], kept["grant"],
+                            kept["sha256"]};
     if (kept.contains("roleSet")) { // before that only those were kept whose role was set
         if (!kept["roleSet"].is_boolean())
             return corrupt;

@@ -69,8 +69,8 @@ std::string presence_patched(const std::string& session,
                              std::span<const std::string> participants,
                              std::span<const std::string> left);
 
-/// Holds a place in a session, as it is kept. Of the resume token only the digest.
-struct PlaceRecord {
+/// Holds a membership of a session, as it is kept: of the resume token only the digest.
+struct MembershipRecord {
     std::string name;
     std::string colour;
     std::string role;
@@ -80,13 +80,13 @@ struct PlaceRecord {
     std::optional<std::int64_t> left{}; ///< seconds since 1970; nothing: was connected
     std::string former{};               ///< digest of the token before, or empty
 
-    bool operator==(const PlaceRecord&) const = default;
+    bool operator==(const MembershipRecord&) const = default;
 };
 
 /// Returns JSON text.
-std::string place_text(const PlaceRecord& record);
+std::string membership_text(const MembershipRecord& record);
 
 /// Reads it back. Error: Corrupt.
-core::Result<PlaceRecord> read_place(std::string_view text);
+core::Result<MembershipRecord> read_membership(std::string_view text);
 
 } // namespace wakesurf::protocol

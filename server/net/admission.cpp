@@ -36,16 +36,17 @@ std::string address_group(const address& given) {
     return boost::asio::ip::address_v6(bytes).to_string() + "/64";
 }
 
-std::unique_ptr<Admission::Place> Admission::admit(const address& who, bool proxy) {
+std::unique_ptr<Admission::Permit> Admission::admit(const address& who, bool proxy) {
     if (connections_ >= limits_.connections && !make_room_in_all()) {
         metrics_.reject(Rejection::TooManyClients);
         return nullptr;
     }
-    return std::make_unique<Place>(*this, address_group(who), proxy);
+    return std::make_unique<Permit>(*this, address_group(who), proxy);
 }
 
-std::size_t Admission::most(const Place& place) const {
-    return place.proxy_ || place.address_ == loopback ? limits_.pending_loopback : limits_.pending;
+std::size_t Admission::most(const Permit& permit) const {
+    return permit.proxy_ || permit.address_ == loopback ? limits_.pending_loopback
+                                                        : limits_.pending;
 }
 
 /// Evicts a connection of the address with the most.
@@ -61,7 +62,7 @@ bool Admission::make_room_in_all() {
 }
 
 void Admission::make_room(Pending& among) {
-    Place& oldest = *among.front();
+    Permit& oldest = *among.front();
     metrics_.reject(Rejection::TooManyPending);
     oldest.leave();
     oldest.counted_ = false;
@@ -70,23 +71,23 @@ void Admission::make_room(Pending& among) {
         end();
 }
 
-Admission::Place::Place(Admission& owner, std::string address, bool proxy)
+Admission::Permit::Permit(Admission& owner, std::string address, bool proxy)
     : owner_(owner), number_(++owner.last_number_), address_(std::move(address)), proxy_(proxy) {
     ++owner_.connections_;
     wait();
 }
 
-Admission::Place::~Place() {
+Admission::Permit::~Permit() {
     leave();
     if (counted_)
         --owner_.connections_;
 }
 
-void Admission::Place::let_in() {
+void Admission::Permit::let_in() {
     leave();
 }
 
-void Admission::Place::wait() {
+void Admission::Permit::wait() {
     leave();
     if (!counted_)
         return;
@@ -98,7 +99,7 @@ void Admission::Place::wait() {
     pending_ = true;
 }
 
-void Admission::Place::came_from(const address& address, bool proxy) {
+void Admission::Permit::came_from(const address& address, bool proxy) {
     const bool waiting = pending_;
     leave();
     address_ = address_group(address);
@@ -107,7 +108,7 @@ void Admission::Place::came_from(const address& address, bool proxy) {
         wait();
 }
 
-void Admission::Place::leave() {
+void Admission::Permit::leave() {
     if (!std::exchange(pending_, false))
         return;
     const auto found = owner_.pending_.find(address_);

@@ -28,12 +28,12 @@ class Admission {
     };
 
     /// A connection's permit, returned on destruction; pending at first. REQUIRES: the Admission outlives it.
-    class Place {
+    class Permit {
       public:
-        Place(Admission& owner, std::string address, bool proxy);
-        ~Place();
-        Place(const Place&) = delete;
-        Place& operator=(const Place&) = delete;
+        Permit(Admission& owner, std::string address, bool proxy);
+        ~Permit();
+        Permit(const Permit&) = delete;
+        Permit& operator=(const Permit&) = delete;
 
         /// Registers what closes the connection at once; called at most once. The connection then counts no
         /// more.
@@ -64,7 +64,7 @@ class Admission {
         bool proxy_;
         bool counted_ = true;
         bool pending_ = false;
-        std::list<Place*>::iterator at_; ///< while pending
+        std::list<Permit*>::iterator at_; ///< while pending
         std::function<void()> end_;
     };
 
@@ -72,14 +72,14 @@ class Admission {
 
     /// Returns a permit; null without room, with the reason counted.
     /// @param proxy  it is a trusted one: many clients are behind it
-    std::unique_ptr<Place> admit(const boost::asio::ip::address& address, bool proxy = false);
+    std::unique_ptr<Permit> admit(const boost::asio::ip::address& address, bool proxy = false);
 
     std::size_t connections() const { return connections_; }
 
   private:
-    using Pending = std::list<Place*>; ///< idle for longest first
+    using Pending = std::list<Permit*>; ///< idle for longest first
 
-    std::size_t most(const Place& place) const;
+    std::size_t most(const Permit& permit) const;
     void make_room(Pending& among);
     bool make_room_in_all();
 

@@ -89,9 +89,9 @@ class HttpConnection final : public Connection,
                              public std::enable_shared_from_this<HttpConnection> {
   public:
     HttpConnection(tcp::socket socket,
-                   std::unique_ptr<Admission::Place> place,
+                   std::unique_ptr<Admission::Permit> permit,
                    NetServices services)
-        : stream_(std::move(socket), services.tls), services_(services), place_(std::move(place)),
+        : stream_(std::move(socket), services.tls), services_(services), permit_(std::move(permit)),
           waiting_(stream_.get_executor()) {
         services_.connections.add(*this);
     }
@@ -131,7 +131,7 @@ class HttpConnection final : public Connection,
     ByteStream stream_;
     beast::flat_buffer buffer_{limits::message_bytes}; ///< the only limit on extensions of chunks
     NetServices services_;
-    std::unique_ptr<Admission::Place> place_;
+    std::unique_ptr<Admission::Permit> permit_;
     std::optional<http::request_parser<http::string_body>> parser_;
     boost::asio::ip::address peer_; ///< or the client that a trusted proxy reports
     HttpResponse answer_;           ///< the pending response
@@ -163,7 +163,7 @@ HttpRequest plain(const http::request_header<>& request) {
 
 void HttpConnection::start(const boost::asio::ip::address& peer) {
     peer_ = peer;
-    place_->on_end([weak = weak_from_this()] {
+    permit_->on_end([weak = weak_from_this()] {
         if (const auto self = weak.lock())
             self->stream_.close();
     });
@@ -176,7 +176,7 @@ void HttpConnection::start(const boost::asio::ip::address& peer) {
                 return self->failed(error);
             if (header.from) {
                 self->peer_ = *header.from;
-                self->place_->came_from(self->peer_, self->services_.proxies.trusts(self->peer_));
+                self->permit_->came_from(self->peer_, self->services_.proxies.trusts(self->peer_));
             }
             self->accept();
         });
@@ -263,9 +263,9 @@ void HttpConnection::handle(Request request) {
     values.body = std::move(request.body());
     if (services_.proxies.trusts(peer_)) {
         const auto client = services_.proxies.client_of(peer_, values.all("x-forwarded-for"));
-        place_->came_from(client, services_.proxies.trusts(client));
+        permit_->came_from(client, services_.proxies.trusts(client));
     }
-    values.from = place_->from();
+    values.from = permit_->from();
     const auto host = host_name(values.header("host"));
     named_ = stream_.encrypted() && host && !is_loopback(*host);
     if (values.upgrade) {
@@ -279,7 +279,7 @@ void HttpConnection::handle(Request request) {
     const bool keep_alive = request.keep_alive();
     const bool head = request.method() == http::verb::head;
     services_.routes.handle(
-        values, [this] { place_->let_in(); },
+        values, [this] { permit_->let_in(); },
         [self = shared_from_this(), keep_alive, head](const HttpResponse& response) {
             self->respond(response, keep_alive, head);
         });
@@ -300,16 +300,16 @@ void HttpConnection::look_whether_gone() {
 }
 
 void HttpConnection::upgrade(const HttpRequest& request, const Admitted& admitted) {
-    place_->let_in();
+    permit_->let_in();
     services_.connections.remove(*this);
     stream_.put_back(beast::buffers_to_string(buffer_.data())); // frames may follow at once
-    serve_websocket(std::move(stream_), request, admitted, services_, std::move(place_));
+    serve_websocket(std::move(stream_), request, admitted, services_, std::move(permit_));
 }
 
 void HttpConnection::respond(const HttpResponse& response, bool keep_alive, bool head) {
     if (const auto reason = rejection_of(response.status)) {
         services_.metrics.reject(*reason);
-        spdlog::debug("event=refused client={} status={}", place_->number(), response.status);
+        spdlog::debug("event=refused client={} status={}", permit_->number(), response.status);
     }
     gone_.reset();
     waiting_.cancel();
@@ -354,7 +354,7 @@ void HttpConnection::write() {
 
 void HttpConnection::written() {
     const auto pause = std::exchange(answer_, {}).pause;
-    place_->wait();
+    permit_->wait();
     if (!response_->keep_alive())
         return end();
     if (pause.count() == 0)
@@ -380,11 +380,11 @@ void serve_http(tcp::socket socket, NetServices services) {
     if (error)
         return; // closed meanwhile
     const auto peer = plain_address(from.address());
-    auto place = services.admission.admit(peer, services.proxies.trusts(peer));
-    if (!place)
+    auto permit = services.admission.admit(peer, services.proxies.trusts(peer));
+    if (!permit)
         return;
     socket.set_option(tcp::no_delay(true), error);
-    std::make_shared<HttpConnection>(std::move(socket), std::move(place), services)->start(peer);
+    std::make_shared<HttpConnection>(std::move(socket), std::move(permit), services)->start(peer);
 }
 
 } // namespace wakesurf::server

@@ -139,10 +139,10 @@ tl::expected<Admitted, HttpResponse> Routes::admit_upgrade(const HttpRequest& re
     if (keys.size() != 1 || !is_websocket_key(keys.front()))
         return tl::unexpected(http_error(400, "Sec-WebSocket-Key is not 16 bytes in base64",
                                          "leave it to a WebSocket library"));
-    auto place = budgets_.take(*visitor, Use::Socket);
-    if (!place)
-        return tl::unexpected(http_error(place.error()));
-    return Admitted{std::move(*visitor), std::move(*place)};
+    auto permit = budgets_.take(*visitor, Use::Socket);
+    if (!permit)
+        return tl::unexpected(http_error(permit.error()));
+    return Admitted{std::move(*visitor), std::move(*permit)};
 }
 
 std::size_t Routes::longest_body(const HttpRequest& header) {
@@ -163,9 +163,9 @@ void Routes::handle(const HttpRequest& request,
         return respond(http_error(visitor.error()));
     const double messages = 1.0 + static_cast<double>(request.body.size()) / 1024.0;
     const auto pause = budgets_.read(*visitor, messages);
-    auto places = places_for(request, *visitor);
-    if (!places) {
-        HttpResponse refusal = http_error(places.error());
+    auto permits = permits_for(request, *visitor);
+    if (!permits) {
+        HttpResponse refusal = http_error(permits.error());
         refusal.pause = pause;
         return respond(std::move(refusal));
     }
@@ -173,7 +173,7 @@ void Routes::handle(const HttpRequest& request,
     // After a wait or a file the share link or login may have ended: check again.
     serve(request, *visitor,
           [&gate = gate_, &outboxes = outboxes_, visitor = *visitor, pause,
-           places = std::move(*places), shared = is_shared_file(request.path),
+           permits = std::move(*permits), shared = is_shared_file(request.path),
            respond = std::move(respond)](HttpResponse response) {
               if (!gate.still(visitor))
                   response = http_error(Refusal{401, "the share link or login has ended",
@@ -185,7 +185,7 @@ void Routes::handle(const HttpRequest& request,
               response.pause = pause;
               response.held =
                   std::make_shared<std::pair<std::shared_ptr<void>, std::shared_ptr<void>>>(
-                      places, std::move(held));
+                      permits, std::move(held));
               respond(std::move(response));
           });
 }
@@ -228,19 +228,19 @@ HttpResponse Routes::counted_open(const HttpRequest& request, HttpResponse answe
 }
 
 /// Takes the permits of a request, and of a download until the response has been written.
-core::Result<std::shared_ptr<void>> Routes::places_for(const HttpRequest& request,
-                                                       const Visitor& visitor) {
-    auto both = std::make_shared<std::array<Budgets::Place, 2>>();
-    auto place = budgets_.take(visitor, Use::Request);
-    if (!place)
-        return tl::unexpected(place.error());
-    (*both)[0] = std::move(*place);
+core::Result<std::shared_ptr<void>> Routes::permits_for(const HttpRequest& request,
+                                                        const Visitor& visitor) {
+    auto both = std::make_shared<std::array<Budgets::Permit, 2>>();
+    auto permit = budgets_.take(visitor, Use::Request);
+    if (!permit)
+        return tl::unexpected(permit.error());
+    (*both)[0] = std::move(*permit);
     if (!is_download(request))
         return both;
-    place = budgets_.take(visitor, Use::Download);
-    if (!place)
-        return tl::unexpected(place.error());
-    (*both)[1] = std::move(*place);
+    permit = budgets_.take(visitor, Use::Download);
+    if (!permit)
+        return tl::unexpected(permit.error());
+    (*both)[1] = std::move(*permit);
     return both;
 }
 

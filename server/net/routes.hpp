@@ -24,7 +24,7 @@ namespace wakesurf::server {
 /// Holds the visitor and the permit of an admitted WebSocket.
 struct Admitted {
     Visitor visitor;
-    Budgets::Place place;
+    Budgets::Permit permit;
 };
 
 /// Routes requests. Loop thread only. REQUIRES: everything it refers to outlives it.
@@ -61,8 +61,8 @@ class Routes {
     Dispatcher& dispatcher() const { return dispatcher_; }
 
   private:
-    core::Result<std::shared_ptr<void>> places_for(const HttpRequest& request,
-                                                   const Visitor& visitor);
+    core::Result<std::shared_ptr<void>> permits_for(const HttpRequest& request,
+                                                    const Visitor& visitor);
     std::optional<HttpResponse> answer_open(const HttpRequest& request);
     HttpResponse counted_open(const HttpRequest& request, HttpResponse answer);
     void serve(const HttpRequest& request, const Visitor& visitor, Respond respond);

@@ -42,9 +42,9 @@ class WebSocketConnection final : public Connection,
     WebSocketConnection(ByteStream stream,
                         const Admitted& admitted,
                         NetServices services,
-                        std::unique_ptr<Admission::Place> place)
+                        std::unique_ptr<Admission::Permit> permit)
         : stream_(std::move(stream)), stall_(stream_.get_executor()), services_(services),
-          place_(std::move(place)), admitted_(admitted), pause_(stream_.get_executor()),
+          permit_(std::move(permit)), admitted_(admitted), pause_(stream_.get_executor()),
           outbox_(&services.outboxes) {
         services_.connections.add(*this);
     }
@@ -103,7 +103,7 @@ class WebSocketConnection final : public Connection,
     websocket::stream<ByteStream> stream_;
     boost::asio::steady_timer stall_; ///< runs while the socket takes no more
     NetServices services_;
-    std::unique_ptr<Admission::Place> place_;
+    std::unique_ptr<Admission::Permit> permit_;
     const Admitted admitted_;
     /// Runs while a client that sends too fast is not read.
     boost::asio::steady_timer pause_;
@@ -148,7 +148,7 @@ void WebSocketConnection::accept(const HttpRequest& request) {
         if (error)
             return;
         self->open_ = true;
-        spdlog::debug("event=client_opened client={}", self->place_->number());
+        spdlog::debug("event=client_opened client={}", self->permit_->number());
         self->client_.emplace(*self, self->admitted_.visitor, self->services_.grants);
         self->read();
     });
@@ -283,7 +283,7 @@ void WebSocketConnection::write_rest(std::shared_ptr<MessageBatch> batch, Time b
     stall_.async_wait([weak = weak_from_this()](error_code error) {
         const auto self = weak.lock();
         if (!error && self) {
-            spdlog::info("event=client_stalled client={} seconds={}", self->place_->number(),
+            spdlog::info("event=client_stalled client={} seconds={}", self->permit_->number(),
                          limits::stalled.count());
             self->services_.metrics.reject(Rejection::Stalled);
             self->end();
@@ -322,7 +322,7 @@ void WebSocketConnection::close(websocket::close_code code, const char* reason) 
         return;
     write(); // the messages before it
     open_ = false;
-    spdlog::debug("event=client_closed client={} code={}", place_->number(),
+    spdlog::debug("event=client_closed client={} code={}", permit_->number(),
                   static_cast<unsigned>(code)); // the reason may be a user's text
     boost::asio::post(stream_.get_executor(),
                       [self = shared_from_this()] { self->client_.reset(); });
@@ -331,7 +331,7 @@ void WebSocketConnection::close(websocket::close_code code, const char* reason) 
 
 void WebSocketConnection::end() {
     if (open_)
-        spdlog::debug("event=client_gone client={}", place_->number());
+        spdlog::debug("event=client_gone client={}", permit_->number());
     open_ = false;
     stall_.cancel();
     pause_.cancel();
@@ -348,8 +348,8 @@ void serve_websocket(ByteStream stream,
                      const HttpRequest& upgrade,
                      const Admitted& admitted,
                      NetServices services,
-                     std::unique_ptr<Admission::Place> place) {
-    std::make_shared<WebSocketConnection>(std::move(stream), admitted, services, std::move(place))
+                     std::unique_ptr<Admission::Permit> permit) {
+    std::make_shared<WebSocketConnection>(std::move(stream), admitted, services, std::move(permit))
         ->accept(upgrade);
 }
 

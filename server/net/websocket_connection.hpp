@@ -15,6 +15,6 @@ void serve_websocket(ByteStream stream,
                      const HttpRequest& upgrade,
                      const Admitted& admitted,
                      NetServices services,
-                     std::unique_ptr<Admission::Place> place);
+                     std::unique_ptr<Admission::Permit> permit);
 
 } // namespace wakesurf::server

@@ -59,13 +59,13 @@ void dataset_suggest(const Call& call, const protocol::DatasetSuggest& of, Reply
     auto open = call.context.datasets.open(of.dataset);
     if (!open)
         return reply.fault(open.error());
-    auto place = take(call, Use::Probe);
-    if (!place)
-        return reply.fault(place.error());
+    auto permit = take(call, Use::Probe);
+    if (!permit)
+        return reply.fault(permit.error());
     const auto answer = std::make_shared<Reply>(std::move(reply));
     call.context.prober.suggest(
         *open, Budgets::line(call.identity), call.stop,
-        [answer, place = std::move(*place), &datasets = call.context.datasets, id = of.dataset,
+        [answer, permit = std::move(*permit), &datasets = call.context.datasets, id = of.dataset,
          store = open->store](const core::Result<core::SceneSuggestion>& scene) {
             if (replaced_since(datasets, id, store))
                 return answer->fault(replaced_meanwhile());
@@ -89,7 +89,7 @@ struct Opening {
     explicit Opening(Reply to) : reply(std::move(to)) {}
 
     Reply reply;
-    Budgets::Place place;
+    Budgets::Permit permit;
     std::optional<WorkProgress> progress;
     std::optional<std::stop_callback<std::function<void()>>> left;
 };
@@ -127,11 +127,11 @@ void dataset_open(const Call& call, const protocol::DatasetOpen& of, Reply reply
         imports != nullptr ? imports->status(id) : core::Result<DatasetStatus>(there);
     if (!status)
         return reply.fault(status.error());
-    auto place = take(call, Use::Wait);
-    if (!place)
-        return reply.fault(place.error());
+    auto permit = take(call, Use::Wait);
+    if (!permit)
+        return reply.fault(permit.error());
     const auto opening = std::make_shared<Opening>(std::move(reply));
-    opening->place = std::move(*place);
+    opening->permit = std::move(*permit);
     if (status->state == DatasetState::Stopped && !editor)
         return answer_opening(*opening, status);
     if (token && call.client != nullptr)
@@ -179,13 +179,13 @@ void probe_sample(const Call& call, const protocol::ProbeSample& of, Reply reply
     auto open = call.context.datasets.open(of.dataset);
     if (!open)
         return reply.fault(open.error());
-    auto place = take(call, Use::Probe);
-    if (!place)
-        return reply.fault(place.error());
+    auto permit = take(call, Use::Probe);
+    if (!permit)
+        return reply.fault(permit.error());
     const auto answer = std::make_shared<Reply>(std::move(reply));
     call.context.prober.ask(
         *open, std::move(request), Budgets::line(call.identity), call.stop,
-        [answer, place = std::move(*place), &datasets = call.context.datasets, id = of.dataset,
+        [answer, permit = std::move(*permit), &datasets = call.context.datasets, id = of.dataset,
          store = open->store](const core::Result<ProbeResult>& result) {
             if (replaced_since(datasets, id, store))
                 return answer->fault(replaced_meanwhile());

@@ -86,7 +86,7 @@ struct Making {
     explicit Making(Reply to) : reply(std::move(to)) {}
 
     Reply reply;
-    Budgets::Place place;
+    Budgets::Permit permit;
     std::optional<WorkProgress> progress;
 };
 
@@ -110,11 +110,11 @@ void family_make(const Call& call, const protocol::FamilyMake& of, Reply reply) 
         return reply.fault(request.error());
     if (const auto why = refused_here(call))
         return reply.fault(*why);
-    auto place = take(call, Use::Wait);
-    if (!place)
-        return reply.fault(place.error());
+    auto permit = take(call, Use::Wait);
+    if (!permit)
+        return reply.fault(permit.error());
     const auto making = std::make_shared<Making>(std::move(reply));
-    making->place = std::move(*place);
+    making->permit = std::move(*permit);
     const auto work = std::make_shared<core::WorkDone>();
     const auto token = work_token(call, of.work_done_token);
     if (token && call.client != nullptr)

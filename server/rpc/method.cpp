@@ -41,9 +41,9 @@ Method described(std::string_view name, Method::Handler handler) {
             std::move(handler)};
 }
 
-core::Result<Budgets::Place> take(const Call& call, Use use) {
+core::Result<Budgets::Permit> take(const Call& call, Use use) {
     Budgets* const budgets = call.context.budgets;
-    return budgets == nullptr ? Budgets::Place() : budgets->take(call.identity, use);
+    return budgets == nullptr ? Budgets::Permit() : budgets->take(call.identity, use);
 }
 
 Reply held_until_settled(Reply reply, Journal& journal) {

@@ -79,7 +79,7 @@ struct Call {
 };
 
 /// Takes one of a kind, of the caller's budget. Error: OverLimit.
-core::Result<Budgets::Place> take(const Call& call, Use use);
+core::Result<Budgets::Permit> take(const Call& call, Use use);
 
 /// Says who may call a method, from where, and whether its answer waits for the disk.
 struct MethodTraits {

@@ -52,7 +52,7 @@ struct Waiting {
     explicit Waiting(Reply to) : reply(std::move(to)) {}
 
     Reply reply;
-    Budgets::Place place;
+    Budgets::Permit permit;
     std::optional<WorkProgress> progress;
     std::optional<std::stop_callback<std::function<void()>>> cancelled;
 };
@@ -65,11 +65,11 @@ void surface_wait(const Call& call, const protocol::SurfaceWait& of, Reply reply
     if (!live)
         return reply.fault(live.error());
     const auto token = work_token(call, of.work_done_token);
-    auto place = take(call, Use::Wait);
-    if (!place)
-        return reply.fault(place.error());
+    auto permit = take(call, Use::Wait);
+    if (!permit)
+        return reply.fault(permit.error());
     const auto waiting = std::make_shared<Waiting>(std::move(reply));
-    waiting->place = std::move(*place);
+    waiting->permit = std::move(*permit);
     const std::weak_ptr<LiveSurface> weak = *live;
     if (token && call.client != nullptr)
         waiting->progress.emplace(call, *token, "waiting for surface " + of.surface,

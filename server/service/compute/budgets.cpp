@@ -46,7 +46,7 @@ Budgets::Account::Account(const limits::Budget& of, Time now)
     : budget(&of), edits(of.edits, 2.0 * of.edits, now), calls(of.calls, 2.0 * of.calls, now),
       messages(of.messages, 2.0 * of.messages, now) {}
 
-/// What a place takes of each account.
+/// What a permit takes of each account.
 struct Budgets::Held {
     ~Held() {
         for (const auto& [account, use] : parts)
@@ -61,7 +61,7 @@ Budgets::Budgets(const core::Clock& clock, Metrics* metrics, const limits::Budge
       everybody_(std::make_shared<Account>(all_, clock.now())),
       by_links_(std::make_shared<Account>(links_, clock.now())) {}
 
-core::Result<Budgets::Place> Budgets::take(const Visitor& who, Use use) {
+core::Result<Budgets::Permit> Budgets::take(const Visitor& who, Use use) {
     const Accounts accounts = of(who);
     const Kind& kind = kind_of(use);
     const auto index = static_cast<std::size_t>(use);

@@ -28,7 +28,7 @@ enum class Use : std::uint8_t { Socket, Request, Download, Probe, Wait };
 class Budgets {
   public:
     /// One of a kind, until it goes.
-    using Place = std::shared_ptr<void>;
+    using Permit = std::shared_ptr<void>;
 
     /// How long to wait, and for what.
     struct TooFast {
@@ -44,8 +44,8 @@ class Budgets {
     Budgets(const Budgets&) = delete;
     Budgets& operator=(const Budgets&) = delete;
 
-    /// Error: OverLimit, naming whose limit it is. The place may outlive the budgets.
-    core::Result<Place> take(const Visitor& who, Use use);
+    /// Error: OverLimit, naming whose limit it is. The permit may outlive the budgets.
+    core::Result<Permit> take(const Visitor& who, Use use);
 
     /// Takes one call, unless they come too fast.
     std::optional<TooFast> call(const Visitor& who, bool edits);

@@ -17,7 +17,7 @@ constexpr std::size_t least_history = std::size_t{1} << 20;
 } // namespace
 
 struct HistoryBudget::Entry {
-    Place::GiveWay give_way;
+    Permit::GiveWay give_way;
     std::size_t bytes = 0; ///< taken; in use: that may be taken
     bool in_use = false;
     Time used{};
@@ -97,20 +97,20 @@ std::size_t HistoryBudget::bytes() const {
     return state_->taken(false) + state_->taken(true);
 }
 
-HistoryBudget::Place::Place(const HistoryBudget& budget, GiveWay give_way)
+HistoryBudget::Permit::Permit(const HistoryBudget& budget, GiveWay give_way)
     : state_(budget.state_), entry_(new Entry{std::move(give_way)}) {
     const std::lock_guard lock(state_->mutex);
     state_->entries.push_back(entry_.get());
 }
 
-HistoryBudget::Place::~Place() {
+HistoryBudget::Permit::~Permit() {
     const std::lock_guard lock(state_->mutex);
     state_->entries.remove(entry_.get());
     state_->count();
 }
 
 // Of what no one uses at the moment at most half, so that something is left for those who come meanwhile.
-std::size_t HistoryBudget::Place::begin(Time now) {
+std::size_t HistoryBudget::Permit::begin(Time now) {
     const std::lock_guard lock(state_->mutex);
     const std::size_t free = state_->total - state_->taken(true);
     entry_->bytes = std::min(state_->each, free / 2);
@@ -126,14 +126,14 @@ std::size_t HistoryBudget::Place::begin(Time now) {
     return entry_->bytes;
 }
 
-void HistoryBudget::Place::end(std::size_t bytes) {
+void HistoryBudget::Permit::end(std::size_t bytes) {
     const std::lock_guard lock(state_->mutex);
     entry_->bytes = bytes;
     entry_->in_use = false;
     state_->count();
 }
 
-void HistoryBudget::Place::clear() {
+void HistoryBudget::Permit::clear() {
     const std::lock_guard lock(state_->mutex);
     entry_->bytes = entry_->give_way(0);
     state_->count();

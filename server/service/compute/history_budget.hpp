@@ -27,16 +27,16 @@ class HistoryBudget {
                   const core::MemoryAccount* account = nullptr);
 
     /// One surface's history, which is counted while this lives.
-    class Place {
+    class Permit {
       public:
         /// Makes the history fit into so many bytes, 0: forgets it; returns what it takes now. Called by those who need room, while
         /// this history is not in use. Must not call the budget.
         using GiveWay = std::function<std::size_t(std::size_t bytes)>;
 
-        Place(const HistoryBudget& budget, GiveWay give_way);
-        ~Place();
-        Place(const Place&) = delete;
-        Place& operator=(const Place&) = delete;
+        Permit(const HistoryBudget& budget, GiveWay give_way);
+        ~Permit();
+        Permit(const Permit&) = delete;
+        Permit& operator=(const Permit&) = delete;
 
         /// The history is in use until end(): no one else touches it. Returns the bytes it may take: none where there is no memory, the surface is then stepped from its beginning. Those not used for
         /// `limits::history_rest` go first if there is no room, then all are made smaller.

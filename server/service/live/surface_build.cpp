@@ -62,8 +62,8 @@ void SurfaceBuild::renew_data(const SurfaceJob& job) {
     job_.plan.levels = job.plan.levels;
     if (job_.plan.flow == job.plan.flow)
         return;
-    if (place_) // a second build follows the first
-        place_->clear();
+    if (permit_) // a second build follows the first
+        permit_->clear();
     played_.reset();
     grown_.reset();
     last_ = Source::Nothing;
@@ -243,14 +243,14 @@ core::Result<SurfaceBuild::Shown>
 SurfaceBuild::play(double age, const std::stop_token& stop, const Work& work) {
     if (histories_ == nullptr)
         return play_within(limits::history_bytes, age, stop, work);
-    if (!place_)
-        place_ = std::make_unique<HistoryBudget::Place>(
+    if (!permit_)
+        permit_ = std::make_unique<HistoryBudget::Permit>(
             *histories_, [this](std::size_t bytes) { return shrink_history(bytes); });
 
     struct Use {
-        explicit Use(SurfaceBuild& of) : build(of), bytes(of.place_->begin(of.clock_.now())) {}
+        explicit Use(SurfaceBuild& of) : build(of), bytes(of.permit_->begin(of.clock_.now())) {}
 
-        ~Use() { build.place_->end(build.played_ ? build.played_->bytes() : 0); }
+        ~Use() { build.permit_->end(build.played_ ? build.played_->bytes() : 0); }
 
         SurfaceBuild& build;
         std::size_t bytes;

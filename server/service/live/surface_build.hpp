@@ -97,7 +97,7 @@ class SurfaceBuild {
     core::SurfaceStatistics grown_statistics_;
     std::optional<core::PlayedSurface> played_; ///< while not in use, others may shrink or end it
     double played_load_ = 0.0; ///< the time it has waited for time-steps so far, in s
-    std::unique_ptr<HistoryBudget::Place> place_; ///< of `played_`, once there was one
+    std::unique_ptr<HistoryBudget::Permit> permit_; ///< of `played_`, once there was one
 };
 
 } // namespace wakesurf::server

@@ -35,7 +35,8 @@ void run(Input input) {
     check([](auto t) { return protocol::parse_annotation(t); });
     check([](auto t) { return protocol::parse_clock(t); });
     check([](auto t) { return protocol::parse_session_head(t); });
-    check_twin(protocol::read_place(text), protocol::place_text, protocol::read_place);
+    check_twin(protocol::read_membership(text), protocol::membership_text,
+               protocol::read_membership);
     check_twin(protocol::read_grant(text), protocol::grant_text, protocol::read_grant);
 }
 
@@ -58,7 +59,8 @@ std::vector<std::string> seeds() {
     bookmark.bookmark = "b1";
     bookmark.view = R"({"camera":[1,2,3]})";
     const std::string digest(64, 'a');
-    const protocol::PlaceRecord place{"Ada", "#102030", "editor", "link", digest, true, 7, digest};
+    const protocol::MembershipRecord place{"Ada",  "#102030", "editor", "link",
+                                           digest, true,      7,        digest};
     const protocol::GrantRecord grant{"viewer", digest, 5, "Ada", {"link"}, {{"p1", "viewer"}}};
     return {protocol::record_text(rake),
             protocol::record_text(surface),
@@ -66,7 +68,7 @@ std::vector<std::string> seeds() {
             protocol::record_text(protocol::SessionHead{"main", 7, 1, 2, 3, 4}),
             protocol::record_text(bookmark),
             protocol::record_text(protocol::AnnotationRecord{}),
-            protocol::place_text(place),
+            protocol::membership_text(place),
             protocol::grant_text(grant)};
 }
 

@@ -1,4 +1,4 @@
-// Who gets a place: limits in all, and of one address while it has shown nothing; who makes room for whom.
+// Who gets a permit: limits in all, and of one address while it has shown nothing; who makes room for whom.
 #include "server/net/admission.hpp"
 #include "server/service/compute/token_bucket.hpp"
 
@@ -16,7 +16,7 @@ using boost::asio::ip::make_address;
 namespace {
 
 struct Seat {
-    std::unique_ptr<Admission::Place> place;
+    std::unique_ptr<Admission::Permit> permit;
     bool closed = false;
 };
 
@@ -28,13 +28,13 @@ class AdmissionTest : public testing::Test {
     std::vector<std::unique_ptr<Seat>> seats_;
 
     Seat* admit(const char* address, bool proxy = false) {
-        auto place = admission_.admit(make_address(address), proxy);
-        if (place == nullptr)
+        auto permit = admission_.admit(make_address(address), proxy);
+        if (permit == nullptr)
             return nullptr;
         seats_.push_back(std::make_unique<Seat>());
         Seat* const seat = seats_.back().get();
-        seat->place = std::move(place);
-        seat->place->on_end([seat] { seat->closed = true; });
+        seat->permit = std::move(permit);
+        seat->permit->on_end([seat] { seat->closed = true; });
         return seat;
     }
 
@@ -65,13 +65,13 @@ class AdmissionTest : public testing::Test {
 TEST_F(AdmissionTest, MakesRoomForTheNewestOfAnAddressByTheOneIdleForLongest) {
     Seat* const other = admit("192.0.2.2");
     const auto seats = admit_all("192.0.2.1", 3);
-    seats[0]->place->wait(); // it has been answered just now
+    seats[0]->permit->wait(); // it has been answered just now
     Seat* const fourth = admit("192.0.2.1");
     EXPECT_EQ(closed(seats), (std::vector<bool>{false, true, false}));
     admit("192.0.2.1");
     EXPECT_EQ(closed(seats), (std::vector<bool>{false, true, true}));
     EXPECT_FALSE(fourth->closed);
-    EXPECT_FALSE(other->closed) << "another address has its own places";
+    EXPECT_FALSE(other->closed) << "another address has its own permits";
     EXPECT_EQ(admission_.connections(), 4u) << "what was closed counts no more";
     EXPECT_EQ(counted("too_many_pending"), "2");
 }
@@ -79,11 +79,11 @@ TEST_F(AdmissionTest, MakesRoomForTheNewestOfAnAddressByTheOneIdleForLongest) {
 TEST_F(AdmissionTest, LeavesThoseThatHaveShownATokenAlone) {
     const auto seats = admit_all("192.0.2.1", 3);
     for (Seat* each : seats)
-        each->place->let_in();
+        each->permit->let_in();
     const auto more = admit_all("192.0.2.1", 4);
     EXPECT_EQ(closed(seats), std::vector<bool>(3, false));
     EXPECT_EQ(closed(more), (std::vector<bool>{true, false, false, false}));
-    seats[0]->place->wait(); // answered: it is like the others
+    seats[0]->permit->wait(); // answered: it is like the others
     EXPECT_TRUE(more[1]->closed);
 }
 
@@ -99,7 +99,7 @@ TEST_F(AdmissionTest, WhereAllPlacesAreTakenTheAddressWithTheMostGivesOneUp) {
     EXPECT_EQ(admission_.connections(), 10u);
     for (const auto& each : seats_)
         if (!each->closed)
-            each->place->let_in();
+            each->permit->let_in();
     EXPECT_EQ(admit("192.0.2.5"), nullptr) << "no one is idle";
     EXPECT_EQ(counted("too_many_clients"), "1");
 }
@@ -118,9 +118,9 @@ TEST_F(AdmissionTest, CountsThoseBehindAProxyByTheAddressItTells) {
     const auto seats = admit_all("192.0.2.9", 5, true); // more than one address may have
     EXPECT_EQ(closed(seats), std::vector<bool>(5, false));
     for (int i = 0; i < 4; ++i)
-        seats[static_cast<std::size_t>(i)]->place->came_from(make_address("198.51.100.7"), false);
+        seats[static_cast<std::size_t>(i)]->permit->came_from(make_address("198.51.100.7"), false);
     EXPECT_EQ(closed(seats), (std::vector<bool>{true, false, false, false, false}));
-    EXPECT_EQ(seats[1]->place->from(), "198.51.100.7");
+    EXPECT_EQ(seats[1]->permit->from(), "198.51.100.7");
 }
 
 TEST_F(AdmissionTest, GivesEveryPlaceBack) {

@@ -353,9 +353,9 @@ std::size_t Participants::tell(const PresenceNews::Batch& batch) const {
 
 JournalEntry Participants::entry_of(const Participant& place, std::optional<std::int64_t> left) {
     return {"participant", place.id,
-            protocol::place_text({place.name, place.colour, std::string(name(place.role)),
-                                  place.grant, digest_text(place.token), place.role_set, left,
-                                  place.former ? digest_text(*place.former) : std::string()})};
+            protocol::membership_text({place.name, place.colour, std::string(name(place.role)),
+                                       place.grant, digest_text(place.token), place.role_set, left,
+                                       place.former ? digest_text(*place.former) : std::string()})};
 }
 
 void Participants::keep(const Participant& place, std::optional<std::int64_t> left) {
@@ -384,7 +384,7 @@ void Participants::strike(const Participant& place) {
 }
 
 core::Result<void> Participants::restore(const std::string& id, std::string_view record) {
-    const auto kept = protocol::read_place(record);
+    const auto kept = protocol::read_membership(record);
     if (!kept)
         return tl::unexpected(kept.error());
     const auto role = role_named(kept->role);

@@ -26,9 +26,9 @@ struct BudgetsTest : testing::Test {
     std::size_t taken(const Visitor& who, Use use, std::size_t tries) {
         std::size_t count = 0;
         for (std::size_t i = 0; i < tries; ++i)
-            if (auto place = budgets.take(who, use)) {
+            if (auto permit = budgets.take(who, use)) {
                 ++count;
-                places.push_back(std::move(*place));
+                permits.push_back(std::move(*permit));
             }
         return count;
     }
@@ -43,7 +43,7 @@ struct BudgetsTest : testing::Test {
     HandClock clock;
     Metrics metrics{clock};
     Budgets budgets{clock, &metrics};
-    std::vector<Budgets::Place> places;
+    std::vector<Budgets::Permit> permits;
 };
 
 } // namespace
@@ -65,7 +65,7 @@ TEST_F(BudgetsTest, BoundAPersonALinkAndAllLinksAndKeepTheLastPlacesForHosts) {
     EXPECT_EQ(budgets.used(Use::Socket), limits::all.sockets);
     EXPECT_EQ(budgets.take(by_link("g1", "a"), Use::Download).has_value(), true)
         << "each kind is counted by itself";
-    places.clear();
+    permits.clear();
     EXPECT_EQ(budgets.used(Use::Socket), 0u);
     EXPECT_EQ(taken(by_link("g1", "a"), Use::Socket, 1000), limits::person.sockets);
 }
@@ -111,12 +111,12 @@ TEST_F(BudgetsTest, CountWhatTheyRefuseByItsKind) {
 }
 
 TEST_F(BudgetsTest, GiveAPlaceBackAlsoAfterTheirEnd) {
-    Budgets::Place place;
+    Budgets::Permit permit;
     {
         Budgets ended(clock);
-        place = *ended.take(by_link("g1", "a"), Use::Socket);
+        permit = *ended.take(by_link("g1", "a"), Use::Socket);
     }
-    place.reset();
+    permit.reset();
 }
 
 TEST_F(BudgetsTest, GrantABurstOfEditsAndThenSoManyASecondHoweverManySocketsThereAre) {

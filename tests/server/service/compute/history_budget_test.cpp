@@ -21,19 +21,19 @@ using std::chrono::seconds;
 /// A history that takes what it may, but never less than one checkpoint while it is there.
 struct Made {
     explicit Made(const HistoryBudget& budget)
-        : place(budget, [this](std::size_t most) {
+        : permit(budget, [this](std::size_t most) {
               bytes = most == 0 ? 0 : std::min(bytes, std::max(most, least));
               return bytes;
           }) {}
 
     void use(HistoryBudget::Time now, std::size_t wanted) {
-        bytes = std::min(wanted, place.begin(now));
-        place.end(bytes);
+        bytes = std::min(wanted, permit.begin(now));
+        permit.end(bytes);
     }
 
     static constexpr std::size_t least = 10;
     std::size_t bytes = 0;
-    HistoryBudget::Place place;
+    HistoryBudget::Permit permit;
 };
 
 SurfaceJob streak(double separation) {
@@ -96,10 +96,10 @@ TEST(HistoryBudget, IsNeverExceededWhateverIsUsedAtOnce) {
                                          [&](const Use& use) { return use.of == &one; });
         if (in_use != running.end()) {
             one.bytes = random() % (in_use->most + 1);
-            one.place.end(one.bytes);
+            one.permit.end(one.bytes);
             running.erase(in_use);
         } else if (running.size() < 6) {
-            const std::size_t most = one.place.begin(now);
+            const std::size_t most = one.permit.begin(now);
             ASSERT_GT(most, 0u) << "each newcomer gets something";
             ASSERT_LE(most, 300u);
             running.push_back({&one, most});
