@@ -45,9 +45,4 @@ export class EditWindow<T> {
             if (this.waiting !== null) this.options.requestFlush();
         });
     }
-
-    /** Forgets what has not been sent. */
-    clear(): void {
-        this.waiting = null;
-    }
 }

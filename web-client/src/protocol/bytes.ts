@@ -74,10 +74,6 @@ export class Numbers {
         return value;
     }
 
-    signed(): number {
-        return unzigzag(this.next());
-    }
-
     take(count: number): Uint32Array {
         if (count > this.left) throw new FrameError('a mesh update holds too few numbers');
         this.at += count;

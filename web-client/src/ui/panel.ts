@@ -10,7 +10,6 @@ import type { BookmarksModel } from './view/bookmarksPanel.ts';
 import './datasetHead.ts';
 import type { DatasetHeadModel } from './datasetHead.ts';
 import './out/copyAs.ts';
-import { type ExportModel, exportBody } from './out/exportPanel.ts';
 import './help/helpDialog.ts';
 import type { HelpModel } from './help/helpDialog.ts';
 import type { OwnCopy } from '../session/sessions/ownCopy.ts';
@@ -38,6 +37,35 @@ import './surface/surfacePanel.ts';
 import type { SurfaceModel } from './surface/surfacePanel.ts';
 import './view/surroundingsPanel.ts';
 import type { SurroundingsModel } from './view/surroundingsPanel.ts';
+import './out/filmExport.ts';
+import type { FilmExportModel } from './out/filmExport.ts';
+import './out/meshExport.ts';
+import type { MeshExportModel } from './out/meshExport.ts';
+import './out/pictureExport.ts';
+import type { PictureExportModel } from './out/pictureExport.ts';
+
+export interface ExportModel {
+    picture: PictureExportModel;
+    film: FilmExportModel;
+    mesh: MeshExportModel;
+}
+
+function exportBody(model: ExportModel): TemplateResult {
+    return html`
+        <section aria-labelledby="picture-head">
+            <h2 id="picture-head">Picture</h2>
+            <wakesurf-picture-export .model=${model.picture}></wakesurf-picture-export>
+        </section>
+        <section aria-labelledby="film-head">
+            <h2 id="film-head">Film of the playback</h2>
+            <wakesurf-film-export .model=${model.film}></wakesurf-film-export>
+        </section>
+        <section aria-labelledby="mesh-head">
+            <h2 id="mesh-head">Mesh of the surface</h2>
+            <wakesurf-mesh-export .model=${model.mesh}></wakesurf-mesh-export>
+        </section>
+    `;
+}
 
 /** Describes what each of its parts takes, by the name of the part. */
 export interface PanelModel {

@@ -2,12 +2,12 @@
 // over the canvas: sharp at any size and readable by assistive tools.
 import type { Color, Object3D } from 'three';
 import type { Vec3 } from '../../protocol/messages.ts';
-import { BoxLines } from './boxLines.ts';
-import { type AxisEdge, type Bounds, keptIn, labelledEdges } from './domainAxes.ts';
+import { type AxisEdge, type Bounds, boxEdges, centreOf, edgesBeforeBox, keptIn, labelledEdges } from './domainAxes.ts';
 import { Labels } from '../base/labels.ts';
 import { type Cover, isCovered } from '../base/cover.ts';
 import type { Layer, ScreenPoint, ScreenSize, View } from '../base/view.ts';
 import { niceTicks } from '../base/ticks.ts';
+import { tintOf, WideLines } from '../base/wideLines.ts';
 
 const axisNames = ['x', 'y', 'z'];
 const pxPerTick = 52;
@@ -127,4 +127,40 @@ export class DomainOutline implements Layer {
 function collide(a: PlacedWords, b: PlacedWords): boolean {
     const across = clearancePx.x + a.halfWidth + b.halfWidth;
     return Math.abs(a.x - b.x) < across && Math.abs(a.y - b.y) < clearancePx.y;
+}
+
+const width = 1.1;
+const paleOpacity = 0.3;
+
+export class BoxLines {
+    private readonly lines = new WideLines({ width, hidden: false, early: true });
+    private readonly bounds: Bounds;
+    private colour: Color;
+
+    constructor(bounds: Bounds, colour: Color) {
+        this.bounds = bounds;
+        this.colour = colour;
+        this.lines.set(boxEdges(bounds), new Array<number>(48).fill(1));
+        this.object.position.set(...centreOf(bounds));
+        // Before everything else, which then covers it.
+        this.object.renderOrder = -2000;
+    }
+
+    get object(): WideLines['object'] {
+        return this.lines.object;
+    }
+
+    setColour(colour: Color): void {
+        this.colour = colour;
+    }
+
+    update(view: View): void {
+        this.lines.update(view);
+        const before = edgesBeforeBox(this.bounds, view.outside);
+        this.lines.tint(before.flatMap((pale) => tintOf(this.colour, pale ? paleOpacity : 1)));
+    }
+
+    dispose(): void {
+        this.lines.dispose();
+    }
 }

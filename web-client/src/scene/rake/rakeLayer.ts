@@ -6,11 +6,11 @@ import type { DrawnRake, HeldHandle } from './drawnRake.ts';
 import { RakeCurve } from './rakeCurve.ts';
 import { axisLine, curveUnder, type Handle, handleUnder, labelPlace, positionOf } from './rakeHandles.ts';
 import type { RakeShape } from './rakeShape.ts';
-import { RakeLabels } from './rakeLabels.ts';
 import { placeUnder } from './rakePlace.ts';
 import { RakeWidget } from './rakeWidget.ts';
 import type { Axis } from './snapping.ts';
 import { distance } from './vec3.ts';
+import { beside, Labels } from '../base/labels.ts';
 
 /** Describes what is shown while a handle is moved. */
 export interface Guide {
@@ -169,5 +169,31 @@ export class RakeLayer implements Layer {
         this.widgets.delete(id);
         this.object.remove(widget.object);
         widget.dispose();
+    }
+}
+
+interface RakeLabel {
+    at: ScreenPoint;
+    words: string;
+    colour: string;
+}
+
+/** Clear of the handle and of the finger on it. */
+const clearancePx = { x: 18, y: 34 };
+
+export class RakeLabels {
+    private readonly labels: Labels;
+
+    constructor(layer: HTMLElement) {
+        this.labels = new Labels(layer);
+    }
+
+    show(labels: readonly RakeLabel[]): void {
+        this.labels.begin();
+        for (const { at, words, colour } of labels) {
+            const place = { x: at.x + clearancePx.x, y: at.y - clearancePx.y };
+            this.labels.place(place, words, 'rake-label', beside).style.borderLeftColor = colour;
+        }
+        this.labels.end();
     }
 }

@@ -1,10 +1,18 @@
 // The solid body in the picture: a little further away in depth than it is, cut where surfaces are, with the
 // flow along it as a texture.
-import { BufferAttribute, type BufferGeometry, Group } from 'three';
+import {
+    BufferAttribute,
+    BufferGeometry,
+    DoubleSide,
+    Group,
+    type Material,
+    Mesh,
+    MeshLambertMaterial,
+    Plane,
+    Vector3,
+} from 'three';
 import type { BodyMesh } from '../../mesh/bodyMesh.ts';
 import type { Vec3 } from '../../protocol/messages.ts';
-import { createObstacleMesh } from '../domain/obstacleMesh.ts';
-import { clipMaterial } from './bodyClip.ts';
 import { pushBack } from './bodyDepth.ts';
 import { giveTexture, showTexture } from './bodyTexture.ts';
 import { shadedLayer } from './contactShade.ts';
@@ -120,4 +128,19 @@ export class DrawnBody {
         makeNoise(texture, this.surfaces.shared, this.surfaces.textures);
         showTexture(this.mesh.material, texture);
     }
+}
+
+/** @param planes (n, w): nothing is left where n . point > w */
+function clipMaterial(material: Material, planes: readonly (readonly [number, number, number, number])[]): void {
+    const cutting = planes.filter(([x, y, z]) => x !== 0 || y !== 0 || z !== 0);
+    material.clippingPlanes = cutting.map(([x, y, z, w]) => new Plane(new Vector3(-x, -y, -z), w));
+    material.needsUpdate = true;
+}
+
+function createObstacleMesh({ positions, normals, indices }: BodyMesh): Mesh<BufferGeometry, MeshLambertMaterial> {
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', new BufferAttribute(positions, 3));
+    geometry.setAttribute('normal', new BufferAttribute(normals, 3));
+    geometry.setIndex(new BufferAttribute(indices, 1));
+    return new Mesh(geometry, new MeshLambertMaterial({ color: 0xb4bcc9, side: DoubleSide }));
 }

@@ -1,6 +1,5 @@
 // Times and coordinates as the page writes them: as finely as those of the dataset ask for, however large
 // they are.
-import type { Vec3 } from '../../protocol/messages.ts';
 import { fieldNumber, finestStep, placeNumber, resolutionOf } from '../../scene/base/numbers.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
@@ -38,10 +37,6 @@ export function coordinateText(state: PlaceState, axis: number, value: number): 
 
 export function coordinateField(state: PlaceState, axis: number, value: number): string {
     return fieldNumber(value, coordinateResolution(state, axis));
-}
-
-export function pointText(state: PlaceState, point: Vec3): string {
-    return point.map((value, axis) => coordinateText(state, axis, value)).join(', ');
 }
 
 function coordinateResolution({ dataset }: PlaceState, axis: number): number {

@@ -2,16 +2,15 @@
 // there. What the server refuses is said in the list, which lies over everything else.
 import { computed, signal } from '@preact/signals-core';
 import { errorCodes } from '../../protocol/generated/errors.ts';
-import type { SessionEntry } from '../../protocol/messages.ts';
+import type { SessionEntry, SessionImported } from '../../protocol/messages.ts';
 import { Announcements } from '../../state/announcements.ts';
 import type { AppState } from '../../state/appState.ts';
 import { CallError, type WorkerClient } from '../../worker/workerClient.ts';
-import { requestWords } from '../../connection/httpFault.ts';
+import { faultOf, requestWords } from '../../connection/httpFault.ts';
 import type { OwnServer } from '../../connection/ownServer.ts';
 import { openFragment, writeFragment } from '../view/urlState.ts';
 import { fitting } from './fitting.ts';
 import { latestSession } from './knownSessions.ts';
-import { fetchSessionFile, fetchThumbnail, sendSessionFile } from './sessionFiles.ts';
 
 const noPlace = 'Export the sessions that are no longer needed, and delete them.';
 const fullTrash = 'Permanently delete some sessions in the trash.';
@@ -197,4 +196,35 @@ function inWords(remedy: string): (error: unknown) => never {
 
 function later(a: string | undefined, b: string | undefined): number {
     return Date.parse(a ?? '') - Date.parse(b ?? '') || 0;
+}
+
+/** Limits a file, in bytes, to what the server takes; refused here already, lest it is sent for nothing. */
+const largestMiB = 24;
+
+type Asked = Pick<OwnServer, 'fetch'>;
+
+/** Error: in words. */
+async function fetchSessionFile(server: Asked, session: string): Promise<Blob> {
+    const reply = await server.fetch(`api/v1/sessions/${encodeURIComponent(session)}/session.json`);
+    if (!reply.ok) throw await faultOf(reply);
+    return reply.blob();
+}
+
+/** Error: in words. */
+async function sendSessionFile(server: Asked, file: Blob): Promise<SessionImported> {
+    if (file.size > largestMiB << 20) {
+        throw new Error(
+            `This file is ${Math.ceil(file.size / (1 << 20))} MiB; a session file is at most ${largestMiB} MiB. Choose the file of an exported session.`,
+        );
+    }
+    const headers = { 'Content-Type': 'application/json' };
+    const reply = await server.fetch('api/v1/sessions', { method: 'POST', headers, body: file });
+    if (!reply.ok) throw await faultOf(reply);
+    return (await reply.json()) as SessionImported;
+}
+
+/** The picture of a session, or null where it has none any more. */
+async function fetchThumbnail(server: Asked, session: string): Promise<Blob | null> {
+    const reply = await server.fetch(`api/v1/sessions/${encodeURIComponent(session)}/thumbnail`);
+    return reply.ok ? reply.blob() : null;
 }

@@ -1,7 +1,5 @@
 // Shows how the selected surface looks: the colours first, everything else in groups that open.
-import { css, html, type TemplateResult } from 'lit';
-import './bodyPanel.ts';
-import type { BodyModel } from './bodyPanel.ts';
+import { css, html, nothing, type TemplateResult } from 'lit';
 import './clipPanel.ts';
 import type { ClipModel } from './clipPanel.ts';
 import './colourPanel.ts';
@@ -16,6 +14,41 @@ import type { PaintModel } from './paintPanel.ts';
 import { ModelElement } from '../base/signalElement.ts';
 import './windowsPanel.ts';
 import type { WindowsModel } from './windowsPanel.ts';
+import type { BodyFlow } from '../../session/picture/bodyFlow.ts';
+import type { AppState } from '../../state/appState.ts';
+import type { ViewState } from '../../state/viewState.ts';
+import { checkRow } from '../base/rows.ts';
+import { lookStyles } from './lookStyles.ts';
+
+export interface BodyModel {
+    state: Pick<AppState, 'dataset'>;
+    view: Pick<ViewState, 'bodyTexture'>;
+    bodyFlow: Pick<BodyFlow, 'standing'>;
+}
+
+const bodyWords = {
+    off: '',
+    waiting: 'The flow along the body is on its way.',
+    shown: 'The velocity is that a quarter of a cell off the body. Where the clock runs, the texture goes with the flow.',
+    failed: 'The server did not send the flow along the body at this time.',
+};
+
+export class BodyPanel extends ModelElement<BodyModel> {
+    static override styles = lookStyles;
+
+    override render(): TemplateResult {
+        const { state, view, bodyFlow } = this.model;
+        const { bodyTexture } = view;
+        const none = state.dataset.value?.obstacle !== true;
+        const said = none ? 'There is no body in this dataset.' : bodyWords[bodyFlow.standing.value];
+        return html`
+            ${checkRow('Show the flow along the body', bodyTexture.value, (on) => (bodyTexture.value = on), { id: 'body-texture', disabled: none })}
+            ${said === '' ? nothing : html`<p class="quiet" role="status">${said}</p>`}
+        `;
+    }
+}
+
+customElements.define('wakesurf-body', BodyPanel);
 
 /** Describes what its groups take: all of them are about the same surface. */
 export type LookModel = ColourModel & OpacityModel & LinesModel & WindowsModel & ClipModel & BodyModel & PaintModel;

@@ -5,7 +5,7 @@ import { signal } from '@preact/signals-core';
 import type { RakeKind, Vec3 } from '../../protocol/messages.ts';
 import { diagonal } from '../../scene/camera/fitting.ts';
 import { gripOf, type Handle } from '../../scene/rake/rakeHandles.ts';
-import { asKind, circleOf, circleShape, withoutPoint, withPointAfter } from '../../scene/rake/rakeShape.ts';
+import { asKind, circleOf, circleShape, type RakeShape, withoutPoint, withPointAfter } from '../../scene/rake/rakeShape.ts';
 import { gridStep, unitAxis } from '../../scene/rake/snapping.ts';
 import { withCoordinate } from '../../scene/rake/typedPoint.ts';
 import { fieldNumber, resolutionOf, shortNumber } from '../../scene/base/numbers.ts';
@@ -17,7 +17,6 @@ import type { FlowScene } from '../../scene/scene.ts';
 import type { Edits } from '../../session/edits/edits.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
-import { handleNameOf, handleRows } from './rakeRows.ts';
 import { rakePanelStyles } from './rakePanelStyles.ts';
 import { checkRow, numberRow } from '../base/rows.ts';
 import { ModelElement } from '../base/signalElement.ts';
@@ -377,6 +376,31 @@ function longestAxis(bounds: readonly number[]): Vec3 {
 
 function lowered(sentence: string): string {
     return sentence.charAt(0).toLowerCase() + sentence.slice(1);
+}
+
+interface HandleRow {
+    handle: Handle;
+    name: string;
+}
+
+/** With more points than these only the first, the last and one chosen by its number are listed. */
+const mostRows = 12;
+
+function handleNameOf(handle: Handle, { kind, points }: RakeShape): string {
+    if (handle === 'rotate') return 'Turn';
+    if (kind === 'circle') return ['Centre', 'Rim', 'Tilt'][handle === 'middle' ? 0 : handle] ?? '';
+    if (handle === 'middle') return 'Middle';
+    if (handle === 0) return 'Start';
+    return handle === points.length - 1 ? 'End' : `Point ${handle + 1}`;
+}
+
+/** @param shown the index of the point that is listed of many */
+function handleRows(shape: RakeShape, shown: number): HandleRow[] {
+    const last = shape.points.length - 1;
+    const all = [...shape.points.keys()];
+    const few = last < mostRows ? all : [0, Math.min(shown, last - 1), last];
+    const handles: Handle[] = shape.kind === 'circle' ? ['middle', 1, 2] : [...few, 'middle'];
+    return handles.map((handle) => ({ handle, name: handleNameOf(handle, shape) }));
 }
 
 customElements.define('wakesurf-rake', RakePanel);

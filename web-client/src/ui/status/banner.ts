@@ -5,11 +5,11 @@ import { type DatasetEntry, errorWords } from '../../protocol/messages.ts';
 import type { Announcements } from '../../state/announcements.ts';
 import type { ImportWait } from '../../session/importWait.ts';
 import { velocitiesOf } from '../../session/openDataset.ts';
-import type { AppState } from '../../state/appState.ts';
+import type { AppState, GoneSession } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { ModelElement } from '../base/signalElement.ts';
-import { goneWords } from './goneWords.ts';
 import './linkField.ts';
+import { dayWords } from '../base/timeWords.ts';
 
 export interface BannerModel {
     state: AppState;
@@ -213,6 +213,18 @@ export class Banner extends ModelElement<BannerModel> {
 
 function duration(seconds: number): string {
     return seconds < 90 ? `${Math.max(1, Math.round(seconds))} s` : `${Math.round(seconds / 60)} min`;
+}
+
+function goneWords({ restorableUntil, remembered }: GoneSession): { words: string; next: string } {
+    if (restorableUntil !== null) {
+        return { words: 'was moved to the trash.', next: `It can be restored until ${dayWords(restorableUntil)}.` };
+    }
+    return {
+        words: 'is not on this server.',
+        next: remembered
+            ? 'This page remembers its contents and can recreate it as a new session.'
+            : 'It was deleted, or the server was started without it. Choose another session.',
+    };
 }
 
 customElements.define('wakesurf-banner', Banner);

@@ -4,7 +4,6 @@ import { shortNumber } from '../../scene/base/numbers.ts';
 import type { Edits } from '../../session/edits/edits.ts';
 import type { MeshDownload } from '../../session/out/meshDownload.ts';
 import type { SurfaceProgress } from '../../session/surface/surfaceProgress.ts';
-import { errorWords, isDoubtful } from '../surface/errorWords.ts';
 import { withUnit } from '../../session/picture/unitsInPicture.ts';
 import type { SurfaceStats } from '../../protocol/messages.ts';
 import { surfaceSetRanges } from '../../protocol/generated/surface.ts';
@@ -164,6 +163,23 @@ function emptyWords(outcome: SurfaceStats | undefined): string {
     if (outcome?.empty === undefined) return '';
     const { message, hint } = outcome.empty;
     return `${message.charAt(0).toUpperCase()}${message.slice(1)}: ${hint}.`;
+}
+
+type StatedError = Pick<SurfaceStats, 'error99' | 'uncertain' | 'vertices'>;
+
+/** Returns whether so many vertices are uncertain that the 99th percentile of all would exceed the
+ *  separation. */
+function isDoubtful(stats: StatedError | undefined): boolean {
+    return stats?.uncertain !== undefined && 100 * stats.uncertain > stats.vertices;
+}
+
+/** Returns words like "99 % of vertices within 0.004 m, 12 are uncertain". Nothing of a distance where too
+ *  many are. */
+function errorWords(stats: StatedError, unit: string): string {
+    const uncertain = stats.uncertain ?? 0;
+    if (isDoubtful(stats)) return `${countWords(uncertain)} of ${countWords(stats.vertices)} vertices uncertain`;
+    const within = `99 % of vertices within ${withUnit(shortNumber(Number((stats.error99 ?? 0).toPrecision(2))), unit)}`;
+    return uncertain === 0 ? within : `${within}, ${countWords(uncertain)} uncertain`;
 }
 
 customElements.define('wakesurf-status', StatusPanel);
