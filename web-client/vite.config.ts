@@ -23,34 +23,23 @@ const pythonClient: Plugin = {
     },
 };
 
-/** Parts of three's shaders that no material of the page has: of physically based, cartoon-like and glossy ones, of shadows, and of
- *  surfaces with bones, bumps, reflections or tone mapping. */
+/** Matches the parts of three's shaders that no material of the page has: of physically based, cartoon-like and
+ *  glossy ones, of shadows, and of surfaces with bones, bumps, reflections or tone mapping. */
 const unusedShaders =
-    /^(?:var|const) ((?:lights_(?:physical|toon|phong)|transmission|iridescence|clearcoat|cube_uv_reflection|envmap|shadowm\w+|lightprobes|tonemapping|morph\w+|skin\w*|batching|bumpmap|normalmap|alphahash|gradientmap)_\w+) = ".*";$/gm;
-
-/** Lines of comments, and comments of several lines, which only those in shaders get as far as the bundle. */
-const comments = /^[ \t]*(?:\/\/.*|\/\*\*[\s\S]*?\*\/[ \t]*)\n/gm;
-
-/** Templates, styles and shaders, three's too, are indented for who reads them; in a browser that is 3 % of the page and means nothing. */
-const unindented: Plugin = {
-    name: 'unindented',
-    apply: 'build',
-    transform(code, id) {
-        if (/\/src\/(ui|scene)\/.*\.ts$/.test(id)) {
-            const said = id.includes('/src/scene/') ? code.replace(comments, '') : code;
-            return { code: said.replace(/\n[ \t]+/g, '\n'), map: null };
-        }
-        if (!id.endsWith('/three.module.js')) return null;
-        // Its shaders are strings with escaped ends of lines.
-        return { code: code.replace(unusedShaders, 'var $1 = "";').replace(/\\n(\\t)+/g, '\\n'), map: null };
-    },
-};
+    /^.*\/(?:(?:lights_(?:physical|toon|phong)|transmission|iridescence|clearcoat|cube_uv_reflection|envmap|shadowm\w+|lightprobes|tonemapping|morph\w+|skin\w*|batching|bumpmap|normalmap|alphahash|gradientmap)_\w+)\.glsl\.js$/;
 
 const notices = thirdPartyNotices();
 
 export default defineConfig({
     base: './',
-    plugins: [unindented, pythonClient, notices.page],
+    resolve: {
+        alias: [
+            // Its sources are a module a part; the package's own bundle has all of them.
+            { find: /^three$/, replacement: 'three/src/Three.js' },
+            { find: unusedShaders, replacement: 'data:text/javascript,export default ""' },
+        ],
+    },
+    plugins: [pythonClient, notices.page],
     build: {
         target: 'es2022',
         outDir: 'dist',
