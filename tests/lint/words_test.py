@@ -33,7 +33,7 @@ HOMES = {
 DECLARED = re.compile(r"^[ \t]*(?:struct|class|enum class|enum|using)[ \t]+(\w+)(?=[ \t]*(?:\{|;|:|=|final\b|$))", re.MULTILINE)
 
 # Rooms whose comments in front of declarations are sentences. The list grows.
-ROOMS_OF_SENTENCES = re.compile(r"(core|store|importer|command|protocol/(api(?!/generated)|wire|files)|tests/support|server/(app|cli|net|rpc|service/(live|web|zarr|bricks|levels|catalogue|journal|metrics|base)))/.*\.(hpp|cpp)$")
+ROOMS_OF_SENTENCES = re.compile(r"(core|store|importer|command|protocol/(api(?!/generated)|wire|files)|tests/support|server/(app|cli|net|rpc|service/(compute|live|web|zarr|bricks|levels|catalogue|journal|metrics|base)))/.*\.(hpp|cpp)$")
 WITHOUT_SUBJECT = re.compile(r"(Of|As|The same|What|Whether|Who|How|So many|That)\b(?! is why)")
 LONGEST_COMMENT = 110
 # The page's comments: those that stand alone or behind code; one in front of a declaration may begin on the line below its `/**`.

@@ -1,4 +1,5 @@
-// A rate for each address that asks, of what needs no token. Beyond limits::addresses of them the further ones share one.
+// A rate for each address that asks, of what needs no token. Beyond limits::addresses of them the further
+// ones share one.
 #pragma once
 
 #include "core/base/clock.hpp"
@@ -17,7 +18,7 @@ class AddressRates {
     AddressRates(double per_second, double at_once, const core::Clock& clock)
         : per_second_(per_second), at_once_(at_once), clock_(clock) {}
 
-    /// How long until one more may come; zero: now.
+    /// Returns how long to wait until one more may come; zero if it may come now.
     std::chrono::milliseconds wait_for(const std::string& from);
 
     /// On credit, if need be.

@@ -15,8 +15,8 @@
 
 namespace wakesurf::server {
 
-/// Runs `work` in the pool and hands its result to `done` on the loop; work that runs out of memory returns OverLimit.
-/// REQUIRES: loop and pool outlive the work.
+/// Runs `work` in the pool and hands its result to `done` on the loop; work that runs out of memory returns
+/// OverLimit. REQUIRES: loop and pool outlive the work.
 /// @param line  whose turn it takes, see ComputePool::run; work of one line runs one after the other
 template <class T>
 void compute(Loop& loop,
@@ -36,7 +36,7 @@ void compute(Loop& loop,
     });
 }
 
-/// The same for work that has turns of its own.
+/// Runs work that takes turns of its own, like a session.
 template <class T>
 void compute(Loop& loop,
              ComputePool& pool,

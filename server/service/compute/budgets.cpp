@@ -46,7 +46,7 @@ Budgets::Account::Account(const limits::Budget& of, Time now)
     : budget(&of), edits(of.edits, 2.0 * of.edits, now), calls(of.calls, 2.0 * of.calls, now),
       messages(of.messages, 2.0 * of.messages, now) {}
 
-/// What a permit takes of each account.
+/// Holds what a permit takes of each account.
 struct Budgets::Held {
     ~Held() {
         for (const auto& [account, use] : parts)

@@ -1,6 +1,7 @@
-// What each person, each share link and all links together may use of the server, over all their WebSockets and HTTP requests: so many of a
-// kind at a time, and so many calls, edits and messages a second. Asked before anything is done; who is refused is told whose
-// limit it was. The last of everything are for those with the server's own token, so that a host can always come in and take a link back.
+// Limits what each person, each share link and all links together use of the server, over all their
+// WebSockets and HTTP requests: how many of a kind at a time, and how many calls, edits and messages a
+// second. It is asked before anything is done, and a refusal says whose limit was reached. The last of each
+// kind are for clients with the server's own token, so that a host can always enter and revoke a link.
 #pragma once
 
 #include "core/base/clock.hpp"
@@ -21,16 +22,16 @@
 
 namespace wakesurf::server {
 
-/// What is counted while it lasts; see limits::Budget.
+/// The kinds of use that are counted while they last; see limits::Budget.
 enum class Use : std::uint8_t { Socket, Request, Download, Probe, Wait };
 
 /// Loop thread only. Cost of a call: O(log people).
 class Budgets {
   public:
-    /// One of a kind, until it goes.
+    /// Holds one of a kind until it is destroyed.
     using Permit = std::shared_ptr<void>;
 
-    /// How long to wait, and for what.
+    /// Tells how long to wait, and the limit that was reached.
     struct TooFast {
         std::chrono::milliseconds retry_after;
         double limit; ///< a second
@@ -53,10 +54,11 @@ class Budgets {
     /// Takes messages that have been read, on credit. Returns how long to read no further.
     std::chrono::milliseconds read(const Visitor& who, double messages);
 
-    /// In use by all.
+    /// Returns how many of a kind all clients use.
     std::size_t used(Use use) const;
 
-    /// Whose turn it is in the compute pool with work that is no session's: all people of a link have one turn between them.
+    /// Returns the name under which work of no session queues in the compute pool. All clients that came by
+    /// one link share one.
     static std::string line(const Visitor& who);
 
   private:
@@ -75,7 +77,8 @@ class Budgets {
     using Shared = std::shared_ptr<Account>;
     struct Held;
 
-    /// Of one who asks: the person where it is one of many by a link, the link or the token, all links.
+    /// Holds the accounts that a caller is charged to: the person where the caller is one of many by a
+    /// link, the link or the token, and all links.
     struct Accounts {
         Shared person; ///< nothing: a script with the server's token
         Shared holder;

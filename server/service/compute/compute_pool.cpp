@@ -56,8 +56,8 @@ class Freeing {
     std::jthread thread_{[this] { free_all(); }};
 };
 
-/// Light sessions have threads of full priority, never all of them for one session. The others have threads that leave the
-/// processors to those and to the network thread.
+/// Light sessions have threads of full priority, never all of them for one session. The others have threads
+/// that leave the processors to those and to the network thread.
 WorkerThreads::Rules quick_rules(unsigned cores) {
     constexpr std::chrono::milliseconds patience{20};
     const std::size_t each = std::max(2u, cores);
@@ -73,7 +73,8 @@ WorkerThreads::Rules quick_rules(unsigned cores) {
             .charge_processor = true};
 }
 
-/// A session counts as light until its first job has run: after the patience the next light one has its turn.
+/// A session counts as light until its first job has run: after the patience the next light one has its
+/// turn.
 WorkerThreads::Rules long_rules(unsigned cores) {
     const std::size_t any = std::max(4u, 2 * cores);
     return {.queue = {.at_once = 1,

@@ -1,6 +1,7 @@
-// The threads surfaces are computed on, apart from the network thread, which never computes. Passes that are over at once
-// and passes that take long have threads of their own, sessions take turns in both. The long ones, and the quick ones of sessions that
-// have many (quick_lanes), run at lower priorities: the kernel slices them, so that no one's surfaces freeze another session.
+// The threads on which surfaces are computed, apart from the network thread, which never computes. Quick
+// and long passes have threads of their own, and sessions take turns in both. Long passes, and quick ones
+// of sessions that use much, run at lower priorities: the kernel slices them, so that no surface delays
+// another session.
 #pragma once
 
 #include <functional>
@@ -9,11 +10,12 @@
 
 namespace wakesurf::server {
 
-/// Jobs are of one of two priority classes, by how long they are expected to take. A quick one ends within some 15 ms.
+/// Jobs are of one of two priority classes, by how long they are expected to take. A quick one ends within
+/// some 15 ms.
 enum class PriorityClass { Quick, Long };
 
-/// Thread safety: run() may be called from any thread. The destructor waits for jobs that have begun or are queued;
-/// request them to stop first.
+/// Thread safety: run() may be called from any thread. The destructor waits for jobs that have begun or are
+/// queued; request them to stop first.
 class ComputePool {
   public:
     using Job = std::function<void()>;
@@ -29,21 +31,23 @@ class ComputePool {
     ComputePool(const ComputePool&) = delete;
     ComputePool& operator=(const ComputePool&) = delete;
 
-    /// Queues a job of a session, and waits for no other thread. Quick ones run on one thread each; one session never has all threads of
-    /// full priority. Of the long ones of a session one runs at a time; its parallel loops use all cores. A job must not throw.
+    /// Queues a job of a session, and waits for no other thread. Quick ones run on one thread each; one
+    /// session never has all threads of full priority. Of the long ones of a session one runs at a time;
+    /// its parallel loops use all cores. A job must not throw.
     void run(const std::string& session, PriorityClass priority, Job job);
 
     /// Queues a long job that belongs to no session: it has turns like a session of its own.
     void run(Job job);
 
-    /// What is large and no longer needed is freed on a thread that no one waits for: the network thread would stand still for
-    /// milliseconds. By hand: at once.
+    /// Destroys a large object on a thread that no one waits for: the network thread would be busy with it
+    /// for milliseconds. By hand, at once.
     void let_go(std::shared_ptr<const void> thing);
 
-    /// By hand: runs the job whose turn it is, quick ones first, on the caller's thread. False when there is none.
+    /// Runs the next job on the caller's thread, quick ones first, by hand only. Returns false when there
+    /// is none.
     bool turn();
 
-    /// Threads that parallel loops use.
+    /// Returns the number of threads that parallel loops use.
     unsigned threads() const;
 
   private:

@@ -1,5 +1,5 @@
-// Whose job is next: sessions take turns, however many jobs each of them has waiting; within a session the oldest goes
-// first. A session that has used little lately is light, and its jobs may be taken first.
+// Whose job is next: sessions take turns, however many jobs each of them has waiting; within a session the
+// oldest goes first. A session that has used little lately is light, and its jobs may be taken first.
 #pragma once
 
 #include "server/service/compute/recent_use.hpp"
@@ -25,8 +25,9 @@ class FairQueue {
         std::size_t at_once;
         std::size_t light_at_once;
 
-        /// A session is light below this share of a thread or processor over about `memory`. Sessions with a share above
-        /// `busy` divide it where they are more than two: all of them together would otherwise fill the threads for light ones.
+        /// A session is light below this share of a thread or processor over about `memory`. Sessions with
+        /// a share above `busy` divide it where they are more than two: all of them together would
+        /// otherwise fill the threads for light ones.
         double light_share;
         double busy;
         std::chrono::milliseconds memory;
@@ -43,8 +44,8 @@ class FairQueue {
 
     enum class Takes { Any, Light, NotLight };
 
-    /// Returns the next job of the sessions that `which` names: in turn, but of the light ones the session that has used least
-    /// goes first. Empty if no such job may run now.
+    /// Returns the next job of the sessions that `which` names: in turn, but of the light ones the session
+    /// that has used least goes first. Empty if no such job may run now.
     std::optional<Turn> pop(Takes which, Time now);
 
     /// Reports that a job that pop() returned has run and used `seconds`. REQUIRES: every job is reported.

@@ -1,5 +1,5 @@
-// Memory for stepping back, shared by the moving surfaces of a server: what is not used just now gives way to what is, so that
-// their checkpoints never take more than one budget together, however many there are.
+// Shares memory for stepping back between the moving surfaces of a server. Histories that are not in use
+// make room for those that are, so that all together never exceed one budget.
 #pragma once
 
 #include "core/base/memory_account.hpp"
@@ -21,7 +21,8 @@ class HistoryBudget {
 
     /// @param total    bytes of all histories together
     /// @param each     bytes of one at most
-    /// @param account  what they take is counted there, and given back to others that need it; null: no one counts. Outlives it
+    /// @param account  what they take is counted there, and given back to others that need it; null: no one
+    /// counts. Outlives it
     HistoryBudget(std::size_t total,
                   std::size_t each,
                   const core::MemoryAccount* account = nullptr);
@@ -29,8 +30,8 @@ class HistoryBudget {
     /// One surface's history, which is counted while this lives.
     class Permit {
       public:
-        /// Makes the history fit into so many bytes, 0: forgets it; returns what it takes now. Called by those who need room, while
-        /// this history is not in use. Must not call the budget.
+        /// Makes the history fit into so many bytes, 0: forgets it; returns what it takes now. Called by
+        /// those who need room, while this history is not in use. Must not call the budget.
         using GiveWay = std::function<std::size_t(std::size_t bytes)>;
 
         Permit(const HistoryBudget& budget, GiveWay give_way);
@@ -38,7 +39,8 @@ class HistoryBudget {
         Permit(const Permit&) = delete;
         Permit& operator=(const Permit&) = delete;
 
-        /// The history is in use until end(): no one else touches it. Returns the bytes it may take: none where there is no memory, the surface is then stepped from its beginning. Those not used for
+        /// The history is in use until end(): no one else touches it. Returns the bytes it may take: none
+        /// where there is no memory, the surface is then stepped from its beginning. Those not used for
         /// `limits::history_rest` go first if there is no room, then all are made smaller.
         std::size_t begin(Time now);
 
@@ -53,7 +55,7 @@ class HistoryBudget {
         std::unique_ptr<Entry> entry_;
     };
 
-    /// What all that are not in use take, and those in use may take.
+    /// Returns the bytes that idle histories take and those in use may take.
     std::size_t bytes() const;
 
   private:

@@ -7,22 +7,26 @@ namespace wakesurf::server {
 
 namespace {
 
-/// A coarse pass within this shows an edit within 5 ms and outruns a 60 Hz drag, whose every edit cancels it.
+/// A coarse pass within this shows an edit within 5 ms and outruns a 60 Hz drag, whose every edit cancels
+/// it.
 constexpr double coarse_budget = 0.0035;
 constexpr double refined_budget = 0.08;
 /// A final pass this fast needs no coarse one before it.
 constexpr double fast_final = 0.005;
 /// One slower than this is worth a refined one.
 constexpr double slow_final = 0.2;
-/// Where a coarse pass alone takes longer than the budget of a refined one, that may take so many times as long.
+/// Where a coarse pass alone takes longer than the budget of a refined one, that may take so many times as
+/// long.
 constexpr double refined_after_coarse = 4.0;
 /// A refined pass that takes a larger part of the time of the final one only delays it.
 constexpr double worth_refining = 0.4;
-/// What may run on the threads that others wait for.
+/// Passes expected to end within this (s) run on the threads that clients wait for.
 constexpr double quick = 0.015;
-/// A pass that was slow by chance (others had the processor) must not make the next one large: quads grow by steps of this.
+/// A pass that was slow by chance (others had the processor) must not make the next one large: quads grow
+/// by steps of this.
 constexpr double growth = 2.0;
-/// A surface changes while it is edited: so many times the quads aimed at are no reason to begin again with fewer.
+/// A surface changes while it is edited: so many times the quads aimed at are no reason to begin again with
+/// fewer.
 constexpr double room = 1.5;
 
 } // namespace
@@ -70,8 +74,8 @@ void PassBudgets::cut_short(Phase phase, double seconds) {
         early(phase).learn(seconds, nullptr);
 }
 
-/// What a quad takes depends on the data and the surface, and differs by a thousand: a refined pass is planned by what the coarse one took, unless
-/// one was measured that tells about the same.
+/// The time a quad takes depends on the data and the surface, and differs by a thousand: a refined pass is
+/// planned by the time of the coarse one, unless one was measured whose quads are near the aim.
 void PassBudgets::aim_refined(double seconds, const core::SurfaceStatistics& had) {
     refined_.budget = std::max(refined_budget, refined_after_coarse * seconds);
     const double gave = std::max(static_cast<double>(had.quads), 1.0);

@@ -1,5 +1,5 @@
-// Which passes a surface is built in, and how large the early ones may be: learnt from how long the last ones took. A coarse
-// pass shows an edit at once, a refined one where the final surface is long in coming.
+// Decides in which passes a surface is built, and how large the early ones may be, from the times of the
+// last ones. A coarse pass shows an edit at once; a refined one follows where the final surface takes long.
 #pragma once
 
 #include "core/surface/surface_statistics.hpp"
@@ -40,15 +40,15 @@ class PassBudgets {
     /// Most quads of a coarse or refined pass.
     std::uint64_t quads(Phase phase) const;
 
-    /// The separation at which the last coarse or refined pass would have had a little fewer: looking for it again costs more than
-    /// the surface. 0: there was none.
+    /// The separation at which the last coarse or refined pass would have had a little fewer: looking for
+    /// it again costs more than the surface. 0: there was none.
     double separation(Phase phase) const;
 
     PriorityClass priority(Phase phase) const;
     PriorityClass priority_of_moving_on() const;
 
   private:
-    /// What an early pass aims at.
+    /// The aim of an early pass.
     struct Aim {
         double budget; ///< s
         double least, most;
@@ -68,13 +68,13 @@ class PassBudgets {
 
     Aim coarse_, refined_;
     double coarse_seconds_;
-    std::optional<double>
-        final_seconds_; ///< of the newest final pass, or how long it was at work at least
-    std::optional<double>
-        estimated_seconds_; ///< from the coarse pass, while there was no final one
+    /// The time of the newest final pass, or the time that it was at work at least, in s.
+    std::optional<double> final_seconds_;
+    /// Estimated from the coarse pass, while there was no final one, in s.
+    std::optional<double> estimated_seconds_;
     double step_seconds_ = 1.0;
-    double
-        power_; ///< of the quads that the work goes with: smaller cells of a surface that moves also take more steps
+    /// The work grows with this power of the quads: smaller cells of a moving surface also take more steps.
+    double power_;
     bool refined_known_ = false; ///< what a refined pass takes was measured
 };
 

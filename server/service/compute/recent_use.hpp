@@ -1,4 +1,5 @@
-// How much each session has used of something lately: seconds of a processor or of a thread, forgotten by and by.
+// Counts how much each session has used of a processor or of a thread lately, in seconds that decay
+// exponentially.
 #pragma once
 
 #include <chrono>
@@ -18,7 +19,7 @@ class RecentUse {
 
     void add(const std::string& session, double seconds, Time now);
 
-    /// Of that time, as a part: 1 for a session that has used one all the time.
+    /// Returns the share of that time: 1 for a session that has used one thread all the time.
     double share(const std::string& session, Time now) const;
 
     /// Sessions whose share is more. Cost: O(sessions that have used anything lately).

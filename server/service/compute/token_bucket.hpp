@@ -14,19 +14,20 @@ class TokenBucket {
     TokenBucket(double per_second, double most, Time now)
         : per_second_(per_second), most_(most), left_(most), at_(now) {}
 
-    /// Takes `tokens`, on credit if need be. Returns how long to wait until there is no debt: zero where there is none.
+    /// Takes `tokens`, on credit if need be. Returns how long to wait until there is no debt: zero where
+    /// there is none.
     std::chrono::milliseconds take(Time now, double tokens) {
         left_ = at(now) - tokens;
         at_ = now;
         return until(0.0, left_);
     }
 
-    /// How long until there are as many; zero where there are.
+    /// Returns how long to wait until there are as many tokens; zero if there are.
     std::chrono::milliseconds wait_for(Time now, double tokens) const {
         return until(tokens, at(now));
     }
 
-    /// Whether it is as if nothing had ever been taken.
+    /// Returns whether it is full, as at the beginning.
     bool full(Time now) const { return at(now) >= most_; }
 
   private:

@@ -75,7 +75,8 @@ void WorkerThreads::sort() {
         queue_.push(each.session, std::move(each.job));
 }
 
-/// Threads for any session leave light ones to those that are for them alone, which may have a better priority.
+/// Threads for any session leave light ones to those that are for them alone, which may have a better
+/// priority.
 std::optional<FairQueue::Turn> WorkerThreads::next(const Threads& group) {
     using Takes = FairQueue::Takes;
     if (group.free == 0)
@@ -170,7 +171,8 @@ void WorkerThreads::blocked(Worker& worker) {
     return_permit(worker);
 }
 
-/// Each free permit has a thread that can take it: where no more threads may be started, the job keeps its own.
+/// Each free permit has a thread that can take it: where no more threads may be started, the job keeps its
+/// own.
 void WorkerThreads::return_permit(Worker& worker) {
     Threads& group = worker.group;
     const bool enough = group.count - group.lenders > group.rules.permits;

@@ -1,6 +1,7 @@
-// The threads of one priority class. Each job holds a permit while it runs, so that few jobs share the processors. A job that waits
-// for data, or runs for longer than was expected, returns its permit early: another thread takes it, and no one waits for that job.
-// A part of the threads is for light sessions only (fair_queue).
+// The threads of one priority class. Each job holds a permit while it runs, so that few jobs share the
+// processors. A job that waits for data, or runs for longer than was expected, returns its permit early:
+// another thread takes it, and no one waits for that job. A part of the threads is for light sessions only
+// (fair_queue).
 #pragma once
 
 #include "core/base/blocking_wait.hpp"
@@ -26,8 +27,8 @@ class WorkerThreads {
         std::size_t permits;      ///< jobs that run at a time, at least 1
         std::size_t most_threads; ///< with those whose jobs have returned their permits
         int niceness;             ///< added to that of the process
-        /// A job returns its permit after this time, and its thread takes long_niceness once it has used `fair_seconds` of a
-        /// processor. Empty: jobs may run for as long as they like.
+        /// A job returns its permit after this time, and its thread takes long_niceness once it has used
+        /// `fair_seconds` of a processor. Empty: jobs may run for as long as they like.
         std::optional<std::chrono::milliseconds> patience;
     };
 
