@@ -33,7 +33,7 @@ HOMES = {
 DECLARED = re.compile(r"^[ \t]*(?:struct|class|enum class|enum|using)[ \t]+(\w+)(?=[ \t]*(?:\{|;|:|=|final\b|$))", re.MULTILINE)
 
 # Rooms whose comments in front of declarations are sentences. The list grows.
-ROOMS_OF_SENTENCES = re.compile(r"(core|store|importer|command|protocol/(api(?!/generated)|wire|files)|tests/support|server/(app|cli|net|rpc|service/(compute|live|web|zarr|bricks|levels|catalogue|journal|metrics|base)))/.*\.(hpp|cpp)$")
+ROOMS_OF_SENTENCES = re.compile(r"(core|store|importer|command|protocol/(api(?!/generated)|wire|files)|tests/support|server)/.*\.(hpp|cpp)$")
 WITHOUT_SUBJECT = re.compile(r"(Of|As|The same|What|Whether|Who|How|So many|That)\b(?! is why)")
 LONGEST_COMMENT = 110
 # The page's comments: those that stand alone or behind code; one in front of a declaration may begin on the line below its `/**`.
@@ -139,7 +139,7 @@ GOOD = [
     (comment_that_is_no_sentence, "core/a.hpp", "/// Returns bytes.\n/// What is free is left out.\nint bytes();\n"),
     (comment_that_is_no_sentence, "core/a.cpp", "    // What fits is kept.\n    keep();\n"),
     (comment_that_is_no_sentence, "core/a.cpp", "/// Asks for more.\nvoid f();\n"),
-    (comment_that_is_no_sentence, "server/a.hpp", "/// What it takes.\nint bytes();\n"),
+    (comment_that_is_no_sentence, "tests/core/a.hpp", "/// What it takes.\nint bytes();\n"),
     (comment_that_is_no_sentence, "web-client/src/a.ts", "const a = 1;\n/** Returns what it takes. */\nfunction takes() {}\n"),
     (comment_that_is_no_sentence, "web-client/src/a.ts", "/** Returns bytes.\n *  What is free is left out. */\nfunction b() {}\n"),
     (comment_that_is_no_sentence, "web-client/src/protocol/generated/a.ts", "/** Of the budget. */\nconst part = 2;\n"),
@@ -147,7 +147,7 @@ GOOD = [
     (comment_out_of_its_place, "core/a.hpp", "    double to = 1.0; ///< where it ends\n    double from; ///< and begins\n"),
     (comment_out_of_its_place, "core/a.hpp", "  private:\n    double to; ///< where it ends\n"),
     (comment_out_of_its_place, "core/a.hpp", "enum A {\n    B, ///< one\n    C ///< the other\n};\n"),
-    (comment_out_of_its_place, "server/a.cpp", "/// " + "word " * 22 + "\n"),
+    (comment_out_of_its_place, "tests/core/a.cpp", "/// " + "word " * 22 + "\n"),
 ]
 
 

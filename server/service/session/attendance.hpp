@@ -1,5 +1,6 @@
-// Whether anybody is there: someone connected, a reader of a surface, an unanswered call, wait or download,
-// or a call a moment ago. A session without anybody neither plays nor computes, and gives its memory back.
+// Tells whether a session is in use: by a connected client, a reader of a surface, an unanswered call, wait
+// or download, or a call a moment ago. A session that is not in use neither plays nor computes, and
+// releases its memory.
 #pragma once
 
 #include "core/base/clock.hpp"
@@ -11,7 +12,7 @@
 
 namespace wakesurf::server {
 
-/// Loop thread only. Costs a timer while somebody is there, and nothing afterwards.
+/// Loop thread only. Costs a timer while the session is in use, and nothing afterwards.
 class Attendance {
   public:
     static constexpr std::chrono::seconds nobody{20};    ///< so long without anybody, it is empty
@@ -29,13 +30,14 @@ class Attendance {
     Attendance(const Attendance&) = delete;
     Attendance& operator=(const Attendance&) = delete;
 
-    /// Notes that somebody asks for something, or has just gone.
+    /// Notes that a client asks for something, or has just gone.
     void seen();
 
-    /// Returns a token: somebody is there for as long as it is held, as they wait for an answer.
+    /// Returns a token: the session is in use for as long as a caller holds it, while it waits for an
+    /// answer.
     std::shared_ptr<void> stay();
 
-    /// Ends it: no one comes any more.
+    /// Ends it: no client comes any more.
     void end() { look_.reset(); }
 
   private:

@@ -34,8 +34,8 @@ namespace wakesurf::server {
 
 struct RakeChange {
     protocol::RakeRecord record;
-    std::vector<std::pair<std::string, std::uint32_t>>
-        surfaces; ///< recomputed, with their new epochs
+    /// The surfaces that are recomputed, with their new epochs.
+    std::vector<std::pair<std::string, std::uint32_t>> surfaces;
 };
 
 /// Tells what came of undo or redo. With neither changes nor skipped there was nothing to undo or redo.
@@ -72,7 +72,7 @@ class Session {
 
     const SessionRecords& records() const { return records_; }
 
-    /// Says since when it is there, who was in it, whether anybody edited it.
+    /// Says since when it is there, who was in it, whether it was edited.
     const protocol::SessionProfile& profile() const { return profile_.value(); }
 
     /// Returns the picture that a list shows, in base64; empty: no one has sent one.
@@ -93,15 +93,15 @@ class Session {
     void leave(const Observer& observer);
     void lose(const Observer& observer);
 
-    /// Renames it, and tells everybody in it.
+    /// Renames it, and tells all participants.
     void rename(std::string name);
     void set_units(protocol::SessionUnits units);
     void set_thumbnail(std::string base64);
 
-    /// Notes that somebody calls, or waits for an answer: see Attendance.
+    /// Notes that a client calls, or waits for an answer: see Attendance.
     Attendance& attendance() { return attendance_; }
 
-    /// Notes that somebody made it on purpose: it is never given up, however little is in it.
+    /// Notes that it was made on purpose: it is never given up, however little is in it.
     void made_on_purpose();
 
     /// Creates or replaces a rake and rebuilds the surfaces that hang on it, as rake or as rake2; `dragging`
@@ -136,7 +136,7 @@ class Session {
 
     const SurfaceBuilds& builds() const { return builds_; }
 
-    /// Ends the leases of somebody who has left.
+    /// Ends the leases of a participant who has left.
     void end_leases(const std::string& participant);
 
     /// Works like SurfaceBuilds::dataset_changed. Where its values are not those that the session was last

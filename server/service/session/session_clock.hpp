@@ -20,9 +20,10 @@ namespace wakesurf::server {
 class SessionClock {
   public:
     struct Events {
-        std::function<void()> changed; ///< the record: somebody acted, or the end was reached
-        std::function<void(bool jumped)>
-            moved; ///< the time: after every change, and 30 times a second while it runs
+        /// Called after the record has changed: a participant acted, or the end was reached.
+        std::function<void()> changed;
+        /// Called after every change of the time, and 30 times a second while it runs.
+        std::function<void(bool jumped)> moved;
     };
 
     SessionClock(Loop& loop, const core::Clock& wall, Events events)
@@ -43,7 +44,7 @@ class SessionClock {
 
     void pause();
 
-    /// As it was kept, stopped. No one is told: this is before anyone looks.
+    /// Restores the record as it was kept, stopped, and tells no one.
     void restore(const protocol::ClockRecord& kept);
 
     /// Simulation time now; nothing: never set.
@@ -51,7 +52,7 @@ class SessionClock {
 
     bool playing() const { return record_.playing; }
 
-    /// As of now.
+    /// Returns the record as of now.
     protocol::ClockRecord record() const;
 
   private:

@@ -1,5 +1,5 @@
-// What every edit of a session goes through: the records, the surfaces that follow from them, the journal,
-// everybody who looks on, the author's history.
+// The way of every edit of a session: the records, the surfaces that follow from them, the journal, the
+// participants, the author's history.
 #include "server/service/session/session.hpp"
 
 #include <algorithm>

@@ -20,7 +20,8 @@ using core::fail;
 
 namespace {
 
-/// Writes what the fingerprint covers: coordinates to single precision, so that a store of either precision has the same.
+/// Writes what the fingerprint covers: coordinates to single precision, so that a store of either precision
+/// has the same.
 std::string identity_of(const core::DatasetInfo& info) {
     const auto& [lo, hi] = info.bounds;
     std::string out = fmt::format("{} {} {} {} {} {} {:.6g} {:.6g} {:.6g} {:.6g} {:.6g} {:.6g} {}",
@@ -35,8 +36,8 @@ std::string identity_of(const core::DatasetInfo& info) {
     return out;
 }
 
-/// Marks a dataset so that it is told from others of its name: by mesh and fields, and by its values, of which a growing
-/// simulation changes none.
+/// Marks a dataset so that it is told from others of its name: by mesh and fields, and by its values, of
+/// which a growing simulation changes none.
 protocol::DatasetMark mark_of(const OpenDataset& dataset) {
     const core::DatasetInfo& info = dataset.info;
     protocol::DatasetMark mark;

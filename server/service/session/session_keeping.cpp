@@ -10,8 +10,8 @@ namespace wakesurf::server {
 
 namespace {
 
-/// What was told but had not reached the disk when the server ended is not known; numbers start well above
-/// it.
+/// Epochs and seq start this far above what was kept: what was told but had not reached the disk when the
+/// server ended is not known.
 constexpr std::uint32_t restart_gap = 1u << 16;
 
 /// Returns whether it was shared. The link that lets somebody into a copy of their own shares it with no

@@ -1,5 +1,5 @@
-// What a list tells of a session besides its records, kept up to date: who was in it, when it was last used,
-// whether anybody ever edited it.
+// Keeps up to date what a list tells of a session besides its records: who was in it, when it was last
+// used, whether it was ever edited.
 #pragma once
 
 #include "protocol/api/messages_session.hpp"

@@ -21,11 +21,11 @@ struct RestoredSessions {
 
     std::size_t sessions = 0;
     std::size_t records = 0;
-    std::vector<Refused>
-        refused; ///< what could not be used; the journal has been asked to keep it aside
+    /// The entries that could not be used; the journal has been asked to keep them aside.
+    std::vector<Refused> refused;
 };
 
-/// Restores them by session, before anybody is served; surfaces are built afterwards. Loop thread only.
+/// Restores them by session, before any client is served; surfaces are built afterwards. Loop thread only.
 RestoredSessions restore_sessions(const std::map<std::string, std::vector<JournalEntry>>& kept,
                                   SessionDirectory& sessions,
                                   Grants& grants);

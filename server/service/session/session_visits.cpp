@@ -25,7 +25,7 @@ void Session::lose(const Observer& observer) {
     somebody_went();
 }
 
-/// Notes that somebody went. Someone who only reloads the page finds the session as it was.
+/// Notes that a client went. A client that only reloads the page finds the session as it was.
 void Session::somebody_went() {
     profile_.used();
     keep_profile();
@@ -38,13 +38,14 @@ bool Session::somebody() const {
     return found;
 }
 
-/// A clock that no one looks at would have surfaces computed for ever, and what they keep is others'.
+/// Stops a clock that no client looks at: it would have surfaces computed for ever, and what they keep
+/// belongs to others.
 void Session::rest() {
     clock_.pause();
     builds_.for_each([](LiveSurface& each) { each.put_to_rest(); });
 }
 
-/// What was being computed goes on, from its beginning; the rest is built when somebody looks.
+/// Computes again from the beginning what was being computed; the rest is built when a client looks.
 void Session::resume() {
     builds_.for_each([](LiveSurface& each) { each.resume(); });
 }

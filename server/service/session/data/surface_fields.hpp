@@ -1,5 +1,5 @@
-// What a surface's vertices carry behind speed, s and t: the names in `fields`, found in a dataset and
-// sampled on a mesh.
+// Finds the scalars that a surface's vertices carry behind speed, s and t: the names in `fields`, found in
+// a dataset and sampled on a mesh.
 #pragma once
 
 #include "core/base/result.hpp"

@@ -135,7 +135,7 @@ class Grants {
     /// Returns what a link is good for now, for a client without a place; nothing once it has ended.
     std::optional<Identity> identity(const std::string& id) const;
 
-    /// Of its key; nothing once it has ended.
+    /// Returns the digest of its key; empty once it has ended.
     std::optional<SecretDigest> digest(const std::string& id) const;
 
     /// Nothing once it has ended.

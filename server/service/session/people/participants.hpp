@@ -1,6 +1,6 @@
-// Who is in a session: name, colour, role and presence. A lost connection is shown for ten seconds more, so
-// that a quick return is no news; with its resume token it keeps its place for a week, also beyond the
-// server's end.
+// The participants of a session: name, colour, role and presence. A lost connection is shown for ten
+// seconds more, so that a quick return is no news; with its resume token it keeps its membership for a
+// week, also beyond the end of the server.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -41,7 +41,7 @@ struct Participant {
     protocol::Presence presence;
 };
 
-/// Holds what somebody asks for who joins.
+/// Holds what a newcomer asks for.
 struct Arrival {
     std::string name;         ///< empty: one is found
     std::string colour;       ///< #rrggbb; empty: one is found
@@ -53,8 +53,8 @@ struct Joined {
     Participant you;
     std::string resume_token;
     bool returned = false; ///< to a place of an earlier stay
-    /// What the client saw was told by this server, since it started: it can go on from there. Else its
-    /// token is another one now.
+    /// True if what the client saw came from this server since it started: it can go on from there. Else
+    /// its token is another one now.
     bool same_life = false;
 };
 
@@ -82,13 +82,13 @@ class Participants {
     /// Sets new presence, and tells the others. Does nothing for who is not in here.
     void update(const Observer& observer, const protocol::PresenceChange& update);
 
-    /// Sets somebody's role, which stays with the place. REQUIRES: find(id).
+    /// Sets the role of a participant, which stays with the membership. REQUIRES: find(id).
     void set_role(const std::string& id, Role role);
 
-    /// Sends somebody away for good; the place is gone. REQUIRES: find(id).
+    /// Sends a participant away for good and ends the membership. REQUIRES: find(id).
     void remove(const std::string& id);
 
-    /// Ends a deleted session: everybody is sent away, and nothing is kept any more.
+    /// Ends a deleted session: all participants are sent away, and nothing is kept any more.
     void end();
 
     /// Returns the places as the journal has them.
@@ -104,7 +104,7 @@ class Participants {
     /// Returns nothing for who is not connected here.
     const Participant* find(const Observer& observer) const;
 
-    /// Finds somebody who is here, or may come back. Error: NotFound.
+    /// Finds a participant who is here, or may come back. Error: NotFound.
     core::Result<Participant> find(const std::string& id) const;
 
     /// Lists them as others see them: those lost a moment ago, then those connected; who came last comes

@@ -1,4 +1,4 @@
-// What changed about the participants of a session, gathered until it is told. The newest is told at most
+// Gathers what changed about the participants of a session until it is told. The newest is told at most
 // every 50 ms; where many would have to be told of many, of some at a time and less often, so that presence
 // never crowds out the meshes.
 #pragma once

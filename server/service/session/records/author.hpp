@@ -1,4 +1,4 @@
-// Who makes an edit: what undo, leases and annotations need to know of a caller.
+// The author of an edit: what undo, leases and annotations need to know of a caller.
 #pragma once
 
 #include <string>

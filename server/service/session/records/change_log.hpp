@@ -1,5 +1,6 @@
-// What changed in a session since any of its sequence numbers, for those who come back. Of each record only
-// the newest change is kept: it is the whole record, so that a drag of a thousand edits is one entry.
+// Lists what changed in a session since any of its sequence numbers, for clients that come back. Of each
+// record only the newest change is kept: it is the whole record, so that a drag of a thousand edits is one
+// entry.
 #pragma once
 
 #include "server/service/session/records/observer.hpp"

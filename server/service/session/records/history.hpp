@@ -1,4 +1,4 @@
-// What each author of a session can take back, and do again: their own edits as records before and after. An
+// Keeps what each author of a session can undo and redo: their own edits as records before and after. An
 // edit may only be taken back, or done again, while its records are as it left them, so every step knows the
 // revision it left; doing so to an edit sets a new revision of a record, which the author's neighbouring
 // edits are told. The edits of one gesture (a slider that moves, a rake that is dragged, a button that makes
@@ -43,8 +43,8 @@ struct EditStep {
 
 struct Edit {
     std::vector<EditStep> steps;
-    std::string
-        gesture; ///< those that follow each other with the same one become one; empty: never
+    /// Edits that follow each other with the same gesture become one; empty: never.
+    std::string gesture;
 };
 
 /// Bounded in edits an author, authors, and bytes; the oldest go first.

@@ -1,5 +1,5 @@
-// Who drags which rake just now. A lease is soft: it ends by itself a few seconds after its holder's last
-// edit, so that no one has to wait for somebody who is gone.
+// Tells which participant drags which rake. A lease is soft: it ends by itself a few seconds after the last
+// edit of its holder, so that no one has to wait for a client that is gone.
 #pragma once
 
 #include "server/service/base/session_services.hpp"
@@ -38,7 +38,7 @@ class Leases {
     /// Returns the number of the drag, if this author holds the rake; else 0.
     std::uint64_t drag(const std::string& rake, const Author& author) const;
 
-    /// Lists the rakes somebody holds.
+    /// Lists the rakes that a participant holds.
     std::vector<std::string> of(const std::string& participant) const;
 
   private:

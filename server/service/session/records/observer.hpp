@@ -1,5 +1,5 @@
-// What a session tells those who look at it: record changes and progress. Values, not text; the methods'
-// side puts them into messages.
+// Receives what a session tells its participants: record changes and progress. Values, not text; the
+// methods' side puts them into messages.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -79,7 +79,7 @@ struct Telling {
     std::shared_ptr<const std::string> text{};
 };
 
-/// Is somebody who has joined a session. Calls come on the loop's thread and must not change the session.
+/// A participant who has joined a session. Calls come on the loop's thread and must not change the session.
 class Observer {
   public:
     virtual ~Observer() = default;

@@ -17,7 +17,8 @@ using core::Error;
 
 namespace {
 
-/// Cleans what people type (names of rakes and bookmarks, texts of notes, names of authors), so that nothing in it acts.
+/// Cleans what people type (names of rakes and bookmarks, texts of notes, names of authors), so that
+/// nothing in it acts.
 void clean_names(Record& record) {
     const auto clean = [](std::string& name) { name = core::display_name(name, name.size()); };
     std::visit(

@@ -1,4 +1,4 @@
-// How much the records of a session, and of all sessions together, may take. Each is small, but one link
+// Bounds the memory of the records of a session, and of all sessions together. Each is small, but one link
 // could make many: an edit that makes them more is refused where they would be too much. What is kept
 // already is never refused for that.
 #pragma once

@@ -1,6 +1,6 @@
-// What a session is made of, as plain values: rakes, surfaces' parameters, bookmarks, annotations. Any kind
-// of record is found, put and taken away by its key, so that undo, the journal and restoring need to know no
-// kind.
+// The contents of a session as plain values: rakes, surfaces' parameters, bookmarks, annotations. Any kind
+// of record is found, put and taken away by its key, so that undo, the journal and restoring need to know
+// no kind.
 #pragma once
 
 #include "core/base/result.hpp"
