@@ -1,7 +1,6 @@
 // What a first visitor meets beside the tour: several datasets and their bodies, a phone.
 import { describe, expect, it } from 'vitest';
 import { ask, finalSurface, screenshot } from './support/browser_page.ts';
-import { showFacts } from './support/page_facts.ts';
 import { useStand } from './support/stand.ts';
 
 const stand = useStand(['flow:sphere']);
@@ -68,20 +67,6 @@ describe('a server with several datasets', () => {
         await finalSurface(page);
         expect(await ask(page, (hook) => hook.bounds![1])).not.toBe(10);
         await page.context().close();
-    });
-
-    it('offers them as well where a link asks for another', async () => {
-        const link = new URL(await stand.server.newSession());
-        link.hash = `${link.hash}&dataset=gone`;
-        const context = await stand.browser.newContext({ viewport: size });
-        await showFacts(context);
-        const page = await context.newPage();
-        await page.goto(link.href);
-        await page.getByText('does not have the dataset of this link').waitFor();
-        await page.getByLabel('Dataset').selectOption('sqcyl');
-        await page.getByRole('button', { name: 'Open', exact: true }).click();
-        await finalSurface(page);
-        await context.close();
     });
 });
 

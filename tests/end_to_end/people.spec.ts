@@ -1,4 +1,4 @@
-// People together: a link made on the page, where others look and point, following them, notes, a copy of the session.
+// People together: a link made on the page, where others look and point, following them, notes.
 import type { Page } from 'playwright-core';
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { Participant, Vec3 } from '../../web-client/src/protocol/messages.ts';
@@ -208,24 +208,5 @@ describe('notes', () => {
         await host.getByRole('listitem').filter({ hasText: 'Tears there' }).waitFor();
         await host.getByRole('button', { name: 'Delete', exact: true }).click();
         await expect.poll(() => guest.getByText('Tears there').count()).toBe(0);
-    });
-});
-
-describe('a copy of the session', () => {
-    it('has the same rake, and goes on without the others', async () => {
-        const copy = await stand.open(host, host.url());
-        const before = await ask(host, (hook) => hook.rakePoints);
-        await copy.getByRole('tab', { name: 'Share' }).click();
-        await copy.getByRole('button', { name: 'Continue in a copy' }).click();
-        await copy.getByText('A copy of').waitFor();
-        await finalSurface(copy);
-        expect(await ask(copy, (hook) => hook.rakePoints)).toEqual(before);
-        expect(await ask(copy, (hook) => hook.session)).not.toBe(await ask(host, (hook) => hook.session));
-        await copy.getByRole('spinbutton', { name: 'Start x' }).fill('-1');
-        await copy.keyboard.press('Enter');
-        await copy.waitForFunction(() => (window.wakesurf?.displayed?.epoch ?? 0) > 1);
-        await finalSurface(copy);
-        expect(await ask(host, (hook) => hook.rakePoints)).toEqual(before);
-        await copy.close();
     });
 });

@@ -1,11 +1,9 @@
-// Sessions as a person meets them: the printed link leads back to one's work, and a list has all there are, to make, name, copy, save
-// and delete them; what is deleted comes back from the trash.
-import { readFileSync } from 'node:fs';
+// Sessions as people meet them: the printed link leads back to their work, and a list shows all there are; what is deleted comes back
+// from the trash. What else the list does is tested beside it.
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import type { SessionEntry } from '../../web-client/src/protocol/messages.ts';
 import { ask, finalSurface, screenshot } from './support/browser_page.ts';
-import { expectComplaint } from './support/complaints.ts';
 import { dragHandle } from './support/rake_drag.ts';
 import { useStand } from './support/stand.ts';
 
@@ -126,19 +124,6 @@ describe('the list of sessions', () => {
         await screenshot(page, 'trash-picture');
         await page.context().close();
     });
-
-    it('copies a session with its rakes, and leads to the copy', async () => {
-        const page = await stand.visit({ ...size, link: await stand.server.newSession('Original') });
-        await dragHandle(page, 0, 10, -6, 3);
-        const points = await ask(page, (hook) => hook.rakePoints);
-        await openList(page);
-        await card(page, 'Original').getByRole('button', { name: 'Copy' }).click();
-        await page.getByRole('button', { name: 'Open the copy' }).click();
-        await page.locator('#session-name', { hasText: 'Original copy' }).waitFor();
-        await finalSurface(page);
-        expect(await ask(page, (hook) => hook.rakePoints)).toEqual(points);
-        await page.context().close();
-    });
 });
 
 describe('a session that is deleted', () => {
@@ -165,36 +150,5 @@ describe('a session that is deleted', () => {
         await page.waitForFunction((id) => window.wakesurf!.session === id && window.wakesurf!.stage === 'running', session);
         await page.context().close();
         await other.context().close();
-    });
-});
-
-describe('a session as a file', () => {
-    it('is saved, and made again from that with the same rakes', async () => {
-        const page = await stand.visit({ ...size, link: await stand.server.newSession('To keep') });
-        await dragHandle(page, 0, 16, 4, 3);
-        const points = await ask(page, (hook) => hook.rakePoints);
-        await openList(page);
-        const download = page.waitForEvent('download');
-        await card(page, 'To keep').getByRole('button', { name: 'Export' }).click();
-        const file = await download;
-        expect(file.suggestedFilename()).toBe('To_keep-session.json');
-        const path = await file.path();
-        expect(JSON.parse(readFileSync(path, 'utf8'))).toMatchObject({ wakesurfSession: 1, name: 'To keep' });
-
-        await page.getByLabel('File of a session').setInputFiles(path);
-        await page.getByText('was imported.').waitFor();
-        await page.getByRole('button', { name: 'Open', exact: true }).first().click();
-        await page.waitForFunction((old) => ![null, undefined, old].includes(window.wakesurf?.session), await sessionOf(page));
-        await finalSurface(page);
-        expect(await ask(page, (hook) => hook.rakePoints)).toEqual(points);
-
-        expectComplaint(/status of 400 .*\/api\/v1\/sessions/);
-        await openList(page);
-        await page
-            .getByLabel('File of a session')
-            .setInputFiles({ name: 'x.json', mimeType: 'application/json', buffer: Buffer.from('{"a":1}') });
-        await page.getByRole('dialog').getByRole('alert').getByText(/.+/).first().waitFor();
-        await screenshot(page, 'session-file-refused');
-        await page.context().close();
     });
 });

@@ -1,49 +1,26 @@
-// The timeline: what of the data is in memory, and one time that mouse, keys and other people move. What the page says is
-// compared with the server's records, and where it stops with the server's mesh. Its controls are tested beside the time bar.
-import type { BrowserContext, Locator, Page } from 'playwright-core';
-import { afterEach, beforeEach, describe, expect, it } from 'vitest';
+// The timeline: one time that mouse, keys and other people move. What the page says is compared with the server's records, and where
+// it stops with the server's mesh. Its controls are tested beside the time bar, and what of the data is in memory in parts_in_memory.
+import type { Locator, Page } from 'playwright-core';
+import { beforeEach, describe, expect, it } from 'vitest';
 import type { ClockRecord, SurfaceRecord } from '../../web-client/src/protocol/messages.ts';
-import { ask, finalSurface, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { ask, finalSurface, screenshot } from './support/browser_page.ts';
 import { expectServersMesh } from './support/server_mesh.ts';
 import { useStand } from './support/stand.ts';
 
 const stand = useStand();
-let context: BrowserContext;
+const size = { width: 900, height: 480 };
 let page: Page;
 
 beforeEach(async () => {
-    context = await newContext(stand.browser, { width: 900, height: 480 });
-    page = await openPage(context, await stand.server.newSession());
-    await finalSurface(page);
+    page = await stand.visit(size);
+    return () => page.context().close();
 });
-
-afterEach(() => context.close());
 
 async function records(): Promise<{ clock: ClockRecord; surface: SurfaceRecord }> {
     const session = await ask(page, (hook) => hook.session);
     const state = await stand.server.call('session.state', { session });
     const { clock, surfaces } = state as unknown as { clock: ClockRecord; surfaces: SurfaceRecord[] };
     return { clock, surface: surfaces[0]! };
-}
-
-/** The first value that is as expected. */
-async function becomes<T>(read: () => Promise<T>, expected: (value: T) => void): Promise<T> {
-    let value: T;
-    await expect
-        .poll(
-            async () => {
-                value = await read();
-                try {
-                    expected(value);
-                    return 'as expected';
-                } catch {
-                    return value;
-                }
-            },
-            { timeout: 30_000, interval: 30 },
-        )
-        .toBe('as expected');
-    return value!;
 }
 
 async function streak(): Promise<void> {
@@ -58,11 +35,12 @@ async function shownAt(time: number): Promise<void> {
     await finalSurface(page);
 }
 
-function marks(): Promise<{ state: string; middle: number }[]> {
-    return page.locator('wakesurf-timeline [data-state]').evaluateAll((all) =>
+/** The window's x of the mark of each time-step that is in memory. */
+function residentMarks(): Promise<number[]> {
+    return page.locator('wakesurf-timeline [data-state=resident]').evaluateAll((all) =>
         all.map((each) => {
             const box = each.getBoundingClientRect();
-            return { state: (each as SVGElement).dataset['state']!, middle: box.x + box.width / 2 };
+            return box.x + box.width / 2;
         }),
     );
 }
@@ -76,35 +54,13 @@ async function lineOf(handle: Locator): Promise<{ x: (time: number) => number; y
 }
 
 describe('the timeline', () => {
-    it('shows which time-steps are in memory, each at its time, as the server has it', async () => {
-        const status = async () =>
-            (await stand.server.call('cache.status', { dataset: 'sqcyl' })) as unknown as { steps: string[] };
-        const { times } = (await stand.server.call('dataset.describe', { dataset: 'sqcyl' })) as unknown as {
-            times: number[];
-        };
-        // What is read ahead may still be coming.
-        const { steps } = await becomes(status, (now) => expect(now.steps).not.toContain('loading'));
-        expect(steps).toContain('cold');
-        expect(steps).toContain('resident');
-        const drawn = await becomes(marks, (now) => expect(now.map(({ state }) => state)).toEqual(steps));
-        const line = await lineOf(page.locator('#time'));
-        for (const [i, { middle }] of drawn.entries()) expect(Math.abs(middle - line.x(times[i]!))).toBeLessThan(1);
-        // Full, half or hollow: not by colour alone.
-        const fills = await page.locator('wakesurf-timeline [data-state] .filled').count();
-        expect(fills).toBe(steps.filter((state) => state === 'resident').length);
-        await expect.poll(() => page.locator('#resident').textContent()).toBe(`${fills} of 16 time-steps in memory`);
-        await screenshot(page, 'timeline-frozen');
-        await streak();
-        const allResident = steps.map(() => 'resident');
-        await becomes(marks, (now) => expect(now.map(({ state }) => state)).toEqual(allResident));
-        expect((await status()).steps).toEqual(allResident);
-        expect(await page.locator('#resident').textContent()).toBe('16 of 16 time-steps in memory');
-    });
-
     it('is scrubbed by mouse and keys, back to the mesh that the server computes for that time from the start', async () => {
         await streak();
         const handle = page.locator('#clock');
         const line = await lineOf(handle);
+        // The surface has read them all, each is marked at its time.
+        await expect.poll(async () => (await residentMarks()).length).toBe(16);
+        for (const [i, x] of (await residentMarks()).entries()) expect(Math.abs(x - line.x(8.5 + i / 2))).toBeLessThan(1);
         await page.mouse.move(line.x(16), line.y);
         await page.mouse.down();
         await page.mouse.move(line.x(14), line.y, { steps: 4 });
@@ -135,37 +91,16 @@ describe('the timeline', () => {
         await expectServersMesh(stand.server, page);
     });
 
-    it('follows others who move the clock, and lets no viewer play', async () => {
-        await streak();
-        const session = await ask(page, (hook) => hook.session);
-        const { link } = (await stand.server.call('session.share', { session, role: 'viewer' })) as { link: string };
-        const other = await newContext(stand.browser, { width: 900, height: 480, colorScheme: 'light' });
-        const viewer = await openPage(other, new URL(link, stand.server.link).href);
-        await finalSurface(viewer);
-        expect(await viewer.getByRole('button', { name: 'Play' }).isDisabled()).toBe(true);
-        const line = await lineOf(page.locator('#clock'));
-        await page.mouse.click(line.x(10), line.y);
-        const { clock } = await becomes(records, (now) => expect(Math.abs(now.clock.time! - 10)).toBeLessThan(0.03));
-        await viewer.waitForFunction((at) => Math.abs(window.wakesurf!.displayed!.time - at) < 1e-6, clock.time!);
-        await expect.poll(async () => Number(await viewer.locator('#clock').inputValue())).toBeCloseTo(clock.time!);
-        await stand.server.call('time.set', { session, time: 13 });
-        await shownAt(13);
-        await expect.poll(() => page.locator('#go-to').inputValue()).toBe('13');
-        await screenshot(viewer, 'timeline-light');
-        await other.close();
-    });
-
     it('lets a viewer play, scrub and colour in a copy, from the same time and view, and come back', async () => {
         await streak();
         const session = await ask(page, (hook) => hook.session);
         await stand.server.call('time.set', { session, time: 12 });
         await shownAt(12);
         const { link } = (await stand.server.call('session.share', { session, role: 'viewer' })) as { link: string };
-        const other = await newContext(stand.browser, { width: 900, height: 480 });
-        const viewer = await openPage(other, new URL(link, stand.server.link).href);
-        await finalSurface(viewer);
+        const viewer = await stand.visit({ ...size, link: new URL(link, stand.server.link).href });
         await viewer.evaluate(() => window.wakesurf!.setCamera([5, -26, 8], [5, 0, 3]));
-        const camera = await ask(viewer, (hook) => hook.camera);
+        const [camera, rake] = [await ask(viewer, (hook) => hook.camera), await ask(viewer, (hook) => hook.rakePoints)];
+        expect(await viewer.getByRole('button', { name: 'Play' }).isDisabled()).toBe(true);
         await screenshot(viewer, 'viewer-time');
         await viewer.locator('wakesurf-time-bar').getByRole('button', { name: 'Continue in a copy' }).click();
 
@@ -176,6 +111,7 @@ describe('the timeline', () => {
         expect(await ask(viewer, (hook) => hook.displayed!.time)).toBeCloseTo(12, 6);
         const there = (await ask(viewer, (hook) => hook.camera)).position;
         camera.position.forEach((each, axis) => expect(there[axis]).toBeCloseTo(each, 3));
+        expect(await ask(viewer, (hook) => hook.rakePoints)).toEqual(rake);
         const line = await lineOf(viewer.locator('#clock'));
         await viewer.mouse.click(line.x(9), line.y);
         await viewer.waitForFunction(() => Math.abs(window.wakesurf!.displayed!.time - 9) < 0.03);
@@ -194,6 +130,6 @@ describe('the timeline', () => {
         await viewer.getByText('Your link is for looking').waitFor();
         await finalSurface(viewer);
         expect(await ask(viewer, (hook) => hook.session)).toBe(session);
-        await other.close();
+        await viewer.context().close();
     });
 });

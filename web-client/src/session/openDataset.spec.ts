@@ -2,16 +2,18 @@ import { describe, expect, it } from 'vitest';
 import type { DatasetEntry } from '../protocol/messages.ts';
 import { AppState } from '../state/appState.ts';
 import { datasetOf, suggestionOf } from '../testing/records.ts';
+import { rested } from '../testing/shownPanel.ts';
 import { OpenDataset } from './openDataset.ts';
-
-const settled = () => new Promise((resolve) => setTimeout(resolve));
 
 function bench() {
     const state = new AppState();
     const shown: string[] = [];
     const description = () => datasetOf({ obstacle: true });
-    const answer = (method: string) =>
-        Promise.resolve(method === 'dataset.describe' ? description() : { steps: [], bytes: 0, budget: 0 });
+    const entry: DatasetEntry = { dataset: 'flow', name: 'flow', state: 'ready', steps: { ready: 2, total: 2 }, values: '' };
+    const answer = async (method: string) => {
+        if (method === 'dataset.list') return { datasets: [entry] };
+        return method === 'dataset.describe' ? description() : { steps: [], bytes: 0, budget: 0 };
+    };
     const worker = {
         call: answer as never,
         obstacle: async () => {
@@ -34,14 +36,24 @@ function bench() {
     /** The server tells of these values; what the picture is changed by. */
     const tell = async (values: string): Promise<string[]> => {
         shown.length = 0;
-        const entry: DatasetEntry = { dataset: 'flow', name: 'flow', state: 'ready', steps: { ready: 2, total: 2 }, values };
-        state.datasetEntry.value ??= entry;
-        dataset.patched(entry);
-        await settled();
+        state.datasetEntry.value ??= { ...entry, values };
+        dataset.patched({ ...entry, values });
+        await rested();
         return [...shown];
     };
-    return { state, tell };
+    return { state, dataset, tell };
 }
+
+describe('a link to a dataset that is not there', () => {
+    it('says so, and leaves the choice of the others', async () => {
+        const { state, dataset } = bench();
+        await expect(dataset.wait('gone', () => false)).rejects.toThrow(
+            'The server does not have the dataset of this link. Choose another in the panel.',
+        );
+        expect(state.datasets.value.map(({ dataset: id }) => id)).toEqual(['flow']);
+        expect((await dataset.wait('flow', () => false))?.dataset).toBe('flow');
+    });
+});
 
 describe('the dataset that is shown', () => {
     it('keeps domain and body while its series grows, or its values are others', async () => {

@@ -4,9 +4,8 @@ import type { DatasetDescription } from '../../protocol/messages.ts';
 import { AppState } from '../../state/appState.ts';
 import { ViewState } from '../../state/viewState.ts';
 import { datasetOf } from '../../testing/records.ts';
+import { rested } from '../../testing/shownPanel.ts';
 import { BodyFlow } from './bodyFlow.ts';
-
-const settled = () => new Promise((resolve) => setTimeout(resolve));
 
 /** A server that answers when the test lets it. */
 function bench(change: Partial<DatasetDescription> = {}) {
@@ -36,7 +35,7 @@ function bench(change: Partial<DatasetDescription> = {}) {
     shown.length = 0;
     const answer = async (how: 'answer' | 'fail' = 'answer') => {
         waiting.shift()![how]();
-        await settled();
+        await rested();
     };
     return { state, view, time, clock, asked, shown, moved, bodyFlow, answer };
 }

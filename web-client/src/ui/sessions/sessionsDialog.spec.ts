@@ -1,9 +1,10 @@
 // @vitest-environment happy-dom
-import { beforeEach, describe, expect, it } from 'vitest';
+import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { OwnServer } from '../../connection/ownServer.ts';
 import type { SessionEntry } from '../../protocol/messages.ts';
 import { SessionShelf } from '../../session/sessions/sessionShelf.ts';
 import { PageBench } from '../../testing/pageBench.ts';
+import { savedFiles } from '../../testing/savedFiles.ts';
 import { rested, ShownPanel } from '../../testing/shownPanel.ts';
 import { CallError } from '../../worker/workerClient.ts';
 import './sessionsDialog.ts';
@@ -13,6 +14,7 @@ let bench: PageBench;
 let dialog: ShownPanel;
 let kept: SessionEntry[];
 let trashed: SessionEntry[];
+let opened: string[];
 
 function entryOf(session: string, name: string, participants = 0): SessionEntry {
     const counts = { rakes: 1, surfaces: 1, bookmarks: 0, annotations: 0, participants };
@@ -30,7 +32,7 @@ function take(from: SessionEntry[], { session }: Record<string, unknown>): Sessi
 beforeEach(async () => {
     bench = new PageBench();
     kept = [entryOf('main', 'Main', 1), entryOf('old', 'Old'), entryOf('shared', 'Shared work', 2)];
-    trashed = [];
+    [trashed, opened] = [[], []];
     Object.assign(bench.answers, {
         'session.list': ({ trash }: Record<string, unknown>) => ({
             sessions: [...(trash === true ? trashed : kept)],
@@ -46,6 +48,10 @@ beforeEach(async () => {
             trashed.push({ ...entry, deletedAt: new Date().toISOString(), deletedUntil: '2026-12-22T10:00:00Z' });
             return {};
         },
+        'session.fork': ({ name }: Record<string, unknown>) => {
+            kept.push(entryOf('copied', String(name)));
+            return { session: 'copied', name, remaining: limit - kept.length };
+        },
         'session.restore': (asked: Record<string, unknown>) => {
             kept.push(take(trashed, asked));
             return { remaining: limit - kept.length };
@@ -58,6 +64,7 @@ beforeEach(async () => {
         worker,
         server: new OwnServer('http://localhost/'),
         restored: () => undefined,
+        open: (to) => opened.push(to),
     });
     dialog = await ShownPanel.of('wakesurf-sessions', { state, view, shelf });
     view.sessionsShown.value = true;
@@ -96,6 +103,66 @@ describe('the list of sessions', () => {
         await settled();
         expect(names()).toContain('Figure 7');
         expect(card('old').text).toContain('Figure 7');
+    });
+});
+
+describe('a session that is copied', () => {
+    it('is offered to be opened', async () => {
+        await press(card('old'), 'Copy');
+        expect(bench.asked('session.fork')).toEqual([{ session: 'old', name: 'Old copy' }]);
+        expect(dialog.text).toContain('“Old” was copied.');
+        expect(card('copied').text).toContain('Old copy');
+        await press(dialog, 'Open the copy');
+        expect(opened).toEqual(['#session=copied']);
+    });
+});
+
+describe('a session as a file', () => {
+    const file = new Blob(['{"wakesurfSession":1}']);
+    const asked: [path: string, init: RequestInit][] = [];
+    let reply: () => Response;
+
+    beforeEach(() => {
+        asked.length = 0;
+        vi.stubGlobal('fetch', async (url: URL, init: RequestInit) => {
+            asked.push([url.pathname, init]);
+            return reply();
+        });
+        return () => {
+            vi.unstubAllGlobals();
+            vi.restoreAllMocks();
+        };
+    });
+
+    async function choose(): Promise<void> {
+        const input = dialog.get('input', 'File of a session');
+        Object.defineProperty(input, 'files', { value: [file], configurable: true });
+        input.dispatchEvent(new Event('change'));
+        await settled();
+    }
+
+    it('is saved under its name, and made again from that', async () => {
+        const saved = savedFiles();
+        reply = () => new Response(file);
+        await press(card('shared'), 'Export');
+        expect(asked.map(([path]) => path)).toEqual(['/api/v1/sessions/shared/session.json']);
+        expect(saved.map(({ name }) => name)).toEqual(['Shared_work-session.json']);
+        expect(await saved[0]!.content.text()).toBe(await file.text());
+
+        reply = () => Response.json({ session: 'made', name: 'Shared work', remaining: 1, notes: [] });
+        await choose();
+        expect(asked[1]).toMatchObject(['/api/v1/sessions', { method: 'POST', body: file }]);
+        expect(dialog.text).toContain('“Shared work” was imported.');
+        await press(dialog.within('[role=status]'), 'Open');
+        expect(opened).toEqual(['#session=made']);
+    });
+
+    it('is refused in words where it is none', async () => {
+        const error = { message: 'this is not the file of a session', data: { hint: 'choose one that was exported' } };
+        reply = () => Response.json({ error }, { status: 400 });
+        await choose();
+        expect(dialog.within('[role=alert]').text).toMatch(/not the file of a session: choose one/i);
+        expect(opened).toEqual([]);
     });
 });
 

@@ -10,6 +10,7 @@ const week = 7 * 24 * 3600;
 let bench: PageBench;
 let panel: ShownPanel;
 let shares: ShareLink[];
+let copies: number;
 
 function shareOf(grant: string, change: Partial<ShareLink> = {}): ShareLink {
     return { grant, role: 'editor', madeBy: { name: 'Ada', participant: 'p' }, ...change } as ShareLink;
@@ -30,7 +31,8 @@ beforeEach(async () => {
     };
     const { state, worker, tries: calls } = bench;
     const views = { link: () => 'http://localhost/#session=s&state=seen' };
-    const ownCopy = { possible: signal(true), begin: () => undefined };
+    copies = 0;
+    const ownCopy = { possible: signal(true), begin: () => void ++copies };
     panel = await ShownPanel.of('wakesurf-links', { state, worker, calls, views, ownCopy });
 });
 
@@ -74,5 +76,16 @@ describe('a link', () => {
         await rested();
         expect(panel.text).toContain('Only people who can invite can make links');
         expect(panel.all('button', 'Make a link')).toEqual([]);
+    });
+});
+
+describe('a copy of the session', () => {
+    it('can be had by everyone', async () => {
+        for (const role of ['host', 'editor', 'viewer'] as const) {
+            bench.state.role.value = role;
+            await rested();
+            await panel.press('Continue in a copy');
+        }
+        expect(copies).toBe(3);
     });
 });

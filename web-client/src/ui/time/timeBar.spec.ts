@@ -8,10 +8,12 @@ import './timeBar.ts';
 
 let bench: PageBench;
 let bar: ShownPanel;
+let copies: number;
 
 beforeEach(async () => {
     bench = new PageBench();
-    const ownCopy = { possible: signal(true), begin: () => undefined };
+    copies = 0;
+    const ownCopy = { possible: signal(true), begin: () => void ++copies };
     bar = await ShownPanel.of('wakesurf-time-bar', Object.assign(bench, { ownCopy }));
 });
 
@@ -147,10 +149,19 @@ describe('the timeline', () => {
         expect(placed('.shown', 'x') + placed('.shown', 'width')).toBeCloseTo(percent(16), 2);
     });
 
-    it('follows others who move the clock', async () => {
+    it('follows others who move the clock, and lets no viewer play', async () => {
         await streak();
         bench.tell([put('clock', 'clock', { ...clock(), time: 13 })]);
         await rested();
         expect([typed(), bar.get('#clock').value]).toEqual(['13', '13']);
+        bench.state.role.value = 'viewer';
+        await rested();
+        for (const button of bar.within('[aria-label="Time controls"]').all('button')) {
+            expect(button.matches(':disabled')).toBe(true);
+        }
+        await keyOfPage(' ');
+        expect(bench.asked('time.play')).toEqual([]);
+        await bar.press('Continue in a copy');
+        expect(copies).toBe(1);
     });
 });

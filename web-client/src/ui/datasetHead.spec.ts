@@ -1,0 +1,55 @@
+// @vitest-environment happy-dom
+import { beforeEach, describe, expect, it } from 'vitest';
+import type { DatasetEntry } from '../protocol/messages.ts';
+import { Announcements } from '../state/announcements.ts';
+import { PageBench } from '../testing/pageBench.ts';
+import { rested, ShownPanel } from '../testing/shownPanel.ts';
+import './datasetHead.ts';
+
+let bench: PageBench;
+let head: ShownPanel;
+let entered: string[];
+
+const entryOf = (dataset: string, total = 1): DatasetEntry => ({
+    ...{ dataset, name: dataset, state: 'ready', steps: { ready: total, total }, values: '' },
+});
+
+beforeEach(async () => {
+    bench = new PageBench();
+    bench.state.datasets.value = [entryOf('flow', 16), entryOf('sphere')];
+    entered = [];
+    const shelf = { problems: new Announcements(), enterDataset: async (id: string) => void entered.push(id) };
+    head = await ShownPanel.of('wakesurf-dataset-head', Object.assign(bench, { shelf }));
+});
+
+const opens = (): boolean => !head.get('button', 'Open').matches(':disabled');
+const offered = (): (string | null)[] =>
+    [...head.get<HTMLSelectElement>('#dataset').options].map(({ textContent }) => textContent);
+
+describe('a server with several datasets', () => {
+    it('offers them; to choose is not to open yet', async () => {
+        expect(offered()).toEqual(['flow (16 time-steps)', 'sphere']);
+        expect(opens()).toBe(false);
+        await head.enter('#dataset', 'Dataset', 'sphere');
+        expect([opens(), entered]).toEqual([true, []]);
+        await head.press('Open');
+        expect(entered).toEqual(['sphere']);
+    });
+
+    it('offers them as well where none is shown, since a link asked for another', async () => {
+        bench.state.dataset.value = null;
+        await rested();
+        expect(offered()).toEqual(['Choose a dataset', 'flow (16 time-steps)', 'sphere']);
+        expect(opens()).toBe(false);
+        await head.enter('#dataset', 'Dataset', 'flow');
+        await head.press('Open');
+        expect(entered).toEqual(['flow']);
+    });
+
+    it('offers none to people who were invited to this session', async () => {
+        bench.state.role.value = 'editor';
+        await rested();
+        expect(head.all('select')).toEqual([]);
+        expect(head.text).toContain('flow');
+    });
+});
