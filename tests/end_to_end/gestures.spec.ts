@@ -79,31 +79,3 @@ it('a slider dragged over more edits than are kept is taken back at once, and wh
     expect(start.surface.to).toBe(to);
     await page.getByText('Undone.').first().waitFor();
 });
-
-it('a stream surface that plays is one step, and undo stops it', async () => {
-    const page = await stand.visit({ width: 780, height: 320 });
-    const { from, rev } = (await records(page)).surface;
-    await page.getByRole('button', { name: 'Play' }).click();
-    await becomes(
-        () => records(page),
-        ({ surface }) => surface.rev >= rev + 3,
-    );
-    await page.keyboard.press('Control+Z');
-    await becomes(
-        () => records(page),
-        ({ surface }) => surface.from === from,
-    );
-    await page.getByRole('button', { name: 'Play' }).waitFor();
-    await page.getByRole('button', { name: 'Redo' }).click();
-    const again = await becomes(
-        () => records(page),
-        ({ surface }) => surface.from !== from,
-    );
-    await page.keyboard.press('Control+Z');
-    await becomes(
-        () => records(page),
-        ({ surface }) => surface.from === from,
-    );
-    expect(from, 'the last time-step, after which playing begins at the first').toBe(16);
-    expect(again.surface.from).toBeLessThan(from);
-});

@@ -111,28 +111,4 @@ describe('a level set', () => {
         // The data are those of other tests as well.
         await stand.server.call('family.remove', { dataset: family.dataset, name: 'rake_family' });
     });
-
-    it('outside the range says the range, and another kind follows particles again', async () => {
-        await edited(() => page.getByRole('radio', { name: 'Level set' }).check());
-        await edited(() => page.getByRole('combobox', { name: 'Field' }).selectOption('q_criterion'));
-        await page.getByText(/in the data\./).waitFor();
-        const field = page.getByRole('spinbutton', { name: 'Level' });
-        await field.fill('1e6');
-        await page.keyboard.press('Enter');
-        await page
-            .getByText(/level 1000000 is outside the range of q_criterion at t = 16, -/)
-            .first()
-            .waitFor();
-        expect((await record()).level).toBe(1e6);
-        const vortices = await edited(async () => {
-            await field.fill('0.5');
-            await page.keyboard.press('Enter');
-        });
-        expect(vortices).toMatchObject({ field: 'q_criterion', level: 0.5 });
-        expect(await ask(page, (hook) => hook.displayed!.cells)).toBeGreaterThan(1000);
-        const stream = await edited(() => page.getByRole('radio', { name: 'Stream' }).check());
-        expect(stream.kind).toBe('stream');
-        expect(stream.field).toBeUndefined();
-        expect(stream.to).toBeGreaterThan(stream.from);
-    });
 });

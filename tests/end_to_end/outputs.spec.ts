@@ -4,10 +4,10 @@ import { execFile } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { promisify } from 'node:util';
-import type { BrowserContext, Page } from 'playwright-core';
-import { afterAll, afterEach, beforeEach, describe, expect, it } from 'vitest';
+import type { Page } from 'playwright-core';
+import { afterAll, beforeEach, describe, expect, it } from 'vitest';
 import type { ClockRecord, RakeRecord, SurfaceRecord } from '../../web-client/src/protocol/messages.ts';
-import { ask, finalSurface, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { ask, finalSurface, screenshot } from './support/browser_page.ts';
 import { pixelsOfPng } from './support/png_pixels.ts';
 import { temporaryFolder } from './support/server_process.ts';
 import { useStand } from './support/stand.ts';
@@ -15,19 +15,15 @@ import { useStand } from './support/stand.ts';
 const run = promisify(execFile);
 const stand = useStand();
 const work = temporaryFolder();
-let context: BrowserContext;
 let page: Page;
 
 afterAll(() => work.remove());
 
 beforeEach(async () => {
-    context = await newContext(stand.browser, { width: 900, height: 520 });
-    await context.grantPermissions(['clipboard-read', 'clipboard-write']);
-    page = await openPage(context, await stand.server.newSession());
-    await finalSurface(page);
+    page = await stand.visit({ width: 900, height: 520 });
+    await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
+    return () => page.context().close();
 });
-
-afterEach(() => context.close());
 
 const toExport = (): Promise<void> => page.getByRole('tab', { name: 'Export' }).click();
 
@@ -204,7 +200,7 @@ describe('a film', () => {
         expect(name).toBe('sqcyl-film.webm');
         await expect.poll(async () => (await records()).clock).toMatchObject({ time: 10, playing: false });
         // In a page without the content security policy of ours, which plays nothing.
-        const player = await context.newPage();
+        const player = await page.context().newPage();
         const played = await player.evaluate(async (data) => {
             const content = Uint8Array.from(atob(data), (each) => each.charCodeAt(0));
             const video = document.createElement('video');
@@ -248,34 +244,6 @@ describe('a film', () => {
         await page.getByRole('button', { name: 'Cancel' }).click();
         await page.locator('#record-film').waitFor();
         await expect.poll(async () => (await records()).clock.time).toBe(10);
-    });
-});
-
-describe('a mesh', () => {
-    it('is downloaded byte for byte as the server sends it, in every format', async () => {
-        await toExport();
-        const session = await ask(page, (hook) => hook.session);
-        const { surface } = await ask(page, (hook) => hook.displayed!);
-        const headers = { Authorization: `Bearer ${stand.server.token}` };
-        for (const [choice, file] of [
-            ['vtp', 'mesh.vtp'],
-            ['glb-plain', 'mesh.glb?draco=false'],
-            ['glb', 'mesh.glb'],
-            ['ply', 'mesh.ply'],
-            ['obj', 'mesh.obj'],
-            ['drc', 'mesh.drc'],
-        ] as const) {
-            await page.locator('#mesh-format').selectOption(choice);
-            const { name, bytes } = await saved('#download-mesh');
-            const reply = await fetch(new URL(`/api/v1/sessions/${session}/surfaces/${surface}/${file}`, stand.server.link), {
-                headers,
-            });
-            expect(name).toBe(`sqcyl-stream.${choice.split('-')[0]}`);
-            expect(reply.status).toBe(200);
-            const given = Buffer.from(await reply.arrayBuffer());
-            expect(bytes.equals(given), file).toBe(true);
-            if (choice === 'glb-plain') expect(given.includes('KHR_draco_mesh_compression')).toBe(false);
-        }
     });
 });
 

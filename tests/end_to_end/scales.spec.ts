@@ -148,20 +148,3 @@ describe('a domain of 40 micrometres, in steps of 0.1 milliseconds', () => {
         await page.context().close();
     });
 });
-
-describe('units that someone has typed', () => {
-    it('are everyone’s in the session, also after a reload', async () => {
-        const page = await visit('tiny');
-        const link = `${servers.get('tiny')!.link}&session=${await ask(page, (hook) => hook.session)}`;
-        const other = await visit('tiny', link);
-        await page.getByRole('tab', { name: 'View' }).click();
-        await page.getByLabel('Unit of length').fill('m');
-        await page.keyboard.press('Enter');
-        await other.locator('.axis-x', { hasText: 'x (m) ×1e−6' }).waitFor();
-        await other.reload();
-        await finalSurface(other);
-        await other.locator('.axis-x', { hasText: 'x (m) ×1e−6' }).waitFor();
-        await page.context().close();
-        await other.context().close();
-    }, 150_000);
-});

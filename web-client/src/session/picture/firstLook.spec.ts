@@ -55,6 +55,7 @@ describe('the first look', () => {
     it('leaves the camera where someone has put it, and does not move it while they edit', () => {
         for (const act of [
             ({ controls }: ReturnType<typeof bench>) => controls.turn(0.1, 0),
+            ({ controls }: ReturnType<typeof bench>) => controls.show('oblique'),
             ({ state }: ReturnType<typeof bench>) => void (state.editsPending.value = true),
             ({ held }: ReturnType<typeof bench>) => void (held.now = true),
         ]) {

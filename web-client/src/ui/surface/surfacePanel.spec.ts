@@ -1,6 +1,7 @@
 // @vitest-environment happy-dom
 import { beforeEach, describe, expect, it } from 'vitest';
 import type { SurfaceKind } from '../../protocol/messages.ts';
+import { sampleStatistics } from '../../protocol/testing/sampleRecords.ts';
 import { PageBench } from '../../testing/pageBench.ts';
 import { rested, ShownPanel } from '../../testing/shownPanel.ts';
 import './surfacePanel.ts';
@@ -92,6 +93,34 @@ describe('the kinds of surface', () => {
         expect(panel.text).toContain('A streak surface goes one way in time: this one goes forward.');
         expect(direction().value).toBe('forward');
         expect(direction().options).toHaveLength(2);
+    });
+});
+
+describe('a level set', () => {
+    it('takes a field and any level of it, and gives way to a kind that follows particles', async () => {
+        bench.state.dataset.value = { ...bench.state.dataset.value!, surfaceFields: ['U', 'q_criterion', 'error'] };
+        await choose('Level set');
+        expect(surface()).toMatchObject({ kind: 'level', field: 'U', level: 0.896, from: 8.5, to: 16 });
+        expect(panel.get<HTMLElement>('#level-range').textContent).toBe('0.002 to 1.79 in the data.');
+        await panel.enter('#level', 'Level', 1.5);
+        expect(surface().level).toBe(1.5);
+        const fields = [...panel.get<HTMLSelectElement>('#level-field').options].map(({ value }) => value);
+        expect(fields).toEqual(['U', 'q_criterion']);
+        await panel.enter('#level-field', 'Field', 'q_criterion');
+        expect(surface()).toMatchObject({ field: 'q_criterion', level: 0 });
+        // What the data have of it is known once the server has looked.
+        expect(panel.all('#level-range')).toEqual([]);
+        const stats = sampleStatistics({ surface: 'surface-1', fieldRange: [-3, 4] });
+        bench.state.outcomes.value = new Map([['surface-1', stats]]);
+        await rested();
+        expect([panel.get('#level').min, panel.get('#level').max]).toEqual(['-3', '4']);
+        for (const level of [1e6, 0.5]) {
+            await panel.enter('#level-value', 'Level', level);
+            expect(surface()).toMatchObject({ field: 'q_criterion', level });
+        }
+        await choose('Stream');
+        expect(surface()).toMatchObject({ kind: 'stream', from: 16, to: 36 });
+        expect(surface().field).toBeUndefined();
     });
 });
 
