@@ -2,14 +2,14 @@
 // thousands of quads, so that it is under way whatever the machine; the seconds that people wait are those of the page's clock, moved on by hand.
 import { readFileSync } from 'node:fs';
 import type { Page } from 'playwright-core';
-import { beforeEach, describe, expect, it } from 'vitest';
+import { beforeAll, beforeEach, describe, expect, it } from 'vitest';
 import type { SurfaceRecord, SurfaceStats } from '../../web-client/src/protocol/messages.ts';
-import { ask } from './support/browser_page.ts';
+import { ask, finalSurface } from './support/browser_page.ts';
 import { chooseFigure, pixelsOf, savedFigure } from './support/figure_download.ts';
+import { expectServersMesh } from './support/server_mesh.ts';
 import { useStand } from './support/stand.ts';
 
 const stand = useStand();
-const size = { width: 1000, height: 800 };
 let page: Page;
 let before: SurfaceRecord;
 
@@ -34,14 +34,17 @@ async function beginLongPass(): Promise<void> {
 
 const offers = (): ReturnType<Page['getByRole']> => page.getByRole('group', { name: 'Instead of waiting' });
 
-beforeEach(async () => {
-    page = await stand.visit(size);
+beforeAll(async () => {
+    page = await stand.visit({ width: 1000, height: 800 });
     before = await record();
     await page.clock.install();
+});
+
+beforeEach(async () => {
     await beginLongPass();
     return async () => {
         await set({});
-        await page.context().close();
+        await finalSurface(page);
     };
 });
 
@@ -62,6 +65,22 @@ describe('a long pass', () => {
             expect(time).toBeGreaterThan(told[i]!.time);
             expect(fraction).toBeGreaterThanOrEqual(told[i]!.fraction);
         }
+    });
+
+    it('can be stopped and computed again; what was there by then stays on the screen', async () => {
+        await page.getByRole('button', { name: 'Stop', exact: true }).click();
+        await page.getByText('Stopped before it was final').waitFor();
+        await page.getByText(/stopped by guest 1/).waitFor();
+        const session = await ask(page, (hook) => hook.session);
+        const stats = await stand.server.call('surface.stats', { session, surface: before.surface });
+        expect(stats).toMatchObject({ complete: false, error: { kind: 'cancelled' } });
+        expect(await ask(page, (hook) => hook.displayed!.cells)).toBeGreaterThan(100);
+        await page.getByRole('button', { name: 'Compute it again' }).click();
+        const bar = page.getByRole('progressbar', { name: 'Surface' });
+        await bar.waitFor();
+        await set({});
+        await expectServersMesh(stand.server, page);
+        await expect.poll(() => bar.count()).toBe(0);
     });
 
     it('can be had as it is now: the file says that it is coarse', async () => {

@@ -1,8 +1,12 @@
 import { describe, expect, it } from 'vitest';
 import type { Participant, Vec3 } from '../../protocol/messages.ts';
 import { AppState } from '../../state/appState.ts';
-import { rakeOf } from '../../testing/records.ts';
-import { holderOf } from './rakeScene.ts';
+import { ViewState } from '../../state/viewState.ts';
+import { sampleStatistics } from '../../protocol/testing/sampleRecords.ts';
+import type { DrawnRake } from '../../scene/rake/drawnRake.ts';
+import { PageBench } from '../../testing/pageBench.ts';
+import { displayedOf, rakeOf } from '../../testing/records.ts';
+import { holderOf, showRakes } from './rakeScene.ts';
 
 const record = rakeOf('r1', { dragging: true, leasedBy: 'p2' });
 
@@ -33,5 +37,25 @@ describe('who holds a rake', () => {
     it('may be a script, or someone who has just left', () => {
         expect(holderOf(stateWith(), { ...record, leasedBy: 'script' })?.name).toBe('A script');
         expect(holderOf(stateWith(), { ...record, leasedBy: 'p9' })?.name).toBe('Someone');
+    });
+});
+
+describe('a rake whose surface is empty', () => {
+    it('says why beside it, until another state of the surface is there', () => {
+        const { state } = new PageBench();
+        let drawn: readonly DrawnRake[] = [];
+        const rakes = { chosenId: null, setRakes: (all: readonly DrawnRake[]) => void (drawn = all) };
+        const interaction = { abandon: () => undefined, place: () => undefined };
+        showRakes(state, new ViewState(), { rakes, interaction, loop: { request: () => undefined } } as never);
+        expect(drawn.map(({ remark }) => remark)).toEqual(['']);
+        const message = 'the whole rake lies inside the body';
+        const empty = { reason: 'inBody', message, hint: 'move it' } as const;
+        const show = (stateSum: number): void =>
+            void (state.displayed.value = new Map([['surface-1', displayedOf('surface-1', { stateSum })]]));
+        show(7);
+        state.outcomes.value = new Map([['surface-1', sampleStatistics({ surface: 'surface-1', stateSum: 7, empty })]]);
+        expect(drawn.map(({ remark }) => remark)).toEqual([message]);
+        show(8);
+        expect(drawn.map(({ remark }) => remark)).toEqual(['']);
     });
 });

@@ -59,6 +59,15 @@ describe('a surface that is there', () => {
         );
     });
 
+    it('says why it cannot be made', async () => {
+        const text = 'level 1000000 is outside the range of q_criterion at t = 16, -3 to 4';
+        bench.state.surfaceErrors.value = new Map([['surface-1', { epoch: surface().epoch, text, stopped: false }]]);
+        await rested();
+        expect(status()).toBe('Not computed');
+        expect(panel.text).toContain(text);
+        expect(panel.all('button', /^Compute/)).toEqual([]);
+    });
+
     it('has its quality asked for on demand, once a state', async () => {
         const terminated = { domain: 12, time: 400, obstacle: 0, stagnation: 0, budget: 0 };
         const counts = { vertices: 1000, approximated: 50, vertexSteps: 12_345, terminated };
@@ -73,7 +82,8 @@ describe('a surface that is there', () => {
         const rows = ['approximated', 'domain', 'time', 'vertexSteps'].map((name) => shown.get(name));
         expect(rows).toEqual(['5.0 %', '12', '400', '12\u202f345']);
         // Why curves ended: those that never came are left out.
-        expect(shown.has('obstacle')).toBe(false);
+        const reasons = Object.keys(terminated).filter((reason) => shown.has(reason));
+        expect(reasons).toEqual(['domain', 'time']);
     });
 });
 
