@@ -1,19 +1,9 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+import { emptyStorage } from '../testing/keptTexts.ts';
 import { KeptLogins } from './keptLogins.ts';
 
-function storage(): Storage {
-    const texts = new Map<string, string>();
-    return {
-        getItem: (name: string) => texts.get(name) ?? null,
-        setItem: (name: string, text: string) => void texts.set(name, text),
-    } as Storage;
-}
-
 describe('the logins of a browser', () => {
-    beforeEach(() => {
-        vi.stubGlobal('localStorage', storage());
-        vi.stubGlobal('sessionStorage', storage());
-    });
+    beforeEach(() => emptyStorage('localStorage', 'sessionStorage'));
     afterEach(() => void vi.unstubAllGlobals());
 
     it('lead from a session into a copy of it and back, in one window', () => {
@@ -34,11 +24,11 @@ describe('the logins of a browser', () => {
     it('let a window that came by a link be what the link allows, beside one that has the token', () => {
         const kept = new KeptLogins('http://localhost/');
         kept.keep({ login: 'token.1', session: null });
-        vi.stubGlobal('sessionStorage', storage());
+        emptyStorage('sessionStorage');
         const link = { login: 'a.1', session: 'main' };
         kept.keep(link);
         expect(kept.recall('main')).toEqual(link);
-        vi.stubGlobal('sessionStorage', storage());
+        emptyStorage('sessionStorage');
         expect(kept.recall('main')?.session, 'another window').toBeNull();
     });
 });

@@ -1,30 +1,18 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+import { emptyStorage } from '../testing/keptTexts.ts';
 import { OwnServer } from './ownServer.ts';
 
 const base = 'http://localhost/flow/';
 const host = { login: 'aa.1.1..mac', session: null };
 const viewer = { login: 'bb.1.1.g1.mac', session: 'session-3' };
 
-class FakeStorage {
-    private readonly items = new Map<string, string>();
-    getItem(name: string): string | null {
-        return this.items.get(name) ?? null;
-    }
-    setItem(name: string, value: string): void {
-        this.items.set(name, value);
-    }
-}
-
-beforeEach(() => {
-    vi.stubGlobal('localStorage', new FakeStorage());
-    vi.stubGlobal('sessionStorage', new FakeStorage());
-});
+beforeEach(() => emptyStorage('localStorage', 'sessionStorage'));
 
 afterEach(() => vi.unstubAllGlobals());
 
 /** Acts as another window of the browser: with what is shared, without what is a window's own. */
 function anotherWindow(): void {
-    vi.stubGlobal('sessionStorage', new FakeStorage());
+    emptyStorage('sessionStorage');
 }
 
 describe('the login of a page', () => {

@@ -7,6 +7,7 @@ import { apiLevel } from '../protocol/version.ts';
 import { AppState } from '../state/appState.ts';
 import { answering } from '../testing/answering.ts';
 import { datasetOf, rakeOf, surfaceOf, suggestionOf } from '../testing/records.ts';
+import { emptyStorage } from '../testing/keptTexts.ts';
 import { CallError } from '../worker/workerClient.ts';
 import { Suggestions } from './sessions/suggestions.ts';
 import { OpenDataset } from './openDataset.ts';
@@ -228,15 +229,9 @@ describe('the session on a page', () => {
 });
 
 describe('a visit', () => {
-    let kept: Map<string, string>;
-
     beforeEach(() => {
-        kept = new Map();
         vi.stubGlobal('location', { pathname: '/', search: '', href: 'http://localhost/' });
-        vi.stubGlobal('localStorage', {
-            getItem: (name: string) => kept.get(name) ?? null,
-            setItem: (name: string, value: string) => kept.set(name, value),
-        });
+        emptyStorage('localStorage');
     });
 
     afterEach(() => {

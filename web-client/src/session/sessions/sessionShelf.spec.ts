@@ -3,6 +3,7 @@ import type { SessionEntry } from '../../protocol/messages.ts';
 import { OwnServer } from '../../connection/ownServer.ts';
 import { AppState } from '../../state/appState.ts';
 import { answering } from '../../testing/answering.ts';
+import { emptyStorage } from '../../testing/keptTexts.ts';
 import { CallError } from '../../worker/workerClient.ts';
 import { fitting } from './fitting.ts';
 import { rememberSession } from './knownSessions.ts';
@@ -112,14 +113,9 @@ describe('the list of sessions', () => {
 });
 
 describe('another dataset', () => {
-    let kept: Map<string, string>;
     beforeEach(() => {
-        kept = new Map();
         vi.stubGlobal('location', { pathname: '/', href: 'http://localhost/' });
-        vi.stubGlobal('localStorage', {
-            getItem: (name: string) => kept.get(name) ?? null,
-            setItem: (name: string, value: string) => kept.set(name, value),
-        });
+        emptyStorage('localStorage');
     });
     afterEach(() => vi.unstubAllGlobals());
 

@@ -1,16 +1,13 @@
 import { signal } from '@preact/signals-core';
 import { afterEach, describe, expect, it, vi } from 'vitest';
+import { emptyStorage } from '../../testing/keptTexts.ts';
 import { recallPanel, togglePanel } from './room.ts';
 
 afterEach(() => vi.unstubAllGlobals());
 
 describe('the panel', () => {
     it('is folded at first where another page shows this one in a frame, and stays as it is put', () => {
-        const kept = new Map<string, string>();
-        vi.stubGlobal('localStorage', {
-            getItem: (name: string) => kept.get(name) ?? null,
-            setItem: (name: string, value: string) => kept.set(name, value),
-        });
+        emptyStorage('localStorage');
         const view = { panelFolded: signal(false) };
         vi.stubGlobal('self', globalThis);
         vi.stubGlobal('top', globalThis);
