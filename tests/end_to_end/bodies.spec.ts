@@ -1,6 +1,6 @@
 // Bodies and what lies on them, in the picture.
 import type { Page } from 'playwright-core';
-import { describe, expect, it } from 'vitest';
+import { beforeAll, describe, expect, it } from 'vitest';
 import { newContext, openPage } from './support/browser_page.ts';
 import { linkTo, readGallery, settled } from './support/gallery_scene.ts';
 import { useStand } from './support/stand.ts';
@@ -21,11 +21,16 @@ function seenRound(page: Page, centre: readonly [number, number, number], radius
     );
 }
 
+let page: Page;
+
+beforeAll(async () => {
+    const context = await newContext(stand.browser, { width: 1100, height: 620 });
+    page = await openPage(context, await linkTo(stand.server, scene));
+    await settled(page);
+});
+
 describe('a sheet that lies on a body', () => {
     it.each(['with', 'without'])('is seen, and not the body through it, %s perspective', async (perspective) => {
-        const context = await newContext(stand.browser, { width: 1100, height: 620 });
-        const page = await openPage(context, await linkTo(stand.server, scene));
-        await settled(page);
         if (perspective === 'without') await page.getByRole('button', { name: 'Parallel' }).click();
         const rows = await seenRound(page, [0, 0, 0], 150);
         const reach = 12;
@@ -47,6 +52,6 @@ describe('a sheet that lies on a body', () => {
         expect(covered).toBeGreaterThan(10_000);
         // There were 1523 and 1302.
         expect(poked).toBeLessThan(5);
-        await context.close();
+        if (perspective === 'without') await page.getByRole('button', { name: 'Parallel' }).click();
     });
 });

@@ -1,5 +1,6 @@
 // Outlines without specks: in an even part of a creased surface, where nothing is before anything else, no pixel is dark.
-import { describe, expect, it } from 'vitest';
+import type { Page } from 'playwright-core';
+import { beforeAll, describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
 import type { SurfaceLook } from '../../web-client/src/state/surfaceLook.ts';
 import { newContext, openPage } from './support/browser_page.ts';
@@ -12,14 +13,22 @@ const scene = readGallery().scenes.find(({ name }) => name === 'wake-streak')!;
 /** How far away an edge has nothing to do with a pixel. */
 const reach = 5;
 
-/** By rows: how bright each pixel of a figure as large as the picture on the page is, and how far what is seen there is away; 0: nothing. */
-async function seen(silhouettes: boolean, camera: { position: Vec3; target: Vec3 }) {
+let page: Page;
+
+beforeAll(async () => {
     const context = await newContext(stand.browser, { width: 1000, height: 600, colorScheme: 'light' });
-    const look: Partial<SurfaceLook> = { colourBy: 'constant', colour: '#d8dde6', silhouettes };
-    const page = await openPage(context, await linkTo(stand.server, { ...scene, look, camera }));
+    const look: Partial<SurfaceLook> = { colourBy: 'constant', colour: '#d8dde6' };
+    page = await openPage(context, await linkTo(stand.server, { ...scene, look }));
     await settled(page);
     await page.getByRole('tab', { name: 'View' }).click();
     await page.getByRole('checkbox', { name: 'Shade where things touch' }).uncheck();
+    await page.getByRole('tab', { name: 'Look' }).click();
+    await page.locator('#opacity-group summary').click();
+});
+
+/** By rows: how bright each pixel of a figure as large as the picture on the page is, and how far what is seen there is away; 0: nothing. */
+async function seen(outlined: boolean) {
+    await page.locator('#silhouettes').setChecked(outlined);
     const box = (await page.locator('canvas').first().boundingBox())!;
     const size = { width: Math.round(box.width), height: Math.round(box.height) };
     const setting = { ...size, background: 'white', axes: false, bar: false, rake: false, caption: null } as const;
@@ -36,7 +45,6 @@ async function seen(silhouettes: boolean, camera: { position: Vec3; target: Vec3
         { length: side * side },
         (_, i) => pixels[4 * ((top + Math.floor(i / side)) * size.width + left + (i % side)) + 1]!,
     );
-    await context.close();
     return { bright, distances, side };
 }
 
@@ -46,7 +54,8 @@ describe('outlines of a creased surface', () => {
         ['near a crease', [-1.2, -4.2, 5.2], [2.4, 0, 2.4]],
         ['along the wake', [-4, -6, 4.5], [4, 0, 3]],
     ] as [string, Vec3, Vec3][])('are no specks where it is even: %s', async (_, position, target) => {
-        const [drawn, bare] = [await seen(true, { position, target }), await seen(false, { position, target })];
+        await page.evaluate(([from, to]) => window.wakesurf!.setCamera(from, to), [position, target] as const);
+        const [drawn, bare] = [await seen(true), await seen(false)];
         const { side, distances } = drawn;
         const isDark = drawn.bright.map((light, i) => light < 0.7 * bare.bright[i]!);
         let [even, specks, lines] = [0, 0, 0];

@@ -5,7 +5,7 @@ import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
 import type { SurfaceLook } from '../../web-client/src/state/surfaceLook.ts';
 import { newContext, openPage, screenshot } from './support/browser_page.ts';
-import { finalSheets, FlatSheets, ground, middle, type Sheet, type Side, spread } from './support/flat_sheets.ts';
+import { finalSheets, FlatSheets, ground, lookFrom, middle, type Sheet, type Side, spread } from './support/flat_sheets.ts';
 import { type Colour, layerAlpha, layered, litColour } from './support/shading_formula.ts';
 import { closePages, testBrowser } from './support/test_browser.ts';
 
@@ -73,26 +73,22 @@ const apart = (a: readonly number[], b: readonly number[]): number => Math.max(.
 const inBytes = (colour: Colour): number[] => colour.map((c) => 255 * c);
 
 describe('flat sheets', () => {
-    let opened: { session: string; surfaces: string[] };
+    let page: Page;
     // Where stretching changes a colour by more than the 2 it may be off and the 3 it has to show: 6.5 at the least.
     const times = [0.9, 1.4, 2];
 
     beforeAll(async () => {
-        opened = await flow.session(sheets);
-    });
-
-    async function open(side: Side, turned = 0): Promise<Page> {
+        const { session, surfaces } = await flow.session(sheets);
         const context = await newContext(browser, { width: 900, height: 440 });
-        const looks = Object.fromEntries(opened.surfaces.map((id, i) => [id, sheets[i]!.look]));
-        const page = await openPage(context, flow.link(opened.session, side, looks, {}, turned));
+        const looks = Object.fromEntries(surfaces.map((id, i) => [id, sheets[i]!.look]));
+        page = await openPage(context, flow.link(session, 'before', looks));
         await finalSheets(page, sheets.length);
-        return page;
-    }
+    });
 
     it('have two sides that are told apart as their look says', async () => {
         const drawn: Record<Side, number[][]> = { before: [], behind: [] };
         for (const side of ['before', 'behind'] as const) {
-            const page = await open(side);
+            await lookFrom(page, side);
             drawn[side] = await pixels(
                 page,
                 // Beyond the arrows of the chosen rake.
@@ -100,7 +96,6 @@ describe('flat sheets', () => {
                 false,
             );
             await screenshot(page, `sides-${side}`);
-            await page.context().close();
         }
         const fronts = inBytes(litColour(colour, [0, 0, 1]));
         const backs = (['same', 'shaded', 'tinted'] as const).map((side) => inBytes(litColour(colour, [0, 0, 1], side)));
@@ -118,7 +113,7 @@ describe('flat sheets', () => {
     });
 
     it('are thinned as smoke by stretching and by age, as the server measures it and as the picture guesses it', async () => {
-        const page = await open('before');
+        await lookFrom(page, 'before');
         const alphas = times.map((t) => layerAlpha({ opacity: 0.8, smoke: 1, areaRatio: Math.exp(spread * t), age: t / length }));
         const aged = times.map((t) => layerAlpha({ opacity: 0.8, smoke: 1, age: t / length }));
         const expected = alphas.map((alpha) => layered([{ colour: litColour(colour, [0, 0, 1]), alpha }], ground));
@@ -141,11 +136,10 @@ describe('flat sheets', () => {
                 expect(apart(known[i]!, unstretched[i]!)).toBeGreaterThan(3);
             }
         }
-        await page.context().close();
     });
 
     it('are denser edge-on, as the way through a layer is longer, and lit from over the shoulder', async () => {
-        const page = await open('before', 60);
+        await lookFrom(page, 'before', 60);
         const [sine, cosine] = [Math.sin(Math.PI / 3), 0.5];
         const seen = litColour(colour, [-sine, 0, cosine]);
         const dense = layered([{ colour: seen, alpha: 1 - (1 - 0.6) ** 2 }], ground);
@@ -156,7 +150,6 @@ describe('flat sheets', () => {
         const opaque = await pixels(page, [placeIn(left, bands[0], 1.2)], false);
         for (const pixel of [...blended, ...exact]) expect(apart(pixel, dense)).toBeLessThan(2);
         expect(apart(opaque[0]!, inBytes(seen))).toBeLessThan(2);
-        await page.context().close();
     });
 });
 
@@ -167,11 +160,13 @@ describe('outlines', () => {
         const tube: Sheet = { points: [centre, [0.5, middle, middle + 1], [0.5, middle + 1, middle]], length: 5, look: {} };
         const { session, surfaces } = await flow.session([tube]);
         const context = await newContext(browser, { width: 900, height: 440, colorScheme: 'light' });
+        const look: Partial<SurfaceLook> = { ...constant, backSide: 'same' };
+        const page = await openPage(context, flow.link(session, 'before', { [surfaces[0]!]: look }));
+        await finalSheets(page, 1);
+        await page.getByRole('tab', { name: 'Look' }).click();
+        await page.locator('#opacity-group summary').click();
         /** A column of pixels across the upper edge of the tube, from inside to outside. */
-        const edge = async (look: Partial<SurfaceLook>): Promise<number[][]> => {
-            const looks = { [surfaces[0]!]: { ...constant, backSide: 'same', ...look } as Partial<SurfaceLook> };
-            const page = await openPage(context, flow.link(session, 'before', looks));
-            await finalSheets(page, 1);
+        const edge = async (name: string): Promise<number[][]> => {
             const read = await page.evaluate(() => {
                 const hook = window.wakesurf!;
                 const top = Math.max(
@@ -186,13 +181,14 @@ describe('outlines', () => {
                     true,
                 );
             });
-            await screenshot(page, `outlines-${look.silhouettes === true}-${look.opacity ?? 1}`);
-            await page.close();
+            await screenshot(page, `outlines-${name}`);
             return read;
         };
-        const plain = await edge({});
-        const outlined = await edge({ silhouettes: true });
-        const glass = await edge({ silhouettes: true, opacity: 0.3 });
+        const plain = await edge('none');
+        await page.locator('#silhouettes').check();
+        const outlined = await edge('opaque');
+        await page.locator('#opacity').fill('0.3');
+        const glass = await edge('glass');
         await context.close();
         const sum = (pixel: readonly number[]): number => pixel[0]! + pixel[1]! + pixel[2]!;
         const covered = plain.filter((pixel) => pixel[0]! < 120).length;

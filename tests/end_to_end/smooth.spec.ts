@@ -26,11 +26,17 @@ const sheet: Sheet = {
     look: { colourBy: 'constant', colour: '#203060', backSide: 'same' },
 };
 
-async function open(opacity = 1): Promise<Page> {
+const pages = new Map<number, Page>();
+
+/** The page with the sheet of that opacity: whatever is saved, it stays as it is. */
+async function sheetOf(opacity: number): Promise<Page> {
+    const open = pages.get(opacity);
+    if (open !== undefined) return open;
     const { session, surfaces } = await flow.session([sheet]);
     const context = await newContext(browser, { width: 900, height: 440, colorScheme: 'light' });
     const page = await openPage(context, flow.link(session, 'before', { [surfaces[0]!]: { ...sheet.look, opacity } }));
     await finalSheets(page, 1);
+    pages.set(opacity, page);
     return page;
 }
 
@@ -96,9 +102,8 @@ describe('a figure', () => {
     ] as const)(
         'before %s, of a sheet of opacity %d, covers of each pixel what the sheet does: %d rows',
         async (background, opacity, rows) => {
-            const page = await open(opacity);
+            const page = await sheetOf(opacity);
             const { heights, mixed } = await columnsOf(page, background, rows);
-            await page.context().close();
             expect(heights.length).toBeGreaterThan(25);
             // Four places in a pixel say where an edge is to an eighth, and the surface is right to a part of its size. One place alone
             // is wrong by up to a half, at each of both edges.
@@ -112,7 +117,7 @@ describe('a figure', () => {
 
 describe('a picture on the page', () => {
     it('that stands still has smooth edges soon, is drawn no more then, and keeps them when its pixels are read', async () => {
-        const page = await open();
+        const page = await sheetOf(1);
         await page.waitForFunction(() => window.wakesurf!.isAtRest);
         const facts = await page.evaluate(async () => {
             const hook = window.wakesurf!;
@@ -141,6 +146,5 @@ describe('a picture on the page', () => {
             }
         }
         expect(mixed / columns).toBeGreaterThan(0.6);
-        await page.context().close();
     });
 });

@@ -41,6 +41,18 @@ export function acrossAt(y: number): Vec3[] {
 /** From which side of the sheets the camera looks, along y. */
 export type Side = 'before' | 'behind';
 
+/** Straight at the sheets, or turned from there by so many degrees to the right. */
+function eyeAt(side: Side, turned = 0): { position: Vec3; target: Vec3 } {
+    const [away, angle] = [side === 'before' ? -12 : 12, (turned * Math.PI) / 180];
+    const position: Vec3 = [3.5 + Math.abs(away) * Math.sin(angle), middle + away * Math.cos(angle), middle];
+    return { position, target: [3.5, middle, middle] };
+}
+
+/** Looks at the sheets from elsewhere, without perspective. */
+export async function lookFrom(page: Page, side: Side, turned = 0): Promise<void> {
+    await page.evaluate(({ position, target }) => window.wakesurf!.setCamera(position, target, true), eyeAt(side, turned));
+}
+
 export class FlatSheets {
     readonly server: ServerProcess;
     private readonly remove: () => void;
@@ -81,11 +93,9 @@ export class FlatSheets {
         return { session, surfaces };
     }
 
-    /** Without perspective, straight at the sheets, or turned from there by so many degrees to the right. */
-    link(session: string, side: Side, looks: Record<string, Partial<SurfaceLook>>, view: PageView = {}, turned = 0): string {
-        const [away, angle] = [side === 'before' ? -12 : 12, (turned * Math.PI) / 180];
-        const position: Vec3 = [3.5 + Math.abs(away) * Math.sin(angle), middle + away * Math.cos(angle), middle];
-        const camera = { position, target: [3.5, middle, middle] as Vec3, orthographic: true };
+    /** To the sheets as they are seen straight from that side. */
+    link(session: string, side: Side, looks: Record<string, Partial<SurfaceLook>>, view: PageView = {}): string {
+        const camera = { ...eyeAt(side), orthographic: true };
         const link = new URL(this.server.link);
         const state = encodeLinkState({ view: { camera, looks, ...view }, rakes: [], surfaces: [] });
         link.hash = `session=${session}&token=${this.server.token}&state=${state}`;

@@ -36,7 +36,7 @@ export interface PageFacts extends Omit<ScriptedPage, 'parts'> {
     /** From the start of the page to the first frame that shows the domain. */
     readonly firstPictureMs: number | null;
     readonly camera: { position: Vec3; target: Vec3 };
-    setCamera(position: Vec3, target: Vec3): void;
+    setCamera(position: Vec3, target: Vec3, orthographic?: boolean): void;
     /** Position in the window, in CSS pixels; null behind the camera. */
     project(point: Vec3): ScreenPoint | null;
     handleOnScreen(handle: Handle): ScreenPoint | null;
@@ -138,7 +138,7 @@ function factsOf(scripted: ScriptedPage): PageFacts {
             const position = scene.controls.pose.position;
             return { position, target: scene.controls.target };
         },
-        setCamera: (position, target) => scene.controls.place({ position, target, orthographic: false }),
+        setCamera: (position, target, orthographic = false) => scene.controls.place({ position, target, orthographic }),
         project: (point) => inWindow(scene.project(point)),
         handleOnScreen: (handle) => inWindow(scene.project(scene.rakes.positionOf(handle, scene.view()))),
         arrowOnScreen: (axis) => {
