@@ -1,7 +1,7 @@
 // Depth in the picture: arrows move a rake along one axis alone, tools take only what can be seen, and a rake behind the body
 // does not look as if it were in front of it.
 import type { Page } from 'playwright-core';
-import { beforeEach, describe, expect, it } from 'vitest';
+import { beforeAll, describe, expect, it } from 'vitest';
 import type { RakeRecord, Vec3 } from '../../web-client/src/protocol/messages.ts';
 import { ask, finalSurface, screenshot } from './support/browser_page.ts';
 import { useStand } from './support/stand.ts';
@@ -9,9 +9,13 @@ import { useStand } from './support/stand.ts';
 const stand = useStand();
 let page: Page;
 
-beforeEach(async () => {
-    page = await stand.visit({ width: 1440, height: 900 });
-});
+/** One page for the tests of a part. */
+function usePage(): void {
+    beforeAll(async () => {
+        page = await stand.visit({ width: 1440, height: 900 });
+        return () => page.context().close();
+    });
+}
 
 async function recordedRake(): Promise<RakeRecord> {
     const session = await ask(page, (hook) => hook.session);
@@ -19,6 +23,8 @@ async function recordedRake(): Promise<RakeRecord> {
 }
 
 describe('an arrow of the rake', () => {
+    usePage();
+
     it('dragged with the mouse moves the rake along its axis, and nothing along the others', async () => {
         for (const axis of [0, 1, 2] as const) {
             const before = (await recordedRake()).points;
@@ -63,6 +69,8 @@ describe('an arrow of the rake', () => {
 });
 
 describe('probe and measure', () => {
+    usePage();
+
     it('tell no number where nothing can be seen, and say so', async () => {
         // Whatever the panel shows.
         await page.getByRole('tab', { name: 'Look' }).click();
@@ -100,6 +108,8 @@ describe('probe and measure', () => {
 });
 
 describe('a rake behind the body', () => {
+    usePage();
+
     it('is paler there than in front of it', async () => {
         const session = await ask(page, (hook) => hook.session);
         const rake = await recordedRake();

@@ -1,6 +1,6 @@
 // The first minute on a telephone: fingers, little room, and nothing in the way of what the tour asks for.
 import type { Page } from 'playwright-core';
-import { afterEach, describe, expect, it } from 'vitest';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { ask, finalSurface, screenshot } from './support/browser_page.ts';
 import { showFacts } from './support/page_facts.ts';
 import { useStand } from './support/stand.ts';
@@ -22,10 +22,6 @@ async function visit(width: number, height: number): Promise<void> {
     await page.getByRole('region', { name: 'Tour' }).waitFor();
 }
 
-afterEach(async () => {
-    await page.context().close();
-});
-
 const covers = async (name: string, at: { x: number; y: number }, px: number): Promise<boolean> => {
     const box = await page.locator(name).first().boundingBox();
     if (box === null) return false;
@@ -36,8 +32,11 @@ describe.each([
     ['upright', 390, 844],
     ['on its side', 844, 390],
 ])('a telephone, %s', (_, width, height) => {
+    beforeAll(() => visit(width, height));
+
+    afterAll(() => page.context().close());
+
     it('shows the handles beside the card that speaks of them, and takes each by a finger', async () => {
-        await visit(width, height);
         await screenshot(page, `phone-tour-${width}`);
         for (const handle of [0, 1, 'middle', 'rotate'] as const) {
             const at = (await page.evaluate((each) => window.wakesurf!.handleOnScreen(each), handle))!;
@@ -52,7 +51,6 @@ describe.each([
     });
 
     it('says how far the surface is without scrolling', async () => {
-        await visit(width, height);
         await page.getByRole('button', { name: 'Skip the tour' }).click();
         for (const tab of ['Look', 'Flow']) {
             await page.getByRole('tab', { name: tab }).click();
@@ -66,7 +64,6 @@ describe.each([
     });
 
     it('turns the view by a drag that begins on the bar of colours', async () => {
-        await visit(width, height);
         const bar = (await page.locator('wakesurf-scalar-bar').boundingBox())!;
         const before = await ask(page, (hook) => hook.camera.position);
         const touch = await page.context().newCDPSession(page);
