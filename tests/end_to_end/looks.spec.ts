@@ -2,14 +2,14 @@
 // compared with numbers.
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import type { Browser, BrowserContext, Page } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import type { Page } from 'playwright-core';
+import { beforeAll, describe, expect, it } from 'vitest';
 import { encodeLinkState } from '../../web-client/src/session/view/linkState.ts';
 import { steadyRange } from '../../web-client/src/scene/surface/steadyRange.ts';
 import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
 import { stripePeriodPx } from '../../web-client/src/scene/surface/patternShader.ts';
 import type { SurfaceLook } from '../../web-client/src/state/surfaceLook.ts';
-import { ask, finalSurface, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { ask, finalSurface, openPage, screenshot } from './support/browser_page.ts';
 import {
     agreement,
     distanceFrom,
@@ -22,8 +22,8 @@ import {
     texelsFrom,
 } from './support/look_facts.ts';
 import { serverStats } from './support/server_mesh.ts';
-import { bundledStore, ServerProcess, temporaryFolder } from './support/server_process.ts';
-import { closePages, testBrowser } from './support/test_browser.ts';
+import { ServerProcess, temporaryFolder } from './support/server_process.ts';
+import { useStand } from './support/stand.ts';
 
 /** 8 x 8 x 8 points: the flow along x, and a field that is x. */
 const slab = `<VTKFile type="ImageData" version="1.0" byte_order="LittleEndian">
@@ -32,26 +32,14 @@ const slab = `<VTKFile type="ImageData" version="1.0" byte_order="LittleEndian">
 <DataArray type="Float32" Name="place" format="ascii">${'0 1 2 3 4 5 6 7 '.repeat(64)}</DataArray>
 </PointData></Piece></ImageData></VTKFile>`;
 
-let server: ServerProcess;
-let browser: Browser;
-let context: BrowserContext;
+const stand = useStand();
 let page: Page;
 
 beforeAll(async () => {
-    server = await ServerProcess.start({ store: bundledStore() });
-    await server.imported();
-    browser = await testBrowser();
-    context = await newContext(browser, { width: 860, height: 560 });
-    page = await openPage(context, server.link);
-    await finalSurface(page);
+    page = await stand.visit({ width: 860, height: 560 });
     // From the side, near enough that the surface fills the picture.
     await page.evaluate(() => window.wakesurf!.setCamera([4, -16, 7], [3.5, 0, 2.8]));
     await page.getByRole('tab', { name: 'Look' }).click();
-});
-
-afterAll(async () => {
-    await closePages();
-    await server?.stop();
 });
 
 /** After the next picture. */
@@ -146,7 +134,7 @@ describe('colours', () => {
         await expect.poll(scalarBar).toMatch(new RegExp(`^Colours: ${title}`));
         await drawn();
         const session = await ask(page, (hook) => hook.session);
-        const record = (await server.call('session.state', { session })) as {
+        const record = (await stand.server.call('session.state', { session })) as {
             snapshot?: unknown;
         };
         expect(JSON.stringify(record)).toMatch(new RegExp(`"fields":\\[[^\\]]*"${field}"`));
@@ -175,7 +163,7 @@ describe('colours', () => {
         );
         await expect.poll(scalarBar).toMatch(/^Colours: Estimated error .*, logarithmic, of this surface$/);
         await drawn();
-        const error99 = (await serverStats(server, page)).error99!;
+        const error99 = (await serverStats(stand.server, page)).error99!;
         const errors = (await ask(page, (hook) => hook.vertices(1))).map(({ scalar }) => scalar).sort((a, b) => a - b);
         const most = errors.at(-1)!;
         expect(Math.abs(errors[Math.ceil(0.99 * (errors.length - 1))]! - error99)).toBeLessThanOrEqual(most / 65_535);
@@ -224,7 +212,7 @@ describe('colours', () => {
         writeFileSync(data, slab);
         const other = await ServerProcess.start({ store: folder.path, data });
         try {
-            const opened = await openPage(context, other.link);
+            const opened = await openPage(page.context(), other.link);
             await finalSurface(opened);
             await opened.getByRole('tab', { name: 'Look' }).click();
             await opened.getByLabel('Colour by').selectOption({ label: 'place' });
@@ -444,25 +432,25 @@ describe('transparency', () => {
 
     /** A long red sheet, and a short blue one behind it, made in this order; pixels where both are seen, and where only the red one is. */
     async function sheets(order: readonly number[]): Promise<{ both: Rgb[]; alone: Rgb[] }> {
-        const { session } = await server.call('session.create', {});
-        const { datasets } = (await server.call('dataset.list', {})) as { datasets: { dataset: string }[] };
+        const { session } = await stand.server.call('session.create', {});
+        const { datasets } = (await stand.server.call('dataset.list', {})) as { datasets: { dataset: string }[] };
         const looks: Record<string, Partial<SurfaceLook>> = {};
         for (const y of order) {
             const points = [
                 [4, y, 0.5],
                 [4, y, 5],
             ];
-            const { rake } = await server.call('rake.set', { session, kind: 'line', seeds: 8, name: 'Sheet', points });
+            const { rake } = await stand.server.call('rake.set', { session, kind: 'line', seeds: 8, name: 'Sheet', points });
             const times = { from: 8.5, to: y === front ? 12.5 : 10 };
             const setting = { session, rake, dataset: datasets[0]!.dataset, kind: 'stream', separation: 0.5, ...times };
-            const { surface } = await server.call('surface.set', setting);
+            const { surface } = await stand.server.call('surface.set', setting);
             looks[String(surface)] = { colourBy: 'constant', colour: y === front ? '#ff2020' : '#2020ff', opacity: 0.5 };
         }
         const camera = { position: [6, -18, 3] as Vec3, target: [6, 0, 3] as Vec3, orthographic: false };
-        const link = new URL(server.link);
+        const link = new URL(stand.server.link);
         const state = encodeLinkState({ view: { camera, looks }, rakes: [], surfaces: [] });
-        link.hash = `session=${session as string}&token=${server.token}&state=${state}`;
-        const opened = await openPage(context, link.href);
+        link.hash = `session=${session as string}&token=${stand.server.token}&state=${state}`;
+        const opened = await openPage(page.context(), link.href);
         await opened.waitForFunction(() => {
             const finals = window.wakesurf?.allDisplayed.filter(({ phase }) => phase === 'final');
             return finals?.length === 2;
