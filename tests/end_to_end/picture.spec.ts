@@ -1,33 +1,20 @@
 // The pixels: the picture must be that of the mesh and the body, in the colours of the speed, not
 // merely some picture.
-import type { Browser, BrowserContext, Page } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import type { Page } from 'playwright-core';
+import { beforeAll, describe, expect, it } from 'vitest';
 import { colourTable, fractionOf } from '../../web-client/src/scene/surface/colourMap.ts';
 import { steadyRange } from '../../web-client/src/scene/surface/steadyRange.ts';
 import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
-import { ask, finalSurface, newContext, openPage, screenshot } from './support/browser_page.ts';
-import { bundledStore, ServerProcess } from './support/server_process.ts';
-import { closePages, testBrowser } from './support/test_browser.ts';
+import { ask, screenshot } from './support/browser_page.ts';
+import { useStand } from './support/stand.ts';
 
 type Rgb = [number, number, number];
 
-let server: ServerProcess;
-let browser: Browser;
-let context: BrowserContext;
+const stand = useStand();
 let page: Page;
 
 beforeAll(async () => {
-    server = await ServerProcess.start({ store: bundledStore() });
-    await server.imported();
-    browser = await testBrowser();
-    context = await newContext(browser);
-    page = await openPage(context, server.link);
-    await finalSurface(page);
-});
-
-afterAll(async () => {
-    await closePages();
-    await server?.stop();
+    page = await stand.visit();
 });
 
 /** Hue in degrees and how colourful, of an sRGB colour. */
@@ -144,7 +131,7 @@ describe('the picture', () => {
         await page.getByRole('button', { name: 'Fit the whole domain' }).click();
     });
 
-    it('comes back after the graphics context was lost', async () => {
+    it('comes back after the graphics context was lost, and the page says so meanwhile', async () => {
         const drawnAt = (): Promise<number> => ask(page, (hook) => hook.framesDrawn);
         await page.evaluate(() => {
             const canvas = document.querySelector('wakesurf-app')!.shadowRoot!.querySelector('canvas')!;
@@ -152,9 +139,12 @@ describe('the picture', () => {
             window.wakesurf!.loseContext();
             return lost.then(() => undefined);
         });
+        const told = page.getByText('The system has reset the graphics');
+        await told.waitFor();
         const before = await drawnAt();
         await page.evaluate(() => window.wakesurf!.restoreContext());
         await page.waitForFunction((count) => window.wakesurf!.framesDrawn > count, before);
+        await told.waitFor({ state: 'hidden' });
         const seen = await verticesInPicture(7);
         const covered = seen.filter(isCovered).length;
         expect(covered / seen.length).toBeGreaterThan(0.98);

@@ -1,7 +1,8 @@
 // What one can do without a mouse in the picture, and for a picture with more room and less in it: hide, lock, fold, turn by keys.
 import type { Page } from 'playwright-core';
-import { beforeEach, describe, expect, it } from 'vitest';
+import { beforeAll, beforeEach, describe, expect, it } from 'vitest';
 import { readFragment } from '../../web-client/src/session/view/urlState.ts';
+import type { SurfaceStanding } from '../../web-client/src/state/appState.ts';
 import { ask, screenshot } from './support/browser_page.ts';
 import { takeHandle } from './support/rake_drag.ts';
 import { useStand } from './support/stand.ts';
@@ -22,11 +23,25 @@ async function sent(): Promise<number> {
     return Number(/^wakesurf_stage_seconds_count\{stage="send"\} (\d+)/m.exec(await answer.text())![1]);
 }
 
+const size = { width: 1440, height: 900 };
+/** Of all tests after which it is as before. */
+let shared: Page;
+
+beforeAll(async () => {
+    shared = await stand.visit(size);
+});
+
 beforeEach(async () => {
-    page = await stand.visit({ width: 1440, height: 900 });
+    page = shared;
+    await page.setViewportSize(size);
 });
 
 describe('a rake that is hidden', () => {
+    beforeEach(async () => {
+        page = await stand.visit(size);
+        return () => page.context().close();
+    });
+
     it('is not drawn, nor its surface, of which nothing is sent; after a reload it is hidden still', async () => {
         await page
             .getByRole('button', { name: /^Hide / })
@@ -162,34 +177,26 @@ describe('the camera', () => {
 describe('the status', () => {
     it('is as high while a surface is computed as when it is there', async () => {
         const height = (): Promise<number> => page.locator('wakesurf-status').evaluate((each) => each.clientHeight);
+        // With all that is said of one that is there.
+        await page
+            .locator('wakesurf-status')
+            .getByText(/^Final, 99 %/)
+            .waitFor();
         const before = await height();
-        await page.evaluate(() => {
-            const status = document
-                .querySelector('wakesurf-app')!
-                .shadowRoot!.querySelector('wakesurf-panel')!
-                .shadowRoot!.querySelector('wakesurf-status') as unknown as {
-                model: { state: { progress: { value: unknown } } };
-            };
-            status.model.state.progress.value = {
-                surface: 's1',
-                fraction: 0.4,
-                message: '',
-                time: null,
-                quads: null,
-                remaining: null,
-                lasting: 'briefly',
-            };
-        });
+        const tell = (standing: SurfaceStanding | null): Promise<void> =>
+            page.evaluate((value) => {
+                const status = document
+                    .querySelector('wakesurf-app')!
+                    .shadowRoot!.querySelector('wakesurf-panel')!
+                    .shadowRoot!.querySelector('wakesurf-status') as unknown as {
+                    model: { state: { progress: { value: unknown } } };
+                };
+                status.model.state.progress.value = value;
+            }, standing);
+        const untold = { message: '', time: null, quads: null, remaining: null };
+        await tell({ ...untold, surface: 's1', fraction: 0.4, lasting: 'briefly' });
         await page.getByRole('button', { name: 'Stop' }).waitFor();
         expect(await height()).toBe(before);
-    });
-});
-
-describe('graphics that are lost', () => {
-    it('are said to be, until they are back', async () => {
-        await ask(page, (hook) => hook.loseContext());
-        await page.getByText('The system has reset the graphics').waitFor();
-        await ask(page, (hook) => hook.restoreContext());
-        await page.getByText('The system has reset the graphics').waitFor({ state: 'hidden' });
+        await tell(null);
     });
 });
