@@ -1,19 +1,16 @@
 // A streak surface that moves with the session's clock: what the page plays are changes of the state before, and where
 // it stops is the server's state.
-import type { BrowserContext, Page } from 'playwright-core';
-import { afterEach, beforeEach, describe, expect, it } from 'vitest';
-import { ask, finalSurface, newContext, openPage, screenshot } from './support/browser_page.ts';
+import type { Page } from 'playwright-core';
+import { beforeEach, describe, expect, it } from 'vitest';
+import { ask, finalSurface, screenshot } from './support/browser_page.ts';
 import { expectServersMesh } from './support/server_mesh.ts';
 import { useStand } from './support/stand.ts';
 
 const stand = useStand();
-let context: BrowserContext;
 let page: Page;
 
 beforeEach(async () => {
-    context = await newContext(stand.browser, { width: 860, height: 700 });
-    page = await openPage(context, await stand.server.newSession());
-    await finalSurface(page);
+    page = await stand.visit({ width: 860, height: 700 });
     await page.getByRole('radio', { name: 'Streak' }).check();
     await page.waitForFunction(() => (window.wakesurf?.displayed?.epoch ?? 0) > 1);
     // Half a minute from the end, where the loop starts again with nothing to be seen.
@@ -22,10 +19,6 @@ beforeEach(async () => {
     await page.keyboard.press('Enter');
     await page.waitForFunction(() => window.wakesurf!.displayed!.time === 11);
     await finalSurface(page);
-});
-
-afterEach(async () => {
-    await context.close();
 });
 
 interface Played {
