@@ -1,13 +1,17 @@
 // What surrounds the surface in a picture: the lines of the box, numbers and names of the axes, and the bar, in pixels of figures.
 import type { Page } from 'playwright-core';
-import { describe, expect, it } from 'vitest';
+import { beforeAll, describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
 import { ask, screenshot } from './support/browser_page.ts';
 import { pixelsOf } from './support/figure_download.ts';
 import { useStand } from './support/stand.ts';
 
 const stand = useStand();
-const size = { width: 900, height: 520 };
+let page: Page;
+
+beforeAll(async () => {
+    page = await stand.visit({ width: 900, height: 520 });
+});
 
 interface Wanted {
     scale?: number;
@@ -70,7 +74,6 @@ describe('the box of the domain', () => {
     it.each(['with', 'without'])(
         'is behind what is in it, %s perspective, and its nearest edges are pale',
         async (perspective) => {
-            const page = await stand.visit(size);
             await page.evaluate((from) => window.wakesurf!.setCamera(from, [4, 0, 3]), eye);
             if (perspective === 'without') await page.getByRole('button', { name: 'Parallel' }).click();
             const places = await placesOnEdges(page);
@@ -100,12 +103,11 @@ describe('the box of the domain', () => {
             const weak = Array.from({ length: 12 }, (_, edge) => meanOf(edge)).filter((by) => by > 8 && by < 60);
             expect(weak.length).toBeGreaterThanOrEqual(2);
             expect(weak.length).toBeLessThanOrEqual(3);
-            await page.context().close();
+            if (perspective === 'without') await page.getByRole('button', { name: 'Parallel' }).click();
         },
     );
 
     it('has lines of a width of its own: the same share of a picture of few pixels and of many', async () => {
-        const page = await stand.visit(size);
         await page.evaluate((from) => window.wakesurf!.setCamera(from, [4, 0, 3]), eye);
         const places = (await placesOnEdges(page)).filter(({ hit }) => hit === 0);
         const widths: number[] = [];
@@ -126,13 +128,11 @@ describe('the box of the domain', () => {
             widths.push(own[Math.floor(0.75 * own.length)]!);
         }
         for (const width of widths) expect(Math.abs(width - 1.1)).toBeLessThan(0.2);
-        await page.context().close();
     });
 });
 
 describe('the line of a measure', () => {
     it('is as wide in a picture of many pixels as on the page', async () => {
-        const page = await stand.visit(size);
         await page.evaluate(() => window.wakesurf!.setCamera([5, -26, 8], [5, 0, 3]));
         const scales = [1, 3];
         const bare: Awaited<ReturnType<typeof figure>>[] = [];
@@ -160,13 +160,13 @@ describe('the line of a measure', () => {
             widths.sort((a, b) => a - b);
             expect(Math.abs(widths[3]! - 1.5)).toBeLessThan(0.4);
         }
-        await page.context().close();
+        await page.keyboard.press('Escape');
     });
 });
 
 describe('words in a figure', () => {
     it('grow with it, and have a sixtieth of its height at least, however tall the page', async () => {
-        const heightOf = async (page: Page, scale: number): Promise<{ rows: number; of: number }> => {
+        const heightOf = async (scale: number): Promise<{ rows: number; of: number }> => {
             const name = (await page.locator('.labels .axis-x').boundingBox())!;
             const { rgba, inFigure, height } = await figure(page, { scale, axes: true, bar: true, background: 'clear' });
             const [from, to] = [inFigure(name.x - 1, name.y - 2), inFigure(name.x + name.width + 1, name.y + name.height + 2)];
@@ -178,11 +178,10 @@ describe('words in a figure', () => {
             }
             return { rows: rows.length === 0 ? 0 : Math.max(...rows) - Math.min(...rows) + 1, of: height };
         };
-        const page = await stand.visit(size);
-        const [one, three] = [await heightOf(page, 1), await heightOf(page, 3)];
+        await page.evaluate((from) => window.wakesurf!.setCamera(from, [4, 0, 3]), eye);
+        const [one, three] = [await heightOf(1), await heightOf(3)];
         expect(one.rows).toBeGreaterThan(5);
         expect(Math.abs(three.rows - 3 * one.rows)).toBeLessThanOrEqual(4);
-        await page.context().close();
         const tall = await stand.visit({ width: 1500, height: 1400 });
         const setting = {
             width: 1200,
@@ -205,7 +204,6 @@ describe('words in a figure', () => {
     });
 
     it('are not under the scalar bar, on the page and in figures', async () => {
-        const page = await stand.visit(size);
         const barBox = (await page.locator('wakesurf-scalar-bar').boundingBox())!;
         const overlaps = async (): Promise<number> => {
             let found = 0;
@@ -239,7 +237,7 @@ describe('words in a figure', () => {
         // Where there is no bar, there are some.
         await page.locator('wakesurf-scalar-bar').evaluate((each: HTMLElement) => (each.style.display = 'none'));
         expect(await overlaps()).toBeGreaterThan(2);
+        await page.locator('wakesurf-scalar-bar').evaluate((each: HTMLElement) => (each.style.display = ''));
         expect(await ask(page, (hook) => hook.stage)).toBe('running');
-        await page.context().close();
     });
 });

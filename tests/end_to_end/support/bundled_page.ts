@@ -1,17 +1,28 @@
 // A page for measurements and tests of the scene alone, without a server: one module of support/, bundled as the page is.
-import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import type { AddressInfo } from 'node:net';
-import { tmpdir } from 'node:os';
 import { join, normalize } from 'node:path';
 import type { Browser, Page } from 'playwright-core';
 import { build } from 'vite';
 import { resolveFromWebClient } from '../../../web-client/tools/resolve_from_web_client.js';
 import { projectRoot } from './project_root.ts';
+import { temporaryFolder } from './server_process.ts';
 
 const types: Record<string, string> = { js: 'text/javascript', html: 'text/html' };
 
-async function buildPage(module: string, into: string): Promise<void> {
+const built = new Map<string, Promise<string>>();
+
+/** The folder of a page, made once for all files of tests. It goes with the process. */
+function pageOf(module: string): Promise<string> {
+    const made = built.get(module) ?? buildPage(module);
+    built.set(module, made);
+    return made;
+}
+
+async function buildPage(module: string): Promise<string> {
+    const { path, remove } = temporaryFolder();
+    process.once('exit', remove);
     await build({
         configFile: false,
         root: join(projectRoot, 'web-client'),
@@ -20,7 +31,7 @@ async function buildPage(module: string, into: string): Promise<void> {
         logLevel: 'error',
         plugins: [resolveFromWebClient(join(projectRoot, 'tests/end_to_end/'))],
         build: {
-            outDir: into,
+            outDir: path,
             target: 'es2022',
             modulePreload: false,
             rollupOptions: {
@@ -29,6 +40,7 @@ async function buildPage(module: string, into: string): Promise<void> {
             },
         },
     });
+    return path;
 }
 
 export interface BundledPage {
@@ -42,8 +54,7 @@ export async function openBundledPage(
     module: string,
     viewport: { width: number; height: number },
 ): Promise<BundledPage> {
-    const folder = mkdtempSync(join(tmpdir(), 'wakesurf-'));
-    await buildPage(module, folder);
+    const folder = await pageOf(module);
     const server = createServer(({ url = '/' }, response) => {
         const path = normalize(url).replace(/^\/+/, '') || 'index.html';
         response.setHeader('Content-Type', types[path.split('.').at(-1) ?? ''] ?? 'application/octet-stream');
@@ -57,7 +68,6 @@ export async function openBundledPage(
     const close = async (): Promise<void> => {
         await page.close();
         server.close();
-        rmSync(folder, { recursive: true });
     };
     return { page, close };
 }
