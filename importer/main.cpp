@@ -1,5 +1,5 @@
 // wakesurf-import: anything VTK reads -> a store, in a process of its own, so that a hostile or damaged file
-// hurts no one else.
+// harms nothing else.
 #include "command/layout_option.hpp"
 #include "command/manual_page.hpp"
 #include "command/memory_size.hpp"

@@ -19,7 +19,7 @@ namespace wakesurf::core {
 /// Thread safety: everything may be called from any thread.
 class WorkMemory {
   public:
-    /// @param stop      of the work: no one waits for memory then
+    /// @param stop      of the work: it does not wait for memory then
     /// @param patience  how long it waits for others to give memory back
     /// @param what      the work makes, for refusals
     explicit WorkMemory(const MemoryAccount& account,

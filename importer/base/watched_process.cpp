@@ -241,7 +241,7 @@ core::Result<int> run_watched(const std::string& source,
     const auto signals = signals_of({SIGINT, SIGTERM, SIGCHLD});
     sigset_t before;
     ::signal(SIGCHLD,
-             SIG_DFL); // who started this one may have ignored it: no one could be waited for
+             SIG_DFL); // the parent may have ignored it: then no process could be waited for
     ::sigprocmask(SIG_BLOCK, &signals, &before);
     // Processes whose parent has ended stay below this one, so that they count and can be ended.
     ::prctl(PR_SET_CHILD_SUBREAPER, 1);

@@ -40,7 +40,7 @@ namespace asio = boost::asio;
 
 namespace {
 
-/// The clock goes on while the machine sleeps, as a laptop does, and no one can set it.
+/// The clock goes on while the machine sleeps, as a laptop does, and cannot be set.
 class WakingClock final : public core::Clock {
   public:
     std::chrono::steady_clock::time_point now() const override {

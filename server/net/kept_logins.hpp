@@ -19,7 +19,8 @@ namespace wakesurf::server {
 class KeptLogins {
   public:
     /// The number of ended logins that are remembered. Beyond it the oldest of the link with the most is
-    /// forgotten: only a holder of the link can cause that, and needs no login of others who have it.
+    /// forgotten: only a holder of the link can cause that, and does not need the logins of its other
+    /// holders.
     static constexpr std::size_t most_ended = 8192;
 
     /// Receives whether a restarted server will know it.

@@ -15,7 +15,7 @@ using nlohmann::json;
 
 namespace {
 
-// Time-steps that are read at the disk's speed change state far more often than anybody can look.
+// Time-steps that are read at the disk's speed change state far more often than a person can look.
 constexpr std::chrono::milliseconds rest{100};
 
 const char* name_of(core::StepState state) {

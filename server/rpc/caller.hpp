@@ -15,7 +15,7 @@ namespace wakesurf::server {
 /// same token or share link is one author, so that a script over HTTP can undo what it did itself.
 Author author_of(const Call& call, Session& session, std::optional<std::string> gesture = {});
 
-/// Returns the caller as one who makes links: the name only where the caller is in this session.
+/// Returns the caller as a maker of links: the name only where the caller is in this session.
 LinkMaker maker_of(const Call& call, Session& session);
 
 /// Says whether the caller may go before other people's leases.

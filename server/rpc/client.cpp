@@ -107,7 +107,7 @@ FrameCursor Client::cursor(const std::string& surface,
     return FrameCursor(live.ring(), from, std::move(notice), std::move(left_out));
 }
 
-/// @param words  gives the notification, once for all who are told
+/// @param words  returns the notification, once for all clients that are told
 template <class Words>
 void Client::tell(Telling& telling, Words words) {
     if (!telling.text)

@@ -139,7 +139,7 @@ void dataset_open(const Call& call, const protocol::DatasetOpen& of, Reply reply
             const auto now = imports->status(id);
             return now ? look_at(*now) : json::object();
         });
-    // Of a notification nobody hears the answer: it begins an import, but waits for none.
+    // A notification has no answer: it begins an import, but waits for none.
     const bool unheard = call.client != nullptr && !call.stop.stop_possible();
     const std::uint64_t ticket = imports->wait(
         id, std::chrono::milliseconds(unheard ? 0 : of.timeout_ms),

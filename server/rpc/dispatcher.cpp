@@ -49,7 +49,7 @@ struct Batch {
     }
 };
 
-/// Returns, of all things of this kind, the one somebody may have meant by `name`.
+/// Returns a hint with the name that the caller may have meant by `name`.
 std::string
 hint(const std::string& name, const std::vector<std::string>& names, std::string otherwise) {
     const std::string meant = protocol::nearest_name(name, names);

@@ -1,4 +1,4 @@
-// Families of stream surfaces made and removed on the compute threads, for those who call family.make and
+// Families of stream surfaces made and removed on the compute threads, for callers of family.make and
 // family.remove.
 #pragma once
 

@@ -90,7 +90,7 @@ struct Making {
     std::optional<WorkProgress> progress;
 };
 
-/// Returns nothing where the caller may change what the dataset has: whoever may edit in their session.
+/// Returns nothing where the caller may change what the dataset has: each editor may, in their session.
 std::optional<protocol::RpcFault> refused_here(const Call& call) {
     if (role_of(call) == Role::Viewer)
         return protocol::RpcFault{protocol::RpcCode::NotPermitted,

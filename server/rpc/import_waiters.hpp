@@ -1,5 +1,5 @@
-// Those who wait until a dataset is imported: unanswered dataset.open calls. The last of them who does not
-// want it any more ends the import.
+// Unanswered calls of dataset.open, which wait until a dataset is imported. The last one that is cancelled
+// ends the import.
 #pragma once
 
 #include "server/service/base/loop.hpp"
@@ -44,7 +44,7 @@ class ImportWaiters {
     std::uint64_t
     wait(const std::string& dataset, std::chrono::milliseconds patience, Waiter waiter);
 
-    /// Lets go of a waiter without calling it. AndStop: when no one waits any more, the import ends.
+    /// Lets go of a waiter without calling it. AndStop: when no call waits any more, the import ends.
     void leave(std::uint64_t ticket, Leaving how);
 
     /// The dataset's status is another.

@@ -60,12 +60,12 @@ struct MethodContext {
     const core::Clock& clock;
     Loop& loop;
     Journal* journal = nullptr;           ///< answers to edits wait for it
-    std::function<Standing()> standing{}; ///< how the server stands; no one can say without
-    Metrics* metrics = nullptr;           ///< no one counts without
-    ImportWaiters* imports = nullptr;     ///< without, datasets are as they are
-    std::string notice{};                 ///< a whole notification for each who joins; empty: none
-    Budgets* budgets = nullptr;           ///< anybody may use as much as they like without
-    FamilyJobs* families = nullptr;       ///< none are made without
+    std::function<Standing()> standing{}; ///< how the server stands; may be empty
+    Metrics* metrics = nullptr;           ///< null: calls are not counted
+    ImportWaiters* imports = nullptr;     ///< null: datasets stay as they are
+    std::string notice{};           ///< a notification for each client that joins; empty: none
+    Budgets* budgets = nullptr;     ///< null: nothing is limited
+    FamilyJobs* families = nullptr; ///< null: none are made
 };
 
 struct Call {
@@ -87,7 +87,7 @@ struct MethodTraits {
     bool websocket_only = false;
     bool edits = false;        ///< changes records that are kept
     bool whole_server = false; ///< not for share links, which are for one session
-    bool copier = false; ///< in a copy also for who made it by a share link, whatever their role
+    bool copier = false;       ///< in a copy also for its maker by a share link, whatever the role
 };
 
 struct Method {

@@ -29,7 +29,7 @@ std::string careful_notice(unsigned died);
 /// least one
 std::string replaced_data_notice(const std::set<std::string>& names);
 
-/// Returns the same for those who come to a session after it has happened.
+/// Returns the same for participants who join a session after it has happened.
 std::string replaced_data_meanwhile_notice(const std::set<std::string>& names);
 
 /// Returns the newest of the records that were kept aside, at most so many.

@@ -26,7 +26,7 @@ class PendingCall {
     /// Answers with -32800 and stops the work; nothing once there is an answer.
     void cancel();
 
-    /// Stops the work, whose answer no one can get any more.
+    /// Stops the work, whose answer no client can receive any more.
     void abandon();
 
     std::stop_token stop() const { return stop_.get_token(); }

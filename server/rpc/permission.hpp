@@ -1,5 +1,5 @@
-// The check of whether somebody may make a call: asked for each one, also within a batch, by what the
-// method's entry in the table says.
+// Checks whether a caller may make a call, by the method's entry in the table. Each call is checked, also
+// within a batch.
 #pragma once
 
 #include "server/rpc/method.hpp"

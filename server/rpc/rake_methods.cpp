@@ -40,7 +40,7 @@ leased(const Session& session, const std::string& rake, const Author& author) {
                  {"untilMs", lease->left.count()}})};
 }
 
-/// Says why the author may not edit a rake as it is now: somebody else drags it, or it is at another
+/// Says why the author may not edit a rake as it is now: another participant drags it, or it is at another
 /// revision.
 std::optional<protocol::RpcFault> refusal(Session& session,
                                           const std::string& rake,

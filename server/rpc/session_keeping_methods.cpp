@@ -48,7 +48,7 @@ void session_set_units(const Call& call, const protocol::SessionSetUnits& to, Re
     reply.result(std::move(out));
 }
 
-/// Ends links after the answer: whoever called by a share link of the session loses the connection with it.
+/// Ends links after the answer: a caller by a share link of the session loses the connection with it.
 void after_answer(const Call& call, std::function<void()> end_links) {
     if (call.context.journal == nullptr)
         return end_links();
@@ -56,7 +56,7 @@ void after_answer(const Call& call, std::function<void()> end_links) {
         [end_links = std::move(end_links)](const core::Result<void>&) { end_links(); });
 }
 
-/// Deletes a copy for who made it by a share link.
+/// Deletes a copy for the caller, who made it by a share link.
 void delete_copy(const Call& call, const std::string& id, Reply reply) {
     const std::string& grant = call.identity.grant;
     if (!call.context.sessions.may_give_up(id, grant))

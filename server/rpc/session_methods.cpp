@@ -25,9 +25,8 @@ json participants_json(Session& session) {
     });
 }
 
-/// Says whether one who came by a share link may make a copy. Copies that nobody has changed make room for
-/// further ones, so that nobody can keep the other holders of the link from theirs by making many and leaving
-/// them.
+/// Says whether a caller by a share link may make a copy. Unchanged copies make room for further ones: so
+/// one holder of the link cannot keep the others from theirs by making many.
 core::Result<void> room_for_copy(const Call& call) {
     if (call.identity.grant.empty())
         return {};
@@ -82,7 +81,7 @@ void session_fork(const Call& call, const protocol::SessionFork& of, Reply reply
     if (by_link) {
         const auto made =
             call.context.grants.make_for_copy((*session)->id(), maker_of(call, **from));
-        if (!made) { // a copy that nobody could enter
+        if (!made) { // a copy that no participant could enter
             call.context.sessions.give_up_one(std::array{(*session)->id()});
             return reply.fault(made.error());
         }
@@ -109,7 +108,7 @@ void add_counts(json& out, const std::array<std::size_t, record_types.size()>& r
         out[std::string(name(type)) + "s"] = records[static_cast<std::size_t>(type)];
 }
 
-/// Returns a SessionEntry. @param now  seconds since 1970: somebody who is in a session uses it now
+/// Returns a SessionEntry. @param now  seconds since 1970: a session with participants is in use now
 json session_entry(const Session& session, std::int64_t now) {
     const std::size_t here = session.participants().present().size();
     protocol::SessionProfile profile = session.profile();
@@ -193,7 +192,7 @@ void session_join(const Call& call, const protocol::SessionJoin& asked, Reply re
     reply.result(out);
     if (!call.context.notice.empty())
         call.client->notify(call.context.notice);
-    // Those who were here when the disk began to refuse have been told then.
+    // Clients that were connected when the disk began to refuse have been told then.
     if (const Journal* journal = call.context.journal)
         if (auto refusal = journal->refusal())
             call.client->notify(durability_notice(tl::unexpected(std::move(*refusal))));

@@ -82,7 +82,7 @@ void session_unshare(const Call& call, const protocol::SessionUnshare& of, Reply
     reply.result({{"children", grants_json(grants.descendants(of.grant), grants)}});
 }
 
-/// Someone with the server's own token is not at the mercy of those who came by a link.
+/// Returns an error where a caller by a link would act on a participant with the server's own token.
 std::optional<protocol::RpcFault> out_of_hand(const Participant& place, const Identity& by) {
     if (by.grant.empty() || !place.grant.empty())
         return std::nullopt;

@@ -1,4 +1,4 @@
-// surface.stats, .subscribe, .unsubscribe, frame.ack: what those who look at a surface ask of it.
+// surface.stats, .subscribe, .unsubscribe, frame.ack: what viewers of a surface ask of it.
 #include "protocol/api/generated/limits.hpp"
 #include "protocol/api/generated/subscription.hpp"
 #include "protocol/wire/mesh_encoder.hpp"

@@ -1,4 +1,5 @@
-// time.set, time.play, time.pause: the clock of a session. It is kept, but no one waits for the disk.
+// time.set, time.play, time.pause: the clock of a session. It is kept, but its answers do not wait for the
+// disk.
 #include "protocol/api/generated/time.hpp"
 #include "server/rpc/caller.hpp"
 #include "server/rpc/method.hpp"

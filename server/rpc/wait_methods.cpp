@@ -20,8 +20,7 @@ using nlohmann::json;
 
 namespace {
 
-/// Returns what somebody who waits would like to know: the newest state there is, and how far the work on a
-/// better one is.
+/// Returns what a waiting client is told: the newest state, and how far the work on a better one is.
 json look_at(const LiveSurface& live, Forecast& forecast) {
     const SurfaceOutcome now = live.outcome();
     const BuildStanding standing = live.standing();

@@ -82,10 +82,10 @@ class CheckedJson {
 
     void fault(std::string_view name, std::string_view problem);
 
-    /// Returns InvalidArgument with the first fault, or with the first parameter that no one asked for.
+    /// Returns InvalidArgument with the first fault, or with the first unknown parameter.
     core::Result<void> verdict();
 
-    /// Returns the same for a record from a file: Corrupt; what no one asked for is left to newer versions.
+    /// Returns the same for a record from a file: Corrupt; unknown members are left to newer versions.
     core::Result<void> record_verdict() const;
 
   private:

@@ -6,7 +6,7 @@
 
 namespace wakesurf::protocol {
 
-/// Returns the array of what `write` makes of each value. Who calls it includes the JSON library, which is no
+/// Returns the array of what `write` makes of each value. Its callers include the JSON library, which is no
 /// header's matter.
 template <class Values, class Write>
 auto list_json(const Values& values, Write write) {

@@ -1,4 +1,4 @@
-// "Did you mean": the name somebody most likely wanted.
+// "Did you mean": the name that the caller most likely meant.
 #pragma once
 
 #include <span>

@@ -39,7 +39,7 @@ class ComputePool {
     /// Queues a long job that belongs to no session: it has turns like a session of its own.
     void run(Job job);
 
-    /// Destroys a large object on a thread that no one waits for: the network thread would be busy with it
+    /// Destroys a large object on a thread that nothing waits for: the network thread would be busy with it
     /// for milliseconds. By hand, at once.
     void let_go(std::shared_ptr<const void> thing);
 

@@ -109,7 +109,7 @@ HistoryBudget::Permit::~Permit() {
     state_->count();
 }
 
-// Of what no one uses at the moment at most half, so that something is left for those who come meanwhile.
+// A history takes at most half of the unused memory, so that something is left for those begun meanwhile.
 std::size_t HistoryBudget::Permit::begin(Time now) {
     const std::lock_guard lock(state_->mutex);
     const std::size_t free = state_->total - state_->taken(true);

@@ -21,8 +21,8 @@ class HistoryBudget {
 
     /// @param total    bytes of all histories together
     /// @param each     bytes of one at most
-    /// @param account  what they take is counted there, and given back to others that need it; null: no one
-    /// counts. Outlives it
+    /// @param account  what they take is counted there, and given back to others that need it; null: they
+    /// are not counted. Outlives this
     HistoryBudget(std::size_t total,
                   std::size_t each,
                   const core::MemoryAccount* account = nullptr);
@@ -30,8 +30,8 @@ class HistoryBudget {
     /// One surface's history, which is counted while this lives.
     class Permit {
       public:
-        /// Makes the history fit into so many bytes, 0: forgets it; returns what it takes now. Called by
-        /// those who need room, while this history is not in use. Must not call the budget.
+        /// Makes the history fit into so many bytes, 0: forgets it; returns what it takes now. Called while
+        /// this history is not in use, on the thread that needs room. Must not call the budget.
         using GiveWay = std::function<std::size_t(std::size_t bytes)>;
 
         Permit(const HistoryBudget& budget, GiveWay give_way);
@@ -39,8 +39,8 @@ class HistoryBudget {
         Permit(const Permit&) = delete;
         Permit& operator=(const Permit&) = delete;
 
-        /// The history is in use until end(): no one else touches it. Returns the bytes it may take: none
-        /// where there is no memory, the surface is then stepped from its beginning. Those not used for
+        /// The history is in use until end(): no other thread touches it. Returns the bytes it may take:
+        /// none where there is no memory, the surface is then stepped from its beginning. Those not used for
         /// `limits::history_rest` go first if there is no room, then all are made smaller.
         std::size_t begin(Time now);
 

@@ -1,6 +1,6 @@
 // The threads of one priority class. Each job holds a permit while it runs, so that few jobs share the
 // processors. A job that waits for data, or runs for longer than was expected, returns its permit early:
-// another thread takes it, and no one waits for that job. A part of the threads is for light sessions only
+// another thread takes it, and no job waits for that one. A part of the threads is for light sessions only
 // (fair_queue).
 #pragma once
 

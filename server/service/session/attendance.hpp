@@ -15,13 +15,13 @@ namespace wakesurf::server {
 /// Loop thread only. Costs a timer while the session is in use, and nothing afterwards.
 class Attendance {
   public:
-    static constexpr std::chrono::seconds nobody{20};    ///< so long without anybody, it is empty
+    static constexpr std::chrono::seconds nobody{20};    ///< without a client: then it is empty
     static constexpr std::chrono::seconds look_every{4}; ///< found out so much later at most
 
     struct Events {
-        std::function<bool()> somebody; ///< whether anyone is seen just now
-        std::function<void()> empty;    ///< no one has been for `nobody`
-        std::function<void()> back;     ///< somebody, after that
+        std::function<bool()> somebody; ///< says whether a client is seen just now
+        std::function<void()> empty;    ///< called once it is empty
+        std::function<void()> back;     ///< called when a client comes after that
     };
 
     Attendance(Loop& loop, const core::Clock& clock, Events events)
@@ -47,8 +47,8 @@ class Attendance {
     Loop& loop_;
     const core::Clock& clock_;
     Events events_;
-    std::shared_ptr<void> look_; ///< the timer; nothing: no one is there
-    std::weak_ptr<void> stay_;   ///< shared by all who stay
+    std::shared_ptr<void> look_; ///< the timer; null: no client is there
+    std::weak_ptr<void> stay_;   ///< shared by all tokens of stay()
     std::chrono::steady_clock::time_point seen_{};
     bool empty_ = false;
 };

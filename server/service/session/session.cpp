@@ -129,7 +129,7 @@ core::Result<core::ClippedRake> Session::clip(const protocol::RakeSetting& setti
     return best == tries.end() ? tries.front() : *best;
 }
 
-/// Checks that a page may put a default scene there: nobody has edited the session yet.
+/// Checks that a page may put a default scene there: the session has not been edited yet.
 core::Result<void> Session::may_be_default(RecordType type, bool is_new) const {
     const bool first = type == RecordType::Rake ? records_.empty() : records_.count(type) == 0;
     if (is_new && first && !profile().edited)
@@ -175,7 +175,7 @@ core::Result<RakeChange> Session::set_rake(const protocol::RakeSetting& setting,
     return RakeChange{*records_.find<protocol::RakeRecord>(record.rake), std::move(surfaces)};
 }
 
-// Whoever edits over somebody else's lease ends it.
+// An edit over another participant's lease ends it.
 std::uint64_t Session::settle_lease(protocol::RakeRecord& record,
                                     std::optional<bool> dragging,
                                     const Author& author) {

@@ -46,11 +46,11 @@ struct HistoryMoveResult {
     };
 
     std::vector<RecordChange> changes;
-    std::vector<Skip> skipped; ///< records somebody else has changed since: the edit is forgotten
+    std::vector<Skip> skipped; ///< records changed by another since: the edit is forgotten
     History::Depth left;
 };
 
-/// Loop thread only. An author may be left out: then it is the server's own doing, which no one can undo.
+/// Loop thread only. An author may be left out: then it is the server's own edit, which cannot be undone.
 class Session {
   public:
     Session(std::string id, std::string name, SessionServices services, std::uint32_t& next_number);
@@ -75,7 +75,7 @@ class Session {
     /// Says since when it is there, who was in it, whether it was edited.
     const protocol::SessionProfile& profile() const { return profile_.value(); }
 
-    /// Returns the picture that a list shows, in base64; empty: no one has sent one.
+    /// Returns the picture that a list shows, in base64; empty: none was sent.
     const std::string& thumbnail() const { return thumbnail_; }
 
     SessionClock& clock() { return clock_; }
@@ -88,7 +88,7 @@ class Session {
     /// Error: NotFound if no surface has the id.
     core::Result<std::shared_ptr<LiveSurface>> live(const std::string& id) const;
 
-    /// Works like Participants::join; the profile remembers who came.
+    /// Works like Participants::join; the profile remembers the participant.
     core::Result<Joined> join(const Arrival& arrival, Observer& observer);
     void leave(const Observer& observer);
     void lose(const Observer& observer);
@@ -105,7 +105,7 @@ class Session {
     void made_on_purpose();
 
     /// Creates or replaces a rake and rebuilds the surfaces that hang on it, as rake or as rake2; `dragging`
-    /// takes, renews or ends the lease. Whether somebody else has it is for the caller to ask. Error:
+    /// takes, renews or ends the lease. The caller checks whether another participant has it. Error:
     /// NotFound, OverLimit, InvalidArgument, OutOfDomain by how much; nothing has changed then.
     core::Result<RakeChange> set_rake(const protocol::RakeSetting& setting,
                                       const Author& author = {});
@@ -131,7 +131,7 @@ class Session {
     /// it is no longer as the author left it, nothing happens but that the edit is forgotten.
     HistoryMoveResult move_in_history(HistoryMove move, const Author& author);
 
-    /// Says who drags a rake just now.
+    /// Returns the participant who drags a rake just now.
     std::optional<Lease> lease(const std::string& rake) const { return leases_.find(rake); }
 
     const SurfaceBuilds& builds() const { return builds_; }
@@ -143,7 +143,7 @@ class Session {
     /// used with, also by an earlier server, its picture goes, and newcomers are told.
     void dataset_changed(const std::string& dataset);
 
-    /// Lists the datasets whose values have been replaced while no one was here.
+    /// Lists the datasets whose values have been replaced while no participant was here.
     const std::set<std::string>& replaced_data() const { return replaced_data_; }
 
     /// Brings back what a journal kept, places of people and all, into a session without records. Its epochs

@@ -1,5 +1,5 @@
 // The clock all surfaces of a session are shown at: simulation time that runs, stands or has never been set.
-// It is a record like others, told when somebody changes it; its ticks are not, clients carry the time on by
+// It is a record like others, told when it is changed; its ticks are not, clients carry the time on by
 // themselves.
 #pragma once
 
@@ -38,13 +38,13 @@ class SessionClock {
     /// Runs on from where it stands, or from the start where that is outside of what is played or at its
     /// end.
     /// @param natural  what is played unless it was said: now or in an earlier call
-    /// Error: InvalidArgument when no one said, or the ends are not in order.
+    /// Error: InvalidArgument when it was never said, or the ends are not in order.
     core::Result<void> play(const protocol::PlaySetting& setting,
                             std::optional<std::array<double, 2>> natural);
 
     void pause();
 
-    /// Restores the record as it was kept, stopped, and tells no one.
+    /// Restores the record as it was kept, stopped, without notifying clients.
     void restore(const protocol::ClockRecord& kept);
 
     /// Simulation time now; nothing: never set.

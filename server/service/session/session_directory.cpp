@@ -26,7 +26,7 @@ void log_event(const char* event, const std::string& id) {
     spdlog::info("event={} session={}", event, log_value(id));
 }
 
-/// Returns whether no one would miss it: only the page's default scene is in it, or nothing.
+/// Returns whether it holds no work: only the page's default scene is in it, or nothing.
 bool is_unused(const Session& session) {
     return session.id() != main_id && !session.profile().edited && !session.profile().on_purpose;
 }

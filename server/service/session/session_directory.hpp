@@ -1,5 +1,5 @@
 // All sessions of the server, and those in the trash. One, `main`, is there from the start, so that a page
-// and a script meet without arranging anything. The server deletes no one's work: where there are too many
+// and a script meet without arranging anything. The server deletes no work: where there are too many
 // sessions it refuses to make more.
 #pragma once
 
@@ -23,33 +23,33 @@ class SessionDirectory {
   public:
     explicit SessionDirectory(SessionServices services);
 
-    /// Makes a session. Where there are too many, the one unused for longest goes that no one edited, named
-    /// or shared and no one is in. Error: OverLimit when there is none of those.
+    /// Makes a session. Where there are too many, the one that has been unused for longest goes, of those
+    /// that were never edited, named or shared and are empty. Error: OverLimit when there is none of those.
     core::Result<std::shared_ptr<Session>> create(std::string name);
 
     /// Makes a session with the records of another, at the time that this one shows. Error: NotFound,
     /// OverLimit.
-    /// @param on_purpose  false: it may go once it is not needed, like one that no one has edited
+    /// @param on_purpose  false: it may go once it is not needed, like one that was never edited
     core::Result<std::shared_ptr<Session>>
     fork(const std::string& id, std::string name, bool on_purpose = true);
 
-    /// Gives up the one of these sessions that has been unused for longest, of those that no one has edited,
-    /// named or shared and no one is in. False: all of them are somebody's work.
+    /// Gives up the one of these sessions that has been unused for longest, of those that were never edited,
+    /// named or shared and are empty. False: all of them hold work.
     bool give_up_one(std::span<const std::string> ids);
 
-    /// Returns whether no one has edited, named or shared it, and no one is in it but by that link: it is
-    /// nobody's work.
+    /// Returns whether it was never edited, named or shared, and all its participants came by that link: it
+    /// holds no work.
     bool may_give_up(const std::string& id, const std::string& grant) const;
 
-    /// Deletes it for good, past the trash; who is in it is sent away. REQUIRES: find(id), and that it is
-    /// not main.
+    /// Deletes it for good, past the trash; its participants are disconnected from it. REQUIRES: find(id),
+    /// and that it is not main.
     void give_up(const std::string& id);
 
     /// Makes a session of records that have been checked. Error: OverLimit.
     core::Result<std::shared_ptr<Session>> import(KeptRecords records, std::string name);
 
-    /// Brings a session back from what the journal kept of it, into the trash if it was there. Before
-    /// anybody is served.
+    /// Brings a session back from what the journal kept of it, into the trash if it was there. Before any
+    /// client is served.
     RestoreReport
     restore(const std::string& id, std::string name, std::span<const JournalEntry> entries);
 

@@ -39,8 +39,8 @@ bool looks_only(const RecordChange& change) {
            (before.name != after.name || before.colour != after.colour);
 }
 
-/// A drag is one gesture also for those who do not say so. Clients' words for theirs are never taken for a
-/// drag.
+/// Returns the name of the edit's gesture. A drag is one gesture also where the client names none; names of
+/// clients are never taken for a drag.
 std::string gesture_of(const Author& author, std::uint64_t drag) {
     if (!author.gesture.empty())
         return "named " + author.gesture;
@@ -195,7 +195,7 @@ SurfaceBuilds::Events Session::build_events() {
         record.epoch = epoch;
         records_.put(record);
         announce({record});
-        attendance_.seen(); // what it computes ends with a look whether anybody is there
+        attendance_.seen(); // what it computes ends with a check of whether a client is there
     };
     return events;
 }

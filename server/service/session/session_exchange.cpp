@@ -31,7 +31,7 @@ std::string identity_of(const core::DatasetInfo& info) {
     if (info.grid == core::GridKind::Analytic)
         out += " " + info.name;
     for (const core::FieldInfo& each : info.fields)
-        if (!each.family) // anybody may make one of the same data
+        if (!each.family) // a family can be made of the same data again
             out += fmt::format(";{}:{}", each.name, each.components);
     return out;
 }
@@ -69,7 +69,7 @@ std::map<std::string, std::set<std::string>> surfaces_by_dataset(const SessionRe
     return out;
 }
 
-/// A file is somebody's input, however much it looks like ours.
+/// A file is untrusted input, even if it looks like one of ours.
 core::Error as_input(core::Error error) {
     if (error.code == Error::Code::Corrupt)
         error.code = Error::Code::InvalidArgument;

@@ -1,5 +1,5 @@
-// Undo and redo: an author's own edits, taken back or done again where no one has touched their records
-// since.
+// Undo and redo: an author's own edits, taken back or done again where nothing else has changed their
+// records since.
 #include "server/service/session/session.hpp"
 
 #include <algorithm>

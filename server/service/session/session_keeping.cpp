@@ -14,8 +14,7 @@ namespace {
 /// server ended is not known.
 constexpr std::uint32_t restart_gap = 1u << 16;
 
-/// Returns whether it was shared. The link that lets somebody into a copy of their own shares it with no
-/// one.
+/// Returns whether it was shared. The link of the maker of a copy into that copy does not share it.
 bool was_shared(const JournalEntry& entry) {
     if (entry.type != "grant" || !entry.record)
         return false;
@@ -25,8 +24,7 @@ bool was_shared(const JournalEntry& entry) {
 
 } // namespace
 
-/// A wakesurf that noted nothing of sessions may have kept anything in them: all count as somebody's work
-/// but empty ones.
+/// Older versions kept no profile of a session: each of their sessions counts as work, unless it is empty.
 protocol::SessionProfile Session::profile_of(KeptRecords& kept,
                                              std::span<const JournalEntry> entries) const {
     protocol::SessionProfile profile;
@@ -134,7 +132,7 @@ RestoreReport Session::restore(std::span<const JournalEntry> entries) {
     thumbnail_ = std::move(kept.thumbnail);
     profile_.restore(profile_of(kept, entries));
     set_aside(kept.report.refused); // before what is put in their place
-    begin(restart_gap, true);       // no one may ever look at it
+    begin(restart_gap, true);       // it may never be viewed
     return std::move(kept.report);
 }
 
@@ -177,7 +175,7 @@ void Session::take_over(KeptRecords kept) {
     }
     profile_.made_on_purpose();
     profile_.edited();
-    begin(0, true); // a file may hold more than anyone will look at
+    begin(0, true); // a file may hold more surfaces than will be viewed
 }
 
 void Session::delete_at(std::optional<std::int64_t> when) {

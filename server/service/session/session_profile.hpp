@@ -1,4 +1,4 @@
-// Keeps up to date what a list tells of a session besides its records: who was in it, when it was last
+// Keeps up to date what a list tells of a session besides its records: its participants, when it was last
 // used, whether it was ever edited.
 #pragma once
 

@@ -1,4 +1,4 @@
-// A name that no one else has.
+// A name that no other participant has.
 #pragma once
 
 #include <cstddef>

@@ -44,7 +44,7 @@ core::Result<Grants::Made> Grants::make(const std::string& session,
                     "leave it out, and the new link ends with yours");
     Grant link{{}, session, role};
     if (const Grant* parent = grant(maker.grant))
-        link.copier = parent->copier; // a copy's links count for who copied
+        link.copier = parent->copier; // a copy's links count for its maker
     return add(std::move(link), expires_in, maker);
 }
 

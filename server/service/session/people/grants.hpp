@@ -39,10 +39,10 @@ struct Grant {
     std::string maker = {};                   ///< name of the participant; empty: a script
     std::vector<std::string> lineage = {};    ///< links it descends from; the last is its maker's
     std::map<std::string, Role> lowered = {}; ///< participants to whom a host gave a lesser role
-    std::string copier = {}; ///< link by which somebody made its session, a copy; empty: no copy
+    std::string copier = {}; ///< link of the maker of its session, a copy; empty: no copy
 
-    /// Returns what somebody without a place of their own may do by it: no more than anybody it was taken
-    /// from.
+    /// Returns the role of a participant without a place: at most that of each participant it was lowered
+    /// for.
     Role newcomers() const;
 };
 
@@ -124,9 +124,9 @@ class Grants {
     /// link's.
     std::optional<Role> least_of(const std::string& id, const std::string& person) const;
 
-    /// Notes that a host has set the role of somebody who came by a link: where it is less than the link's,
-    /// it holds for everybody who comes by the link and has no place yet, until that person gets the link's
-    /// role back. Nothing happens for links that have ended.
+    /// Notes that a host has set the role of a participant who came by a link. A role less than the link's
+    /// holds for all who come by the link and have no place yet, until that participant gets the link's role
+    /// back. Nothing happens for links that have ended.
     void set_role(const std::string& id, const std::string& participant, Role role);
 
     /// Returns what a key is good for; takes the same time whichever key it is, and whether it is one.
@@ -152,8 +152,8 @@ class Grants {
     /// The session is gone for good.
     void forget(const std::string& session);
 
-    /// The session is in the trash: its links let no one in until it is back; holders are told that theirs
-    /// has ended.
+    /// The session is in the trash: its links admit no participant until it is back; holders are told that
+    /// theirs has ended.
     void suspend(const std::string& session);
     void resume(const std::string& session);
 

@@ -81,7 +81,7 @@ core::Result<Joined> Participants::join(const Arrival& arrival, Observer& observ
         place.name = "guest " + place.id.substr(1);
         place.colour = free_colour();
     }
-    // The role of a place is for the person who came by that link, not for another who learnt the resume
+    // The role of a place is for the person who came by that link, not for another that learnt the resume
     // token.
     if (!joined.returned || place.grant != arrival.identity.grant) {
         place.role = arrival.identity.role;
@@ -147,7 +147,7 @@ std::string Participants::free_colour() const {
     return count.rarest();
 }
 
-/// Returns nothing for who is not connected here.
+/// Returns null where the participant is not connected here.
 std::optional<Participant> Participants::take_out(const Observer& observer) {
     const auto found = std::find_if(present_.begin(), present_.end(), [&](const Participant& each) {
         return each.observer == &observer;
@@ -204,8 +204,8 @@ void Participants::hide(const std::string& id) {
     news_.left(id);
 }
 
-/// Those who left too long ago, and of too many the oldest of the link by which most came, first of those no
-/// one sees any more: who comes and goes by one link all day takes no one else's place.
+/// Forgets participants who left too long ago, and of too many the oldest of the link by which most came,
+/// first of those who are not listed any more: one link cannot take the places of others.
 void Participants::trim() {
     const std::int64_t expired = unix_time_() - limits::place_kept.count();
     while (!absent_.empty() && absent_.front().left < expired)
@@ -322,7 +322,7 @@ std::vector<protocol::ParticipantRecord> Participants::shown() const {
     return out;
 }
 
-/// No one is told of themselves here.
+/// A participant is not told of itself here.
 std::size_t Participants::tell(const PresenceNews::Batch& batch) const {
     std::vector<std::string> ids;
     std::vector<std::string> entries;
@@ -407,7 +407,7 @@ core::Result<void> Participants::restore(const std::string& id, std::string_view
     place.former = former;
     place.restored = true;
     const std::int64_t left = kept->left.value_or(unix_time_());
-    if (!kept->left) // connected when the server ended: gone since now, as far as anybody knows
+    if (!kept->left) // connected when the server ended: when it went is not known, so it counts from now
         keep(place, left);
     put_away(std::move(place), left, false);
     return {};

@@ -36,7 +36,7 @@ struct Participant {
     /// Belongs to the token before, from an earlier life of the server, as long as the answer with the new
     /// one may have been lost.
     std::optional<SecretDigest> former;
-    bool restored = false;        ///< no one has come back to it since the server started
+    bool restored = false;        ///< not come back to since the server started
     Observer* observer = nullptr; ///< nothing: its connection is lost
     protocol::Presence presence;
 };
@@ -79,7 +79,7 @@ class Participants {
     /// Notes that the connection is lost: the participant is shown for a while longer.
     void lose(const Observer& observer);
 
-    /// Sets new presence, and tells the others. Does nothing for who is not in here.
+    /// Sets new presence, and tells the others. Does nothing where the participant is not in here.
     void update(const Observer& observer, const protocol::PresenceChange& update);
 
     /// Sets the role of a participant, which stays with the membership. REQUIRES: find(id).
@@ -94,14 +94,14 @@ class Participants {
     /// Returns the places as the journal has them.
     std::vector<JournalEntry> entries() const;
 
-    /// Restores a place from the journal. One that no one has come back to for too long is struck from it.
+    /// Restores a place from the journal. One that was not come back to for too long is struck from it.
     /// Error: Corrupt.
     core::Result<void> restore(const std::string& id, std::string_view record);
 
     /// Lists those connected.
     const std::vector<Participant>& present() const { return present_; }
 
-    /// Returns nothing for who is not connected here.
+    /// Returns null where the participant is not connected here.
     const Participant* find(const Observer& observer) const;
 
     /// Finds a participant who is here, or may come back. Error: NotFound.

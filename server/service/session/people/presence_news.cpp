@@ -21,7 +21,7 @@ void PresenceNews::left(const std::string& participant) {
         flush();
 }
 
-/// Everybody in turn: who was told of waits until all others were.
+/// Takes participants in turn: one that was told of waits until all others were.
 PresenceNews::Batch PresenceNews::next_batch() {
     Batch batch;
     batch.left = std::exchange(waiting_.left, {});

@@ -22,7 +22,7 @@ class PresenceNews {
         std::vector<std::string> left;
     };
 
-    /// Tells a batch; returns how many bytes that took over all who were told.
+    /// Tells a batch; returns how many bytes that took over all clients.
     using Tell = std::function<std::size_t(const Batch&)>;
 
     /// Returns how many participants may be told at a time; at least 1.
@@ -42,7 +42,7 @@ class PresenceNews {
     Room room_;
     Tell tell_;
     Batch waiting_;
-    std::string last_;           ///< told of last: who comes after it is next
+    std::string last_;           ///< told of last: the one after it is next
     std::shared_ptr<void> rest_; ///< runs since the last telling
 };
 

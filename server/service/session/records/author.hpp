@@ -13,7 +13,7 @@ struct Author {
     /// Which of their gestures an edit is part of: those of one are one step of undo. Empty: it is one by
     /// itself.
     std::string gesture{};
-    /// The page puts something there to begin with: not an edit of anybody's, which undo would turn.
+    /// The page puts something there to begin with: no edit of a participant, so undo does not turn it.
     bool default_scene = false;
 
     bool operator==(const Author&) const = default;

@@ -1,5 +1,5 @@
 // The colours of participants and rakes: those Okabe and Ito chose so that colour-blind people tell them
-// apart ("Color Universal Design", 2008), without black, which is no one's.
+// apart ("Color Universal Design", 2008), without black, which is not assigned.
 #pragma once
 
 #include "protocol/api/base/colour_text.hpp"
@@ -17,7 +17,7 @@ using protocol::is_colour;
 inline constexpr std::array<std::string_view, 7> palette{"#0072b2", "#e69f00", "#009e73", "#cc79a7",
                                                          "#56b4e9", "#d55e00", "#f0e442"};
 
-/// Counts who has which, to tell the next one of the palette that the fewest have.
+/// Counts the holders of each colour, to tell the next one of the palette that the fewest have.
 class ColourCount {
   public:
     void add(std::string_view colour) {

@@ -1,5 +1,5 @@
 // Tells which participant drags which rake. A lease is soft: it ends by itself a few seconds after the last
-// edit of its holder, so that no one has to wait for a client that is gone.
+// edit of its holder, so that no participant waits for a client that is gone.
 #pragma once
 
 #include "server/service/base/session_services.hpp"

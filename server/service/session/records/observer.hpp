@@ -74,7 +74,8 @@ enum class Farewell : std::uint8_t {
     Deleted    ///< the session is, by a host
 };
 
-/// Is shared by all observers of one event: who puts it into words leaves them here for the others.
+/// Is shared by all observers of one event: the first to write it as text leaves the text here for the
+/// others.
 struct Telling {
     std::shared_ptr<const std::string> text{};
 };

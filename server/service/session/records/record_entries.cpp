@@ -178,7 +178,7 @@ core::Result<Record> read_record(const RecordKey& key, const std::string& text) 
     if (const auto* surface = std::get_if<protocol::SurfaceRecord>(&*record))
         if (auto sound = check_rules_of(*surface); !sound)
             return tl::unexpected(sound.error());
-    clean_names(*record); // kept by a wakesurf that did not, or somebody's file
+    clean_names(*record); // kept by a version that did not, or from a file
     return record;
 }
 

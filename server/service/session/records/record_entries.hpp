@@ -59,7 +59,8 @@ struct KeptRecords {
     RestoreReport report;
 };
 
-/// Reads entries in any order, one per record. Other types of entry are somebody else's and left alone.
+/// Reads entries in any order, one per record. Entries of other types belong to other readers and are left
+/// alone.
 KeptRecords read_entries(std::span<const JournalEntry> entries);
 
 } // namespace wakesurf::server

@@ -19,8 +19,8 @@ core::Result<void> room_in_session(std::size_t bytes);
 core::Result<void>
 room_beside_others(const core::MemoryAccount* account, std::size_t bytes, std::size_t more);
 
-/// Returns the bytes that a session with records of so many bytes takes: who comes back gets what has
-/// changed, so they are there twice.
+/// Returns the bytes that a session with records of so many bytes takes: a participant who comes back is
+/// sent what has changed, so they are there twice.
 constexpr std::size_t taken_by_records(std::size_t bytes) {
     return 2 * bytes;
 }

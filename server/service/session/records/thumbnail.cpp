@@ -45,7 +45,7 @@ std::string_view type_of(std::string_view bytes) {
     return {};
 }
 
-/// Whoever shows it unpacks all of them.
+/// A client that shows the picture unpacks all of its pixels.
 constexpr std::uint64_t most_pixels = 1'000'000;
 
 /// Reads a number of so many bytes; 0 where the picture ends before it.

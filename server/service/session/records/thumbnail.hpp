@@ -1,6 +1,5 @@
-// The small picture of a session that a page sends for lists. It comes from anybody who may edit, so it is
-// looked at before it is kept: base64 of bytes that begin as a PNG, JPEG or WebP does, of at most a million
-// pixels.
+// The small picture of a session that a page sends for lists. Each editor may send it, so it is checked
+// before it is kept: base64 of bytes that begin as a PNG, JPEG or WebP does, of at most a million pixels.
 #pragma once
 
 #include "core/base/result.hpp"
