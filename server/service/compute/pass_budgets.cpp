@@ -28,6 +28,8 @@ constexpr double growth = 2.0;
 /// A surface changes while it is edited: so many times the quads aimed at are no reason to begin again with
 /// fewer.
 constexpr double room = 1.5;
+/// After so many refusals a pass has been allowed a separation of 26 times: no larger one helps.
+constexpr int most_refusals = 8;
 
 } // namespace
 
@@ -74,6 +76,17 @@ void PassBudgets::cut_short(Phase phase, double seconds) {
         early(phase).learn(seconds, nullptr);
 }
 
+/// The next pass is allowed more, and coarser: else each edit would fail in the same way until the surface
+/// becomes smaller by itself. What is too much is taken back by the time of that pass.
+bool PassBudgets::too_many(Phase phase, double seconds) {
+    Aim& aim = early(phase);
+    if (++aim.refused > most_refusals)
+        return false;
+    aim.quads = std::min(aim.most, room * aim.quads);
+    aim.separation *= room;
+    return seconds < aim.budget;
+}
+
 /// The time a quad takes depends on the data and the surface, and differs by a thousand: a refined pass is
 /// planned by the time of the coarse one, unless one was measured whose quads are near the aim.
 void PassBudgets::aim_refined(double seconds, const core::SurfaceStatistics& had) {
@@ -84,11 +97,13 @@ void PassBudgets::aim_refined(double seconds, const core::SurfaceStatistics& had
     if (refined_known_ && refined_.quads < growth * aim)
         return;
     refined_.quads = aim;
+    refined_.refused = 0;
     refined_.separation = had.separation * std::sqrt(gave / refined_.quads);
 }
 
 /// The work goes with the quads, and they with the inverse square of the separation.
 void PassBudgets::Aim::learn(double seconds, const core::SurfaceStatistics* had) {
+    refused = 0;
     const double factor = std::min(growth, budget / std::max(seconds, 1e-4));
     if (had == nullptr) {
         quads = std::max(quads * factor, least);

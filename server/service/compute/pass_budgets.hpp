@@ -34,6 +34,10 @@ class PassBudgets {
     /// A newer edit ended a pass after so long.
     void cut_short(Phase phase, double seconds);
 
+    /// A surface had more quads than an early pass may have, even where it could not be coarser. Returns
+    /// whether the pass should be tried again at once: it may have more now, and was refused soon enough.
+    bool too_many(Phase phase, double seconds);
+
     bool coarse_first() const;
     bool refined_too() const;
 
@@ -54,6 +58,7 @@ class PassBudgets {
         double least, most;
         double quads;
         double separation = 0.0;
+        int refused = 0; ///< passes since the last one that ended
 
         /// @param had  quads and the separation of a pass that took so long; nothing: it was cut short
         void learn(double seconds, const core::SurfaceStatistics* had);

@@ -2,11 +2,11 @@
 
 #include "core/surface/playback/surface_age.hpp"
 #include "server/service/limits.hpp"
+#include "server/service/live/keyframe.hpp"
 #include "server/service/metrics/metrics.hpp"
 
 #include <algorithm>
 #include <limits>
-#include <new>
 #include <utility>
 
 namespace wakesurf::server {
@@ -15,9 +15,8 @@ namespace {
 
 /// A job for an obsolete time is cancelled only after this time of work: scrubbing shows intermediate states.
 constexpr std::chrono::milliseconds patience_with_stale{150};
-constexpr std::chrono::milliseconds patience_for_key{
-    100};                                 ///< the wait for others to release memory
-constexpr std::size_t quick_key = 30'000; ///< vertices that are encoded within some 15 ms
+/// A key of so many vertices is encoded within some 15 ms.
+constexpr std::size_t quick_key = 30'000;
 
 /// @param whole  its statistics are of this pass alone, not of all since the release of the surface
 void count(Metrics& metrics,
@@ -32,10 +31,6 @@ void count(Metrics& metrics,
         metrics.observe(Stage::Advect, result->statistics.seconds.advect);
         metrics.observe(Stage::Refine, result->statistics.seconds.refine);
     }
-}
-
-core::Result<protocol::EncodedUpdate> no_room() {
-    return core::fail(core::Error::Code::OverLimit, "there is not enough memory for a keyframe");
 }
 
 bool is_early(const SurfacePass& pass) {
@@ -374,6 +369,8 @@ void LiveSurface::publish(const SurfacePass& pass, Update update) {
 
 void LiveSurface::failed(const SurfacePass& pass, core::Error error, double seconds) {
     if (is_early(pass)) { // the final pass reports the error for all
+        if (error.limit == pass.quads && budgets_.too_many(pass.phase, seconds))
+            return;
         stage_ = std::max(stage_, stage_after(pass.phase));
     } else if (error.code == core::Error::Code::Cancelled) {
         budgets_.cut_short(pass.phase, seconds); // for another time of the clock
@@ -457,38 +454,21 @@ void LiveSurface::forget(std::uint64_t ticket) {
 /// Encodes a key for clients that have fallen behind or come late; once for all of them.
 void LiveSurface::encode_key() {
     const SharedUpdate newest = ring_->newest();
-    if (!ring_->state()) // it is a key itself
-        return services_.loop.post([weak = std::weak_ptr(ring_)] {
-            if (const auto ring = weak.lock())
-                ring->add_key(nullptr);
-        });
     const auto job = [newest, state = ring_->state(), number = number_, weak = std::weak_ptr(ring_),
                       &loop = services_.loop, metrics = services_.metrics,
                       account = services_.memory.account] {
-        std::shared_ptr<Update> key;
-        std::optional<core::WorkMemory> memory;
-        if (account != nullptr)
-            memory.emplace(*account, std::stop_token(), patience_for_key);
-        try {
-            protocol::EncodedUpdate from = newest->wire;
-            from.state = state;
-            const bool room = !memory || memory->grow(state->vertices() * protocol::encoding_bytes);
-            if (auto encoded = room ? protocol::encode_key(number, from) : no_room()) {
-                key = std::make_shared<Update>(*newest);
-                key->wire = std::move(*encoded);
-                key->wire.state.reset();
-                key->memory = counted(account, key->wire.bytes);
-                if (metrics != nullptr)
-                    metrics->keyframe();
-            }
-        } catch (const std::bad_alloc&) { // requested again with the next update, as without memory
-        }
-        loop.post([weak, key] {
+        // There is no state where the newest update is a key itself.
+        SharedUpdate key = state ? keyframe_of(*newest, state, number, account) : nullptr;
+        if (key && metrics != nullptr)
+            metrics->keyframe();
+        loop.post([weak, key = std::move(key)] {
             if (const auto ring = weak.lock())
                 ring->add_key(key);
         });
     };
-    if (newest->statistics.vertices < quick_key)
+    if (!ring_->state())
+        job();
+    else if (newest->statistics.vertices < quick_key)
         services_.pool.run(session_, PriorityClass::Quick, job);
     else
         // Under a name of its own it does not wait behind the session's own work.

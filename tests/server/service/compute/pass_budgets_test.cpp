@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 
 namespace wakesurf::server::pass_budgets_test {
 
@@ -11,21 +12,29 @@ namespace {
 
 using Phase = PassBudgets::Phase;
 
-/// A surface of area 1: quads are 1 / separation^2, rebuilt in steps of 1.25 where they are too many.
+/// A surface whose quads are area / separation^2, rebuilt in steps of 1.25 where they are too many.
 struct Machine {
     double seconds_a_quad;
-    double asked = 0.001; ///< separation
-    int attempts = 0;     ///< of the newest pass
+    double asked = 0.001;  ///< separation
+    double coarsest = 1e3; ///< separation beyond which none is looked for
+    double area = 1.0;
+    int attempts = 0; ///< of the newest pass
+    bool refused_soon = false;
 
-    double pass(PassBudgets& budgets, Phase phase) {
+    /// @return  s; nothing: it was refused
+    std::optional<double> try_pass(PassBudgets& budgets, Phase phase) {
         double separation = std::max(asked, budgets.separation(phase));
         double quads = 0.0, seconds = 0.0;
         for (attempts = 1;; ++attempts, separation *= 1.25) {
-            quads = 1.0 / (separation * separation);
+            quads = area / (separation * separation);
             const double built = std::min(quads, static_cast<double>(budgets.quads(phase)));
             seconds += seconds_a_quad * built;
             if (quads <= built)
                 break;
+            if (separation >= coarsest) {
+                refused_soon = budgets.too_many(phase, seconds);
+                return std::nullopt;
+            }
         }
         core::SurfaceStatistics statistics;
         statistics.quads = static_cast<std::uint64_t>(quads);
@@ -33,6 +42,8 @@ struct Machine {
         budgets.took(phase, seconds, statistics, asked, 1'000'000);
         return seconds;
     }
+
+    double pass(PassBudgets& budgets, Phase phase) { return try_pass(budgets, phase).value(); }
 };
 
 } // namespace
@@ -95,6 +106,38 @@ TEST(PassBudgets, MakesLessOfAPassThatANewerEditCutShort) {
     EXPECT_NEAR(budgets.separation(Phase::Coarse), 2.0 * separation, 1e-9);
     EXPECT_NEAR(static_cast<double>(budgets.quads(Phase::Coarse)), static_cast<double>(quads) / 4.0,
                 2.0);
+}
+
+TEST(PassBudgets, AllowsASurfaceThatHasGrownAHundredfoldAPassAgainAfterFiveRefusals) {
+    for (const double grown : {3.0, 10.0, 100.0}) {
+        PassBudgets budgets(true);
+        Machine machine{2e-6};
+        for (int edit = 0; edit < 10; ++edit)
+            machine.pass(budgets, Phase::Coarse);
+        machine.coarsest = budgets.separation(Phase::Coarse);
+        machine.area *= grown;
+        int refused = 0;
+        while (!machine.try_pass(budgets, Phase::Coarse))
+            ASSERT_LE(++refused, 5) << grown;
+        EXPECT_GE(refused, 1) << grown;
+        // The quads that it was allowed meanwhile are taken back.
+        for (int edit = 0; edit < 10; ++edit)
+            EXPECT_LT(machine.pass(budgets, Phase::Coarse), 0.0036) << grown;
+    }
+}
+
+TEST(PassBudgets, AllowsNeverMoreThanTheMostOfAPassHoweverOftenItIsRefused) {
+    PassBudgets budgets(true);
+    Machine machine{2e-6};
+    for (int edit = 0; edit < 10; ++edit)
+        machine.pass(budgets, Phase::Coarse);
+    const double before = budgets.separation(Phase::Coarse);
+    for (int edit = 0; edit < 1000; ++edit)
+        EXPECT_EQ(budgets.too_many(Phase::Coarse, 0.001), edit < 8) << edit;
+    EXPECT_EQ(budgets.quads(Phase::Coarse), 6000U);
+    EXPECT_LT(budgets.separation(Phase::Coarse), 30.0 * before);
+    machine.pass(budgets, Phase::Coarse);
+    EXPECT_TRUE(budgets.too_many(Phase::Coarse, 0.001)) << "counted anew after a pass that ended";
 }
 
 TEST(PassBudgets, RecoversStepByStepFromOneSlowPass) {

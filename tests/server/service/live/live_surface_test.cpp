@@ -123,6 +123,22 @@ TEST_F(LiveSurfaceTest, LeavesEarlyStatesOutWhereTheFinalOneIsFast) {
     EXPECT_EQ(progress.size(), 3U);
 }
 
+TEST_F(LiveSurfaceTest, ShowsMostEditsEarlyWhileASurfaceGrowsBeyondWhatEarlyOnesHadInQuads) {
+    wall.each = std::chrono::milliseconds(10);
+    int without = 0, edits = 0;
+    for (double to = 2.0; to < 120.0; to *= 1.3, ++edits) {
+        SurfaceJob job = job_of(core::SurfaceKind::Stream, 0.4);
+        job.plan.parameters.to = to;
+        const std::size_t before = seen.size();
+        surface->rebuild(std::move(job));
+        settle();
+        ASSERT_GT(seen.size(), before);
+        without += seen[before].header.phase == Phase::Final;
+    }
+    EXPECT_GE(edits, 15);
+    EXPECT_LE(without, 3);
+}
+
 TEST_F(LiveSurfaceTest, BuildsOnlyTheNewestOfManyEdits) {
     for (int i = 0; i < 10; ++i)
         surface->rebuild(job_of(core::SurfaceKind::Stream));
