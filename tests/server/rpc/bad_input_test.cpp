@@ -163,7 +163,7 @@ TEST_F(BadInput, OfOneMegabyteClosesThatConnectionWithAnExplanation) {
     WebSocketClient other(*server_);
     WebSocketClient client(*server_);
     client.send_frame(1, std::string(1 << 20, 'x'));
-    const auto message = client.receive();
+    const auto message = client.closing();
     EXPECT_EQ(message.close_code(), 1009u);
     EXPECT_NE(message.payload.find("65536"), std::string::npos);
     EXPECT_EQ(other.result("server.ping"), json::object());
@@ -173,7 +173,7 @@ TEST_F(BadInput, OfOneMegabyteInSmallFragmentsClosesThatConnectionToo) {
     WebSocketClient client(*server_);
     for (int i = 0; i < 64; ++i)
         client.send_frame(i == 0 ? 1 : 0, std::string(16 << 10, 'x'), false);
-    EXPECT_EQ(client.receive().close_code(), 1009u);
+    EXPECT_EQ(client.closing().close_code(), 1009u);
 }
 
 TEST_F(BadInput, OfOneMegabyteOverHttpIsAnswered413) {
@@ -185,7 +185,7 @@ TEST_F(BadInput, OfOneMegabyteOverHttpIsAnswered413) {
 TEST_F(BadInput, OfBinaryMessagesClosesWith1003) {
     WebSocketClient client(*server_);
     client.send_frame(2, "draco");
-    EXPECT_EQ(client.receive().close_code(), 1003u);
+    EXPECT_EQ(client.closing().close_code(), 1003u);
 }
 
 TEST_F(BadInput, OfBrokenFramesAndTextEndsThatConnectionOnly) {
@@ -195,13 +195,13 @@ TEST_F(BadInput, OfBrokenFramesAndTextEndsThatConnectionOnly) {
     EXPECT_TRUE(client.socket().closes());
     WebSocketClient no_utf8(*server_);
     no_utf8.send_frame(1, "\xff\xfe\xfd");
-    EXPECT_EQ(no_utf8.receive().close_code(), 1007u);
+    EXPECT_EQ(no_utf8.closing().close_code(), 1007u);
 }
 
 TEST_F(BadInput, OfDeepNestingIsRefusedOnTheSocketToo) {
     WebSocketClient client(*server_);
     client.send_frame(1, std::string(60000, '['));
-    EXPECT_EQ(json::parse(client.receive().payload)["error"]["code"], -32600);
+    EXPECT_EQ(client.answer(nullptr)["error"]["code"], -32600);
     EXPECT_EQ(client.result("server.ping"), json::object());
 }
 

@@ -79,6 +79,13 @@ WebSocketClient::Message WebSocketClient::receive() {
     }
 }
 
+WebSocketClient::Message WebSocketClient::closing() {
+    Message message = receive();
+    while (message.opcode == 1 || message.opcode == 2)
+        message = receive();
+    return message;
+}
+
 void WebSocketClient::read_one() {
     const Message message = receive();
     if (message.opcode == 1) {
@@ -104,7 +111,7 @@ WebSocketClient::take(Kept& kept,
             }
 }
 
-json WebSocketClient::answer(int id) {
+json WebSocketClient::answer(const json& id) {
     return take(texts_, [&](const json& each) { return each.contains("id") && each["id"] == id; });
 }
 

@@ -42,6 +42,9 @@ class WebSocketClient {
     /// Returns the next message; pings are answered on the way.
     Message receive();
 
+    /// Returns the message that closes the connection; what came before it is passed over.
+    Message closing();
+
     /// Sends a call; returns its whole answer. Messages before the answer are kept for `next_*`.
     nlohmann::json call(const std::string& method,
                         nlohmann::json parameters = nlohmann::json::object());
@@ -50,8 +53,8 @@ class WebSocketClient {
     nlohmann::json result(const std::string& method,
                           nlohmann::json parameters = nlohmann::json::object());
 
-    /// Returns the answer to the request with this id.
-    nlohmann::json answer(int id);
+    /// Returns the answer to the request with this id; null: to what had none that could be read.
+    nlohmann::json answer(const nlohmann::json& id);
 
     /// Returns the next notification of a method.
     nlohmann::json notification(const std::string& method);
