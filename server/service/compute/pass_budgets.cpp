@@ -28,7 +28,7 @@ constexpr double growth = 2.0;
 /// A surface changes while it is edited: so many times the quads aimed at are no reason to begin again with
 /// fewer.
 constexpr double room = 1.5;
-/// After so many refusals a pass has been allowed a separation of 26 times: no larger one helps.
+/// After this many refusals in a row the separation has grown 26-fold (1.5^8): a larger one does not help.
 constexpr int most_refusals = 8;
 
 } // namespace
@@ -76,8 +76,8 @@ void PassBudgets::cut_short(Phase phase, double seconds) {
         early(phase).learn(seconds, nullptr);
 }
 
-/// The next pass is allowed more, and coarser: else each edit would fail in the same way until the surface
-/// becomes smaller by itself. What is too much is taken back by the time of that pass.
+/// Allows the next pass more quads and makes it coarser: otherwise each edit would fail in the same way until
+/// the surface becomes smaller by itself. learn() takes back what turns out to be too slow.
 bool PassBudgets::too_many(Phase phase, double seconds) {
     Aim& aim = early(phase);
     if (++aim.refused > most_refusals)

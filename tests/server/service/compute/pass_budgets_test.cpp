@@ -19,7 +19,6 @@ struct Machine {
     double coarsest = 1e3; ///< separation beyond which none is looked for
     double area = 1.0;
     int attempts = 0; ///< of the newest pass
-    bool refused_soon = false;
 
     /// @return  s; nothing: it was refused
     std::optional<double> try_pass(PassBudgets& budgets, Phase phase) {
@@ -32,7 +31,7 @@ struct Machine {
             if (quads <= built)
                 break;
             if (separation >= coarsest) {
-                refused_soon = budgets.too_many(phase, seconds);
+                budgets.too_many(phase, seconds);
                 return std::nullopt;
             }
         }
@@ -45,6 +44,14 @@ struct Machine {
 
     double pass(PassBudgets& budgets, Phase phase) { return try_pass(budgets, phase).value(); }
 };
+
+/// Returns the budgets after ten coarse passes of the machine's surface.
+PassBudgets settled(Machine& machine) {
+    PassBudgets budgets(true);
+    for (int edit = 0; edit < 10; ++edit)
+        machine.pass(budgets, Phase::Coarse);
+    return budgets;
+}
 
 } // namespace
 
@@ -82,10 +89,8 @@ TEST(PassBudgets, MakesNoRefinedPassThatTakesAboutAsLongAsTheFinalOne) {
 }
 
 TEST(PassBudgets, GoesOnAtOnceWhereASurfaceGrowsAThirdLarger) {
-    PassBudgets budgets(true);
     Machine machine{2e-6};
-    for (int edit = 0; edit < 10; ++edit)
-        machine.pass(budgets, Phase::Coarse);
+    PassBudgets budgets = settled(machine);
     machine.seconds_a_quad *= 1.3;
     const double quads = 1.0 / std::pow(budgets.separation(Phase::Coarse), 2);
     EXPECT_LT(1.3 * quads, static_cast<double>(budgets.quads(Phase::Coarse)));
@@ -94,10 +99,8 @@ TEST(PassBudgets, GoesOnAtOnceWhereASurfaceGrowsAThirdLarger) {
 }
 
 TEST(PassBudgets, MakesLessOfAPassThatANewerEditCutShort) {
-    PassBudgets budgets(true);
     Machine machine{2e-6};
-    for (int edit = 0; edit < 10; ++edit)
-        machine.pass(budgets, Phase::Coarse);
+    PassBudgets budgets = settled(machine);
     const double separation = budgets.separation(Phase::Coarse);
     const auto quads = budgets.quads(Phase::Coarse);
     budgets.cut_short(Phase::Coarse, 0.001); // within its time
@@ -110,10 +113,8 @@ TEST(PassBudgets, MakesLessOfAPassThatANewerEditCutShort) {
 
 TEST(PassBudgets, AllowsASurfaceThatHasGrownAHundredfoldAPassAgainAfterFiveRefusals) {
     for (const double grown : {3.0, 10.0, 100.0}) {
-        PassBudgets budgets(true);
         Machine machine{2e-6};
-        for (int edit = 0; edit < 10; ++edit)
-            machine.pass(budgets, Phase::Coarse);
+        PassBudgets budgets = settled(machine);
         machine.coarsest = budgets.separation(Phase::Coarse);
         machine.area *= grown;
         int refused = 0;
@@ -127,10 +128,8 @@ TEST(PassBudgets, AllowsASurfaceThatHasGrownAHundredfoldAPassAgainAfterFiveRefus
 }
 
 TEST(PassBudgets, AllowsNeverMoreThanTheMostOfAPassHoweverOftenItIsRefused) {
-    PassBudgets budgets(true);
     Machine machine{2e-6};
-    for (int edit = 0; edit < 10; ++edit)
-        machine.pass(budgets, Phase::Coarse);
+    PassBudgets budgets = settled(machine);
     const double before = budgets.separation(Phase::Coarse);
     for (int edit = 0; edit < 1000; ++edit)
         EXPECT_EQ(budgets.too_many(Phase::Coarse, 0.001), edit < 8) << edit;
@@ -141,10 +140,8 @@ TEST(PassBudgets, AllowsNeverMoreThanTheMostOfAPassHoweverOftenItIsRefused) {
 }
 
 TEST(PassBudgets, RecoversStepByStepFromOneSlowPass) {
-    PassBudgets budgets(true);
     Machine machine{2e-6};
-    for (int edit = 0; edit < 10; ++edit)
-        machine.pass(budgets, Phase::Coarse);
+    PassBudgets budgets = settled(machine);
     machine.seconds_a_quad *= 10.0; // somebody else had the processor
     machine.pass(budgets, Phase::Coarse);
     machine.seconds_a_quad /= 10.0;
