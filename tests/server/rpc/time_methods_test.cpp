@@ -81,12 +81,13 @@ bool is_final(const protocol::FrameHeader& header) {
 TEST_F(TimeMethods, PlaysAStreakToAStateWhoseChecksumIsTheServers) {
     client.result("surface.subscribe", {{"surface", surface}});
     protocol::MeshDecoder decoder;
-    const json clock = client.result("time.play", {{"speed", 4}, {"from", 0}, {"to", 4}})["clock"];
+    // In a loop: on a busy machine the end may come before the second frame.
+    const json clock = client.result("time.play", {{"speed", 4}, {"loop", true}})["clock"];
     EXPECT_EQ(clock["playing"], true);
     const double seen = fold_until(client, decoder, [](const auto& header) {
                             return header.phase == protocol::Phase::Live && header.time > 0.5;
                         }).header.time;
-    fold_until(client, decoder, [&](const auto& header) { return header.time > seen; });
+    fold_until(client, decoder, [&](const auto& header) { return header.time != seen; });
     const json paused = client.result("time.pause")["clock"];
     EXPECT_EQ(paused["playing"], false);
     const json stats = wait(client);
