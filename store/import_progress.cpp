@@ -1,7 +1,7 @@
 #include "store/import_progress.hpp"
 
 #include "core/base/plain_text.hpp"
-#include "protocol/api/base/json_members.hpp"
+#include "protocol/api/base/json_table.hpp"
 #include "protocol/api/base/json_text.hpp"
 
 #include <nlohmann/json.hpp>
@@ -11,7 +11,25 @@
 #include <cmath>
 #include <string>
 
+namespace wakesurf::protocol {
+
+using store::ImportProgress;
+
+template <>
+inline constexpr auto
+    table_of<ImportProgress> = std::tuple(needed("phase", &ImportProgress::phase),
+                                          needed("done", &ImportProgress::done),
+                                          needed("total", &ImportProgress::total),
+                                          some("file", &ImportProgress::file),
+                                          some("note", &ImportProgress::note),
+                                          some("remaining", &ImportProgress::remaining),
+                                          some("velocities", &ImportProgress::velocities));
+
+} // namespace wakesurf::protocol
+
 namespace wakesurf::store {
+
+using nlohmann::json;
 
 namespace {
 
@@ -26,41 +44,13 @@ std::string time_left(const ImportProgress& progress) {
 } // namespace
 
 std::string progress_line(const ImportProgress& progress) {
-    nlohmann::json line{
-        {"phase", progress.phase}, {"done", progress.done}, {"total", progress.total}};
-    if (!progress.file.empty())
-        line["file"] = progress.file;
-    if (!progress.note.empty())
-        line["note"] = progress.note;
-    if (progress.remaining)
-        line["remaining"] = *progress.remaining;
-    if (!progress.velocities.empty())
-        line["velocities"] = progress.velocities;
-    return protocol::json_text(line);
+    return protocol::json_text(protocol::written<json>(progress));
 }
 
 std::optional<ImportProgress> parse_progress_line(std::string_view line) {
-    const auto value = protocol::parse_json(line, {});
-    if (!value)
-        return std::nullopt;
-    protocol::JsonMembers members(*value);
-    ImportProgress progress;
-    progress.phase = members.text("phase");
-    progress.done = members.count("done");
-    progress.total = members.count("total");
-    if (members.has("file"))
-        progress.file = members.text("file");
-    if (members.has("note"))
-        progress.note = members.text("note");
-    if (members.has("remaining"))
-        progress.remaining = members.number("remaining");
-    if (members.has("velocities"))
-        for (const auto& each : members.list("velocities"))
-            if (each.is_string())
-                progress.velocities.push_back(each.get<std::string>());
-    if (!members.verdict() || progress.done > progress.total)
-        return std::nullopt;
-    return progress;
+    const auto progress =
+        protocol::parse_json(line, {}).and_then(protocol::parse_table<ImportProgress, json>);
+    return progress && progress->done <= progress->total ? std::optional(*progress) : std::nullopt;
 }
 
 void show_progress(const ImportProgress& progress, std::FILE* stream, std::string_view work) {

@@ -1,7 +1,7 @@
 // Converts between a store's layout and the members of store.json that say so.
 #pragma once
 
-#include "protocol/api/base/json_members.hpp"
+#include "core/base/result.hpp"
 #include "store/store_layout.hpp"
 
 #include <nlohmann/json_fwd.hpp>
@@ -11,7 +11,7 @@ namespace wakesurf::store {
 /// Leaves out the folder, because a store may be moved.
 nlohmann::json store_layout_json(const StoreLayout& layout);
 
-/// Leaves a fault in `members` for what is missing, of the wrong type, or would lead out of the folder.
-StoreLayout parse_store_layout(protocol::JsonMembers& members);
+/// Error: Corrupt for what is missing, of the wrong type, or would lead out of the folder.
+core::Result<StoreLayout> parse_store_layout(const nlohmann::json& value);
 
 } // namespace wakesurf::store

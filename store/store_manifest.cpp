@@ -7,6 +7,32 @@
 
 #include <nlohmann/json.hpp>
 
+namespace wakesurf::protocol {
+
+using store::SourceFile;
+using store::StoreManifest;
+using store::StoreSource;
+
+template <>
+inline constexpr auto table_of<SourceFile> = std::tuple(needed("name", &SourceFile::name),
+                                                        needed("size", &SourceFile::size),
+                                                        needed("mtime", &SourceFile::mtime));
+
+template <>
+inline constexpr auto table_of<StoreSource> = std::tuple(needed("files", &StoreSource::files),
+                                                         needed("steps", &StoreSource::steps),
+                                                         needed("selection",
+                                                                &StoreSource::selection));
+
+template <>
+inline constexpr auto
+    table_of<StoreManifest> = std::tuple(needed("complete", &StoreManifest::complete),
+                                         needed("source", &StoreManifest::source),
+                                         some("withoutVelocity", &StoreManifest::without_velocity),
+                                         needed("velocityRange", &StoreManifest::velocity_range));
+
+} // namespace wakesurf::protocol
+
 namespace wakesurf::store {
 
 using core::Error;
@@ -16,48 +42,6 @@ namespace {
 
 constexpr std::string_view format_name = "wakesurf-store";
 constexpr protocol::JsonLimits limits{std::size_t{64} << 20, 16};
-
-json files_json(const std::vector<SourceFile>& files) {
-    json out = json::array();
-    for (const auto& file : files)
-        out.push_back({{"name", file.name}, {"size", file.size}, {"mtime", file.mtime}});
-    return out;
-}
-
-json source_json(const StoreSource& source) {
-    json steps = json::array();
-    for (const auto& files : source.steps)
-        steps.push_back(files_json(files));
-    return {{"files", files_json(source.files)},
-            {"steps", std::move(steps)},
-            {"selection", source.selection}};
-}
-
-std::vector<SourceFile> parse_files(const json& list, protocol::JsonMembers& manifest) {
-    std::vector<SourceFile> files;
-    for (const json& entry : list) {
-        protocol::JsonMembers file(entry);
-        files.push_back({file.text("name"), file.count("size"), file.integer("mtime")});
-        if (!file.verdict())
-            manifest.fault("source.files", file.verdict().error().message);
-    }
-    return files;
-}
-
-StoreSource parse_source(protocol::JsonMembers& manifest) {
-    StoreSource source;
-    protocol::JsonMembers members(manifest.object("source"));
-    source.selection = members.text("selection");
-    source.files = parse_files(members.list("files"), manifest);
-    for (const json& step : members.list("steps")) {
-        if (!step.is_array())
-            manifest.fault("source.steps", "must hold lists");
-        source.steps.push_back(parse_files(step.is_array() ? step : json::array(), manifest));
-    }
-    if (!members.verdict())
-        manifest.fault("source", members.verdict().error().message);
-    return source;
-}
 
 core::Result<void> check_agreement(const StoreManifest& manifest) {
     const StoreLayout& layout = manifest.layout;
@@ -87,51 +71,40 @@ core::Result<StoreManifest> parse(const json& value) {
     protocol::JsonMembers members(value);
     if (members.text("format") != format_name)
         return core::fail(Error::Code::Corrupt, "it is not the manifest of a wakesurf store");
-    const auto version = members.count("version");
+    const auto version = members.get<std::uint64_t>("version");
     if (version != store_format_version && version != brick_format_version)
         return core::fail(Error::Code::Unsupported,
                           "it is of another version than " + std::to_string(store_format_version) +
                               " and " + std::to_string(brick_format_version) +
                               ", which this wakesurf reads",
                           "import the dataset again");
-    StoreManifest manifest;
-    manifest.complete = members.flag("complete");
-    manifest.source = parse_source(members);
+    auto manifest = protocol::parse_table<StoreManifest>(value);
     auto info = protocol::parse_dataset_info(members.object("info"));
-    if (!info)
-        return tl::unexpected(info.error());
-    manifest.info = std::move(*info);
-    manifest.layout = parse_store_layout(members);
+    auto layout = parse_store_layout(value);
+    for (const Error* wrong : {manifest ? nullptr : &manifest.error(),
+                               info ? nullptr : &info.error(), layout ? nullptr : &layout.error()})
+        if (wrong != nullptr)
+            return tl::unexpected(*wrong);
+    manifest->info = std::move(*info);
+    manifest->layout = std::move(*layout);
     if (members.has("bricks") != (version == brick_format_version))
         members.fault("bricks", "must be there in version 3, and only there");
-    if (members.has("withoutVelocity"))
-        for (const json& index : members.list("withoutVelocity")) {
-            if (!index.is_number_unsigned())
-                members.fault("withoutVelocity", "must hold numbers of time-steps");
-            manifest.without_velocity.push_back(
-                index.is_number_unsigned() ? index.get<std::size_t>() : 0);
-        }
-    manifest.velocity_range = members.numbers_of<2>("velocityRange");
     if (auto sound = members.verdict(); !sound)
         return tl::unexpected(sound.error());
-    return check_agreement(manifest).map([&] {
-        mark_stored(manifest.layout, manifest.info);
-        return std::move(manifest);
+    return check_agreement(*manifest).map([&] {
+        mark_stored(manifest->layout, manifest->info);
+        return std::move(*manifest);
     });
 }
 
 } // namespace
 
 std::string store_manifest_text(const StoreManifest& manifest) {
-    json out = store_layout_json(manifest.layout);
+    json out = protocol::written<json>(manifest);
+    out.update(store_layout_json(manifest.layout));
     out["format"] = format_name;
     out["version"] = manifest.layout.brick_cells == 0 ? store_format_version : brick_format_version;
-    out["complete"] = manifest.complete;
-    out["source"] = source_json(manifest.source);
     out["info"] = protocol::dataset_json(manifest.info);
-    if (!manifest.without_velocity.empty())
-        out["withoutVelocity"] = manifest.without_velocity;
-    out["velocityRange"] = manifest.velocity_range;
     return protocol::json_text(out, 1);
 }
 

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <limits>
+#include <array>
 #include <set>
 
 namespace wakesurf::store {
@@ -58,12 +58,9 @@ core::Result<StoredFamily> parse_one(const json& value) {
     family.stem = members.text("stem");
     if (!family_stem(family.stem))
         members.fault("stem", "is no beginning of a file name");
-    for (const json& pair : members.list("checksums")) {
-        const bool two = pair.is_array() && pair.size() == 2 && pair[0].is_number_unsigned() &&
-                         pair[1].is_number_unsigned();
-        if (two)
-            family.sums.push_back({pair[0].get<std::uint32_t>(), pair[1].get<std::uint32_t>()});
-    }
+    using Pairs = std::vector<std::array<std::uint32_t, 2>>;
+    for (const auto& [velocity, values] : members.get<Pairs>("checksums"))
+        family.sums.push_back({velocity, values});
     if (family.sums.size() != family.record.steps.size())
         members.fault("checksums", "must be two numbers a step");
     return members.verdict().map([&] { return std::move(family); });
@@ -73,7 +70,7 @@ core::Result<std::vector<StoredFamily>> parse_families(const json& value) {
     protocol::JsonMembers members(value);
     if (members.text("format") != families_format)
         members.fault("format", "is not that of a wakesurf store's families");
-    if (members.count("version") != families_version)
+    if (members.get<std::uint64_t>("version") != families_version)
         members.fault("version", "is one that this wakesurf does not read");
     std::vector<StoredFamily> families;
     for (const json& each : members.list("families")) {

@@ -4,19 +4,24 @@
 
 #include "core/base/result.hpp"
 #include "core/dataset/dataset_info.hpp"
+#include "protocol/api/base/json_table.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
-#include <optional>
-#include <string_view>
-
 namespace wakesurf::protocol {
 
-/// Returns `uniform`, `rectilinear`, ...
-std::string_view grid_name(core::GridKind kind);
+template <>
+inline constexpr auto words_of<core::GridKind> = std::to_array<Word<core::GridKind>>({
+    {core::GridKind::Uniform, "uniform"},
+    {core::GridKind::Rectilinear, "rectilinear"},
+    {core::GridKind::Curvilinear, "curvilinear"},
+    {core::GridKind::Unstructured, "unstructured"},
+    {core::GridKind::Analytic, "analytic"},
+});
 
-/// Returns nothing for a name this version does not know.
-std::optional<core::GridKind> grid_kind(std::string_view name);
+template <>
+inline constexpr auto words_of<core::Precision> = std::to_array<Word<core::Precision>>(
+    {{core::Precision::Single, "single"}, {core::Precision::Half, "half"}});
 
 nlohmann::json dataset_json(const core::DatasetInfo& info);
 

@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <utility>
+
 namespace wakesurf::protocol {
 
 using nlohmann::json;
@@ -14,36 +16,22 @@ unsigned said(const Presence& presence) {
            (presence.selected ? member::selected : 0u);
 }
 
-PresenceChange change_of(const PresenceUpdate& update) {
-    PresenceChange change;
-    change.values = {update.pointer.value, update.camera.value, update.dragging.value,
-                     update.selected.value};
-    change.given = (update.pointer.given ? member::pointer : 0u) |
-                   (update.camera.given ? member::camera : 0u) |
-                   (update.dragging.given ? member::dragging : 0u) |
-                   (update.selected.given ? member::selected : 0u);
-    return change;
-}
-
 json participant_json(const ParticipantRecord& record, unsigned members) {
     const Presence& presence = record.presence;
     json out{{"participant", record.participant}};
-    if ((members & member::name) != 0)
-        out["name"] = record.name;
-    if ((members & member::colour) != 0)
-        out["colour"] = record.colour;
-    if ((members & member::role) != 0)
-        out["role"] = record.role;
-    if ((members & member::connected) != 0)
-        out["connected"] = record.connected;
-    if ((members & member::pointer) != 0)
-        out["pointer"] = presence.pointer ? point_json(*presence.pointer) : json(nullptr);
-    if ((members & member::camera) != 0)
-        out["camera"] = presence.camera ? camera_json(*presence.camera) : json(nullptr);
-    if ((members & member::dragging) != 0)
-        out["dragging"] = presence.dragging ? dragged_rake_json(*presence.dragging) : json(nullptr);
-    if ((members & member::selected) != 0)
-        out["selected"] = presence.selected ? json(*presence.selected) : json(nullptr);
+    const auto tell = [&](unsigned member, const char* name, json value) {
+        if ((members & member) != 0)
+            out[name] = std::move(value);
+    };
+    tell(member::name, "name", record.name);
+    tell(member::colour, "colour", record.colour);
+    tell(member::role, "role", record.role);
+    tell(member::connected, "connected", record.connected);
+    tell(member::pointer, "pointer", presence.pointer ? point_json(*presence.pointer) : json());
+    tell(member::camera, "camera", presence.camera ? camera_json(*presence.camera) : json());
+    tell(member::dragging, "dragging",
+         presence.dragging ? dragged_rake_json(*presence.dragging) : json());
+    tell(member::selected, "selected", presence.selected ? json(*presence.selected) : json());
     return out;
 }
 
@@ -59,43 +47,6 @@ std::string presence_patched(const std::string& session,
     for (std::size_t i = 0; i < participants.size(); ++i)
         text.append(i == 0 ? "" : ",").append(participants[i]);
     return text + R"(],"left":)" + json(left).dump() + "}}";
-}
-
-std::string membership_text(const MembershipRecord& record) {
-    json out{{"name", record.name},   {"colour", record.colour}, {"role", record.role},
-             {"grant", record.grant}, {"sha256", record.digest}, {"roleSet", record.role_set}};
-    if (record.left)
-        out["left"] = *record.left;
-    if (!record.former.empty())
-        out["formerSha256"] = record.former;
-    return out.dump();
-}
-
-core::Result<MembershipRecord> read_membership(std::string_view text) {
-    const json kept = json::parse(text, nullptr, false);
-    const auto corrupt = core::fail(core::Error::Code::Corrupt, "a saved participant is damaged",
-                                    "join the session again");
-    for (const char* name : {"name", "colour", "role", "grant", "sha256"})
-        if (!kept.is_object() || !kept.contains(name) || !kept[name].is_string())
-            return corrupt;
-    MembershipRecord record{kept["name"], kept["colour"], kept["role"], kept["grant"],
-                            kept["sha256"]};
-    if (kept.contains("roleSet")) { // before that only those were kept whose role was set
-        if (!kept["roleSet"].is_boolean())
-            return corrupt;
-        record.role_set = kept["roleSet"];
-    }
-    if (kept.contains("formerSha256")) {
-        if (!kept["formerSha256"].is_string())
-            return corrupt;
-        record.former = kept["formerSha256"];
-    }
-    if (kept.contains("left")) {
-        if (!kept["left"].is_number_integer())
-            return corrupt;
-        record.left = kept["left"].get<std::int64_t>();
-    }
-    return record;
 }
 
 } // namespace wakesurf::protocol

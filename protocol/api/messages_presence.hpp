@@ -7,7 +7,6 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -50,14 +49,6 @@ struct ParticipantRecord {
     Presence presence;
 };
 
-struct PresenceChange {
-    Presence values;
-    unsigned given = 0; ///< members; those with null are given and empty
-};
-
-/// Returns what presence.update asks for.
-PresenceChange change_of(const PresenceUpdate& update);
-
 /// Returns `participant`, and those members; what no one has said yet is null.
 nlohmann::json participant_json(const ParticipantRecord& record, unsigned members);
 
@@ -68,25 +59,5 @@ std::string participant_text(const ParticipantRecord& record, unsigned members);
 std::string presence_patched(const std::string& session,
                              std::span<const std::string> participants,
                              std::span<const std::string> left);
-
-/// Holds a membership of a session, as it is kept: of the resume token only the digest.
-struct MembershipRecord {
-    std::string name;
-    std::string colour;
-    std::string role;
-    std::string grant;                  ///< share link it came by, or empty
-    std::string digest;                 ///< of the resume token, 64 hexadecimal digits
-    bool role_set = true;               ///< by a host, and so not the link's
-    std::optional<std::int64_t> left{}; ///< seconds since 1970; nothing: was connected
-    std::string former{};               ///< digest of the token before, or empty
-
-    bool operator==(const MembershipRecord&) const = default;
-};
-
-/// Returns JSON text.
-std::string membership_text(const MembershipRecord& record);
-
-/// Reads it back. Error: Corrupt.
-core::Result<MembershipRecord> read_membership(std::string_view text);
 
 } // namespace wakesurf::protocol

@@ -1,13 +1,54 @@
 #include "protocol/api/record_text.hpp"
 
 #include "core/surface/rake.hpp"
+#include "protocol/api/base/json_table.hpp"
 #include "protocol/api/base/json_text.hpp"
+#include "protocol/api/utc_text.hpp"
 
 #include <nlohmann/json.hpp>
 
 namespace wakesurf::protocol {
 
 using nlohmann::json;
+
+template <>
+inline constexpr auto table_of<MembershipRecord> = std::tuple(
+    needed("name", &MembershipRecord::name),
+    needed("colour", &MembershipRecord::colour),
+    needed("role", &MembershipRecord::role),
+    needed("grant", &MembershipRecord::grant),
+    needed("sha256", &MembershipRecord::digest),
+    newer("roleSet",
+          &MembershipRecord::role_set), // before, only those were kept whose role was set
+    some("left", &MembershipRecord::left),
+    some("formerSha256", &MembershipRecord::former));
+
+template <>
+inline constexpr auto table_of<GrantRecord> = std::tuple(needed("role", &GrantRecord::role),
+                                                         needed("sha256", &GrantRecord::digest),
+                                                         some("expires", &GrantRecord::expires),
+                                                         some("maker", &GrantRecord::maker),
+                                                         some("lineage", &GrantRecord::lineage),
+                                                         some("lowered", &GrantRecord::lowered),
+                                                         some("copier", &GrantRecord::copier));
+
+template <>
+inline constexpr auto
+    table_of<SessionPerson> = std::tuple(needed("participant", &SessionPerson::participant),
+                                         needed("name", &SessionPerson::name),
+                                         needed("colour", &SessionPerson::colour));
+
+template <>
+inline constexpr auto
+    table_of<SessionProfile> = std::tuple(some("created", &SessionProfile::created),
+                                          needed("lastUsed", &SessionProfile::last_used),
+                                          needed("edited", &SessionProfile::edited),
+                                          needed("onPurpose", &SessionProfile::on_purpose),
+                                          needed("people", &SessionProfile::people),
+                                          some("deleted", &SessionProfile::deleted),
+                                          some("data", &SessionProfile::data),
+                                          some("copyOf", &SessionProfile::copy_of),
+                                          some("copyName", &SessionProfile::copy_name));
 
 namespace {
 
@@ -41,28 +82,35 @@ core::Result<Record> parse(std::string_view text) {
     return record;
 }
 
+template <class Record>
+core::Result<Record> parse(std::string_view text, const char* damaged, const char* hint = "") {
+    return parse_json(text, record_limits)
+        .and_then(parse_table<Record, json>)
+        .map_error([&](const core::Error&) {
+            return core::Error{core::Error::Code::Corrupt, damaged, hint};
+        });
+}
+
 } // namespace
 
-std::string record_text(const RakeRecord& record) {
-    return json_text(kept_json(record));
+template <class Record>
+std::string record_text(const Record& record) {
+    if constexpr (HasTable<Record>)
+        return json_text(written<json>(record));
+    else
+        return json_text(kept_json(record));
 }
 
-std::string record_text(const SurfaceRecord& record) {
-    return json_text(kept_json(record));
-}
+template std::string record_text(const RakeRecord&);
+template std::string record_text(const SurfaceRecord&);
+template std::string record_text(const BookmarkRecord&);
+template std::string record_text(const AnnotationRecord&);
+template std::string record_text(const ClockRecord&);
+template std::string record_text(const MembershipRecord&);
+template std::string record_text(const GrantRecord&);
+template std::string record_text(const SessionProfile&);
 
-std::string record_text(const BookmarkRecord& record) {
-    return json_text(kept_json(record));
-}
-
-std::string record_text(const AnnotationRecord& record) {
-    return json_text(kept_json(record));
-}
-
-std::string record_text(const ClockRecord& record) {
-    return json_text(kept_json(record));
-}
-
+template <>
 std::string record_text(const SessionHead& head) {
     json out{{"name", head.name},
              {"seq", head.seq},
@@ -105,6 +153,32 @@ core::Result<ClockRecord> parse_clock(std::string_view text) {
 
 core::Result<SessionHead> parse_session_head(std::string_view text) {
     return parse<SessionHead>(text);
+}
+
+core::Result<MembershipRecord> parse_membership(std::string_view text) {
+    return parse<MembershipRecord>(text, "a saved participant is damaged",
+                                   "join the session again");
+}
+
+core::Result<GrantRecord> parse_grant(std::string_view text) {
+    return parse<GrantRecord>(text, "a saved share link is damaged",
+                              "make a new one with `session.share`");
+}
+
+core::Result<SessionProfile> parse_profile(std::string_view text) {
+    const char* const damaged =
+        "what was kept of when and by whom a session was used cannot be read";
+    auto profile = parse<SessionProfile>(text, damaged);
+    if (!profile)
+        return profile;
+    const auto is_time = [](std::int64_t second) {
+        return second >= 0 && second <= last_utc_second;
+    };
+    if (!is_time(profile->last_used) || !is_time(profile->created.value_or(0)) ||
+        !is_time(profile->deleted.value_or(0)) || profile->people.size() > most_session_people ||
+        profile->data.size() > most_session_datasets)
+        return core::fail(core::Error::Code::Corrupt, damaged);
+    return profile;
 }
 
 } // namespace wakesurf::protocol

@@ -12,8 +12,11 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <cstdint>
+#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace wakesurf::protocol {
 
@@ -40,12 +43,67 @@ struct SessionHead {
     bool operator==(const SessionHead&) const = default;
 };
 
+/// Holds a membership of a session: of the resume token only the digest.
+struct MembershipRecord {
+    std::string name;
+    std::string colour;
+    std::string role;
+    std::string grant;                  ///< share link it came by, or empty
+    std::string digest;                 ///< of the resume token, 64 hexadecimal digits
+    bool role_set = true;               ///< by a host, and so not the link's
+    std::optional<std::int64_t> left{}; ///< seconds since 1970; nothing: was connected
+    std::string former{};               ///< digest of the token before, or empty
+
+    bool operator==(const MembershipRecord&) const = default;
+};
+
+/// Holds a share link: never its key.
+struct GrantRecord {
+    std::string role;
+    std::string digest;                         ///< SHA-256 of the key, 64 hexadecimal digits
+    std::optional<std::int64_t> expires;        ///< seconds since 1970
+    std::string maker;                          ///< name of who made it; empty: a script
+    std::vector<std::string> lineage;           ///< links it was made by, the first one first
+    std::map<std::string, std::string> lowered; ///< participant -> lesser role that a host set
+    std::string copier = {}; ///< link by which its session was copied; empty: no copy
+
+    bool operator==(const GrantRecord&) const = default;
+};
+
+/// Names a participant of a session, also after the membership has ended.
+struct SessionPerson {
+    std::string participant;
+    std::string name;
+    std::string colour; ///< #rrggbb
+
+    bool operator==(const SessionPerson&) const = default;
+};
+
+/// Holds what a list of sessions tells of one besides its records. Times are seconds since 1970.
+struct SessionProfile {
+    std::optional<std::int64_t> created; ///< nothing: kept by a wakesurf that did not note it
+    std::int64_t last_used = 0;
+    bool edited = false;                       ///< beyond the page's default scene
+    bool on_purpose = false;                   ///< it was named, shared, copied or imported
+    std::vector<SessionPerson> people;         ///< who came last comes first
+    std::optional<std::int64_t> deleted;       ///< in the trash since then
+    std::map<std::string, std::string> data{}; ///< by dataset, which values its surfaces were of
+    std::string copy_of = {};   ///< id of the session that it is a copy of; empty: none
+    std::string copy_name = {}; ///< that this one had then
+
+    bool operator==(const SessionProfile&) const = default;
+};
+
+/// Bounds how many people are remembered.
+inline constexpr std::size_t most_session_people = 8;
+
+/// Bounds of how many datasets the values are remembered.
+inline constexpr std::size_t most_session_datasets = 32;
+
 /// Returns one line of JSON. A lease is not kept.
-std::string record_text(const RakeRecord& record);
-std::string record_text(const SurfaceRecord& record);
-std::string record_text(const BookmarkRecord& record);
-std::string record_text(const AnnotationRecord& record);
-std::string record_text(const ClockRecord& record);
+template <class Record>
+std::string record_text(const Record& record);
+template <>
 std::string record_text(const SessionHead& head);
 
 nlohmann::json units_json(const SessionUnits& units);
@@ -57,5 +115,8 @@ core::Result<BookmarkRecord> parse_bookmark(std::string_view text);
 core::Result<AnnotationRecord> parse_annotation(std::string_view text);
 core::Result<ClockRecord> parse_clock(std::string_view text);
 core::Result<SessionHead> parse_session_head(std::string_view text);
+core::Result<MembershipRecord> parse_membership(std::string_view text);
+core::Result<GrantRecord> parse_grant(std::string_view text);
+core::Result<SessionProfile> parse_profile(std::string_view text);
 
 } // namespace wakesurf::protocol

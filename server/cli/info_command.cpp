@@ -181,7 +181,7 @@ json described_json(const Described& described) {
 
 std::string grid_text(const core::DatasetInfo& info) {
     const auto& d = info.dimensions;
-    const auto name = protocol::grid_name(info.grid);
+    const auto name = protocol::word_of(info.grid);
     switch (info.grid) {
     case core::GridKind::Analytic:
         return std::string(name);

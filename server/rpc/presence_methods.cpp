@@ -17,7 +17,7 @@ void presence_update(const Call& call, const protocol::PresenceUpdate& update, R
         return reply.fault(core::Error{core::Error::Code::InvalidArgument,
                                        "presence can only be sent to the session you joined",
                                        "join it first"});
-    (*session)->participants().update(*call.client, protocol::change_of(update));
+    (*session)->participants().update(*call.client, update);
     reply.result(nlohmann::json::object());
 }
 

@@ -25,10 +25,7 @@ json patch_json(const protocol::ClockRecord& record) {
 }
 
 json patch_json(const SessionName& session) {
-    json record{{"session", session.session}, {"name", session.name}};
-    if (!session.units.empty())
-        record["units"] = protocol::units_json(session.units);
-    return put_json("session", session.session, std::move(record));
+    return put_json("session", session.session, session_name_json(session));
 }
 
 json patch_json(const DeletedRecord& record) {
@@ -41,16 +38,20 @@ json aside_json(const KeptAside& each) {
 
 } // namespace
 
+json session_name_json(const SessionName& session) {
+    json out{{"session", session.session}, {"name", session.name}};
+    if (!session.units.empty())
+        out["units"] = protocol::units_json(session.units);
+    return out;
+}
+
 json records_json(const Session& session) {
-    json out{{"session", session.id()},
-             {"name", session.name()},
-             {"rakes", all_json<protocol::RakeRecord>(session)},
-             {"surfaces", all_json<protocol::SurfaceRecord>(session)},
-             {"bookmarks", all_json<protocol::BookmarkRecord>(session)},
-             {"annotations", all_json<protocol::AnnotationRecord>(session)},
-             {"clock", protocol::record_json(session.clock().record())}};
-    if (!session.units().empty())
-        out["units"] = protocol::units_json(session.units());
+    json out = session_name_json({session.id(), session.name(), session.units()});
+    out.update({{"rakes", all_json<protocol::RakeRecord>(session)},
+                {"surfaces", all_json<protocol::SurfaceRecord>(session)},
+                {"bookmarks", all_json<protocol::BookmarkRecord>(session)},
+                {"annotations", all_json<protocol::AnnotationRecord>(session)},
+                {"clock", protocol::record_json(session.clock().record())}});
     constexpr std::size_t told = 50;
     if (!session.kept_aside().empty())
         out["keptAside"] = {

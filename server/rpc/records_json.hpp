@@ -20,6 +20,9 @@ auto all_json(const Session& session) {
                                [](const R& record) { return protocol::record_json(record); });
 }
 
+/// Returns what a session is called, and its units where it has some.
+nlohmann::json session_name_json(const SessionName& session);
+
 /// Returns a Snapshot, as the description of the API has it.
 nlohmann::json records_json(const Session& session);
 

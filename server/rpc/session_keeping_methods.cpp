@@ -6,6 +6,7 @@
 #include "server/rpc/caller.hpp"
 #include "server/rpc/method.hpp"
 #include "server/rpc/permission.hpp"
+#include "server/rpc/records_json.hpp"
 #include "server/rpc/session_import.hpp"
 #include "server/service/limits.hpp"
 #include "server/service/session/records/thumbnail.hpp"
@@ -42,10 +43,7 @@ void session_set_units(const Call& call, const protocol::SessionSetUnits& to, Re
     const protocol::SessionUnits units{core::display_name(to.length, limits::unit_bytes),
                                        core::display_name(to.time, limits::unit_bytes)};
     (*session)->set_units(units);
-    json out{{"session", (*session)->id()}, {"name", (*session)->name()}};
-    if (!units.empty())
-        out["units"] = protocol::units_json(units);
-    reply.result(std::move(out));
+    reply.result(session_name_json({(*session)->id(), (*session)->name(), units}));
 }
 
 /// Ends links after the answer: a caller by a share link of the session loses the connection with it.

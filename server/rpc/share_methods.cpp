@@ -1,5 +1,6 @@
 // session.share, session.shares, session.unshare, session.setRole, session.kick: who may be in a session, and
 // as what. For its hosts.
+#include "protocol/api/base/list_json.hpp"
 #include "protocol/api/generated/share.hpp"
 #include "server/rpc/caller.hpp"
 #include "server/rpc/method.hpp"
@@ -31,10 +32,7 @@ json grant_json(const Grant& grant, const Grants& grants) {
 }
 
 json grants_json(const std::vector<Grant>& list, const Grants& grants) {
-    json out = json::array();
-    for (const Grant& each : list)
-        out.push_back(grant_json(each, grants));
-    return out;
+    return protocol::list_json(list, [&](const Grant& each) { return grant_json(each, grants); });
 }
 
 /// Returns nothing for never. Null says so on purpose; left out it is a week, or as long as the maker's own

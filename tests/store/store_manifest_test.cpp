@@ -35,6 +35,7 @@ TEST(StoreManifest, ReadsBackWhatItWrites) {
     EXPECT_EQ(after->layout.checksums, before.layout.checksums);
     EXPECT_EQ(after->velocity_range, before.velocity_range);
     EXPECT_EQ(after->layout.grid.uniform.origin, before.layout.grid.uniform.origin);
+    EXPECT_EQ(after->layout.grid.dimensions, before.layout.grid.dimensions);
     EXPECT_EQ(after->layout.grid.uniform.spacing, before.layout.grid.uniform.spacing);
     EXPECT_EQ(store_manifest_text(*after), store_manifest_text(before));
 }

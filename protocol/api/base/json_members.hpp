@@ -3,15 +3,12 @@
 #pragma once
 
 #include "core/base/result.hpp"
+#include "protocol/api/base/json_table.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
-#include <array>
-#include <cstdint>
-#include <limits>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace wakesurf::protocol {
 
@@ -21,25 +18,18 @@ class JsonMembers {
     explicit JsonMembers(const nlohmann::json& object);
 
     bool has(std::string_view name) const; ///< present and not null
-    std::string text(std::string_view name);
-    bool flag(std::string_view name);
-    double number(std::string_view name); ///< finite
-    std::uint64_t count(std::string_view name,
-                        std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
-    std::int64_t integer(std::string_view name);
-    std::vector<double> numbers(std::string_view name); ///< finite
 
-    template <std::size_t N>
-    std::array<double, N> numbers_of(std::string_view name) {
-        std::array<double, N> out{};
-        const auto found = numbers(name);
-        if (found.size() == N)
-            std::copy(found.begin(), found.end(), out.begin());
-        else
-            fault(name, "must have " + std::to_string(N) + " numbers");
+    /// Reads a member of a type that a table may have.
+    template <class Value>
+    Value get(std::string_view name) {
+        Value out{};
+        if (const auto* value = find(name))
+            if (const std::string wrong = read_back(*value, out); !wrong.empty())
+                fault(name, wrong);
         return out;
     }
 
+    std::string text(std::string_view name);
     const nlohmann::json& list(std::string_view name);   ///< an array, empty on a fault
     const nlohmann::json& object(std::string_view name); ///< an object, empty on a fault
 

@@ -2,8 +2,7 @@
 #include "protocol/api/generated/family.hpp"
 
 #include "protocol/api/generated/limits.hpp"
-
-#include <nlohmann/json.hpp>
+#include "protocol/api/generated/names.hpp"
 
 namespace wakesurf::protocol {
 
@@ -33,14 +32,6 @@ void read(CheckedJson& in, FamilyMake& out) {
 void read(CheckedJson& in, FamilyRemove& out) {
     out.dataset = in.text("dataset", 256);
     out.name = in.some_text("name", 64);
-}
-
-nlohmann::json family_step_json(const core::FamilyStep& record) {
-    return {{"index", record.index},           {"time", record.time},
-            {"nodes", record.counts.nodes},    {"reached", record.counts.reached},
-            {"atRest", record.counts.at_rest}, {"obstacle", record.counts.obstacle},
-            {"lost", record.counts.lost},      {"outside", record.counts.outside},
-            {"range", record.counts.range}};
 }
 
 } // namespace wakesurf::protocol

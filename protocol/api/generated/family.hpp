@@ -2,12 +2,9 @@
 // Families of stream surfaces: what methods take. Readers leave what is wrong in `in`.
 #pragma once
 
-#include "core/surface/family/family_record.hpp"
 #include "core/surface/rake.hpp"
 #include "core/surface/surface_parameters.hpp"
 #include "protocol/api/base/checked_json.hpp"
-
-#include <nlohmann/json_fwd.hpp>
 
 #include <optional>
 #include <string>
@@ -62,7 +59,5 @@ struct FamilyRemove {
 
 void read(CheckedJson& in, FamilyMake& out);
 void read(CheckedJson& in, FamilyRemove& out);
-
-nlohmann::json family_step_json(const core::FamilyStep& record);
 
 } // namespace wakesurf::protocol

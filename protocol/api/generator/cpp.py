@@ -410,7 +410,7 @@ class Cpp(Writers):
             body += self.writers(shape) + [""]
         used = "\n".join(body)
         includes = ['#include "protocol/api/generated/limits.hpp"'] if "limits::" in used else []
-        includes += ['#include "protocol/api/generated/names.hpp"'] if "name(" in used or "= *found" in used else []
+        includes += ['#include "protocol/api/generated/names.hpp"'] if "name(" in used or "in.word(" in used else []
         includes += ['#include "protocol/api/base/colour_text.hpp"'] if "is_colour" in used else []
         includes += ['#include "core/surface/request/surface_values.hpp"'] if "check_rules" in used else []
         includes += ['#include "protocol/api/base/point_json.hpp"'] if "point_json" in used or "points_json" in used else []

@@ -39,7 +39,7 @@ bool in_trash(std::span<const JournalEntry> entries) {
     return std::any_of(entries.begin(), entries.end(), [](const JournalEntry& each) {
         if (each.type != "profile" || !each.record)
             return false;
-        const auto profile = protocol::read_profile(*each.record);
+        const auto profile = protocol::parse_profile(*each.record);
         return profile && profile->deleted;
     });
 }

@@ -1,5 +1,5 @@
 // A session beyond its life: to the journal, back from it, and as a copy.
-#include "protocol/api/messages_grant.hpp"
+#include "protocol/api/record_text.hpp"
 #include "server/service/limits.hpp"
 #include "server/service/session/session.hpp"
 
@@ -18,7 +18,7 @@ constexpr std::uint32_t restart_gap = 1u << 16;
 bool was_shared(const JournalEntry& entry) {
     if (entry.type != "grant" || !entry.record)
         return false;
-    const auto grant = protocol::read_grant(*entry.record);
+    const auto grant = protocol::parse_grant(*entry.record);
     return !grant || grant->copier.empty();
 }
 

@@ -85,7 +85,7 @@ std::optional<JournalEntry> ProfileKeeper::due() {
 }
 
 JournalEntry ProfileKeeper::entry() const {
-    return {"profile", "", protocol::profile_text(value_)};
+    return {"profile", "", protocol::record_text(value_)};
 }
 
 } // namespace wakesurf::server

@@ -2,7 +2,7 @@
 // used, whether it was ever edited.
 #pragma once
 
-#include "protocol/api/messages_session.hpp"
+#include "protocol/api/record_text.hpp"
 #include "server/service/base/journal.hpp"
 #include "server/service/base/unix_time.hpp"
 

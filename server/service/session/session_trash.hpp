@@ -4,7 +4,7 @@
 
 #include "core/base/memory_account.hpp"
 #include "core/base/result.hpp"
-#include "protocol/api/messages_session.hpp"
+#include "protocol/api/record_text.hpp"
 #include "server/service/base/journal.hpp"
 #include "server/service/base/loop.hpp"
 #include "server/service/base/unix_time.hpp"

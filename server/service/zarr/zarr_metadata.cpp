@@ -18,6 +18,8 @@ using nlohmann::json;
 
 namespace {
 
+using Counts = std::vector<std::uint64_t>;
+
 constexpr protocol::JsonLimits limits{std::size_t{64} << 20, 32};
 constexpr std::size_t most_axes = 8;
 constexpr std::uint64_t most_numbers = std::uint64_t{1} << 60; // of an array
@@ -25,16 +27,6 @@ constexpr std::uint64_t most_chunk_bytes = 0x7fffffff;         // c-blosc counts
 
 tl::unexpected<Error> unsupported(std::string what, std::string hint = {}) {
     return fail(Error::Code::Unsupported, std::move(what), std::move(hint));
-}
-
-std::vector<std::uint64_t> counts(protocol::JsonMembers& members, std::string_view name) {
-    std::vector<std::uint64_t> out;
-    for (const json& each : members.list(name))
-        if (each.is_number_unsigned())
-            out.push_back(each.get<std::uint64_t>());
-        else
-            members.fault(name, "must hold whole numbers");
-    return out;
 }
 
 Result<void> check_sizes(const ZarrArray& array) {
@@ -159,8 +151,8 @@ Result<ZarrArray> parse_zarr_2(std::string name, const json& array, const json& 
     protocol::JsonMembers members(array);
     ZarrArray out;
     out.name = std::move(name);
-    out.shape = counts(members, "shape");
-    out.chunks = counts(members, "chunks");
+    out.shape = members.get<Counts>("shape");
+    out.chunks = members.get<Counts>("chunks");
     const std::string order = members.text("order");
     if (const auto sound = members.verdict(); !sound)
         return tl::unexpected(sound.error());
@@ -195,12 +187,12 @@ Result<ZarrArray> parse_zarr_3(std::string name, const json& array) {
     protocol::JsonMembers members(array);
     ZarrArray out;
     out.name = std::move(name);
-    out.shape = counts(members, "shape");
+    out.shape = members.get<Counts>("shape");
     const json type = array.is_object() ? array.value("data_type", json()) : json();
     json grid;
     const bool regular = name_and_configuration(members.object("chunk_grid"), grid) == "regular";
     protocol::JsonMembers chunks(grid);
-    out.chunks = regular ? counts(chunks, "chunk_shape") : out.shape;
+    out.chunks = regular ? chunks.get<Counts>("chunk_shape") : out.shape;
     json key;
     const std::string encoding = name_and_configuration(members.object("chunk_key_encoding"), key);
     const json& codecs = members.list("codecs");

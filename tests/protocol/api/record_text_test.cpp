@@ -101,6 +101,25 @@ TEST(RecordText, ASurfaceFromBeforeMayHaveMoreFieldsThanOneIsAskedForWithNow) {
     EXPECT_EQ(parse_surface(record_text(record)).value(), record);
 }
 
+TEST(RecordText, HasOfPlacesAndLinksWhatIsSaid) {
+    const std::string digest(64, 'a');
+    const MembershipRecord place{"Ada", "#102030", "editor", "", digest};
+    EXPECT_EQ(record_text(place),
+              R"({"colour":"#102030","grant":"","name":"Ada","role":"editor","roleSet":true,)"
+              R"("sha256":")" +
+                  digest + "\"}");
+    EXPECT_EQ(*parse_membership(record_text(place)), place);
+    EXPECT_TRUE(parse_membership(R"({"name":"","colour":"","role":"","grant":"","sha256":""})"))
+        << "from before there was roleSet";
+    const GrantRecord link{"viewer", digest, 5, "Ada", {"g1"}, {{"p1", "viewer"}}, "g2"};
+    EXPECT_EQ(*parse_grant(record_text(link)), link);
+    for (const char* damaged : {"[]", R"({"role":"viewer"})", R"({"role":"viewer","sha256":7})",
+                                R"({"role":"viewer","sha256":"","expires":0.5})",
+                                R"({"role":"viewer","sha256":"","lineage":["g1",2]})",
+                                R"({"role":"viewer","sha256":"","lowered":{"p1":true}})"})
+        EXPECT_EQ(parse_grant(damaged).error().message, "a saved share link is damaged") << damaged;
+}
+
 TEST(RecordText, ALeaseIsNotKept) {
     std::mt19937_64 random(1);
     RakeRecord record = some_rake(random);

@@ -247,7 +247,7 @@ void Grants::leave(const std::string& id, GrantHolder& holder) {
 
 core::Result<void>
 Grants::restore(const std::string& session, const std::string& id, std::string_view record) {
-    const auto kept = protocol::read_grant(record);
+    const auto kept = protocol::parse_grant(record);
     if (!kept)
         return tl::unexpected(kept.error());
     const auto number = number_of(id, "g");
@@ -355,7 +355,7 @@ void Grants::keep(const Entry& entry) {
                                  grant.copier};
     for (const auto& [participant, role] : grant.lowered)
         record.lowered[participant] = name(role);
-    services_.journal->write(grant.session, {{"grant", grant.id, protocol::grant_text(record)}});
+    services_.journal->write(grant.session, {{"grant", grant.id, protocol::record_text(record)}});
 }
 
 } // namespace wakesurf::server

@@ -4,7 +4,7 @@
 
 #include "core/base/clock.hpp"
 #include "core/base/result.hpp"
-#include "protocol/api/messages_grant.hpp"
+#include "protocol/api/record_text.hpp"
 #include "server/service/base/entropy.hpp"
 #include "server/service/base/identity.hpp"
 #include "server/service/base/journal.hpp"

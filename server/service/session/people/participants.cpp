@@ -32,12 +32,12 @@ bool opens(const SecretDigest& token, const Participant& place) {
     return same_digest(place.token, token) || (place.former && same_digest(*place.former, token));
 }
 
-/// Takes over `value` where it was given and is another; the bit of what changed.
+/// Takes over a value where it was given and is another; the bit of what changed.
 template <class T>
-unsigned take(T& mine, const T& value, unsigned given, unsigned bit) {
-    if ((given & bit) == 0 || mine == value)
+unsigned take(std::optional<T>& mine, const protocol::Nullable<T>& now, unsigned bit) {
+    if (!now.given || mine == now.value)
         return 0;
-    mine = value;
+    mine = now.value;
     return bit;
 }
 
@@ -235,16 +235,15 @@ void Participants::forget(std::deque<Absent>::iterator going) {
         news_.left(gone.place.id);
 }
 
-void Participants::update(const Observer& observer, const protocol::PresenceChange& update) {
+void Participants::update(const Observer& observer, const protocol::PresenceUpdate& now) {
     for (Participant& each : present_) {
         if (each.observer != &observer)
             continue;
         protocol::Presence& mine = each.presence;
-        const protocol::Presence& now = update.values;
-        const unsigned changed = take(mine.pointer, now.pointer, update.given, member::pointer) |
-                                 take(mine.camera, now.camera, update.given, member::camera) |
-                                 take(mine.dragging, now.dragging, update.given, member::dragging) |
-                                 take(mine.selected, now.selected, update.given, member::selected);
+        const unsigned changed = take(mine.pointer, now.pointer, member::pointer) |
+                                 take(mine.camera, now.camera, member::camera) |
+                                 take(mine.dragging, now.dragging, member::dragging) |
+                                 take(mine.selected, now.selected, member::selected);
         if (changed != 0)
             news_.changed(each.id, changed);
         return;
@@ -353,9 +352,10 @@ std::size_t Participants::tell(const PresenceNews::Batch& batch) const {
 
 JournalEntry Participants::entry_of(const Participant& place, std::optional<std::int64_t> left) {
     return {"participant", place.id,
-            protocol::membership_text({place.name, place.colour, std::string(name(place.role)),
-                                       place.grant, digest_text(place.token), place.role_set, left,
-                                       place.former ? digest_text(*place.former) : std::string()})};
+            protocol::record_text(protocol::MembershipRecord{
+                place.name, place.colour, std::string(name(place.role)), place.grant,
+                digest_text(place.token), place.role_set, left,
+                place.former ? digest_text(*place.former) : std::string()})};
 }
 
 void Participants::keep(const Participant& place, std::optional<std::int64_t> left) {
@@ -384,7 +384,7 @@ void Participants::strike(const Participant& place) {
 }
 
 core::Result<void> Participants::restore(const std::string& id, std::string_view record) {
-    const auto kept = protocol::read_membership(record);
+    const auto kept = protocol::parse_membership(record);
     if (!kept)
         return tl::unexpected(kept.error());
     const auto role = role_named(kept->role);

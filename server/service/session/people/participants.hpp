@@ -80,7 +80,7 @@ class Participants {
     void lose(const Observer& observer);
 
     /// Sets new presence, and tells the others. Does nothing where the participant is not in here.
-    void update(const Observer& observer, const protocol::PresenceChange& update);
+    void update(const Observer& observer, const protocol::PresenceUpdate& update);
 
     /// Sets the role of a participant, which stays with the membership. REQUIRES: find(id).
     void set_role(const std::string& id, Role role);

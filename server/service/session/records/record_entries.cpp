@@ -114,7 +114,7 @@ void take_clock(const JournalEntry& entry, KeptRecords& into) {
 }
 
 void take_profile(const JournalEntry& entry, KeptRecords& into) {
-    auto profile = protocol::read_profile(*entry.record);
+    auto profile = protocol::parse_profile(*entry.record);
     if (!profile)
         return refuse(entry, std::move(profile.error()), into);
     into.profile = std::move(*profile);

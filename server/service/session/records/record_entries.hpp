@@ -3,7 +3,6 @@
 #pragma once
 
 #include "core/base/result.hpp"
-#include "protocol/api/messages_session.hpp"
 #include "protocol/api/record_text.hpp"
 #include "server/service/base/journal.hpp"
 #include "server/service/session/records/session_records.hpp"

@@ -84,10 +84,9 @@ struct ParticipantsTest : testing::Test {
         return protocol::participant_json(record, member::person | protocol::said(record.presence));
     }
 
-    static protocol::PresenceChange pointing(double x) {
-        protocol::PresenceChange update;
-        update.values.pointer = core::Vec3{x, 0.0, 0.0};
-        update.given = member::pointer;
+    static protocol::PresenceUpdate pointing(double x) {
+        protocol::PresenceUpdate update;
+        update.pointer = {true, core::Vec3{x, 0.0, 0.0}};
         return update;
     }
 
@@ -438,11 +437,10 @@ TEST_F(ParticipantsTest, TellsLessOftenWhereManyWouldHaveToBeToldOfMany) {
     loop.advance(seconds(2));
     for (Watcher& each : watchers)
         each.messages.clear();
-    protocol::PresenceChange update; // an entry of 1 KB: told every 50 ms, 80 MB a second
-    update.given = member::dragging;
-    update.values.dragging = {"", std::vector<core::Vec3>(limits::presence_points)};
+    protocol::PresenceUpdate update; // an entry of 1 KB: told every 50 ms, 80 MB a second
+    update.dragging = {true, {{"", std::vector<core::Vec3>(limits::presence_points)}}};
     for (int step = 0; step < 100; ++step) {
-        update.values.dragging->rake = "r" + std::to_string(step);
+        update.dragging.value->rake = "r" + std::to_string(step);
         for (Watcher& each : watchers)
             people.update(each, update);
         loop.advance(milliseconds(10));
