@@ -6,6 +6,7 @@ import { colourTable, fractionOf } from '../../web-client/src/scene/surface/colo
 import { steadyRange } from '../../web-client/src/scene/surface/steadyRange.ts';
 import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
 import { ask, screenshot } from './support/browser_page.ts';
+import { hueOf } from './support/look_facts.ts';
 import { useStand } from './support/stand.ts';
 
 type Rgb = [number, number, number];
@@ -16,18 +17,6 @@ let page: Page;
 beforeAll(async () => {
     page = await stand.visit();
 });
-
-/** Hue in degrees and how colourful, of an sRGB colour. */
-function hueOf([r, g, b]: readonly number[]): { hue: number; chroma: number } {
-    const [red, green, blue] = [r ?? 0, g ?? 0, b ?? 0];
-    const high = Math.max(red, green, blue);
-    const chroma = high - Math.min(red, green, blue);
-    if (chroma === 0) return { hue: 0, chroma };
-    let sector = (red - green) / chroma + 4;
-    if (high === red) sector = ((green - blue) / chroma + 6) % 6;
-    else if (high === green) sector = (blue - red) / chroma + 2;
-    return { hue: sector * 60, chroma };
-}
 
 function isBackground([r, g, b]: Rgb): boolean {
     return Math.max(Math.abs(r - 11), Math.abs(g - 16), Math.abs(b - 24)) <= 2;

@@ -255,12 +255,7 @@ TEST_F(ExodusSource, AFileCutOffFailsAtOnceOrWhenItIsRead) {
     expect_values(source->read(1, source->description().fields).value(), 1);
 }
 
-// Two cubes with a side set each, below; only one is called wall. The velocity is written as three scalars.
-void write_side_sets(const fs::path& file, bool moving_floor, int format = 0) {
-    int word = 8;
-    const int out = ex_create(file.c_str(), EX_CLOBBER | format, &word, &word);
-    ASSERT_GE(out, 0);
-    ASSERT_EQ(ex_put_init(out, "two cubes", 3, 12, 2, 1, 0, 2), 0);
+void put_nodes_of_two_cubes(int out) {
     std::vector<double> x;
     std::vector<double> y;
     std::vector<double> z;
@@ -270,6 +265,15 @@ void write_side_sets(const fs::path& file, bool moving_floor, int format = 0) {
         z.push_back(n / 6);
     }
     ASSERT_EQ(ex_put_coord(out, x.data(), y.data(), z.data()), 0);
+}
+
+// Two cubes with a side set each, below; only one is called wall. The velocity is written as three scalars.
+void write_side_sets(const fs::path& file, bool moving_floor, int format = 0) {
+    int word = 8;
+    const int out = ex_create(file.c_str(), EX_CLOBBER | format, &word, &word);
+    ASSERT_GE(out, 0);
+    ASSERT_EQ(ex_put_init(out, "two cubes", 3, 12, 2, 1, 0, 2), 0);
+    put_nodes_of_two_cubes(out);
     ASSERT_EQ(ex_put_block(out, EX_ELEM_BLOCK, 1, "HEX8", 2, 8, 0, 0, 0), 0);
     const int nodes[]{1, 2, 5, 4, 7, 8, 11, 10, 2, 3, 6, 5, 8, 9, 12, 11};
     ASSERT_EQ(ex_put_conn(out, EX_ELEM_BLOCK, 1, nodes, nullptr, nullptr), 0);
@@ -289,7 +293,7 @@ void write_side_sets(const fs::path& file, bool moving_floor, int format = 0) {
     for (int c = 0; c < 3; ++c) {
         std::vector<double> values;
         for (std::size_t n = 0; n < 12; ++n)
-            values.push_back(z[n] + (moving_floor ? 1 : 0));
+            values.push_back(static_cast<double>(n / 6) + (moving_floor ? 1 : 0)); // z, and more
         ASSERT_EQ(ex_put_var(out, 1, EX_NODAL, c + 1, 1, 12, values.data()), 0);
     }
     ASSERT_EQ(ex_close(out), 0);
@@ -324,15 +328,7 @@ void write_fluid_and_solid(const fs::path& file) {
     const int out = ex_create(file.c_str(), EX_CLOBBER, &word, &word);
     ASSERT_GE(out, 0);
     ASSERT_EQ(ex_put_init(out, "two blocks", 3, 12, 2, 2, 0, 0), 0);
-    std::vector<double> x;
-    std::vector<double> y;
-    std::vector<double> z;
-    for (int n = 0; n < 12; ++n) {
-        x.push_back(n % 3);
-        y.push_back(n / 3 % 2);
-        z.push_back(n / 6);
-    }
-    ASSERT_EQ(ex_put_coord(out, x.data(), y.data(), z.data()), 0);
+    put_nodes_of_two_cubes(out);
     const int nodes[2][8]{{1, 2, 5, 4, 7, 8, 11, 10}, {2, 3, 6, 5, 8, 9, 12, 11}};
     for (const int block : {1, 2}) {
         ASSERT_EQ(ex_put_block(out, EX_ELEM_BLOCK, block, "HEX8", 1, 8, 0, 0, 0), 0);

@@ -4,7 +4,6 @@
 #include "tests/importer/known_flow.hpp"
 
 #include <vtkFloatArray.h>
-#include <vtkXMLImageDataWriter.h>
 
 #include <cmath>
 #include <sstream>
@@ -40,15 +39,7 @@ class FieldCases : public Import {
         image->SetDimensions(9, 9, 9);
         image->SetSpacing(0.25, 0.25, 0.25);
         fill(*image);
-        auto stated = vtkSmartPointer<vtkDoubleArray>::New();
-        stated->SetName("TimeValue");
-        stated->InsertNextValue(time.value_or(0.0));
-        if (time)
-            image->GetFieldData()->AddArray(stated);
-        auto writer = vtkSmartPointer<vtkXMLImageDataWriter>::New();
-        writer->SetFileName((folder_ / name).c_str());
-        writer->SetInputData(image);
-        ASSERT_EQ(writer->Write(), 1);
+        write_timed_image(*image, folder_ / name, time);
     }
 
     Outcome command(std::vector<std::string> words) const {

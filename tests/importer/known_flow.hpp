@@ -8,14 +8,18 @@
 #include <vtkCellData.h>
 #include <vtkDataSet.h>
 #include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkPointData.h>
 #include <vtkRectilinearGrid.h>
 #include <vtkStructuredGrid.h>
 #include <vtkUnstructuredGrid.h>
+#include <vtkXMLImageDataWriter.h>
 
 #include <array>
 #include <cmath>
+#include <filesystem>
+#include <optional>
 #include <string>
 
 namespace wakesurf::tests {
@@ -130,6 +134,21 @@ inline vtkSmartPointer<vtkImageData> sample_image(int nx = 4, int ny = 5, int nz
     out->SetOrigin(-1.0, 0.5, 2.0);
     out->SetSpacing(0.5, 0.25, 1.0);
     return out;
+}
+
+/// States a time in the file only where one is given.
+inline void write_timed_image(vtkImageData& image,
+                              const std::filesystem::path& file,
+                              std::optional<double> time) {
+    auto stated = vtkSmartPointer<vtkDoubleArray>::New();
+    stated->SetName("TimeValue");
+    stated->InsertNextValue(time.value_or(0.0));
+    if (time)
+        image.GetFieldData()->AddArray(stated);
+    auto writer = vtkSmartPointer<vtkXMLImageDataWriter>::New();
+    writer->SetFileName(file.c_str());
+    writer->SetInputData(&image);
+    ASSERT_EQ(writer->Write(), 1);
 }
 
 inline vtkSmartPointer<vtkRectilinearGrid> sample_rectilinear() {

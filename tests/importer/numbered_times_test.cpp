@@ -3,8 +3,6 @@
 #include "tests/importer/import_fixture.hpp"
 #include "tests/importer/known_flow.hpp"
 
-#include <vtkXMLImageDataWriter.h>
-
 namespace wakesurf::importer::numbered_times_test {
 namespace {
 
@@ -15,15 +13,7 @@ class NumberedTimes : public Import {
     void write_image(const std::string& name, int step, std::optional<double> time = {}) const {
         auto image = sample_image();
         put_known_flow(*image, step);
-        auto stated = vtkSmartPointer<vtkDoubleArray>::New();
-        stated->SetName("TimeValue");
-        stated->InsertNextValue(time.value_or(0.0));
-        if (time)
-            image->GetFieldData()->AddArray(stated);
-        auto writer = vtkSmartPointer<vtkXMLImageDataWriter>::New();
-        writer->SetFileName((folder_ / name).c_str());
-        writer->SetInputData(image);
-        ASSERT_EQ(writer->Write(), 1);
+        write_timed_image(*image, folder_ / name, time);
     }
 
     void SetUp() override {

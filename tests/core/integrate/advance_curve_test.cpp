@@ -1,6 +1,7 @@
 #include "core/field/closed_forms.hpp"
 #include "core/integrate/runge_kutta_steps.hpp"
 #include "tests/support/curve_at_time.hpp"
+#include "tests/support/walled_flow.hpp"
 
 #include <gtest/gtest.h>
 
@@ -22,20 +23,6 @@ struct Unbounded {
     }
 
     PointStatus status(const Vec3&) const { return PointStatus::Inside; }
-};
-
-/// x >= 1 is outside, a ball of radius 0.25 at (0.5, 0, 0) is solid; the flow goes along x.
-struct Walled {
-    Vec3 velocity(const Vec3&, double) const { return {2.0, 0.0, 0.0}; }
-
-    Vec3 derivative(const Vec3&, double, const Vec3&) const { return Vec3(0.0); }
-
-    PointStatus status(const Vec3& p) const {
-        if (p.x > 1.0)
-            return PointStatus::OutsideDomain;
-        return glm::length(p - Vec3(0.5, 0, 0)) < 0.25 ? PointStatus::InObstacle
-                                                       : PointStatus::Inside;
-    }
 };
 
 template <class Field>
@@ -114,21 +101,23 @@ TEST(AdvanceCurve, AFrozenFieldStaysAtTheReleaseTime) {
 }
 
 TEST(AdvanceCurve, EndsExactlyAtTheDomainsBorder) {
-    const Curve curve = traced(Walled{}, {0.0, 0.9, 0.0}, 5.0, {.longest_step = 0.3});
+    const Curve curve = traced(tests::WalledFlow{}, {0.0, 0.9, 0.0}, 5.0, {.longest_step = 0.3});
     EXPECT_EQ(curve.end, CurveEnd::Domain);
     EXPECT_NEAR(curve.last.position.x, 1.0, 1e-12);
     EXPECT_NEAR(curve.last.time, 0.5, 1e-12);
 }
 
 TEST(AdvanceCurve, EndsAtAnObstacleItWouldStepAcross) {
-    const Curve curve = traced(Walled{}, {0.0, 0.0, 0.0}, 5.0, {.longest_step = 0.9});
+    const Curve curve = traced(tests::WalledFlow{}, {0.0, 0.0, 0.0}, 5.0, {.longest_step = 0.9});
     EXPECT_EQ(curve.end, CurveEnd::Obstacle);
     EXPECT_NEAR(curve.last.position.x, 0.25, 1e-12);
 }
 
 TEST(AdvanceCurve, ASeedInsideAnObstacleOrOutsideGoesNowhere) {
-    EXPECT_EQ(traced(Walled{}, {0.5, 0, 0}, 5.0, {.longest_step = 0.3}).end, CurveEnd::Obstacle);
-    EXPECT_EQ(traced(Walled{}, {1.5, 0, 0}, 5.0, {.longest_step = 0.3}).end, CurveEnd::Domain);
+    EXPECT_EQ(traced(tests::WalledFlow{}, {0.5, 0, 0}, 5.0, {.longest_step = 0.3}).end,
+              CurveEnd::Obstacle);
+    EXPECT_EQ(traced(tests::WalledFlow{}, {1.5, 0, 0}, 5.0, {.longest_step = 0.3}).end,
+              CurveEnd::Domain);
 }
 
 TEST(AdvanceCurve, StandingStillEndsTheCurve) {

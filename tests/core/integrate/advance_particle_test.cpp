@@ -1,5 +1,6 @@
 #include "core/field/advance_particles.hpp"
 #include "core/field/analytic_flow.hpp"
+#include "tests/support/walled_flow.hpp"
 
 #include <gtest/gtest.h>
 
@@ -59,20 +60,6 @@ double abc_error(const AdvanceOptions& options) {
     }
     return most;
 }
-
-/// x >= 1 is outside, a ball of radius 0.25 at (0.5, 0, 0) is solid; the flow goes along x.
-struct Walled {
-    Vec3 velocity(const Vec3&, double) const { return {2.0, 0.0, 0.0}; }
-
-    Vec3 derivative(const Vec3&, double, const Vec3&) const { return Vec3(0.0); }
-
-    PointStatus status(const Vec3& p) const {
-        if (p.x > 1.0)
-            return PointStatus::OutsideDomain;
-        return glm::length(p - Vec3(0.5, 0, 0)) < 0.25 ? PointStatus::InObstacle
-                                                       : PointStatus::Inside;
-    }
-};
 
 } // namespace
 
@@ -217,7 +204,7 @@ TEST(AdvanceParticle, OneThatTurnsOutOfTheDomainLeavesNoFurtherInsideThanItsStep
 TEST(AdvanceParticle, OneThatMeetsAnObstacleStopsAtItsWall) {
     for (const AdvanceOptions& options : {rk4(0.1), dopri5(1e-6)}) {
         ParticleState at{{Vec3(0.0), Vec3(0.0), Vec3(0.0)}, 0.0, CurveEnd::Running};
-        advance_particle(Walled{}, at, 5.0, options, false);
+        advance_particle(tests::WalledFlow{}, at, 5.0, options, false);
         EXPECT_EQ(at.end, CurveEnd::Obstacle);
         EXPECT_NEAR(at.carried.position.x, 0.25, 1e-11);
         EXPECT_NEAR(at.time, 0.125, 1e-11);

@@ -1,59 +1,18 @@
-// A session without sockets: a loop turned by hand, timers fired by hand, a flow with a closed form.
+// A session without sockets: a loop turned by hand, a flow with a closed form.
 #include "core/field/analytic_flow.hpp"
 #include "server/service/limits.hpp"
 #include "server/service/session/records/colours.hpp"
 #include "server/service/session/session_directory.hpp"
+#include "tests/support/server/hand_loop.hpp"
 
 #include <gtest/gtest.h>
 
-#include <condition_variable>
-#include <deque>
 #include <memory>
-#include <mutex>
 #include <set>
 
 namespace wakesurf::server::session_test {
 
 namespace {
-
-class HandLoop final : public Loop {
-  public:
-    void post(std::function<void()> task) override {
-        const std::lock_guard lock(mutex_);
-        tasks_.push_back(std::move(task));
-        posted_.notify_one();
-    }
-
-    std::shared_ptr<void> after(std::chrono::milliseconds, std::function<void()> task) override {
-        auto ticket = std::make_shared<std::function<void()>>(std::move(task));
-        timers_.push_back(ticket);
-        return ticket;
-    }
-
-    /// Runs tasks, waiting for them to be posted, until `done`.
-    void turn_until(const std::function<bool()>& done) {
-        while (!done()) {
-            std::unique_lock lock(mutex_);
-            posted_.wait(lock, [this] { return !tasks_.empty(); });
-            const auto task = std::move(tasks_.front());
-            tasks_.pop_front();
-            lock.unlock();
-            task();
-        }
-    }
-
-    void fire_timers() {
-        for (const auto& each : std::exchange(timers_, {}))
-            if (const auto task = each.lock())
-                (*task)();
-    }
-
-  private:
-    std::mutex mutex_;
-    std::condition_variable posted_;
-    std::deque<std::function<void()>> tasks_;
-    std::vector<std::weak_ptr<std::function<void()>>> timers_;
-};
 
 class OneFlow final : public Datasets {
   public:
@@ -121,7 +80,7 @@ protocol::SurfaceSetting surface_on(const std::string& rake) {
 
 class SessionTest : public testing::Test {
   protected:
-    HandLoop loop;
+    tests::HandLoop loop;
     ComputePool pool{2};
     OneFlow datasets;
     SystemEntropy entropy;
@@ -273,7 +232,7 @@ TEST_F(SessionTest, WaitsForTheSurfaceOrForTheTimeToRunOut) {
     ASSERT_EQ(answers.size(), 2u) << "what is complete is answered at once";
     live->wait(7, std::chrono::seconds(1), keep);
     EXPECT_EQ(answers.size(), 2u);
-    loop.fire_timers();
+    loop.pass(std::chrono::seconds(1));
     ASSERT_EQ(answers.size(), 3u);
     EXPECT_FALSE(answers[2]->complete) << "epoch 7 is not there";
     live->wait(8, std::chrono::seconds(1), keep);
