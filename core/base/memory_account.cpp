@@ -112,11 +112,11 @@ struct MemoryAccount::State {
     /// Sleeps until `more` fits, or the time is over. `stop` notifies as well.
     void sleep(std::size_t more, const std::stop_token& stop, Clock::time_point until) {
         for (;;) {
-            const auto seen = given_back.notifications();
+            const auto notified = given_back.notifications();
             const auto now = Clock::now();
             if (fits(more) || stop.stop_requested() || now >= until)
                 return;
-            given_back.wait(seen, until - now);
+            given_back.wait(notified, until - now);
         }
     }
 

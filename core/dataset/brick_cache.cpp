@@ -141,11 +141,11 @@ struct BrickCache::State {
         if (steps.size() <= most_tables)
             return;
         const BrickTable* oldest = nullptr;
-        std::uint64_t asked = asks;
+        std::uint64_t earliest = asks;
         for (const auto& [index, step] : steps)
-            if (step.asked != 0 && step.asked < asked && !held(step)) {
+            if (step.asked != 0 && step.asked < earliest && !held(step)) {
                 oldest = step.table.get();
-                asked = step.asked;
+                earliest = step.asked;
             }
         retired.next_epoch();
         for (std::size_t i = 0; oldest != nullptr && i < slots.size(); ++i)

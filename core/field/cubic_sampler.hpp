@@ -85,7 +85,7 @@ struct CubicSampler {
             return linear.velocity(p, t);
         const std::array<double, 4> share = shares(t);
         return sum(at, share, [&](std::size_t y, std::size_t z, const Vec3& value, const Vec3&) {
-            return at.axis[1].value[y] * at.axis[2].value[z] * value;
+            return at.weights[1].value[y] * at.weights[2].value[z] * value;
         });
     }
 
@@ -96,8 +96,8 @@ struct CubicSampler {
             return linear.derivative(p, t, w);
         const std::array<double, 4> share = shares(t);
         const Vec3 step = w / linear.grid->spacing;
-        const CubicWeights& in_y = at.axis[1];
-        const CubicWeights& in_z = at.axis[2];
+        const CubicWeights& in_y = at.weights[1];
+        const CubicWeights& in_z = at.weights[2];
         return sum(at, share,
                    [&](std::size_t y, std::size_t z, const Vec3& value, const Vec3& slope) {
                        const double across = step.y * in_y.slope[y] * in_z.value[z] +
@@ -131,7 +131,7 @@ struct CubicSampler {
   private:
     /// The nodes round a point: cell - 1 .. cell + 2 on each axis, as far as they exist.
     struct Stencil {
-        std::array<CubicWeights, 3> axis;
+        std::array<CubicWeights, 3> weights;
         std::array<std::size_t, 3> cell;
         std::array<std::size_t, 3> begin; ///< of the four
         std::array<std::size_t, 3> end;
@@ -193,7 +193,7 @@ struct CubicSampler {
         const bool smooth = linear.mask->empty() || !touches_solid(result);
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const double f = at.fraction[static_cast<int>(axis)];
-            CubicWeights& weights = result.axis[axis];
+            CubicWeights& weights = result.weights[axis];
             weights = smooth ? CubicWeights::catmull_rom(f) : CubicWeights::linear(f);
             if (result.begin[axis] == 1)
                 weights.miss(0);
@@ -248,8 +248,8 @@ struct CubicSampler {
                             const float* at_node = velocity_at(stored[i], at, x, y, z);
                             v += share[i] * Vec3(at_node[0], at_node[1], at_node[2]);
                         }
-                    value += at.axis[0].value[x] * v;
-                    slope += at.axis[0].slope[x] * v;
+                    value += at.weights[0].value[x] * v;
+                    slope += at.weights[0].slope[x] * v;
                 }
                 total += weigh(y, z, value, slope);
             }

@@ -22,10 +22,10 @@ struct Weighed {
 /// The first value, in the order of the sequence, beyond which no more than the last per cent lies.
 template <class Sequence>
 double without_last(const Sequence& sorted, double all) {
-    double beyond = 0.0;
+    double left = 0.0;
     for (const Weighed& each : sorted) {
-        beyond += each.weight;
-        if (beyond > left_out * all)
+        left += each.weight;
+        if (left > left_out * all)
             return each.value;
     }
     return sorted.begin()->value;

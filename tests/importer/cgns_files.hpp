@@ -96,7 +96,7 @@ write_zone(int file, const std::string& name, vtkUnstructuredGrid& grid, const B
     int section = 0;
     int sections = 0;
     const auto write_boundary = [&] {
-        const std::string name = "Floor" + std::to_string(sections++);
+        const std::string floor = "Floor" + std::to_string(sections++);
         std::vector<cgsize_t> nodes;
         std::vector<cgsize_t> offsets{0};
         for (cgsize_t i = 0; i < boundary.count; ++i) {
@@ -107,9 +107,9 @@ write_zone(int file, const std::string& name, vtkUnstructuredGrid& grid, const B
         }
         const cgsize_t last = next + boundary.count - 1;
         ok(boundary.mixed
-               ? cg_poly_section_write(file, 1, zone, name.c_str(), CGNS_ENUMV(MIXED), next, last,
+               ? cg_poly_section_write(file, 1, zone, floor.c_str(), CGNS_ENUMV(MIXED), next, last,
                                        0, nodes.data(), offsets.data(), &section)
-               : cg_section_write(file, 1, zone, name.c_str(), CGNS_ENUMV(QUAD_4), next, last, 0,
+               : cg_section_write(file, 1, zone, floor.c_str(), CGNS_ENUMV(QUAD_4), next, last, 0,
                                   nodes.data(), &section));
         next = last + 1;
     };

@@ -143,8 +143,9 @@ class NoValue : public Import {
             const bool there = flow->status(places[i]) == core::PointStatus::Inside && !gap[i];
             EXPECT_EQ(there, places[i].z <= border) << i;
             EXPECT_EQ(std::isnan(q[i]), !there) << i;
-            if (there)
+            if (there) {
                 EXPECT_NEAR(q[i], 1.0 + places[i].z, 1e-5) << i;
+            }
         }
         const core::Rake rake{core::Rake::Kind::Line, {{0.1, 0.3, 1.6}, {0.1, 0.9, 1.65}}, 9};
         const auto surface = core::build_surface(

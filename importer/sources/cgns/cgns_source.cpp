@@ -225,10 +225,10 @@ class CgnsSource final : public SeriesSource<std::optional<double>> {
             if (!block)
                 return tl::unexpected(block.error());
             scale_points(**block, survey.units.coordinates);
-            std::string place;
+            std::string path;
             for (const auto& part : leaf.path)
-                place += "/" + part;
-            zones.push_back({std::move(place), std::move(*block)});
+                path += "/" + part;
+            zones.push_back({std::move(path), std::move(*block)});
         }
         if (zones.empty())
             return core::fail(Error::Code::Unsupported, name + " holds no three-dimensional cells",

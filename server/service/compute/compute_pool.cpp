@@ -91,7 +91,7 @@ WorkerThreads::Rules long_rules(unsigned cores) {
 } // namespace
 
 struct ComputePool::State {
-    explicit State(unsigned threads) : cores(threads) {}
+    explicit State(unsigned count) : cores(count) {}
 
     /// All loops together use as many threads as there are cores.
     struct Threads {

@@ -36,7 +36,7 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
     struct Events {
         std::function<void(const SurfaceProgress&)> progress;
         std::function<void(const SurfaceOutcome&)> done;
-        std::function<void(const SurfaceRanges&)> ranges; ///< may be empty
+        std::function<void(const SurfaceRanges&)> ranges{}; ///< may be empty
     };
 
     /// Refers to the parts of the server that it uses, which outlive it.

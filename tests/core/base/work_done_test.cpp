@@ -141,8 +141,9 @@ TEST(WorkDone, NeverStandsStillWhileASurfaceMovesNorRunsBackward) {
             EXPECT_EQ(work.time(), to);
             EXPECT_EQ(work.quads(), surface->statistics.quads);
             for (std::size_t i = 1; i < clock.times.size(); ++i) {
-                if (clock.times[i - 1])
+                if (clock.times[i - 1]) {
                     EXPECT_GE(std::abs(*clock.times[i]), std::abs(*clock.times[i - 1]));
+                }
             }
             EXPECT_GT(
                 std::ranges::count_if(

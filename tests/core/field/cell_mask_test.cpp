@@ -13,7 +13,9 @@ using Nodes = std::array<std::uint32_t, 3>;
 
 /// Solid boxes, which may reach beyond the grid; some grids have none, some no fluid.
 SolidMask random_boxes(const Nodes& n, std::mt19937& random) {
-    const auto below = [&](std::uint32_t end) { return random() % end; };
+    const auto below = [&](std::uint32_t end) {
+        return static_cast<std::uint32_t>(random() % end);
+    };
     SolidMask mask;
     mask.fluid.assign(std::size_t{n[0]} * n[1] * n[2], 1);
     for (std::uint32_t box = below(4); box > 0; --box) {

@@ -216,7 +216,7 @@ TEST(EvenLines, StayWhereTheyAreAsTheSurfaceGrows) {
 }
 
 TEST(EvenLines, HaveOneAtLeastWhereverTheParameterLies) {
-    for (const auto [low, high] :
+    for (const auto& [low, high] :
          {std::pair{3.0, 5.0}, {-5.0, 5.0}, {-7.1, -7.0}, {1e6, 1e6 + 1e-3}, {0.0, 1e-9}}) {
         QuadComplex mesh = fan(8);
         for (double& t : mesh.t)

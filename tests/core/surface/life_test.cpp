@@ -77,8 +77,9 @@ TEST(Life, CutsAStreakSurfaceThatTurnsToASectorWhoseLastRowIsJustAsOld) {
     EXPECT_NEAR(oldest(surface.mesh, 6.0), life, 1e-9);
     for (std::size_t v = 0; v < surface.mesh.vertices(); ++v) {
         const Vec3 x = surface.mesh.position[v];
-        if (surface.mesh.approximated[v] == 0)
+        if (surface.mesh.approximated[v] == 0) {
             ASSERT_NEAR(std::abs(std::atan2(x.y, x.x)), 6.0 - surface.mesh.t[v], 1e-6);
+        }
     }
     EXPECT_NEAR(area(surface.mesh), 0.5 * (4.0 - 1.0) * life, 2e-3 * 1.95);
 }

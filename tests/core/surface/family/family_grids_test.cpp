@@ -74,8 +74,9 @@ TEST(FamilyGrids, CarryTheScalarOfAPlaneUpstreamAndDownstream) {
             reached += inside > 0.0 ? 1 : 0;
             EXPECT_EQ(std::isfinite(field->values[i]), inside > 0.0)
                 << p.x << ' ' << p.y << ' ' << p.z;
-            if (inside > 0.0)
+            if (inside > 0.0) {
                 EXPECT_NEAR(field->values[i], met.z, 1e-5);
+            }
         }
         EXPECT_GT(reached, node_count(grid) / 4);
     }

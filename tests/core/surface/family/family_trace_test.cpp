@@ -123,10 +123,12 @@ TEST(FamilyTrace, HasTheValuesOfTheClosedFormsAndTheirErrorFallsWithTheTolerance
             request.accuracy = accuracy;
             const auto field = value_of(carried(*flow, grid, request));
             const double error = worst(field, grid, each.expected);
-            if (accuracy == Accuracy::Balanced)
+            if (accuracy == Accuracy::Balanced) {
                 EXPECT_LE(error, std::max(0.3 * before, 1e-5));
-            if (accuracy == Accuracy::Exact)
+            }
+            if (accuracy == Accuracy::Exact) {
                 EXPECT_LT(error, 5e-6); // a float of 10 has roundings of 5e-7
+            }
             before = error;
             const FamilyCounts& n = field.counts;
             EXPECT_EQ(n.nodes, n.reached + n.at_rest + n.obstacle + n.lost + n.outside);
@@ -168,10 +170,12 @@ TEST(FamilyTrace, HasNoValueWhereStreamlinesCloseAndCountsThem) {
         const double r = std::hypot(p.x, p.y);
         still += r == 0.0 ? 1 : 0;
         closed += r > 0.0 && r < 9.999 ? 1 : 0;
-        if (r < 9.999)
+        if (r < 9.999) {
             EXPECT_TRUE(std::isnan(field.values[i]));
-        if (r > 10.001)
+        }
+        if (r > 10.001) {
             EXPECT_NEAR(field.values[i], p.z, 1e-6);
+        }
     }
     EXPECT_EQ(field.counts.at_rest, still);
     EXPECT_GE(field.counts.lost, closed);

@@ -84,9 +84,10 @@ TEST(PairedTriangles, KeepAClosedSurfaceClosed) {
         const auto euler = static_cast<long>(mesh.vertices()) - static_cast<long>(edges_of(mesh)) +
                            static_cast<long>(mesh.cells.size());
         EXPECT_EQ(euler, 2) << times;
-        if (times > 2)
+        if (times > 2) {
             EXPECT_LT(mesh.cells.size(), 0.62 * static_cast<double>(soup.triangles.size()))
                 << "most are pairs";
+        }
     }
     EXPECT_NEAR(area_of(quads_of(ball(5))), 4.0 * std::numbers::pi, 0.05);
 }

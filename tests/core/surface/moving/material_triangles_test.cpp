@@ -213,7 +213,7 @@ TEST(MaterialTriangles, StaySoundWhateverIsDoneToThem) {
             if (!triangles[t].live)
                 continue;
             const VertexId gone = triangles[t].begin(k), kept = triangles[t].end(k);
-            const unsigned choice = random() % 100;
+            const auto choice = random() % 100;
             bool boundary_moved = false;
             if (choice < 2) {
                 triangles.tear(t);
