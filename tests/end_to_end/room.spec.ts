@@ -17,11 +17,7 @@ const drawnRakes = (): Promise<string[]> => ask(page, (hook) => hook.rakes.map((
 const displayed = (): Promise<number> => ask(page, (hook) => hook.allDisplayed.length);
 
 /** What the server has sent of surfaces so far, in frames. */
-async function sent(): Promise<number> {
-    const { origin } = new URL(stand.server.link);
-    const answer = await fetch(`${origin}/metrics`, { headers: { Authorization: `Bearer ${stand.server.token}` } });
-    return Number(/^wakesurf_stage_seconds_count\{stage="send"\} (\d+)/m.exec(await answer.text())![1]);
-}
+const sent = (): Promise<number> => stand.metric('wakesurf_stage_seconds_count{stage="send"}');
 
 const size = { width: 1440, height: 900 };
 /** Of all tests after which it is as before. */

@@ -32,6 +32,14 @@ export class Stand {
         return page;
     }
 
+    /** A number of the server's metrics. @param name  with its labels */
+    async metric(name: string): Promise<number> {
+        const { origin } = new URL(this.server.link);
+        const answer = await fetch(`${origin}/metrics`, { headers: { Authorization: `Bearer ${this.server.token}` } });
+        const line = (await answer.text()).split('\n').find((each) => each.startsWith(`${name} `));
+        return Number(line!.slice(name.length));
+    }
+
     async close(): Promise<void> {
         await closePages();
         await this.server?.stop();
