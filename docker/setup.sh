@@ -4,7 +4,6 @@
 
 release=$root/build/release
 web=$root/web-client
-vtk='' # where VTK's headers are, unless the system has them
 
 say() { printf '%s\n' "$*" >&2; }
 
@@ -54,7 +53,7 @@ setup_packages() {
     [ "${WAKESURF_PACKAGES:-}" = present ] && return
     # Asked for first, in sight: sudo may want a password.
     "$root/docker/install_packages" "$@" >&2
-    vtk=$("$root/docker/unpack_vtk" "$root/build/vtk") || {
+    "$root/docker/unpack_vtk" "$root/build/vtk" >>"$log" || {
         say "VTK's headers could not be downloaded: install libvtk9-dev by hand, then start again"
         return 1
     }
@@ -86,29 +85,19 @@ setup_web() {
 
 cached() { sed -n "s/^$2:[A-Z]*=//p" "$1/CMakeCache.txt" 2>/dev/null; }
 
-# configure PRESET TESTS: ON adds the tests; OFF leaves a tree that already has them alone, so that ./run after
-# ./check rebuilds nothing.
+# configure PRESET: `release`, or `tested`, which adds the tests. Both have build/release, where the tests stay once they are there, so that ./run
+# after ./check rebuilds nothing.
 configure() {
-    local tree=$root/build/$1 tests=$2
-    [ "$(cached "$tree" WAKESURF_TESTS)" = ON ] && tests=ON
-    local home
-    home=$(cached "$tree" CMAKE_HOME_DIRECTORY)
-    [ -n "$home" ] && [ "$home" != "$root" ] && rm -rf "$tree"
-    if [ -f "$tree/build.ninja" ] && [ "$(cached "$tree" WAKESURF_TESTS)" = "$tests" ] &&
-        [ "$(cached "$tree" CMAKE_PREFIX_PATH)" = "$vtk" ] &&
-        [ ! "$root/CMakePresets.json" -nt "$tree/CMakeCache.txt" ]; then
+    local preset=$1 tests=OFF home
+    [ "$(cached "$release" WAKESURF_TESTS)" != ON ] || preset=tested
+    [ "$preset" = release ] || tests=ON
+    home=$(cached "$release" CMAKE_HOME_DIRECTORY)
+    [ -z "$home" ] || [ "$home" = "$root" ] || rm -rf "$release"
+    if [ -f "$release/build.ninja" ] && [ "$(cached "$release" WAKESURF_TESTS)" = "$tests" ] &&
+        [ ! "$root/CMakePresets.json" -nt "$release/CMakeCache.txt" ]; then
         return
     fi
     # --fresh: what CMake remembers of packages that have gone since then is wrong.
-    (cd "$root" && stage "configuring $1" \
-        cmake --fresh --preset "$1" -DWAKESURF_TESTS="$tests" -DCMAKE_PREFIX_PATH="$vtk") || return 1
-    touch "$tree/CMakeCache.txt"
-}
-
-# build PRESET TESTS [TARGET...]
-build() {
-    local preset=$1 tests=$2
-    shift 2
-    configure "$preset" "$tests" || return 1
-    stage "building $preset" cmake --build "$root/build/$preset" --target "$@"
+    (cd "$root" && stage "configuring" cmake --fresh --preset "$preset") || return 1
+    touch "$release/CMakeCache.txt"
 }

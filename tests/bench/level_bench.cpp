@@ -6,7 +6,7 @@
 #include "server/service/levels/level_sets.hpp"
 #include "tests/bench/benchmarks.hpp"
 #include "tests/bench/support/quantiles.hpp"
-#include "tests/support/places.hpp"
+#include "tests/support/programs.hpp"
 #include "tests/support/scalar_store.hpp"
 
 #include <benchmark/benchmark.h>

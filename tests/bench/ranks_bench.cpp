@@ -6,7 +6,7 @@
 #include "store/store_generation.hpp"
 #include "tests/bench/benchmarks.hpp"
 #include "tests/bench/support/interleaved.hpp"
-#include "tests/support/places.hpp"
+#include "tests/support/programs.hpp"
 #include "tests/support/ranks_of_job.hpp"
 #include "tests/support/read_bricks.hpp"
 

@@ -1,7 +1,7 @@
 // Manual page and completion: made from the declarations that --help shows, so that nothing can be missing or stale.
 #include "command/manual_page.hpp"
 #include "server/cli/shell_completion.hpp"
-#include "tests/support/places.hpp"
+#include "tests/support/programs.hpp"
 
 #include <CLI/CLI.hpp>
 #include <gtest/gtest.h>

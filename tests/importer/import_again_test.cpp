@@ -1,7 +1,7 @@
 // Imports into a store that is there: finished, interrupted, damaged, of a source that changed or grew.
 #include "tests/importer/import_fixture.hpp"
 #include "tests/support/mask_bytes.hpp"
-#include "tests/support/places.hpp"
+#include "tests/support/programs.hpp"
 
 #include <fcntl.h>
 #include <signal.h>

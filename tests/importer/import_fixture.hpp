@@ -6,6 +6,7 @@
 #include "store/store_manifest.hpp"
 #include "store/store_reader.hpp"
 #include "tests/support/places.hpp"
+#include "tests/support/programs.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/vti_text.hpp"
 

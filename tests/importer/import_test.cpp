@@ -1,7 +1,7 @@
 // What wakesurf-import makes of good sources.
 #include "importer/step_conversion.hpp"
 #include "tests/importer/import_fixture.hpp"
-#include "tests/support/places.hpp"
+#include "tests/support/programs.hpp"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>

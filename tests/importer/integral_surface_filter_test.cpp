@@ -1,6 +1,7 @@
 // wakesurf::vtk beside the command line, on the bundled simulation: the same points of all four kinds; and which time-steps it asks for.
 #include "importer/filter/vtkIntegralSurface.h"
 #include "tests/support/places.hpp"
+#include "tests/support/programs.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>

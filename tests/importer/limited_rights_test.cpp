@@ -1,7 +1,7 @@
 #include "importer/base/limited_rights.hpp"
 #include "importer/base/process_memory.hpp"
 #include "tests/importer/import_fixture.hpp"
-#include "tests/support/places.hpp"
+#include "tests/support/programs.hpp"
 
 #include <fcntl.h>
 #include <seccomp.h>

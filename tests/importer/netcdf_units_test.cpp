@@ -3,7 +3,7 @@
 #include "importer/sources/open_source.hpp"
 #include "tests/importer/import_fixture.hpp"
 #include "tests/importer/netcdf_files.hpp"
-#include "tests/support/places.hpp"
+#include "tests/support/programs.hpp"
 
 #include <sstream>
 

@@ -2,7 +2,7 @@
 #include "importer/base/own_output.hpp"
 #include "tests/importer/cgns_files.hpp"
 #include "tests/importer/import_fixture.hpp"
-#include "tests/support/places.hpp"
+#include "tests/support/programs.hpp"
 
 #include <sys/wait.h>
 

@@ -1,6 +1,6 @@
 // The same surface on any machine: what is in memory, and how much of it there may be, decides nothing.
 #include "server/service/catalogue/child_process.hpp"
-#include "tests/support/places.hpp"
+#include "tests/support/programs.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // `wakesurf bench` starts the program beside it, whatever that is, or says what is missing.
 #include "server/service/catalogue/child_process.hpp"
-#include "tests/support/places.hpp"
+#include "tests/support/programs.hpp"
 
 #include <gtest/gtest.h>
 

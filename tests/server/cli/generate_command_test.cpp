@@ -4,7 +4,7 @@
 #include "store/store_manifest.hpp"
 #include "store/store_reader.hpp"
 #include "tests/support/mask_bytes.hpp"
-#include "tests/support/places.hpp"
+#include "tests/support/programs.hpp"
 #include "tests/support/server/running_program.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/value_of.hpp"

@@ -1,5 +1,5 @@
 // A server whose output nobody takes any more, and the signals of a terminal that is closed.
-#include "tests/support/places.hpp"
+#include "tests/support/programs.hpp"
 #include "tests/support/server/raw_socket.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -2,7 +2,7 @@
 // each other, whatever the engine does to get there.
 #include "core/base/vec3.hpp"
 #include "server/service/catalogue/child_process.hpp"
-#include "tests/support/places.hpp"
+#include "tests/support/programs.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/vtp_arrays.hpp"
 

@@ -1,6 +1,6 @@
 // What a server does where other people of the machine, or the reader of its output, could get in its way.
 #include "server/service/base/private_file.hpp"
-#include "tests/support/places.hpp"
+#include "tests/support/programs.hpp"
 #include "tests/support/server/server_process.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/value_of.hpp"

@@ -1,5 +1,5 @@
 // `wakesurf serve` with arguments it cannot serve: one line on standard error, and the right exit status.
-#include "tests/support/places.hpp"
+#include "tests/support/programs.hpp"
 #include "tests/support/value_of.hpp"
 
 #include <gtest/gtest.h>

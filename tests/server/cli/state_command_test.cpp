@@ -1,6 +1,6 @@
 // `wakesurf state`: the sessions a server keeps are checked, backed up and restored from outside, also while it runs.
 #include "server/service/catalogue/child_process.hpp"
-#include "tests/support/places.hpp"
+#include "tests/support/programs.hpp"
 #include "tests/support/server/server_process.hpp"
 #include "tests/support/server/websocket_client.hpp"
 #include "tests/support/temporary_folder.hpp"

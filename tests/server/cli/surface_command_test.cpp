@@ -1,7 +1,7 @@
 // `wakesurf surface` as its user meets it: a process with an exit status, messages and files.
 #include "server/service/catalogue/child_process.hpp"
 #include "tests/support/mesh_readers.hpp"
-#include "tests/support/places.hpp"
+#include "tests/support/programs.hpp"
 #include "tests/support/server/running_program.hpp"
 #include "tests/support/value_of.hpp"
 #include "tests/support/vtp_arrays.hpp"

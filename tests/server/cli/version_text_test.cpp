@@ -6,6 +6,7 @@
 #include "server/service/journal/state_layout.hpp"
 #include "store/store_manifest.hpp"
 #include "tests/support/places.hpp"
+#include "tests/support/programs.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>

@@ -1,6 +1,6 @@
 #include "server/rpc/import_waiters.hpp"
 #include "server/service/limits.hpp"
-#include "tests/support/places.hpp"
+#include "tests/support/programs.hpp"
 #include "tests/support/server/hand_loop.hpp"
 #include "tests/support/slow_series.hpp"
 

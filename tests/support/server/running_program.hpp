@@ -1,7 +1,7 @@
 // A command of the program under test while it runs, and how it ends at a signal.
 #pragma once
 
-#include "tests/support/places.hpp"
+#include "tests/support/programs.hpp"
 
 #include <signal.h>
 #include <sys/types.h>

@@ -1,6 +1,6 @@
 #include "tests/support/server/server_process.hpp"
 
-#include "tests/support/places.hpp"
+#include "tests/support/programs.hpp"
 
 #include <fcntl.h>
 #include <poll.h>

@@ -2,7 +2,7 @@
 #include "core/field/sample_scalar.hpp"
 #include "tests/server/service/bricks/bricks_fixture.hpp"
 #include "tests/support/brick_store.hpp"
-#include "tests/support/places.hpp"
+#include "tests/support/programs.hpp"
 #include "tests/support/ranks_of_job.hpp"
 
 #include <signal.h>

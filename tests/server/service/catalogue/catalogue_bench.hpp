@@ -3,7 +3,7 @@
 
 #include "server/service/catalogue/dataset_catalogue.hpp"
 #include "server/service/catalogue/import_process.hpp"
-#include "tests/support/places.hpp"
+#include "tests/support/programs.hpp"
 #include "tests/support/slow_series.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -2,6 +2,7 @@
 #include "store/store_manifest.hpp"
 #include "tests/server/service/catalogue/catalogue_bench.hpp"
 #include "tests/support/places.hpp"
+#include "tests/support/programs.hpp"
 #include "tests/support/slow_series.hpp"
 #include "tests/support/vti_text.hpp"
 

@@ -4,7 +4,7 @@
 #include "server/service/catalogue/open_dataset.hpp"
 #include "server/service/catalogue/surface_scalars.hpp"
 #include "tests/support/brick_store.hpp"
-#include "tests/support/places.hpp"
+#include "tests/support/programs.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The server with --state as its clients see it: restarts, a disk that refuses for a while, a second server.
-#include "tests/support/places.hpp"
+#include "tests/support/programs.hpp"
 #include "tests/support/server/server_process.hpp"
 #include "tests/support/server/websocket_client.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -1,6 +1,6 @@
 // Records that a start cannot use: they are kept, no one works with them unawares, and people are told.
 #include "server/service/catalogue/child_process.hpp"
-#include "tests/support/places.hpp"
+#include "tests/support/programs.hpp"
 #include "tests/support/server/server_process.hpp"
 #include "tests/support/server/websocket_client.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -6,7 +6,7 @@
 #include "server/service/levels/level_sets.hpp"
 #include "tests/support/cell_meshes.hpp"
 #include "tests/support/mesh_borders.hpp"
-#include "tests/support/places.hpp"
+#include "tests/support/programs.hpp"
 #include "tests/support/scalar_store.hpp"
 #include "tests/support/server/hand_clock.hpp"
 

@@ -3,7 +3,7 @@
 #include "server/service/catalogue/child_process.hpp"
 #include "server/service/catalogue/open_dataset.hpp"
 #include "server/service/web/dataset_disk.hpp"
-#include "tests/support/places.hpp"
+#include "tests/support/programs.hpp"
 #include "tests/support/server/delaying_proxy.hpp"
 #include "tests/support/server/nginx.hpp"
 #include "tests/support/server/scripted_web_server.hpp"
