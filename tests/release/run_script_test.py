@@ -11,7 +11,7 @@ import unittest
 from real_server import BINARY, write_program
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-STEPS = ("begin_setup", "announce", "setup_packages", "setup_npm", "build", "setup_web", "end_setup")
+STEPS = ("begin_setup", "announce", "setup_packages", "setup_npm", "configure", "stage", "setup_web", "end_setup")
 
 
 class RunScriptTest(unittest.TestCase):

@@ -1,4 +1,4 @@
-"""Uses a server for hours as people do, and prints its memory over time: tests/python/soak.py [SECONDS] [WAKESURF]
+"""Uses a server for hours as people do, and prints its memory over time: PYTHONPATH=tests/python tests/release/soak.py [SECONDS] [WAKESURF]
 
 Each of a few people makes a session, edits rakes and surfaces of all kinds, plays, exports, probes, and deletes it again. From time to
 time all pause, for long enough that the server gives back what it has freed. Prints a line of CSV then: seconds, resident MiB

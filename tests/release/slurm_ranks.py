@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The server and its ranks as a job of Slurm's, by examples/bricks.sbatch, on two nodes that are this machine.
 
-    tests/some python/slurm_ranks
+    tests/some release/slurm_ranks
 
 Not part of ./check, for it wants Debian's slurm-wlm and munge. It prints what it measured."""
 import os

@@ -72,12 +72,11 @@ class ReleaseTest(Repository):
         for path in FILES[:6]:
             self.assertIn("7.8.9", self.text_of(path), path)
         self.assertEqual(self.text_of("web-client/package-lock.json").count("7.8.9"), 2)
-        self.assertEqual(self.text_of("check.calls"), "\n--only packages\n")
+        self.assertEqual(self.text_of("check.calls"), "full\n")
         self.assertIn("\nVERSION=7.8.9\n", self.said("packaging/version"))
 
     def test_a_red_check_releases_nothing_and_puts_everything_back(self):
-        self.assert_refused("7.8.9", because="./check is red", red="")
-        self.assert_refused("7.8.9", because="./check --only packages is red", red="--only packages")
+        self.assert_refused("7.8.9", because="./check full is red", red="full")
 
     def test_a_version_that_is_not_newer_is_refused(self):
         self.assert_refused(self.old, because="is not newer than")
