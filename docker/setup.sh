@@ -77,6 +77,7 @@ web_fingerprint() {
 
 setup_web() {
     local stamp=$root/build/web-client.sha256 now
+    "$root/protocol/api/generate" --build || return 1
     now=$(web_fingerprint)
     [ -f "$web/dist/index.html" ] && [ -f "$stamp" ] && [ "$(cat "$stamp")" = "$now" ] && return
     stage "web client" npm --prefix "$web" run build || return 1

@@ -1,8 +1,5 @@
 #!/usr/bin/env python3
-"""What is made from protocol/api/*.schema.json is what protocol/api/generate makes of it today.
-
-Needs clang-format, jsonschema and, for TypeScript, prettier. Run it alone with: python3 tests/lint/api_test.py
-"""
+"""protocol/api/*.schema.json and what is made from them: docs/api.md is up to date, examples are right, mistakes are refused."""
 import copy
 import os
 import re
@@ -61,10 +58,8 @@ class TheDescription(unittest.TestCase):
     def setUpClass(cls):
         cls.api = schema.load()
 
-    def test_is_what_all_that_is_made_from_it_says(self):
-        made = outputs.make(self.api)
-        other = [path for path, text in made.items() if outputs.kept(path) != text] + outputs.left_over(made)
-        self.assertEqual(other, [], "run protocol/api/generate")
+    def test_is_what_the_document_made_from_it_says(self):
+        self.assertEqual(outputs.kept(outputs.CHECKED_IN), outputs.make(self.api)[outputs.CHECKED_IN], "run protocol/api/generate")
 
     def test_is_named_in_backticks_by_all_that_is_said(self):
         methods = {each.name for each in self.api.methods}
@@ -72,14 +67,8 @@ class TheDescription(unittest.TestCase):
         files = subprocess.run(["git", "ls-files", "command/*.cpp", "core/*.cpp", "importer/*.cpp", "protocol/*.cpp", "store/*.cpp", "server/*.cpp"], cwd=ROOT, check=True,
                                stdout=subprocess.PIPE, text=True).stdout.split()
         for path in files:
-            if "/generated/" not in path:
-                with open(os.path.join(ROOT, path), encoding="utf-8") as file:
-                    self.assertEqual(list(bare_methods(file.read(), methods)), [], path)
-
-    def test_makes_no_file_that_is_longer_than_a_file_may_be(self):
-        for path, text in outputs.make(self.api).items():
-            if path.endswith((".cpp", ".hpp", ".ts")):
-                self.assertLessEqual(text.count("\n"), 500, path)
+            with open(os.path.join(ROOT, path), encoding="utf-8") as file:
+                self.assertEqual(list(bare_methods(file.read(), methods)), [], path)
 
     def test_has_an_example_of_every_method_that_its_schemas_allow(self):
         self.assertEqual(list(example_faults(self.api)), [])

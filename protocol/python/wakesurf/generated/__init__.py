@@ -1,1 +1,0 @@
-"""Made by protocol/api/generate from protocol/api/*.schema.json: do not edit."""
