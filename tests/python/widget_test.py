@@ -9,10 +9,7 @@ import types
 import unittest
 from unittest import mock
 
-try:
-    import traitlets
-except ImportError as missing:
-    raise unittest.SkipTest("not installed: Debian's python3-traitlets") from missing
+import traitlets
 
 from real_server import RealServer
 import wakesurf
