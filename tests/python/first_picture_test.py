@@ -16,19 +16,6 @@ FRONT = -0.5  # of the square cylinder, along x
 KINDS = ("stream", "path", "streak", "time")
 
 
-def quads_of(file):
-    """Corners of each polygon of an .obj file, as triangles of points."""
-    points, triangles = [], []
-    with open(file, encoding="ascii") as lines:
-        for line in lines:
-            if line.startswith("v "):
-                points.append([float(each) for each in line.split()[1:4]])
-            elif line.startswith("f "):
-                corners = [int(each.split("/")[0]) - 1 for each in line.split()[1:]]
-                triangles += [(corners[0], corners[i], corners[i + 1]) for i in range(1, len(corners) - 1)]
-    return np.array(points)[np.array(triangles)]
-
-
 def share_behind(triangles, front):
     """The part of the area whose triangles lie downstream of the front."""
     a, b, c = triangles[:, 0], triangles[:, 1], triangles[:, 2]
@@ -48,12 +35,15 @@ class FirstPictureTest(unittest.TestCase):
 
     def test_half_of_each_surface_lies_downstream_of_the_front_of_the_body(self):
         for kind in KINDS:
-            out = os.path.join(self.folder.name, f"{kind}.obj")
+            out = os.path.join(self.folder.name, f"{kind}.vtp")
             made = subprocess.run([BINARY, "surface", DATA, "--kind", kind, "--store", self.store, "-o", out],
                                   capture_output=True, text=True, check=True)
             self.assertIn("without --rake: The rake is ahead of a body", made.stderr)
             self.assertNotIn("coarsened", made.stderr)
-            self.assertGreaterEqual(share_behind(quads_of(out), FRONT), 0.5, kind)
+            with open(out, "rb") as file:
+                mesh = wakesurf.Mesh.from_vtp(file.read())
+            self.assertIn(f": {len(mesh.polygons)} quads, ", made.stdout)
+            self.assertGreaterEqual(share_behind(mesh.points[mesh.triangles()], FRONT), 0.5, kind)
 
     def test_a_script_is_suggested_what_the_command_line_takes(self):
         server = RealServer(DATA, "--store", self.store)

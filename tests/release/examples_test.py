@@ -1,11 +1,9 @@
-"""The examples of the documents, as they stand there: only the address of the server is another."""
+"""The examples of the client's own documents, as they stand there: only the address of the server is another."""
 import ast
 import contextlib
 import io
 import os
 import re
-import shlex
-import subprocess
 import tempfile
 import textwrap
 import unittest
@@ -73,12 +71,6 @@ class ExamplesTest(unittest.TestCase):
         self.assertGreater(int(printed.strip().split("\n")[-1]), 100)
         self.assertEqual(files, {"wake.vtp": b"<?xm"})
 
-    def test_that_of_the_first_page(self):
-        (block,) = fenced("README.md")
-        printed, files = self.run_example(block)
-        self.assertGreater(int(printed.split()[0]), 100)
-        self.assertEqual(files, {"wake.vtp": b"<?xm"})
-
     def test_that_of_the_protocol(self):
         (block,) = fenced("protocol/README.md")
         printed, _ = self.run_example(block)
@@ -97,20 +89,6 @@ class ExamplesTest(unittest.TestCase):
             del os.environ["WAKESURF"]
         self.assertEqual(len(study), 4)
         self.assertIn("'separation': 0.05, 'accuracy': 'exact'", study[3])
-
-    def test_the_command_lines_of_the_first_page(self):
-        lines = re.findall(r"^build/release/bin/(wakesurf surface .*)$", text_of("README.md"), re.M)
-        self.assertEqual(len(lines), 2)
-        with tempfile.TemporaryDirectory() as folder:
-            os.symlink(os.path.join(ROOT, "data"), os.path.join(folder, "data"))
-            for words in map(shlex.split, lines):
-                ran = subprocess.run([BINARY, *words[1:], "--store", os.path.join(folder, "store")], cwd=folder,
-                                     stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=120)
-                self.assertEqual(ran.returncode, 0, ran.stderr)
-                with open(os.path.join(folder, words[words.index("-o") + 1]), "rb") as file:
-                    mesh = wakesurf.Mesh.from_vtp(file.read())
-                self.assertGreater(len(mesh.polygons), 100)
-                self.assertIn(f" {len(mesh.polygons)} quads", ran.stdout)
 
 
 if __name__ == "__main__":
