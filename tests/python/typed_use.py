@@ -1,4 +1,4 @@
-"""A script as people write it, for mypy --strict (./check --only lint): its types are those of the client. It is not run."""
+"""A script as people write it, for mypy --strict (tests/lint/style mypy): its types are those of the client. It is not run."""
 from __future__ import annotations
 
 import asyncio

@@ -1,8 +1,5 @@
 #!/usr/bin/env python3
-"""What docker/Dockerfile copies is there, and .dockerignore lets it through; every room the build names is copied.
-
-Standard library only. Run it alone with: python3 tests/lint/image_test.py
-"""
+"""What docker/Dockerfile copies is there, and .dockerignore lets it through; every room the build names is copied."""
 import os
 import re
 import unittest

@@ -29,14 +29,6 @@ class Site(unittest.TestCase):
                                   capture_output=True, text=True, check=False)
             self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
 
-    def test_pages_of_users_have_one_title_and_no_page_is_empty(self):
-        for path in files():
-            if path.startswith("docs/") and path.endswith(".md"):
-                prose = re.sub(r"^```.*?^```$", "", text_of(path), flags=re.S | re.M)
-                with self.subTest(path):
-                    self.assertEqual(len(re.findall(r"^# ", prose, re.M)), 1)
-                    self.assertGreater(len(prose.split()), 40)
-
 
 class TheLinkCheck(unittest.TestCase):
     def faults(self, **pages):
