@@ -93,27 +93,25 @@ TEST_F(Processors, AreRefusedWithoutATimeInCommon) {
     EXPECT_EQ(open_openfoam(at("")).error().code, Error::Code::Unsupported);
 }
 
-/// A cavity of 6^3 cells that OpenFOAM 1912 (blockMesh, decomposePar, icoFoam on two processors) computed and wrote.
 TEST_F(Processors, OfARunThatWasKilledWhileItWroteOpenWithTheTimesThatAllHave) {
-    const fs::path run = at("run");
-    fs::create_directories(run);
-    fs::copy(tests::source_folder() / "tests/importer/openfoam_run", run,
-             fs::copy_options::recursive);
-    const auto times = [&] { return (*open_openfoam(run / "run.foam"))->description().times; };
-    EXPECT_EQ(times(), (std::vector<double>{33.05, 33.1, 33.15}));
+    const auto mesh = foam_block_mesh({});
+    for (const auto& part : decompose(mesh))
+        put(part, false, "processor" + std::to_string(part.part));
+    using Times = std::vector<double>;
+    EXPECT_EQ(open()->description().times, (Times{0.0, 0.5, 10.0}));
 
-    const auto killed = fs::file_size(run / "processor1/33.15/U") / 2;
-    fs::resize_file(run / "processor1/33.15/U", killed);
-    const auto source = open_openfoam(run / "run.foam");
-    ASSERT_TRUE(source) << source.error().message;
-    EXPECT_EQ((*source)->description().times, (std::vector<double>{33.05, 33.1}));
-    EXPECT_NE((*source)->description().note.find("time 33.15 is left out: "), std::string::npos)
-        << (*source)->description().note;
-    const auto step = (*source)->read(1, (*source)->description().fields);
+    const auto half_written = at("processor1/1e1/U");
+    fs::resize_file(half_written, fs::file_size(half_written) / 2);
+    const auto source = open();
+    EXPECT_EQ(source->description().times, (Times{0.0, 0.5}));
+    EXPECT_NE(source->description().note.find("time 1e1 is left out: "), std::string::npos)
+        << source->description().note;
+    const auto step = source->read(1, source->description().fields);
     ASSERT_TRUE(step) << step.error().message;
+    expect_values(*step, 1, mesh.cells.size());
 
-    fs::remove_all(run / "processor1/33.15");
-    EXPECT_EQ(times(), (std::vector<double>{33.05, 33.1}));
+    fs::remove_all(at("processor1/1e1"));
+    EXPECT_EQ(open()->description().times, (Times{0.0, 0.5}));
 }
 
 } // namespace

@@ -9,12 +9,16 @@ namespace wakesurf::tests {
 
 namespace {
 
+constexpr const char* banner = "/*----*- C++ -*----*\\\n"
+                               "| \\\\    /   O peration |\n"
+                               "\\*-----------------*/\n";
+
 std::string header(const std::string& type, const std::string& object, bool binary) {
-    return "FoamFile\n{\n    version     2.0;\n" +
+    return banner + std::string("FoamFile\n{\n    version     2.0;\n") +
            std::string(
                binary ? "    format      binary;\n    arch        \"LSB;label=32;scalar=64\";\n"
                       : "    format      ascii;\n") +
-           "    class       " + type + ";\n    object      " + object + ";\n}\n\n";
+           "    class       " + type + ";\n    object      " + object + ";\n}\n// * * * //\n\n";
 }
 
 template <class T>
