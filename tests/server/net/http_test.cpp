@@ -59,9 +59,10 @@ TEST_F(Http, GivesThePageAndItsFilesToAnybodyWithAStrictPolicy) {
 
 TEST_F(Http, NeverLeavesTheFolderOfThePage) {
     for (const char* target :
-         {"/../secret.txt", "/assets/../../secret.txt", "/%2e%2e/secret.txt", "/..%2fsecret.txt",
-          "//secret.txt", "/assets/..%5c..%5csecret.txt", "/./../secret.txt",
-          "/assets/%00/../../secret.txt", "/etc/passwd", "/../../../../../../etc/passwd"}) {
+         {"/../secret.txt", "/assets/../../secret.txt", "/%2e%2e/secret.txt",
+          "/%252e%252e/secret.txt", "/..%2fsecret.txt", "//secret.txt",
+          "/assets/..%5c..%5csecret.txt", "/./../secret.txt", "/assets/%00/../../secret.txt",
+          "/etc/passwd", "/../../../../../../etc/passwd"}) {
         const HttpReply reply = get(target, server_->bearer());
         EXPECT_TRUE(reply.status == 404 || reply.status == 400) << target << " " << reply.status;
         EXPECT_FALSE(holds(reply.body, "secret\n")) << target;

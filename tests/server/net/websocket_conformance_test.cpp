@@ -1,5 +1,4 @@
-// RFC 6455 over raw sockets. Beast reads frames, and its own tests go through all of the standard: here is
-// one case of each of its rules, to show that they hold on our connections, and all that is ours: parts and
+// RFC 6455 over raw sockets. Beast reads frames, and its own tests go through all of the standard: here is what is ours: parts and
 // limits of messages, what is answered, how the bytes are cut up on the way. server.ping answers with the id
 // of the call, which makes it the echo of such tests.
 #include "tests/support/server/server_suite.hpp"
@@ -54,36 +53,18 @@ std::string in_fragments(const std::string& payload, std::size_t size) {
 const std::string goodbye = frame(fin | closing, close_payload(1000));
 const std::string too_long(65537, ' ');
 
-/// The rules of the standard, which Beast keeps.
+/// What Beast answers: that its answers get past our writes.
 const std::vector<Case> rules{
-    {"a_length_in_more_bytes_than_it_needs", frame(fin | text, "{}", Length::Two), {"close 1002"}},
     {"a_frame_without_mask", std::string("\x81\x02{}", 4), {"close 1002"}},
-    {"the_longest_ping",
-     frame(fin | ping, std::string(125, '*')),
-     {"pong " + std::string(125, '*')}},
-    {"a_ping_that_is_too_long", frame(fin | ping, std::string(126, 'p')), {"close 1002"}},
-    {"a_pong_that_no_one_asked_for", frame(fin | pong, "unsolicited"), {}},
     {"a_reserved_bit_after_a_call",
      whole(call("a")) + frame(fin | 0x40 | text, "{}") + frame(fin | ping, ""),
      {"echo? a", "close 1002"}},
-    {"an_unknown_opcode_within_a_message", frame(text, "{") + frame(fin | 3, "x"), {"close 1002"}},
-    {"an_unknown_opcode_of_control", frame(fin | 11, ""), {"close 1002"}},
-    {"a_continuation_of_nothing", frame(fin | continuation, "{}"), {"close 1002"}},
-    {"a_message_within_a_message", frame(text, "{") + whole(call("b")), {"close 1002"}},
-    {"a_ping_in_fragments", frame(ping, "x") + frame(fin | continuation, "y"), {"close 1002"}},
-    {"UTF_8_of_four_bytes_in_fragments_of_one",
-     in_fragments(call("\xf4\x8f\xbf\xbf"), 1),
-     {"echo \xf4\x8f\xbf\xbf"}},
+    {"the_longest_ping",
+     frame(fin | ping, std::string(125, '*')),
+     {"pong " + std::string(125, '*')}},
     {"a_surrogate", whole(call("\xed\xa0\x80")), {"close 1007"}},
-    {"no_UTF_8_in_a_message_that_has_not_ended", frame(text, "\"\xff"), {"close 1007"}},
-    {"UTF_8_that_is_cut_off_at_the_end", whole("\"\xe2\x82"), {"close 1007"}},
     {"a_close_without_a_code", frame(fin | closing, ""), {"close 1000"}},
-    {"a_close_of_one_byte", frame(fin | closing, "\x03"), {"close 1002"}},
     {"a_close_with_a_code_of_ours", frame(fin | closing, close_payload(4999)), {"close 4999"}},
-    {"a_close_with_a_code_that_is_none", frame(fin | closing, close_payload(1005)), {"close 1002"}},
-    {"a_close_whose_reason_is_no_UTF_8",
-     frame(fin | closing, close_payload(1000, "\xce\xba\xff")),
-     {"close 1002"}},
 };
 
 /// What we do with messages that Beast has read.

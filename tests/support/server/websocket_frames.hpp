@@ -16,13 +16,9 @@ inline constexpr int closing = 8;
 inline constexpr int ping = 9;
 inline constexpr int pong = 10;
 
-enum class Length { Shortest, Two, Eight };
-
 /// Returns the head of a masked frame that announces `size` bytes; `first` is its whole first byte.
-inline std::string head(int first, std::uint64_t size, Length length = Length::Shortest) {
-    if (length == Length::Shortest && size >= 126)
-        length = size < 65536 ? Length::Two : Length::Eight;
-    const int extra = length == Length::Shortest ? 0 : length == Length::Two ? 2 : 8;
+inline std::string head(int first, std::uint64_t size) {
+    const int extra = size < 126 ? 0 : size < 65536 ? 2 : 8;
     const auto seven_bits = extra == 0 ? size : extra == 2 ? 126u : 127u;
     std::string bytes{static_cast<char>(first), static_cast<char>(0x80 | seven_bits)};
     for (int i = extra - 1; i >= 0; --i)
@@ -31,9 +27,9 @@ inline std::string head(int first, std::uint64_t size, Length length = Length::S
 }
 
 /// Returns a masked frame.
-inline std::string frame(int first, const std::string& payload, Length length = Length::Shortest) {
+inline std::string frame(int first, const std::string& payload) {
     const std::string mask("\x37\xfa\x21\x3d", 4);
-    std::string bytes = head(first, payload.size(), length);
+    std::string bytes = head(first, payload.size());
     for (std::size_t i = 0; i < payload.size(); ++i)
         bytes += static_cast<char>(payload[i] ^ mask[i % 4]);
     return bytes;
