@@ -1,17 +1,15 @@
 // Updates of a streak surface of 100,000 vertices, decoded by Chromium's worker.
-#include "core/surface/moving/moving_surface.hpp"
 #include "protocol/wire/mesh_stream.hpp"
 #include "server/service/base/shipped_files.hpp"
 #include "server/service/catalogue/child_process.hpp"
 #include "tests/bench/benchmarks.hpp"
+#include "tests/bench/support/grown_streak.hpp"
 #include "tests/bench/support/sampled_flows.hpp"
 
 #include <benchmark/benchmark.h>
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -21,52 +19,16 @@ namespace wakesurf::bench {
 
 namespace decode_bench {
 
-constexpr double wanted_vertices = 100'000;
 constexpr int updates = 12;
 constexpr double target_million_vertices = 8.0;
 
-void must(const core::Result<void>& done) {
-    if (!done)
-        throw std::runtime_error(done.error().message);
-}
-
-/// A streak surface in the slow ABC flow when nine tenths of its time are over, or when it is large enough.
-core::MovingSurface streak(double separation) {
-    static const core::SteadyClock clock;
-    const SampledFlow& sampled = sampled_slow_abc();
-    const double end = static_cast<double>(SampledFlow::period) * sampled.interval;
-    core::SurfaceParameters p;
-    p.kind = core::SurfaceKind::Streak;
-    p.from = 0.0;
-    p.to = end;
-    p.separation = separation;
-    p.accuracy = core::Accuracy::Fast;
-    const core::Rake rake{core::Rake::Kind::Line, {{0.7, 2.0, 3.0}, {5.5, 4.0, 3.5}}, 16};
-    auto surface =
-        core::MovingSurface::start(core::plan_surface(*sampled.flow, rake, p).value(), {}, clock);
-    if (!surface)
-        throw std::runtime_error(surface.error().message);
-    while (surface->time() < 0.9 * end &&
-           static_cast<double>(surface->state().mesh.vertices.used()) < wanted_vertices)
-        must(surface->step(surface->end_time(), {}));
-    return std::move(*surface);
-}
-
-core::MovingSurface large_streak() {
-    double separation = 2.0 * sampled_slow_abc().spacing();
-    while (true) {
-        auto surface = streak(separation);
-        const auto vertices = static_cast<double>(surface.state().mesh.vertices.used());
-        if (vertices >= 0.9 * wanted_vertices)
-            return surface;
-        separation *= std::max(0.3, 0.95 * std::sqrt(vertices / wanted_vertices));
-    }
-}
-
 /// Frames as they go over the wire, each behind its length: a KEY, then one update a step.
 void write_frames(const std::filesystem::path& file) {
-    core::MovingSurface surface = large_streak();
-    protocol::MeshStream stream(1, 1, protocol::lattice_over(sampled_slow_abc().flow->domain()));
+    const SampledFlow& sampled = sampled_slow_abc();
+    const core::Rake rake{core::Rake::Kind::Line, {{0.7, 2.0, 3.0}, {5.5, 4.0, 3.5}}, 16};
+    core::MovingSurface surface = grown_streak(
+        *sampled.flow, rake, 0.0, static_cast<double>(SampledFlow::period) * sampled.interval);
+    protocol::MeshStream stream(1, 1, protocol::lattice_over(sampled.flow->domain()));
     std::ofstream out(file, std::ios::binary);
     for (int i = 0; i <= updates; ++i) {
         const auto update = stream.next(surface.mesh(), {.phase = protocol::Phase::Live,
@@ -78,7 +40,7 @@ void write_frames(const std::filesystem::path& file) {
             out.write(reinterpret_cast<const char*>(&size), sizeof size);
             out.write(reinterpret_cast<const char*>(frame->data()), size);
         }
-        must(surface.step(surface.end_time(), {}));
+        step(surface);
     }
 }
 

@@ -63,7 +63,7 @@ void measure(benchmark::State& state,
              const std::string& dataset,
              const Setting& setting,
              double (*one)(EditedSurface&)) {
-    const LiveServer server(dataset);
+    const LiveServer server({dataset, "--log-level", "error"});
     EditedSurface surface(server.address(), setting.quads, setting.seeds);
     std::vector<double> times;
     for (auto _ : state) {

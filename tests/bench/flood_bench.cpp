@@ -87,7 +87,7 @@ int download_often(const ServerAddress& address, const std::string& path) {
 }
 
 void measure(benchmark::State& state, const std::string& dataset) {
-    const LiveServer server(dataset);
+    const LiveServer server({dataset, "--log-level", "error"});
     EditedSurface light(server.address(), quads, 200);
     EditedSurface watched(server.address(), quads, 200); // in the session the link is for
     ServerAddress by_link = server.address();

@@ -1,19 +1,21 @@
 // A server in a control group of 512 MB beside tenants who take all they are granted: whether it lives, how much memory it
 // holds beside what it may, and how long a session with a small surface waits for its edits meanwhile.
-#include "server/service/base/shipped_files.hpp"
 #include "tests/bench/benchmarks.hpp"
 #include "tests/bench/edited_surface.hpp"
 #include "tests/bench/load/hostile_tenants.hpp"
 #include "tests/bench/load/memory_group.hpp"
-#include "tests/bench/load/process_usage.hpp"
 #include "tests/bench/support/quantiles.hpp"
 
 #include <benchmark/benchmark.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <exception>
+#include <fstream>
+#include <stdexcept>
+#include <string>
 #include <thread>
 
 namespace wakesurf::bench {
@@ -78,6 +80,15 @@ Edits edit(EditedSurface& surface, Clock::duration time) {
     return times;
 }
 
+/// Throws std::runtime_error if there is no such process.
+std::size_t resident_bytes(pid_t process) {
+    std::ifstream file("/proc/" + std::to_string(process) + "/statm");
+    std::size_t total = 0, resident = 0;
+    if (!(file >> total >> resident) || resident == 0) // 0: it has ended, and was not waited for
+        throw std::runtime_error("the server's process has ended");
+    return resident * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+}
+
 /// The most memory a process was seen to hold.
 class PeakMemory {
   public:
@@ -85,7 +96,7 @@ class PeakMemory {
         : thread_([this, process](const std::stop_token& stop) {
               try {
                   for (; !stop.stop_requested(); std::this_thread::sleep_for(look))
-                      bytes_ = std::max(bytes_.load(), usage_of(process).resident_bytes);
+                      bytes_ = std::max(bytes_.load(), resident_bytes(process));
               } catch (const std::exception&) {
                   gone_ = true;
               }
@@ -103,20 +114,21 @@ class PeakMemory {
 
 void measure(benchmark::State& state, const std::string& dataset, int seconds) {
     const MemoryGroup group(group_bytes);
-    std::vector<std::string> arguments;
+    std::vector<std::string> arguments{"flow:tornado", dataset, "--log-level", "error"};
     if (!group.there()) {
         std::fprintf(stderr,
                      "hostile: no control group (%s): the server is held by --memory alone\n",
                      group.why().c_str());
-        arguments = {"--memory", std::to_string(static_cast<std::size_t>(part * group_bytes))};
+        arguments.insert(
+            arguments.end(),
+            {"--memory", std::to_string(static_cast<std::size_t>(part * group_bytes))});
     }
-    LiveServer server({"flow:tornado", dataset}, arguments,
-                      [&](const auto& program) { return group.command(program); });
+    const LiveServer server(std::move(arguments), group.launcher());
     EditedSurface light(server.address(), small_quads, 200);
     const auto alone = edit(light, alone_for);
     const double budget = part * static_cast<double>(group_bytes);
     for (auto _ : state) {
-        const PeakMemory peak(server.process());
+        const PeakMemory peak(server.pid());
         Edits beside;
         bool lost = false;
         std::size_t refused = 0, downloads = 0, edits = 0;

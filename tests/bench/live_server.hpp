@@ -1,49 +1,25 @@
-// The program `wakesurf` beside this one as a server process on a port of its own, and a well-behaved
+// The program `wakesurf` as a server process on a port of its own, and a well-behaved
 // blocking client of it, for benchmarks of the whole path.
 #pragma once
 
 #include "protocol/wire/bytes.hpp"
+#include "tests/support/server/server_process.hpp"
 
 #include <nlohmann/json_fwd.hpp>
-#include <sys/types.h>
 
-#include <filesystem>
-#include <functional>
-#include <future>
 #include <memory>
-#include <stop_token>
 #include <string>
-#include <thread>
-#include <vector>
 
 namespace wakesurf::bench {
 
 struct ServerAddress {
     std::string host, port, token;
-    std::string url; ///< as a browser opens it
 };
 
-/// Serves one dataset until destroyed. Throws std::runtime_error if the process ends instead of serving.
-class LiveServer {
-  public:
-    explicit LiveServer(const std::string& dataset);
+struct LiveServer : tests::ServerProcess {
+    using ServerProcess::ServerProcess;
 
-    /// Returns the words that start a program: its path, or another program that becomes it.
-    using Launch = std::function<std::vector<std::string>(const std::filesystem::path& program)>;
-
-    /// Serves several datasets, with further arguments.
-    LiveServer(const std::vector<std::string>& datasets,
-               const std::vector<std::string>& arguments,
-               const Launch& launch);
-
-    const ServerAddress& address() const { return address_; }
-
-    pid_t process() const { return pid_; }
-
-  private:
-    ServerAddress address_;
-    pid_t pid_ = -1;
-    std::jthread process_;
+    ServerAddress address() const { return {"127.0.0.1", std::to_string(port()), token()}; }
 };
 
 /// A WebSocket. Every call blocks; throws std::runtime_error for an error answer or a lost connection.

@@ -1,6 +1,5 @@
 #include "core/surface/builder/surface_builder.hpp"
 #include "tests/bench/benchmarks.hpp"
-#include "tests/bench/deviation/deviation.hpp"
 #include "tests/bench/support/interleaved.hpp"
 #include "tests/bench/support/one_core.hpp"
 #include "tests/bench/vtk/stream_surface.hpp"
@@ -11,8 +10,6 @@
 #include <stdexcept>
 
 namespace wakesurf::bench {
-
-using core::Vec3;
 
 namespace stream_surface_vs_vtk_bench {
 
@@ -136,37 +133,6 @@ const std::vector<Times>& times() {
     return all;
 }
 
-std::vector<Vec3> centroids(const core::QuadComplex& mesh) {
-    std::vector<Vec3> all;
-    for (const core::Cell& cell : mesh.cells) {
-        Vec3 sum(0.0);
-        for (const core::VertexId id : cell.corner)
-            sum += 0.25 * mesh.position[id];
-        all.push_back(sum);
-    }
-    return all;
-}
-
-std::vector<Vec3> centroids(const Triangles& mesh) {
-    std::vector<Vec3> all;
-    for (const auto& [a, b, c] : mesh.corner)
-        all.push_back((mesh.position[a] + mesh.position[b] + mesh.position[c]) / 3.0);
-    return all;
-}
-
-void report(benchmark::State& state,
-            const DenseReference& reference,
-            const char* what,
-            const std::vector<Vec3>& points) {
-    const SampledFlow& sampled = sampled_tornado();
-    const Deviation d = deviation(reference, points, sampled.grid.bounds(), sampled.spacing());
-    const std::string name = what;
-    state.counters[name + "_mean_cells"] = d.mean;
-    state.counters[name + "_p99_cells"] = d.p99;
-    state.counters[name + "_max_cells"] = d.max;
-    state.counters[name + "_border_max_cells"] = d.border_max;
-}
-
 void measure_time(benchmark::State& state, std::size_t which) {
     for (auto _ : state) {
         const Match& m = matches()[which];
@@ -198,23 +164,6 @@ void measure_time(benchmark::State& state, std::size_t which) {
     }
 }
 
-void measure_deviation(benchmark::State& state, std::size_t which) {
-    const Match& m = matches()[which];
-    double longest_time = 0.0;
-    for (const Match& each : matches())
-        longest_time = std::max(longest_time, each.parameters.to);
-    static const DenseReference reference(
-        *sampled_tornado().flow, rake(32), 0.0,
-        {longest_time, arc_in_cells * sampled_tornado().spacing()});
-    for (auto _ : state) {
-        report(state, reference, "vertex", m.result.position);
-        report(state, reference, "centroid", centroids(m.result));
-        report(state, reference, "vtk_vertex", m.vtk_result.position);
-        report(state, reference, "vtk_centroid", centroids(m.vtk_result));
-        state.counters["reference_columns"] = static_cast<double>(reference.columns());
-    }
-}
-
 } // namespace stream_surface_vs_vtk_bench
 
 void register_stream_surface_benchmarks() {
@@ -225,12 +174,6 @@ void register_stream_surface_benchmarks() {
             [i](benchmark::State& state) { measure_time(state, i); })
             ->Unit(benchmark::kMillisecond)
             ->UseManualTime()
-            ->Iterations(1);
-    for (std::size_t i = 0; i < std::size(sizes); ++i)
-        benchmark::RegisterBenchmark(
-            (std::string("stream_surface_vs_vtk/deviation/") + sizes[i].name).c_str(),
-            [i](benchmark::State& state) { measure_deviation(state, i); })
-            ->Unit(benchmark::kSecond)
             ->Iterations(1);
 }
 

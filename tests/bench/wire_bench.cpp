@@ -1,13 +1,11 @@
 // What a surface of 100,000 quads costs on the wire: bytes of each update beside raw floats and beside a whole Draco mesh, and the
 // time to encode and to decode it on one core.
-#include "core/surface/builder/surface_builder.hpp"
-#include "core/surface/moving/moving_surface.hpp"
-#include "core/surface/playback/growing_mesh.hpp"
 #include "protocol/wire/mesh_decoder.hpp"
 #include "protocol/wire/mesh_frame.hpp"
 #include "protocol/wire/mesh_stream.hpp"
 #include "tests/bench/benchmarks.hpp"
 #include "tests/bench/support/draco_mesh.hpp"
+#include "tests/bench/support/grown_streak.hpp"
 #include "tests/bench/support/interleaved.hpp"
 #include "tests/bench/support/one_core.hpp"
 #include "tests/bench/support/sampled_flows.hpp"
@@ -25,12 +23,10 @@ namespace wakesurf::bench {
 
 namespace wire_bench {
 
-constexpr double wanted_vertices = 100'000;
 constexpr int updates = 12;
 constexpr double raw_bytes = 16.0; ///< a vertex: float32 position and speed
 constexpr double target_move_percent_of_raw = 8.0;
 constexpr double target_move_percent_of_draco = 60.0;
-constexpr double target_append_percent_of_raw = 13.0;
 constexpr double target_encode_million_vertices = 6.0;
 
 /// A flow, and a rake in it whose surfaces are worth sending.
@@ -76,49 +72,6 @@ Scene abc_scene() {
             {core::Rake::Kind::Line, {{0.7, 2.0, 3.0}, {5.5, 4.0, 3.5}}, 16},
             0.0,
             static_cast<double>(SampledFlow::period) * sampled.interval};
-}
-
-core::SurfaceParameters parameters(const Scene& scene, core::SurfaceKind kind, double separation) {
-    core::SurfaceParameters p;
-    p.kind = kind;
-    p.from = scene.from;
-    p.to = scene.to;
-    p.separation = separation;
-    p.accuracy = core::Accuracy::Fast;
-    return p;
-}
-
-void step(core::MovingSurface& surface) {
-    if (const auto stepped = surface.step(surface.end_time(), {}); !stepped)
-        throw std::runtime_error(stepped.error().message);
-}
-
-/// A streak surface that has about `vertices` when nine tenths of the time are over, then.
-core::MovingSurface streak(const Scene& scene, double separation, double vertices) {
-    static const core::SteadyClock clock;
-    auto surface = core::MovingSurface::start(
-        core::plan_surface(*scene.flow, scene.rake,
-                           parameters(scene, core::SurfaceKind::Streak, separation))
-            .value(),
-        {}, clock);
-    if (!surface)
-        throw std::runtime_error(surface.error().message);
-    while (surface->time() < scene.from + 0.9 * (scene.to - scene.from) &&
-           static_cast<double>(surface->state().mesh.vertices.used()) < vertices)
-        step(*surface);
-    return std::move(*surface);
-}
-
-/// Separation shrinks until the surface is large enough.
-core::MovingSurface grown_streak(const Scene& scene) {
-    double separation = 2.0 * scene.flow->finest_spacing();
-    while (true) {
-        auto surface = streak(scene, separation, wanted_vertices);
-        const auto vertices = static_cast<double>(surface.state().mesh.vertices.used());
-        if (vertices >= 0.9 * wanted_vertices)
-            return surface;
-        separation *= std::max(0.3, 0.95 * std::sqrt(vertices / wanted_vertices));
-    }
 }
 
 double bytes_a_vertex(const protocol::EncodedUpdate& update) {
@@ -185,7 +138,7 @@ void measure_moves(benchmark::State& state, const std::function<Scene()>& make) 
     on_one_core([&] {
         const Scene scene = make();
         const protocol::Lattice lattice = protocol::lattice_over(scene.flow->domain());
-        core::MovingSurface surface = grown_streak(scene);
+        core::MovingSurface surface = grown_streak(*scene.flow, scene.rake, scene.from, scene.to);
         for (auto _ : state) {
             const auto ranges = expected_ranges(scene, surface.mesh().mesh);
             Measured live{tests::stream_with_ranges(lattice, ranges), protocol::live_tolerance};
@@ -245,63 +198,6 @@ void measure_moves(benchmark::State& state, const std::function<Scene()>& make) 
     });
 }
 
-protocol::AttributeRange t_range(const core::QuadComplex& mesh) {
-    return {static_cast<float>(std::ranges::min(mesh.t)),
-            static_cast<float>(std::ranges::max(mesh.t))};
-}
-
-/// A stream surface of about the wanted size.
-core::QuadComplex grown_stream(const Scene& scene) {
-    double separation = 2.0 * scene.flow->finest_spacing();
-    while (true) {
-        auto surface = core::build_surface(
-            *scene.flow, scene.rake, parameters(scene, core::SurfaceKind::Stream, separation));
-        if (!surface)
-            throw std::runtime_error(surface.error().message);
-        const auto vertices = static_cast<double>(surface->mesh.vertices());
-        if (vertices >= 0.9 * wanted_vertices)
-            return std::move(surface->mesh);
-        separation *= std::max(0.2, 0.97 * std::sqrt(vertices / wanted_vertices));
-    }
-}
-
-void measure_appends(benchmark::State& state,
-                     const std::function<Scene()>& make,
-                     double rows_an_update) {
-    on_one_core([&] {
-        const Scene scene = make();
-        const protocol::Lattice lattice = protocol::lattice_over(scene.flow->domain());
-        core::QuadComplex whole = grown_stream(scene);
-        const auto n = static_cast<double>(whole.vertices());
-        const double span =
-            std::abs(*std::ranges::max_element(whole.t, {}, [](double t) { return std::abs(t); }));
-        const auto ranges = expected_ranges(scene, whole);
-        const core::GrowingMesh growing(whole, span);
-        for (auto _ : state) {
-            Measured grown{
-                tests::stream_with_ranges(lattice, {ranges[0], ranges[1], t_range(whole)}),
-                protocol::live_tolerance};
-            // As many vertices as there are in a row, on average.
-            const double step = rows_an_update * span / std::sqrt(n);
-            double age = 0.5 * span;
-            std::size_t vertices = 0;
-            int sent = 0;
-            for (; sent <= 40 && age <= span; age += step) {
-                const core::KeyedMesh mesh = growing.at(age);
-                grown.take(mesh, static_cast<double>(mesh.mesh.vertices() - vertices));
-                vertices = mesh.mesh.vertices();
-                sent += grown.counting ? 1 : 0;
-                grown.counting = true;
-            }
-            state.SetIterationTime(grown.encode_seconds / sent);
-            state.counters["vertices_an_update"] = grown.vertices / sent;
-            state.counters["bytes_per_vertex"] = grown.bytes / grown.vertices;
-            state.counters["percent_of_raw"] = 100.0 * grown.bytes / grown.vertices / raw_bytes;
-            state.counters["target_percent_of_raw"] = target_append_percent_of_raw;
-        }
-    });
-}
-
 void add(const std::string& name, std::function<void(benchmark::State&)> measure) {
     benchmark::RegisterBenchmark(name.c_str(), std::move(measure))
         ->Unit(benchmark::kMillisecond)
@@ -330,9 +226,6 @@ void register_wire_benchmarks(std::shared_ptr<const server::LoadedDataset> datas
     };
     for (const auto& [name, make] : scenes) {
         add("wire/move/" + name, [make](benchmark::State& state) { measure_moves(state, make); });
-        for (const int rows : {1, 4})
-            add("wire/append_" + std::to_string(rows) + "_rows/" + name,
-                [make, rows](benchmark::State& state) { measure_appends(state, make, rows); });
     }
 }
 

@@ -56,12 +56,12 @@ MemoryGroup::~MemoryGroup() {
         fs::remove(folder_, error);
 }
 
-std::vector<std::string> MemoryGroup::command(const fs::path& program) const {
+std::vector<std::string> MemoryGroup::launcher() const {
     if (!there())
-        return {program.string()};
+        return {};
     // The shell enters before it becomes the program: nothing is taken outside.
-    return {"/bin/sh", "-c", "echo $$ > \"$0\" && exec \"$@\"", (folder_ / "cgroup.procs").string(),
-            program.string()};
+    return {"/bin/sh", "-c", "echo $$ > \"$0\" && exec \"$@\"",
+            (folder_ / "cgroup.procs").string()};
 }
 
 std::uint64_t MemoryGroup::killed() const {

@@ -22,8 +22,8 @@ class MemoryGroup {
 
     const std::string& why() const { return why_; }
 
-    /// Returns the words that start `program` inside; the program itself without a group.
-    std::vector<std::string> command(const std::filesystem::path& program) const;
+    /// Returns the words before those that start a program, so that it starts inside; none without a group.
+    std::vector<std::string> launcher() const;
 
     /// Returns how often the kernel had to kill a process of it.
     std::uint64_t killed() const;

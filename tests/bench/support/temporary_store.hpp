@@ -1,32 +1,38 @@
-// A generated store in a folder of its own, removed with everything in it.
+// A built-in flow written to disk as a store, gone with the object.
 #pragma once
 
 #include "store/store_generation.hpp"
+#include "store/store_manifest.hpp"
 #include "store/store_reader.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <filesystem>
 #include <memory>
+#include <stdexcept>
 
 namespace wakesurf::bench {
 
 class TemporaryStore {
   public:
-    /// Makes the store. Throws std::runtime_error if that fails, for example on a full disk.
-    explicit TemporaryStore(const store::GenerateRequest& request);
-    ~TemporaryStore();
-    TemporaryStore(const TemporaryStore&) = delete;
-    TemporaryStore& operator=(const TemporaryStore&) = delete;
+    /// Throws std::runtime_error if it cannot be written.
+    explicit TemporaryStore(const store::GenerateRequest& request) {
+        if (const auto made =
+                store::generate_store(request, folder(), [](const store::ImportProgress&) {}, {});
+            !made)
+            throw std::runtime_error(made.error().message);
+    }
 
-    const std::filesystem::path& folder() const { return folder_; }
+    const std::filesystem::path& folder() const { return folder_.path(); }
 
-    /// Returns a reader that has read nothing yet.
-    std::shared_ptr<const store::StoreReader> reader() const;
-
-    /// Writes the velocities once more, in half precision, beside the others. Returns a reader of those.
-    std::shared_ptr<const store::StoreReader> half_reader() const;
+    std::shared_ptr<const store::StoreReader> reader() const {
+        const auto manifest = store::read_store_manifest(folder(), core::PosixDisk()).value();
+        return store::StoreReader::open(store::store_layout(manifest, folder()),
+                                        std::make_shared<core::PosixDisk>())
+            .value();
+    }
 
   private:
-    std::filesystem::path folder_;
+    tests::TemporaryFolder folder_;
 };
 
 } // namespace wakesurf::bench

@@ -96,42 +96,4 @@ KillReport kill_under_edits(const std::filesystem::path& state, std::uint64_t se
     return report;
 }
 
-std::vector<double> restart_with_sessions(const std::filesystem::path& state,
-                                          int sessions,
-                                          int surfaces,
-                                          int restarts) {
-    {
-        Life first(state);
-        for (int session = 0; session < sessions; ++session) {
-            WebSocketClient client(first.server, ""); // each has its own allowance of edits
-            const json id = client.result("session.create")["session"];
-            for (int each = 0; each < surfaces; ++each) {
-                const double x = 0.1 * each;
-                const json rake = client.result("rake.set", {{"session", id},
-                                                             {"kind", "line"},
-                                                             {"points", {{x, -1, 0}, {x, 1, 0}}},
-                                                             {"seeds", 16}});
-                client.result("surface.set", {{"session", id},
-                                              {"rake", rake["rake"]},
-                                              {"kind", "stream"},
-                                              {"dataset", "lamb-oseen"},
-                                              {"from", 0},
-                                              {"to", 5}});
-            }
-        }
-        first.server.kill();
-    }
-    std::vector<double> times;
-    for (int restart = 0; restart < restarts; ++restart) {
-        Life again(state);
-        times.push_back(again.ready_ms);
-        const json list = json::parse(
-            again.server.rpc(R"({"jsonrpc":"2.0","id":1,"method":"session.list"})"))["result"];
-        if (list["sessions"].size() < static_cast<std::size_t>(sessions))
-            throw std::runtime_error("sessions are missing");
-        again.server.kill();
-    }
-    return times;
-}
-
 } // namespace wakesurf::tests

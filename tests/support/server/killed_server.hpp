@@ -21,9 +21,4 @@ struct KillReport {
 /// Runs it in `state`, a folder of its own. Throws if the server does not start or refuses a valid call.
 KillReport kill_under_edits(const std::filesystem::path& state, std::uint64_t seed, int kills);
 
-/// Returns the times (ms), as in KillReport::ready_ms, of `restarts` after kills, with `sessions` of
-/// `surfaces` rakes and surfaces each.
-std::vector<double>
-restart_with_sessions(const std::filesystem::path& state, int sessions, int surfaces, int restarts);
-
 } // namespace wakesurf::tests

@@ -36,8 +36,10 @@ std::string read_all(int descriptor) {
 
 } // namespace
 
-ServerProcess::ServerProcess(std::vector<std::string> arguments) {
-    std::vector<std::string> command{server_program(), "serve"};
+ServerProcess::ServerProcess(std::vector<std::string> arguments,
+                             const std::vector<std::string>& launcher) {
+    std::vector<std::string> command = launcher;
+    command.insert(command.end(), {server_program(), "serve"});
     command.insert(command.end(), arguments.begin(), arguments.end());
     command.insert(command.end(), {"--listen", "127.0.0.1:0"});
     std::vector<char*> argv;

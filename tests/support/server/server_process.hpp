@@ -18,7 +18,9 @@ namespace wakesurf::tests {
 class ServerProcess {
   public:
     /// Runs `wakesurf serve ARGUMENTS --listen 127.0.0.1:0` and waits for its first line.
-    explicit ServerProcess(std::vector<std::string> arguments = {"flow:lamb-oseen"});
+    /// @param launcher  the words before those: a program that becomes it
+    explicit ServerProcess(std::vector<std::string> arguments = {"flow:lamb-oseen"},
+                           const std::vector<std::string>& launcher = {});
     ~ServerProcess();
     ServerProcess(const ServerProcess&) = delete;
     ServerProcess& operator=(const ServerProcess&) = delete;

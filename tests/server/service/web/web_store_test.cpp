@@ -4,7 +4,6 @@
 #include "server/service/catalogue/open_dataset.hpp"
 #include "server/service/web/dataset_disk.hpp"
 #include "tests/support/programs.hpp"
-#include "tests/support/server/delaying_proxy.hpp"
 #include "tests/support/server/nginx.hpp"
 #include "tests/support/server/scripted_web_server.hpp"
 #include "tests/support/server/server_process.hpp"
@@ -16,8 +15,6 @@
 namespace wakesurf::server::web_store_test {
 
 namespace {
-
-using namespace std::chrono_literals;
 
 /// A tornado in 2 x 2 x 2 bricks of 32 cells and 5 time-steps.
 void generate(const std::filesystem::path& store, const std::string& layout) {
@@ -63,9 +60,8 @@ class WebStoreTest : public testing::Test {
 
 TEST_F(WebStoreTest, SurfacesFromFarAwayHaveTheBytesOfThoseFromFiles) {
     const tests::Nginx nginx(folder_.path());
-    const tests::DelayingProxy line(nginx.port(), {.delay = 5ms});
     const auto near = open_store(folder_ / "wake", {});
-    const auto far = open_store(address(line.port()), {});
+    const auto far = open_store(address(nginx.port()), {});
     ASSERT_TRUE(near) << near.error().message;
     ASSERT_TRUE(far) << far.error().message;
     ASSERT_NE(far->cache->bricks(), nullptr) << "bricks are asked for as they are wanted";
