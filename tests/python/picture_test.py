@@ -185,23 +185,24 @@ class PictureTest(unittest.TestCase):
         self.assertLess(np.abs(pixels(ground.data) - pixels(carried.data)).mean(), 0.1)
         self.assertGreater(np.abs(pixels(ground.data) - pixels(speed.data)).mean(), 1)
 
-    def changed(self, size, **more):
-        """The box of what the option changes in a white picture: left, top, right, bottom."""
-        (name, value), = more.items()
-        plain = {"bar": False, "axes": False, "background": "white"}
-        with self.session.painter(size) as painter:
-            one, other = (pixels(painter.picture(None, size, **{**plain, **each}).data)[..., :3] for each in ({}, {name: value}))
-        rows, columns = np.nonzero(np.abs(one - other).max(axis=-1) > 40)
-        return columns.min(), rows.min(), columns.max() + 1, rows.max() + 1
-
     def test_small_ones_have_a_bar_and_letters_that_can_be_read_and_are_no_giants(self):
-        for size in ((300, 200), (640, 400)):
-            with self.subTest(size):
-                left, top, right, bottom = self.changed(size, bar=True)
-                self.assertTrue(180 < right - left <= 280 and 30 < bottom - top < 70, (left, top, right, bottom))
-                self.assertTrue(left > 0 and top > size[1] / 2 and right < size[0] and bottom < size[1], (left, top, right, bottom))
-                left, top, right, bottom = self.changed(size, caption="H")  # 16 pixels where a number has 12
-                self.assertTrue(7 <= bottom - top <= 13, f"a letter is {bottom - top} pixels high")
+        def drawn(size, bar=False, **more):
+            return pixels(painter.picture(None, size, bar=bar, axes=False, background="white", **more).data)[..., :3]
+
+        def changed(one, other):
+            """The box of what differs: left, top, right, bottom."""
+            rows, columns = np.nonzero(np.abs(one - other).max(axis=-1) > 40)
+            return columns.min(), rows.min(), columns.max() + 1, rows.max() + 1
+
+        with self.session.painter((640, 400)) as painter:
+            for size in ((300, 200), (640, 400)):
+                with self.subTest(size):
+                    plain = drawn(size)
+                    left, top, right, bottom = changed(plain, drawn(size, bar=True))
+                    self.assertTrue(180 < right - left <= 280 and 30 < bottom - top < 70, (left, top, right, bottom))
+                    self.assertTrue(left > 0 and top > size[1] / 2 and right < size[0] and bottom < size[1], (left, top, right, bottom))
+                    left, top, right, bottom = changed(plain, drawn(size, caption="H"))  # 16 pixels where a number has 12
+                    self.assertTrue(7 <= bottom - top <= 13, f"a letter is {bottom - top} pixels high")
 
     def test_say_where_there_is_no_room_for_the_bar(self):
         with self.assertWarnsRegex(UserWarning, "200 x 200 pixels are too small for the scalar bar"):
