@@ -3,13 +3,14 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig, type TestProjectInlineConfiguration } from 'vitest/config';
 import { resolveFromWebClient } from './tools/resolve_from_web_client.js';
+import { unstableTests } from './tools/unstable_tests.ts';
 
 const browserTests = fileURLToPath(new URL('../tests/end_to_end/', import.meta.url));
 const timingTests = '**/*.timing.spec.ts';
 
 function inBrowser(name: string, files: { include: string[]; exclude?: string[] }): TestProjectInlineConfiguration {
     return {
-        plugins: [resolveFromWebClient(browserTests)],
+        plugins: [resolveFromWebClient(browserTests), unstableTests()],
         server: { fs: { strict: false } },
         test: {
             name,
@@ -21,6 +22,8 @@ function inBrowser(name: string, files: { include: string[]; exclude?: string[] 
             isolate: false,
             // One Chromium with software rendering saturates two cores: files run in turn.
             fileParallelism: false,
+            // What passes then is named, see tools/unstable_tests.ts.
+            retry: 1,
             testTimeout: 60_000,
             hookTimeout: 120_000,
             expect: { poll: { timeout: 15_000 } },

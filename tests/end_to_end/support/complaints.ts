@@ -6,6 +6,14 @@ const heard: string[] = [];
 const expected: RegExp[] = [];
 const allowed: RegExp[] = [];
 
+/** Beside the tests, so that the run fails also where the test passes when it is run once more. */
+function crashed(url: string): void {
+    heard.push(`The page ${url} crashed.`);
+    setTimeout(() => {
+        throw new Error(`The page ${url} crashed.`);
+    });
+}
+
 function hear(context: BrowserContext): void {
     context.on('weberror', (event) => {
         const error = event.error();
@@ -14,7 +22,7 @@ function hear(context: BrowserContext): void {
     context.on('console', (message) => {
         if (message.type() === 'error') heard.push(`${message.text()} (${message.location().url})`);
     });
-    context.on('page', (page) => page.on('crash', () => heard.push(`The page ${page.url()} crashed.`)));
+    context.on('page', (page) => page.on('crash', () => crashed(page.url())));
 }
 
 /** To be called before the browser has a page. */
