@@ -5,7 +5,7 @@ import { ask } from './support/browser_page.ts';
 import { useStand } from './support/stand.ts';
 
 const stand = useStand();
-const size = { width: 1000, height: 800 };
+const size = { width: 780, height: 420 };
 let host: Page;
 let session: string;
 

@@ -3,15 +3,15 @@
 import { join } from 'node:path';
 import type { Browser, BrowserContext, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
-import { ask, finalSurface, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { ask, finalSurface, newContext, openPage } from './support/browser_page.ts';
 import { allowLostConnections } from './support/complaints.ts';
 import { NetworkProxy } from './support/network_proxy.ts';
 import { PrefixProxy } from './support/prefix_proxy.ts';
-import { ServerProcess, temporaryFolder } from './support/server_process.ts';
+import { bundledStore, ServerProcess, temporaryFolder } from './support/server_process.ts';
 import { closePages, testBrowser } from './support/test_browser.ts';
 
 const folder = temporaryFolder();
-const store = join(folder.path, 'store');
+const store = bundledStore();
 let browser: Browser;
 let context: BrowserContext;
 
@@ -37,22 +37,6 @@ async function shows(page: Page): Promise<string> {
 }
 
 describe('a server elsewhere', () => {
-    it('is reached through a tunnel to another port, with no option', async () => {
-        const server = await ServerProcess.start({ store });
-        const tunnel = await NetworkProxy.start();
-        try {
-            tunnel.lead(server.port);
-            context = await newContext(browser);
-            const page = await openPage(context, at(`http://localhost:${tunnel.port}/`, server));
-            const session = await shows(page);
-            await page.reload();
-            expect(await shows(page)).toBe(session);
-        } finally {
-            tunnel.stop();
-            await server.stop();
-        }
-    });
-
     it('is reached below a prefix, beside another one, and each keeps its login', async () => {
         const proxy = await PrefixProxy.start();
         const [first, second] = [
@@ -62,7 +46,7 @@ describe('a server elsewhere', () => {
         try {
             proxy.lead('/a/', first.port);
             proxy.lead('/b/', second.port);
-            context = await newContext(browser);
+            context = await newContext(browser, { width: 780, height: 420 });
             for (const [prefix, server] of [
                 ['/a/', first],
                 ['/b/', second],
@@ -88,11 +72,10 @@ describe('a server elsewhere', () => {
         const server = await ServerProcess.start({ store });
         try {
             proxy.lead('/a/', server.port, '127.0.0.1');
-            context = await newContext(browser);
+            context = await newContext(browser, { width: 780, height: 420 });
             const page = await openPage(context, at(`${proxy.origin}/a/`, server));
             await page.getByText(/does not accept this page’s address/).waitFor();
             await page.getByText(/start it with --origin/).waitFor();
-            await screenshot(page, 'wrong-address');
         } finally {
             proxy.stop();
             await server.stop();
@@ -111,7 +94,7 @@ describe('a server that was started again', () => {
         };
         let server = await ServerProcess.start(options);
         try {
-            context = await newContext(browser);
+            context = await newContext(browser, { width: 780, height: 420 });
             const page = await openPage(context, server.link);
             const session = await shows(page);
             await page.reload();
@@ -129,19 +112,20 @@ describe('a server that was started again', () => {
         }
     });
 
-    it('is entered through a tunnel on another port by the link that it printed, whatever address is in that', async () => {
+    it('is reached through a tunnel with no option, and entered through one on another port by the link that it printed, whatever address is in that', async () => {
         const server = await ServerProcess.start({ store });
         const [tunnel, tomorrow] = [await NetworkProxy.start(), await NetworkProxy.start()];
         try {
             for (const each of [tunnel, tomorrow]) each.lead(server.port);
-            context = await newContext(browser);
+            context = await newContext(browser, { width: 780, height: 420 });
             const page = await openPage(context, at(`http://localhost:${tunnel.port}/`, server));
             const session = await shows(page);
+            await page.reload();
+            expect(await shows(page)).toBe(session);
             const other = `http://localhost:${tomorrow.port}/`;
             await page.goto(`${other}#session=${session}`);
             await page.getByText(`this browser is not logged in at ${other.slice(0, -1)}`).waitFor();
             await page.getByText('through a tunnel with another port it is needed again').waitFor();
-            await screenshot(page, 'tunnel-on-another-port');
             await page.getByRole('textbox', { name: 'New link' }).fill(server.link);
             await page.keyboard.press('Enter');
             expect(await shows(page)).toBe(session);
@@ -152,35 +136,10 @@ describe('a server that was started again', () => {
         }
     });
 
-    it('lets a second tab in again by what the first has pasted', async () => {
-        const state = join(folder.path, 'two-tabs');
-        let server = await ServerProcess.start({ store, state });
-        try {
-            context = await newContext(browser);
-            const [first, second] = [await openPage(context, server.link), await openPage(context, server.link)];
-            const session = await shows(first);
-            expect(await shows(second)).toBe(session);
-            const { port } = server;
-            await server.stop('SIGKILL');
-            server = await ServerProcess.start({ store, state, port });
-            for (const page of [first, second]) {
-                await page.getByText(/does not accept the access token/).waitFor({ timeout: 20_000 });
-            }
-            await first.getByRole('textbox', { name: 'New link' }).fill(server.link);
-            await first.keyboard.press('Enter');
-            for (const page of [first, second]) {
-                await page.waitForFunction(() => window.wakesurf?.connection === 'open');
-                expect(await shows(page)).toBe(session);
-            }
-        } finally {
-            await server.stop();
-        }
-    });
-
     it('says so to a browser that was let in by a cookie, before the server was updated, and takes its link', async () => {
         const server = await ServerProcess.start({ store });
         try {
-            context = await newContext(browser);
+            context = await newContext(browser, { width: 780, height: 420 });
             const url = `http://127.0.0.1:${server.port}/`;
             const value = `${'0'.repeat(32)}.1700000000..${'0'.repeat(64)}`;
             await context.addCookies([
@@ -198,22 +157,24 @@ describe('a server that was started again', () => {
         }
     });
 
-    it('keeps the picture of a page that it does not let in any more, and takes its new link', async () => {
+    it('keeps the picture of pages that it does not let in any more, and lets both in by the link that one has pasted', async () => {
         const state = join(folder.path, 'other-state');
         let server = await ServerProcess.start({ store, state });
         try {
-            context = await newContext(browser);
+            context = await newContext(browser, { width: 780, height: 420 });
             const page = await openPage(context, server.link);
             const session = await shows(page);
+            const second = await openPage(context, server.link);
+            expect(await shows(second)).toBe(session);
             const before = await ask(page, (hook) => hook.displayed!);
             const { port } = server;
             await server.stop('SIGKILL');
             server = await ServerProcess.start({ store, state, port });
             const banner = page.getByText(/does not accept the access token/);
             await banner.waitFor({ timeout: 20_000 });
+            await second.getByText(/does not accept the access token/).waitFor({ timeout: 20_000 });
             expect(await ask(page, (hook) => hook.displayed!.stateSum)).toBe(before.stateSum);
             expect(await page.getByRole('img', { name: /The surface in the flow/ }).isVisible()).toBe(true);
-            await screenshot(page, 'refused');
             const field = page.getByRole('textbox', { name: 'New link' });
             await field.fill('no link');
             await page.keyboard.press('Enter');
@@ -221,7 +182,10 @@ describe('a server that was started again', () => {
             await field.fill(`wakesurf: ${server.link}`);
             await page.keyboard.press('Enter');
             await banner.waitFor({ state: 'hidden' });
-            expect(await shows(page)).toBe(session);
+            for (const each of [page, second]) {
+                await each.waitForFunction(() => window.wakesurf?.connection === 'open');
+                expect(await shows(each)).toBe(session);
+            }
             expect(page.url()).not.toContain('token');
         } finally {
             await server.stop();

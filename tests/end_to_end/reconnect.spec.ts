@@ -3,23 +3,25 @@ import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Browser, BrowserContext, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
-import { ask, finalSurface, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { ask, finalSurface, newContext, openPage } from './support/browser_page.ts';
 import { allowLostConnections } from './support/complaints.ts';
-import { dragHandle } from './support/rake_drag.ts';
+import { NetworkProxy } from './support/network_proxy.ts';
 import { expectServersMesh } from './support/server_mesh.ts';
-import { ServerProcess, temporaryFolder } from './support/server_process.ts';
+import { bundledStore, ServerProcess, temporaryFolder } from './support/server_process.ts';
 import { closePages, testBrowser } from './support/test_browser.ts';
 
 const folder = temporaryFolder();
-const store = join(folder.path, 'store');
+const store = bundledStore();
 const tokenFile = join(folder.path, 'token');
 let server: ServerProcess;
+let network: NetworkProxy;
 let browser: Browser;
 let context: BrowserContext;
 
 beforeAll(async () => {
     writeFileSync(tokenFile, 'a-token-that-survives-a-restart-0123456789abcdef\n', { mode: 0o600 });
     server = await ServerProcess.start({ store, tokenFile });
+    network = await NetworkProxy.start();
     browser = await testBrowser();
 });
 
@@ -27,6 +29,7 @@ afterEach(async () => context?.close());
 
 afterAll(async () => {
     await closePages();
+    network?.stop();
     await server?.stop();
     folder.remove();
 });
@@ -55,7 +58,6 @@ describe('the connection', () => {
         await server.stop('SIGKILL');
         const banner = page.getByText(/Connection lost/);
         await banner.waitFor();
-        await screenshot(page, 'connection-lost');
 
         const camera = await ask(page, (hook) => hook.camera);
         await page.mouse.move(400, 80);
@@ -75,47 +77,18 @@ describe('the connection', () => {
         expect((await ask(page, (hook) => hook.rakePoints))[0]?.[0]).toBe(-2);
     });
 
-    it('comes back by itself to the session that a server with --state has kept', async () => {
-        const kept = { store, tokenFile, state: join(folder.path, 'state') };
-        let keeping = await ServerProcess.start(kept);
-        try {
-            const page = await open(keeping.link);
-            await finalSurface(page);
-            const epoch = (await ask(page, (hook) => hook.displayed))?.epoch ?? 0;
-            await dragHandle(page, 1, 30, 20, 6);
-            await page.waitForFunction((old) => window.wakesurf!.displayed!.epoch > old, epoch);
-            await expectServersMesh(keeping, page);
-            const session = await ask(page, (hook) => hook.session);
-            const rake = await ask(page, (hook) => hook.rakePoints);
-            const before = await ask(page, (hook) => hook.displayed!);
-            await keeping.stop('SIGKILL');
-            await connectionIs(page, 'down', 30_000);
-            keeping = await ServerProcess.start({ ...kept, port: keeping.port });
-            await connectionIs(page, 'open', 30_000);
-            await page.waitForFunction((old) => (window.wakesurf?.displayed?.epoch ?? 0) > old, before.epoch);
-            await expectServersMesh(keeping, page);
-            expect(await ask(page, (hook) => hook.session)).toBe(session);
-            expect(await ask(page, (hook) => hook.rakePoints)).toEqual(rake);
-            const after = await ask(page, (hook) => hook.displayed);
-            expect(after).toMatchObject({ vertices: before.vertices, cells: before.cells });
-            const { rakes } = await keeping.call('rake.list', { session });
-            expect(rakes).toHaveLength(1);
-        } finally {
-            await keeping.stop();
-        }
-    });
-
-    it('notices by itself that the network is silent, and resumes when it is back', async () => {
-        const page = await open(server.link);
+    it('resumes when a network that was cut is back', async () => {
+        network.lead(server.port);
+        const page = await open(`${network.origin}/${new URL(server.link).hash}`);
         await finalSurface(page);
         const session = await ask(page, (hook) => hook.session);
         const before = await ask(page, (hook) => hook.displayed);
-        await context.setOffline(true);
-        await connectionIs(page, 'down', 40_000); // after 10 s of silence (connection/liveSocket.spec.ts)
+        network.cut();
+        await connectionIs(page, 'down', 30_000);
         await page.getByText(/Connection lost/).waitFor();
         // The mesh stays, and nothing has happened to it meanwhile.
         expect(await ask(page, (hook) => hook.displayed)).toEqual(before);
-        await context.setOffline(false);
+        network.mend();
         await connectionIs(page, 'open', 30_000);
         await finalSurface(page);
         expect(await ask(page, (hook) => hook.session)).toBe(session);

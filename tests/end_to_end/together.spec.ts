@@ -5,7 +5,7 @@ import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import WebSocket from 'ws';
 import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
 import { subprotocol } from '../../web-client/src/protocol/version.ts';
-import { ask, finalSurface, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { ask, finalSurface, newContext, openPage } from './support/browser_page.ts';
 import { dragHandle, takeHandle } from './support/rake_drag.ts';
 import { expectSamePoints } from './support/same_points.ts';
 import { expectServersMesh } from './support/server_mesh.ts';
@@ -27,7 +27,7 @@ afterEach(async () => {
 
 /** A browser of its own: cookies are not shared. */
 async function visit(link: string): Promise<Page> {
-    const context = await newContext(stand.browser, { width: 860, height: 520 });
+    const context = await newContext(stand.browser, { width: 780, height: 420 });
     contexts.push(context);
     await context.addInitScript(keepWorker);
     const visited = await openPage(context, link);
@@ -57,9 +57,9 @@ function keepWorker(): void {
     };
 }
 
-async function share(role: string): Promise<{ grant: string; link: string }> {
-    const { grant, link } = await stand.server.call('session.share', { session, role });
-    return { grant: String(grant), link: new URL(String(link), stand.server.link).href };
+async function viewersLink(): Promise<string> {
+    const { link } = await stand.server.call('session.share', { session, role: 'viewer' });
+    return new URL(String(link), stand.server.link).href;
 }
 
 async function recordedRake(): Promise<{ rake: string; kind: string; points: Vec3[]; seeds: number }> {
@@ -101,7 +101,7 @@ async function expectEnded(ended: Page, why: RegExp): Promise<void> {
 
 describe('a link for looking on', () => {
     it('sees what an editor drags, and has handles and numbers that do not move, and words that say why', async () => {
-        const viewer = await visit((await share('viewer')).link);
+        const viewer = await visit(await viewersLink());
         await viewer.getByText(/Your link is for looking/).waitFor();
         expect(viewer.url()).not.toContain('token');
         const before = await recordedRake();
@@ -115,7 +115,6 @@ describe('a link for looking on', () => {
         expect(await viewer.getByRole('slider', { name: 'Integration time' }).isDisabled()).toBe(true);
         expectSamePoints(await ask(viewer, (hook) => hook.rakePoints), before.points, 6);
         expect(await recordedRake()).toEqual(before);
-        await screenshot(viewer, 'viewer-looks-on');
 
         const epoch = await ask(viewer, (hook) => hook.displayed!.epoch);
         await dragHandle(page, 1, 30, 20, 6);
@@ -123,15 +122,6 @@ describe('a link for looking on', () => {
         await expectServersMesh(stand.server, page);
         await expectServersMesh(stand.server, viewer);
         expectSamePoints(await ask(viewer, (hook) => hook.rakePoints), (await recordedRake()).points, 6);
-    });
-
-    it('ends in words when it is taken back, and the page does not come back', async () => {
-        const { grant, link } = await share('viewer');
-        const viewer = await visit(link);
-        await stand.server.call('session.unshare', { session, grant });
-        await expectEnded(viewer, /share link was revoked/);
-        await screenshot(viewer, 'link-ended');
-        expect(await ask(page, (hook) => hook.connection)).toBe('open');
     });
 });
 
@@ -149,7 +139,6 @@ describe('a page whose place is gone', () => {
         newer.send(JSON.stringify({ jsonrpc: '2.0', id: 1, method: 'session.join', params }));
         await expectEnded(page, /opened in a newer window/);
         expect(closed).toBe(false);
-        await screenshot(page, 'displaced');
 
         // By the button it is someone new; the other stays.
         await page.getByRole('button', { name: 'Reload' }).click();
@@ -159,14 +148,5 @@ describe('a page whose place is gone', () => {
         expect(await participants()).toHaveLength(2);
         expect(closed).toBe(false);
         newer.terminate();
-    });
-
-    it('stays away when a host has sent it away', async () => {
-        const editor = await visit((await share('editor')).link);
-        const all = await participants();
-        expect(all).toHaveLength(2);
-        await stand.server.call('session.kick', { session, participant: all.at(-1) });
-        await expectEnded(editor, /host removed you/);
-        expect(await participants()).toHaveLength(1);
     });
 });
