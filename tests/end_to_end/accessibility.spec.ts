@@ -2,7 +2,6 @@
 import { source as axeSource } from 'axe-core';
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
-import { screenshot } from './support/browser_page.ts';
 import { useStand } from './support/stand.ts';
 
 interface Findings {
@@ -41,7 +40,6 @@ describe('accessibility', () => {
             const folded = page.locator('[role=tabpanel] details:not([open]) > summary');
             while ((await folded.count()) > 0) await folded.first().click();
             await expectNoFindings(page, (await tab.textContent())!.trim());
-            await screenshot(page, `tab-${(await tab.textContent())!.trim().toLowerCase()}-${colorScheme}`);
         }
         await page.keyboard.press('?');
         await page.getByRole('dialog').waitFor();
@@ -55,7 +53,6 @@ describe('accessibility', () => {
         await page.getByRole('button', { name: /^Trash/ }).click();
         await page.getByText(`Deleted ${colorScheme}`).waitFor();
         await expectNoFindings(page, 'trash');
-        await screenshot(page, `trash-${colorScheme}`);
         await page.getByRole('button', { name: 'Close' }).click();
         await page.context().close();
     });

@@ -3,7 +3,7 @@
 import type { Page } from 'playwright-core';
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { RakeRecord, Vec3 } from '../../web-client/src/protocol/messages.ts';
-import { ask, finalSurface, screenshot } from './support/browser_page.ts';
+import { ask, finalSurface } from './support/browser_page.ts';
 import { useStand } from './support/stand.ts';
 
 const stand = useStand();
@@ -35,7 +35,6 @@ describe('an arrow of the rake', () => {
             await page.mouse.move(at.x, at.y);
             await page.mouse.down();
             await page.mouse.move(at.x + dx, at.y + dy, { steps: 4 });
-            if (axis === 0) await screenshot(page, 'arrow-dragged');
             await page.mouse.up();
             await expect.poll(async () => JSON.stringify((await recordedRake()).points)).not.toBe(JSON.stringify(before));
             await expect.poll(async () => (await recordedRake()).dragging).toBe(false);
@@ -49,7 +48,6 @@ describe('an arrow of the rake', () => {
             );
         }
         await finalSurface(page);
-        await screenshot(page, 'arrows');
     });
 
     it('stands at the point that was used last, and moves that alone', async () => {
@@ -91,7 +89,6 @@ describe('probe and measure', () => {
         await page.mouse.click(empty.x + 200, empty.y);
         await page.getByRole('tab', { name: 'View' }).click();
         expect(await page.locator('#measured').count()).toBe(0);
-        await screenshot(page, 'nothing-there');
     });
 
     it('take a place of the rake', async () => {
@@ -130,9 +127,7 @@ describe('a rake behind the body', () => {
             }, x);
         };
         const inFront = await brightness(-2);
-        await screenshot(page, 'rake-in-front');
         const behind = await brightness(2);
-        await screenshot(page, 'rake-behind');
         expect(inFront).toBeGreaterThan(behind + 25);
     });
 });

@@ -2,7 +2,7 @@
 // wall, goes with the flow while the clock does, and stands while that stands.
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
-import { finalSurface, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { finalSurface, newContext, openPage } from './support/browser_page.ts';
 import { degreesOff, type Ground, lightAround, momentsAround, places, shiftRatio } from './support/grain.ts';
 import { useStand } from './support/stand.ts';
 
@@ -13,7 +13,7 @@ const label = 'Show the flow along the body';
 async function open(dataset: string): Promise<{ page: Page; session: string }> {
     const { session } = (await stand.server.call('session.create', { name: dataset })) as { session: string };
     const link = `${stand.server.link}&session=${session}&dataset=${dataset}`;
-    const page = await openPage(await newContext(stand.browser, { width: 1300, height: 900 }), link);
+    const page = await openPage(await newContext(stand.browser, { width: 1100, height: 760 }), link);
     await finalSurface(page);
     await page.getByRole('tab', { name: 'Look' }).click();
     await page.locator('#body-group summary').click();
@@ -44,7 +44,6 @@ describe('the flow texture of a body', () => {
             const around = await places(page, 1, ground);
             off.push(...degreesOff(around, [(await momentsAround(page, around)).moments]));
         }
-        await screenshot(page, 'body-texture-sphere');
         expect(off.length).toBeGreaterThan(500);
         expect(off.filter((angle) => angle <= 5).length / off.length).toBeGreaterThanOrEqual(0.95);
         // The address has had time to follow.
@@ -68,7 +67,6 @@ describe('the flow texture of a body', () => {
         };
         await textured(page, true);
         await shownAt(13);
-        await screenshot(page, 'body-texture');
         const ground: Ground = { of: 'body', near: 0.05, across: 0.3 };
         const around = (await places(page, 1, ground)).filter(({ speed }) => speed > 10).slice(0, 300);
         expect(around.length).toBeGreaterThan(30);

@@ -43,7 +43,7 @@ async function distance(page: Page): Promise<number> {
 }
 
 it('a surface that stands still is nearer to the exact one with curved cells; its numbers stay, and so does what it says', async () => {
-    const context = await newContext(stand.browser, { width: 900, height: 700 });
+    const context = await newContext(stand.browser, { width: 780, height: 520 });
     const page = await openPage(context, await linkTo(stand.server, scene));
     await settled(page);
     const flat = {

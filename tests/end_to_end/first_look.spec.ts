@@ -1,7 +1,7 @@
 // The first picture of a dataset is of its surface, not of an empty box.
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
-import { ask, finalSurface, screenshot } from './support/browser_page.ts';
+import { ask, finalSurface } from './support/browser_page.ts';
 import { useStand } from './support/stand.ts';
 
 const stand = useStand(['flow:tornado', 'flow:double-gyre']);
@@ -34,7 +34,6 @@ describe('the first picture', () => {
         expect(largest(await filled(page))).toBeGreaterThan(0.55);
         for (const dataset of ['tornado', 'double-gyre']) {
             await open(page, dataset);
-            await screenshot(page, `first_${dataset}`);
             expect(largest(await filled(page)), dataset).toBeGreaterThan(0.55);
         }
     });

@@ -2,14 +2,14 @@
 // is tested beside it.
 import type { Page } from 'playwright-core';
 import { beforeAll, describe, expect, it } from 'vitest';
-import { ask, finalSurface, screenshot } from './support/browser_page.ts';
+import { ask, finalSurface } from './support/browser_page.ts';
 import { useStand } from './support/stand.ts';
 
 const stand = useStand();
 let page: Page;
 
 beforeAll(async () => {
-    page = await stand.visit({ width: 860, height: 700 });
+    page = await stand.visit({ width: 780, height: 520 });
 });
 
 async function choose(kind: string): Promise<void> {
@@ -26,9 +26,8 @@ describe('the kinds of surface', () => {
             if (kind !== 'Stream') await choose(kind);
             expect(await ask(page, (hook) => hook.displayed!.time)).toBe(16);
             expect(await page.locator('#surface-remark').isVisible()).toBe(false);
-            const xs = (await ask(page, (hook) => hook.vertices(1))).map(({ point }) => point[0]);
+            const xs = await ask(page, (hook) => hook.vertices(1).map(({ point }) => point[0]));
             expect(xs.filter((x) => x > -0.5).length / xs.length).toBeGreaterThan(0.5);
-            await screenshot(page, `first-${kind.toLowerCase()}`);
         }
     });
 });

@@ -9,7 +9,7 @@ import { steadyRange } from '../../web-client/src/scene/surface/steadyRange.ts';
 import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
 import { stripePeriodPx } from '../../web-client/src/scene/surface/patternShader.ts';
 import type { SurfaceLook } from '../../web-client/src/state/surfaceLook.ts';
-import { ask, finalSurface, openPage, screenshot } from './support/browser_page.ts';
+import { ask, finalSurface, openPage } from './support/browser_page.ts';
 import {
     agreement,
     distanceFrom,
@@ -72,7 +72,7 @@ describe('colours', () => {
         await drawn();
         const age = ({ t }: { t: number }): number => t;
         const seen = await seenVertices(page, 5);
-        const whole: [number, number] = [0, Math.max(...(await ask(page, (hook) => hook.vertices(1))).map(age))];
+        const whole: [number, number] = [0, Math.max(...(await ask(page, (hook) => hook.vertices(1).map(({ t }) => t))))];
         expect(await scalarBar()).toBe(`Colours: Age from 0 to ${Number(whole[1].toPrecision(4))}`);
         expect(agreement(seen, age, { map: 'viridis', range: whole })).toBeGreaterThan(0.97);
 
@@ -103,7 +103,6 @@ describe('colours', () => {
             }),
         ).toBeGreaterThan(0.97);
         expect(agreement(both, age, { map: 'viridis', range: [2, 12], invert: true })).toBeLessThan(0.5);
-        await screenshot(page, 'look-age-log');
 
         await page.locator('#lock-range').uncheck();
         await page.locator('#invert').uncheck();
@@ -138,7 +137,7 @@ describe('colours', () => {
             snapshot?: unknown;
         };
         expect(JSON.stringify(record)).toMatch(new RegExp(`"fields":\\[[^\\]]*"${field}"`));
-        const values = (await ask(page, (hook) => hook.vertices(1))).map(({ scalar }) => scalar);
+        const values = await ask(page, (hook) => hook.vertices(1).map(({ scalar }) => scalar));
         // Without the last per cent, where that is far from the rest.
         const half = Number(/ to ([^\s,]+)/.exec((await scalarBar())!)![1]);
         expect(half).toBeGreaterThan(1);
@@ -151,7 +150,6 @@ describe('colours', () => {
                 range: [-half, half],
             }),
         ).toBeGreaterThan(0.95);
-        await screenshot(page, `look-${field}`);
     });
 
     it('are those of the estimated error over powers of ten, of which the status says what 99 % keep within', async () => {
@@ -164,7 +162,7 @@ describe('colours', () => {
         await expect.poll(scalarBar).toMatch(/^Colours: Estimated error .*, logarithmic, of this surface$/);
         await drawn();
         const error99 = (await serverStats(stand.server, page)).error99!;
-        const errors = (await ask(page, (hook) => hook.vertices(1))).map(({ scalar }) => scalar).sort((a, b) => a - b);
+        const errors = (await ask(page, (hook) => hook.vertices(1).map(({ scalar }) => scalar))).sort((a, b) => a - b);
         const most = errors.at(-1)!;
         expect(Math.abs(errors[Math.ceil(0.99 * (errors.length - 1))]! - error99)).toBeLessThanOrEqual(most / 65_535);
         const words = await page.locator('wakesurf-status').getByRole('status').textContent();
@@ -178,7 +176,6 @@ describe('colours', () => {
         const seen = await seenVertices(page, 3);
         const colours = { map: 'viridis', range: [least, most], log: true } as const;
         expect(agreement(seen, ({ scalar }) => Math.max(scalar, least), colours)).toBeGreaterThan(0.95);
-        await screenshot(page, 'look-error');
         await page.locator('#log').uncheck();
     });
 
@@ -192,7 +189,7 @@ describe('colours', () => {
         await drawn();
         expect(await scalarBar()).toMatch(/^Colours: Speed from/);
         const seen = await seenVertices(page, 5);
-        const speeds = (await ask(page, (hook) => hook.vertices(1))).map(({ scalar }) => scalar);
+        const speeds = await ask(page, (hook) => hook.vertices(1).map(({ scalar }) => scalar));
         const own = steadyRange(Math.min(...speeds), Math.max(...speeds));
         expect(await scalarBar()).toContain(', of this surface');
         expect(agreement(seen, ({ scalar }) => scalar, { map: 'viridis', range: own })).toBeGreaterThan(0.95);
@@ -221,7 +218,7 @@ describe('colours', () => {
                 .locator('wakesurf-scalar-bar figure[aria-label="Colours: place from 0 to 7, of all the data"]')
                 .waitFor();
             await drawn(opened);
-            const vertices = await ask(opened, (hook) => hook.vertices(1));
+            const vertices = await ask(opened, (hook) => hook.vertices(1).map(({ point, scalar }) => ({ point, scalar })));
             const furthest = Math.max(...vertices.map(({ point, scalar }) => Math.abs(point[0] - scalar)));
             expect(Math.max(...vertices.map(({ scalar }) => scalar))).toBeGreaterThan(6);
             expect(furthest).toBeLessThan(0.01);
@@ -256,7 +253,6 @@ describe('stripes', () => {
         await page.getByLabel('Stripes').selectOption('timelines');
         await drawn();
         const striped = await read();
-        await screenshot(page, 'look-timelines');
         let [bright, dark] = [0, 0];
         const right = plain.flatMap(({ surface, t, slope }, i) => {
             if (surface === null || slope === null || !(slope.t > 0)) return [];
@@ -291,7 +287,6 @@ describe('stripes', () => {
         await page.getByLabel('Moving with the flow').uncheck();
         await expect.poll(framesInAWhile).toBe(0);
         await page.emulateMedia({ reducedMotion: 'reduce' });
-        await screenshot(page, 'look-texture');
         await page.getByLabel('Flow texture').uncheck();
         await openGroup('#lines-group', false);
         await page.getByLabel('Colour by').selectOption('speed');
@@ -311,7 +306,6 @@ describe('what is shown of a surface', () => {
         const before = await hitsOver(page, 12);
         expect(before.filter(({ surface }) => surface !== null).length).toBeGreaterThan(50);
         expect(before.every(({ surface, point }) => surface === null || point[0] <= at + slack)).toBe(true);
-        await screenshot(page, 'look-clipped');
 
         await page.locator('#clip-x-flip').click();
         await page.locator('#clip-body').check();
@@ -351,7 +345,7 @@ describe('what is shown of a surface', () => {
         const hidden = await page.evaluate(() => window.wakesurf!.project([4, -0.3, 3])!);
         const round = (): Promise<PlacedPick[]> => hitsRound(page, hidden, 100);
         const before = await round();
-        const times = (await ask(page, (hook) => hook.vertices(1))).map(({ t }) => t);
+        const times = await ask(page, (hook) => hook.vertices(1).map(({ t }) => t));
         await page.locator('#painting').check();
         await drawn();
         expect((await hitsOver(page, 12)).filter(({ surface }) => surface !== null)).toHaveLength(0);
@@ -376,7 +370,6 @@ describe('what is shown of a surface', () => {
         expect(after.length).toBeGreaterThan(5000);
         expect(Math.max(...[...revealed, ...after].map(off))).toBeLessThan(1.5);
         expect(after.filter(({ at }) => apart(at) < 24 + 2.5).length / after.length).toBeGreaterThan(0.975);
-        await screenshot(page, 'look-painted');
         await page.getByRole('button', { name: 'Reveal all' }).click();
         await drawn();
         const all = (await hitsOver(page, 7)).filter(({ surface }) => surface !== null);
@@ -461,7 +454,6 @@ describe('transparency', () => {
             const at = (xs: number[], y: number) => xs.flatMap((x) => [1.5, 2.5, 3.5].map((z) => hook.project([x, y, z])!));
             return hook.pixelsAt([...at([4.4, 4.6, 4.8], 0), ...at([6.2, 6.4, 6.6], -1)]);
         });
-        await screenshot(opened, `look-sheets-${order.join('-')}`);
         await opened.close();
         return { both: pixels.slice(0, 9), alone: pixels.slice(9) };
     }

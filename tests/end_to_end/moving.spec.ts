@@ -21,7 +21,7 @@ describe('a picture that moves', () => {
         await atRest(page);
         const from = await takeHandle(page, 'middle');
         const ratios: number[] = [];
-        for (let i = 1; i <= 12; ++i) {
+        for (let i = 1; i <= 6; ++i) {
             const to = { x: from.x + 8 * Math.sin(i), y: from.y + 5 * Math.cos(i) };
             const frames = await ask(page, (hook) => hook.framesDrawn);
             await page.mouse.move(to.x, to.y);

@@ -1,6 +1,6 @@
 // What a first visitor meets beside the tour: several datasets and their bodies, a phone.
 import { describe, expect, it } from 'vitest';
-import { ask, finalSurface, screenshot } from './support/browser_page.ts';
+import { ask, finalSurface } from './support/browser_page.ts';
 import { useStand } from './support/stand.ts';
 
 const stand = useStand(['flow:sphere']);
@@ -50,10 +50,8 @@ describe('a server with several datasets', () => {
         };
         await expect.poll(async () => (await ring(0.9)).every((grey) => grey)).toBe(true);
         expect((await ring(1.1)).some((grey) => grey)).toBe(false);
-        await screenshot(page, 'body-of-a-formula');
         // From near by no facets are seen: from pixel to pixel light changes little, and over the ball by much.
         await page.evaluate(() => window.wakesurf!.setCamera([-1.8, 0, 0], [0, 0, 0]));
-        await screenshot(page, 'round-body');
         const light = await page.evaluate(() => {
             const [top, foot] = [0.35, -0.35].map((z) => window.wakesurf!.project([0, -0.2, z])!);
             const places = Array.from({ length: Math.floor(foot!.y - top!.y) }, (_, i) => ({ x: top!.x, y: top!.y + i }));
@@ -102,7 +100,6 @@ describe('on a phone', () => {
         expect(box.y).toBeGreaterThan(tabs.y + tabs.height);
         expect(box.y + box.height).toBeLessThan(844);
         await last.check();
-        await screenshot(page, 'phone');
         await page.context().close();
     });
 });

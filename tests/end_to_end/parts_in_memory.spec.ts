@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import type { ResultOf } from '../../web-client/src/protocol/messages.ts';
-import { finalSurface, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { finalSurface, newContext, openPage } from './support/browser_page.ts';
 import { projectRoot } from './support/project_root.ts';
 import { ServerProcess } from './support/server_process.ts';
 import { closePages, testBrowser } from './support/test_browser.ts';
@@ -125,7 +125,6 @@ describe('time-steps in parts', () => {
         const told = /^(\d) of 4 time-steps in memory in part, ([\d.]+) MiB of 105\.3 MiB$/.exec(words);
         expect(Number(told?.[1]), words).toBe(resident.filter((bytes) => bytes > 0).length);
         expect(Math.abs(Number(told?.[2]) - all)).toBeLessThan(0.06);
-        await screenshot(page, 'timeline-parts');
 
         // A layer of bricks: what is told while the page is open.
         const some = [0.1, 0.3, 0.6, 0.9].flatMap((x) => [0.1, 0.3, 0.6, 0.9].map((y) => at(x, y, 0.4)));

@@ -6,7 +6,7 @@ import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import type { BackSide, SurfaceLook } from '../../web-client/src/state/surfaceLook.ts';
 import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
 import type { PageView } from '../../web-client/src/state/pageView.ts';
-import { ask, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { ask, newContext, openPage } from './support/browser_page.ts';
 import { acrossAt, finalSheets, FlatSheets, ground, middle, type Side, spread } from './support/flat_sheets.ts';
 import { pixelsOfPng } from './support/png_pixels.ts';
 import { layered, type Layer, litColour } from './support/shading_formula.ts';
@@ -34,7 +34,7 @@ let surfaces: string[];
 beforeAll(async () => {
     flow = await FlatSheets.start();
     browser = await testBrowser();
-    context = await newContext(browser, { width: 900, height: 440 });
+    context = await newContext(browser, { width: 764, height: 440 });
     ({ session, surfaces } = await flow.session(sheets.map(({ y, length }) => ({ points: acrossAt(y), length, look: {} }))));
 });
 
@@ -95,7 +95,6 @@ describe('layers over one another', () => {
     it.each(['before', 'behind'] as const)('are as the over operator says, seen from %s', async (side) => {
         const page = await open(side);
         const [blended, exact] = [await pixels(page, false), await pixels(page, true)];
-        await screenshot(page, `peeled-${side}`);
         const other = side === 'before' ? 'behind' : 'before';
         for (const [i, reach] of places.entries()) {
             // The fifth and the sixth are mixed by weights.
@@ -135,7 +134,6 @@ describe('layers over one another', () => {
         };
         await expect.poll(async () => apart((await pixels(page, true))[5]!, expected(1, 'before', seen))).toBeLessThan(1.5);
         const exact = await pixels(page, true);
-        await screenshot(page, 'peeled-cut');
         for (const [i, reach] of places.entries()) {
             expect(apart(exact[i]!, reach > 4.5 ? ground : expected(reach, 'before', seen))).toBeLessThan(1.5);
         }
@@ -164,7 +162,6 @@ describe('layers over one another', () => {
                     true,
                 );
             }, at);
-            await screenshot(page, `peeled-folded-${side}`);
             const back = (is: boolean): BackSide | null => (is ? 'tinted' : null);
             // What goes down between turns its other side to the viewer, from above or from below.
             const [up, straight] = [side === 'before' ? -2 : 2, grown];
@@ -183,7 +180,7 @@ describe('a picture', () => {
     const whole = (page: Page): Promise<string> => ask(page, (hook) => hook.transparency);
 
     it('that stands still is drawn once more in exact order, and no more, where that is wanted', async () => {
-        const wide = await newContext(browser, { width: 900, height: 640 });
+        const wide = await newContext(browser, { width: 764, height: 440 });
         const page = await openPage(wide, flow.link(session, 'before', looksBy(usual)));
         await finalSheets(page, sheets.length);
         await page.getByRole('tab', { name: 'Look' }).click();
@@ -193,7 +190,6 @@ describe('a picture', () => {
         expect(await whole(page)).toBe('blended');
         await page.getByLabel('Exact order when still').check();
         await page.waitForFunction(() => window.wakesurf!.transparency === 'exact');
-        await screenshot(page, 'peeled-still');
         const spots = await page.evaluate((all) => all.map((reach) => window.wakesurf!.project([reach, 3.5, 3.87])!), places);
         // Whatever asks for another picture, it is blended first, and exact again a little later.
         const furthest = async (): Promise<number> => {
@@ -228,7 +224,7 @@ describe('a picture', () => {
     });
 
     it('that is saved is in exact order, before a ground and before none', async () => {
-        const wide = await newContext(browser, { width: 900, height: 640 });
+        const wide = await newContext(browser, { width: 764, height: 440 });
         const page = await openPage(wide, flow.link(session, 'behind', looksBy(usual)));
         await finalSheets(page, sheets.length);
         await page.getByRole('tab', { name: 'Export' }).click();

@@ -2,7 +2,7 @@
 import type { Page } from 'playwright-core';
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { Participant, Vec3 } from '../../web-client/src/protocol/messages.ts';
-import { ask, finalSurface, screenshot } from './support/browser_page.ts';
+import { ask, finalSurface } from './support/browser_page.ts';
 import { useStand } from './support/stand.ts';
 
 const stand = useStand();
@@ -99,7 +99,6 @@ describe('the others in the picture', () => {
             guest.evaluate((point) => window.wakesurf!.pixelsAt([window.wakesurf!.project(point)!])[0]!, pointer);
         await expect.poll(async () => near(await seen(), colour, 12)).toBe(true);
         await guest.locator('.person', { hasText: you.name }).first().waitFor();
-        await screenshot(guest, 'others-pointer');
     });
 
     it('are shown where they look from, and their view is taken by following until the camera is moved', async () => {
@@ -122,7 +121,6 @@ describe('the others in the picture', () => {
                     : Math.hypot(box.x + box.width / 2 - at.x, box.y + box.height / 2 - (at.y - 14));
             })
             .toBeLessThan(3);
-        await screenshot(host, 'others-frustum');
 
         await host.getByRole('button', { name: 'Follow guest 2' }).click();
         const together = async (): Promise<boolean> =>
@@ -177,7 +175,6 @@ describe('someone of whom nothing is in the picture', () => {
         const box = (await hint.boundingBox())!;
         const tools = (await host.getByRole('group', { name: 'Tools' }).boundingBox())!;
         expect(box.x + box.width).toBeLessThan(tools.x);
-        await screenshot(host, 'others-outside');
     });
 });
 
@@ -200,7 +197,6 @@ describe('notes', () => {
         };
         const seen = (await host.evaluate((point) => window.wakesurf!.project(point), annotations[0]!.position))!;
         expect(Math.hypot(seen.x - at.x, seen.y - at.y)).toBeLessThan(2);
-        await screenshot(host, 'note');
 
         await guest.getByRole('button', { name: 'Change' }).click();
         await guest.getByLabel('Change the note').fill('Tears there');

@@ -1,7 +1,7 @@
 // The first minute on a telephone: fingers, little room, and nothing in the way of what the tour asks for.
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { ask, finalSurface, screenshot } from './support/browser_page.ts';
+import { ask, finalSurface } from './support/browser_page.ts';
 import { showFacts } from './support/page_facts.ts';
 import { useStand } from './support/stand.ts';
 
@@ -37,7 +37,6 @@ describe.each([
     afterAll(() => page.context().close());
 
     it('shows the handles beside the card that speaks of them, and takes each by a finger', async () => {
-        await screenshot(page, `phone-tour-${width}`);
         for (const handle of [0, 1, 'middle', 'rotate'] as const) {
             const at = (await page.evaluate((each) => window.wakesurf!.handleOnScreen(each), handle))!;
             for (const part of ['wakesurf-tour section', 'wakesurf-scalar-bar', 'wakesurf-tool-buttons', 'wakesurf-time-bar']) {
@@ -94,6 +93,5 @@ describe('a telephone whose panel is folded', () => {
         );
         // Fitted by a drawing after the canvas has grown, for which a busy machine takes more than the usual second.
         await expect.poll(outside, { timeout: 20_000 }).toBe(0);
-        await screenshot(page, 'phone-folded');
     });
 });

@@ -5,7 +5,7 @@ import { beforeAll, describe, expect, it } from 'vitest';
 import { colourTable, fractionOf } from '../../web-client/src/scene/surface/colourMap.ts';
 import { steadyRange } from '../../web-client/src/scene/surface/steadyRange.ts';
 import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
-import { ask, screenshot } from './support/browser_page.ts';
+import { ask } from './support/browser_page.ts';
 import { hueOf } from './support/look_facts.ts';
 import { useStand } from './support/stand.ts';
 
@@ -81,12 +81,11 @@ describe('the picture', () => {
         expect(seen.length).toBeGreaterThan(100);
         const covered = seen.filter(isCovered).length;
         expect(covered / seen.length).toBeGreaterThan(0.98);
-        await screenshot(page, 'from-elsewhere');
         await page.evaluate(({ position, target }) => window.wakesurf!.setCamera(position, target), before);
     });
 
     it('colours the surface by the speed, as the scalar bar says', async () => {
-        const speeds = (await ask(page, (hook) => hook.vertices(1))).map(({ scalar }) => scalar);
+        const speeds = await ask(page, (hook) => hook.vertices(1).map(({ scalar }) => scalar));
         const range = steadyRange(Math.min(...speeds), Math.max(...speeds));
         expect(await page.locator('wakesurf-scalar-bar figure').getAttribute('aria-label')).toContain('of this surface');
         const table = colourTable();
@@ -116,7 +115,6 @@ describe('the picture', () => {
         });
         const grey = pixels.filter((pixel) => hueOf(pixel).chroma < 30 && Math.max(...pixel) > 60);
         expect(grey.length).toBe(pixels.length);
-        await screenshot(page, 'body');
         await page.getByRole('button', { name: 'Fit the whole domain' }).click();
     });
 

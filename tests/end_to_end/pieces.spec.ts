@@ -1,7 +1,7 @@
 // Lines, ribbons and arrows instead of the whole surface: what the page shows is what the file of them has.
 import type { Page } from 'playwright-core';
 import { beforeAll, describe, expect, it } from 'vitest';
-import { ask, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { ask, newContext, openPage } from './support/browser_page.ts';
 import { linkTo, readGallery, settled } from './support/gallery_scene.ts';
 import { useStand } from './support/stand.ts';
 
@@ -13,30 +13,35 @@ const camera = { position: [3, -9, 9] as Point, target: [3, 0, 3] as Point };
 let page: Page;
 
 beforeAll(async () => {
-    const context = await newContext(stand.browser, { width: 1100, height: 620 });
+    const context = await newContext(stand.browser, { width: 800, height: 520 });
     page = await openPage(context, await linkTo(stand.server, { ...scene, camera, surface: { ...scene.surface } }));
     await settled(page);
     await page.getByRole('tab', { name: 'Look' }).click();
     await page.locator('#pieces-group summary').click();
 });
 
+/** Half the side of the square in the middle of the picture that is looked at. */
+const half = 180;
+
 /** Points of the surface that are seen in the middle of the picture. */
-function seen(): Promise<(Point | null)[]> {
-    return page.evaluate(() => {
+function seen(): Promise<Point[]> {
+    return page.evaluate((radius) => {
         const canvas = document.querySelector('wakesurf-app')!.shadowRoot!.querySelector('canvas')!.getBoundingClientRect();
         const middle = { x: canvas.left + canvas.width * 0.5, y: canvas.top + canvas.height * 0.5 };
-        return window.wakesurf!.pickGrid(middle, 250).hits.map((hit) => (typeof hit?.surface === 'string' ? hit.point : null));
-    });
+        return window
+            .wakesurf!.pickGrid(middle, radius)
+            .hits.flatMap((hit) => (typeof hit?.surface === 'string' ? [hit.point] : []));
+    }, half);
 }
 
 /** Whether the surface is seen at points of space, or beside them by a pixel; undefined for those outside the middle of the picture. */
 function seenAt(points: readonly Point[]): Promise<(boolean | undefined)[]> {
     return page.evaluate(
-        ([wanted, half]) => {
+        ([wanted, radius]) => {
             const hook = window.wakesurf!;
             const canvas = document.querySelector('wakesurf-app')!.shadowRoot!.querySelector('canvas')!.getBoundingClientRect();
             const middle = { x: Math.round(canvas.left + canvas.width * 0.5), y: Math.round(canvas.top + canvas.height * 0.5) };
-            const grid = hook.pickGrid(middle, half);
+            const grid = hook.pickGrid(middle, radius);
             return wanted.map((point) => {
                 const at = hook.project(point);
                 if (at === null) return undefined;
@@ -47,7 +52,7 @@ function seenAt(points: readonly Point[]): Promise<(boolean | undefined)[]> {
                 );
             });
         },
-        [points as Point[], 250] as const,
+        [points as Point[], half] as const,
     );
 }
 
@@ -87,18 +92,17 @@ describe('what is shown of a surface', () => {
     ] as const) {
         it(`can be ${name}, the same as in a file`, async () => {
             await choose(pieces, 0.5, 0.15);
-            await screenshot(page, `pieces-${name}`);
             const cut = await polygons(`${name}:every=0.5,width=0.15`);
             expect(cut.length).toBeGreaterThan(500);
             const middles = cut.map(middleOf);
             const there = (await seenAt(middles))
                 .map((at, i) => ({ at, middle: middles[i]! }))
                 .filter(({ at }) => at !== undefined);
-            const missed = there.filter(({ at }) => at === null);
+            const missed = there.filter(({ at }) => !at);
             expect(there.length).toBeGreaterThan(200);
-            expect(missed.length / there.length).toBeLessThan(0.03);
+            expect(missed.length / there.length).toBeLessThan(0.05);
             // And nothing else.
-            const shown = (await seen()).filter((at) => at !== null);
+            const shown = await seen();
             expect(shown.length).toBeGreaterThan(1000);
             const corners = cut.flat();
             const far = shown.filter((_, i) => i % 97 === 0).filter((at) => !corners.some((corner) => apart(corner, at) < 0.2));
@@ -108,9 +112,8 @@ describe('what is shown of a surface', () => {
 
     it('can be lines as thin as a pixel', async () => {
         await choose('seedlines', 0.5, null);
-        await screenshot(page, 'pieces-lines');
         const corners = (await polygons('streaklines:every=0.5', 'l')).flat();
-        const shown = (await seen()).filter((at) => at !== null);
+        const shown = await seen();
         expect(shown.length).toBeGreaterThan(500);
         // The file leaves out pieces that are shorter than their distance.
         const far = shown.filter((_, i) => i % 23 === 0).filter((at) => !corners.some((corner) => apart(corner, at) < 0.15));
@@ -119,12 +122,11 @@ describe('what is shown of a surface', () => {
 
     it('can be arrows, as many as there is room for', async () => {
         await choose('whole', 0, null);
-        const whole = (await seen()).filter((at) => at !== null).length;
+        const whole = (await seen()).length;
         await choose('arrows', 0.5, 0.1);
         await page.waitForFunction(() => window.wakesurf!.vertices(50).some(({ flow }) => flow !== null));
         await settled(page);
-        await screenshot(page, 'pieces-arrows');
-        const arrows = (await seen()).filter((at) => at !== null).length;
+        const arrows = (await seen()).length;
         // A head and a shaft are 7/6 of the squared width; from one to the next it is 0.7 to 1.4 of 0.5.
         const share = ((7 / 6) * 0.1 ** 2) / 0.5 ** 2;
         expect(arrows / whole).toBeGreaterThan(share / 2);

@@ -2,7 +2,7 @@
 // it stops is the server's state.
 import type { Page } from 'playwright-core';
 import { beforeEach, describe, expect, it } from 'vitest';
-import { ask, finalSurface, screenshot } from './support/browser_page.ts';
+import { ask, finalSurface } from './support/browser_page.ts';
 import { expectServersMesh } from './support/server_mesh.ts';
 import { useStand } from './support/stand.ts';
 
@@ -46,13 +46,11 @@ describe('a streak surface', () => {
         await page.waitForFunction(() => window.wakesurf?.phase === 'live');
         const begun = await played();
         await playsOn(begun, 20);
-        await screenshot(page, 'playing');
         const later = await played();
         // A page that cannot keep up is sent whole states in between.
         expect(later.keys - begun.keys).toBeLessThan(later.deltas - begun.deltas);
         expect(later.time).not.toBe(begun.time);
         await page.getByRole('button', { name: 'Pause' }).click();
         await expectServersMesh(stand.server, page);
-        await screenshot(page, 'paused');
     });
 });

@@ -3,7 +3,7 @@
 import type { BrowserContext, Page } from 'playwright-core';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
-import { ask, finalSurface, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { ask, finalSurface, newContext, openPage } from './support/browser_page.ts';
 import { framesPass } from './support/frames.ts';
 import { dragHandle, handleIsAt, takeHandle } from './support/rake_drag.ts';
 import { expectSamePoints } from './support/same_points.ts';
@@ -40,7 +40,6 @@ describe('the page', () => {
         await expectServersMesh(stand.server, page);
         expect(page.url()).not.toContain('token');
         expect(page.url()).toContain('session=');
-        await screenshot(page, 'first-surface');
     });
 
     it('follows a dragged handle, and then shows exactly the surface of the new rake', async () => {
@@ -64,7 +63,6 @@ describe('the page', () => {
         const { rakes } = (await stand.server.call('rake.list', { session })) as { rakes: { points: Vec3[] }[] };
         expectSamePoints(rakes[0]?.points, await ask(page, (hook) => hook.rakePoints));
         expect(await ask(page, (hook) => hook.latencySamples.length)).toBeGreaterThan(0);
-        await screenshot(page, 'after-drag');
     });
 
     it('turns the camera, not the rake, when the press is beside the handles, and then draws nothing more', async () => {

@@ -3,7 +3,7 @@
 import type { BrowserContext, Page } from 'playwright-core';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import type { RakeRecord, SurfaceRecord, Vec3 } from '../../web-client/src/protocol/messages.ts';
-import { ask, finalSurface, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { ask, finalSurface, newContext, openPage } from './support/browser_page.ts';
 import { Guest } from './support/guest.ts';
 import { dragHandle, takeHandle } from './support/rake_drag.ts';
 import { expectServersMesh } from './support/server_mesh.ts';
@@ -110,7 +110,6 @@ describe('a handle under the mouse', () => {
         // Seen in perspective a rake that leans towards the viewer turns a little more or less than the hand.
         expect(turn(angleOf(before[0]!, before[2]!), angleOf(after[0]!, after[2]!))).toBeCloseTo(pointerTurn, 0.8);
         await recorded();
-        await screenshot(page, 'rake-turned');
 
         await page.getByRole('button', { name: 'Parallel' }).click();
         await dragHandle(page, 1, -10, 20, 4);
@@ -140,7 +139,6 @@ describe('a handle under the mouse', () => {
         await page.keyboard.down('Shift');
         await page.mouse.move(at.x + 70, at.y - 12, { steps: 4 });
         await page.getByText('along x', { exact: true }).waitFor();
-        await screenshot(page, 'rake-along-x');
         const [, seen] = await onScreen(await shown());
         // Nearest to the pointer on the axis: off it by no more than the hand left the axis.
         expect(Math.hypot(seen!.x - at.x - 70, seen!.y - at.y + 12)).toBeLessThan(12);
@@ -265,7 +263,6 @@ describe('without dragging', () => {
         expect(await surfaces()).toHaveLength(2);
         await page.getByRole('list', { name: 'Rakes' }).getByRole('button').first().click();
         await page.waitForFunction(() => window.wakesurf!.rakes[0]!.chosen);
-        await screenshot(page, 'rakes-by-clicks');
     });
 });
 
@@ -306,7 +303,6 @@ describe('several rakes', () => {
             await pixelAt({ x: 0.3 * ends[0]!.x + 0.7 * ends[1]!.x, y: 0.3 * ends[0]!.y + 0.7 * ends[1]!.y }),
             '#ff00ff',
         );
-        await screenshot(page, 'two-rakes');
     });
 });
 
@@ -323,7 +319,6 @@ describe('a polyline and a circle', () => {
         await dragHandle(page, 2, 25, 4, 4);
         await recorded();
         await finalSurface(page);
-        await screenshot(page, 'rake-polyline');
         await page.getByRole('button', { name: 'Point 2', exact: true }).click();
         await page.getByRole('button', { name: 'Remove point' }).click();
         const less = (await eventually(rakes, (each) => each[0]!.points.length === 3))[0]!;
@@ -359,7 +354,6 @@ describe('a polyline and a circle', () => {
         expect(inside!.kind).toBe('circle');
         expect(inside!.points[0]![1]).toBeLessThan(3);
         await finalSurface(page);
-        await screenshot(page, 'rake-circle');
     });
 });
 
@@ -377,7 +371,6 @@ describe('a rake that someone else moves', () => {
         await page.waitForFunction(() => window.wakesurf!.rakes[0]!.holder?.points !== undefined);
         expect(await ask(page, (hook) => hook.rakes[0]!.holder)).toEqual({ name: 'Ann', colour: '#cc79a7', points: moved(-0.9) });
         const ends = await onScreen(moved(-0.9));
-        await screenshot(page, 'rake-of-someone');
         // Dashed, so somewhere along it.
         const along = [0.2, 0.21, 0.22, 0.23, 0.24, 0.25, 0.26, 0.27].map((part) => ({
             x: ends[0]!.x + part * (ends[1]!.x - ends[0]!.x),

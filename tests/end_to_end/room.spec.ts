@@ -3,7 +3,7 @@ import type { Page } from 'playwright-core';
 import { beforeAll, beforeEach, describe, expect, it } from 'vitest';
 import { readFragment } from '../../web-client/src/session/view/urlState.ts';
 import type { SurfaceStanding } from '../../web-client/src/state/appState.ts';
-import { ask, screenshot } from './support/browser_page.ts';
+import { ask } from './support/browser_page.ts';
 import { takeHandle } from './support/rake_drag.ts';
 import { useStand } from './support/stand.ts';
 
@@ -34,7 +34,7 @@ beforeEach(async () => {
 
 describe('a rake that is hidden', () => {
     beforeEach(async () => {
-        page = await stand.visit(size);
+        page = await stand.visit();
         return () => page.context().close();
     });
 
@@ -53,7 +53,6 @@ describe('a rake that is hidden', () => {
             await page.waitForFunction((old) => window.wakesurf!.requestedEpoch > old, epoch);
         };
         await longer();
-        await screenshot(page, 'hidden-rake');
         // The server has made the surface to its end, and has answered on the connection that it would have sent it by.
         const session = await ask(page, (hook) => hook.session);
         const { surfaces } = (await stand.server.call('surface.list', { session })) as { surfaces: { surface: string }[] };
@@ -97,7 +96,6 @@ describe('a rake that is locked', () => {
         const before = await ask(page, (hook) => [hook.camera, hook.rakePoints]);
         const from = await takeHandle(page, 'middle');
         await page.mouse.move(from.x - 60, from.y + 25, { steps: 4 });
-        await screenshot(page, 'locked-rake');
         await page.mouse.up();
         expect(await ask(page, (hook) => [hook.camera, hook.rakePoints])).toEqual(before);
         await page.getByText('You have locked this rake.').waitFor();
@@ -121,7 +119,6 @@ describe('room for the picture', () => {
         async (width, height, side, gained) => {
             await page.setViewportSize({ width, height });
             const before = await canvasSize();
-            await screenshot(page, `panel-${width}-open`);
             const button = page.getByRole('button', { name: 'Panel' });
             await button.click();
             await expect.poll(async () => (await canvasSize())[side]).toBeGreaterThanOrEqual(before[side] + gained);
@@ -129,7 +126,6 @@ describe('room for the picture', () => {
             const timeBar = await page.locator('wakesurf-time-bar').boundingBox();
             expect(timeBar!.width).toBe(width);
             expect(timeBar!.y + timeBar!.height).toBeLessThanOrEqual(height);
-            await screenshot(page, `panel-${width}-folded`);
             await page.keyboard.press('p');
             await expect.poll(canvasSize).toEqual(before);
             expect(await button.getAttribute('aria-expanded')).toBe('true');

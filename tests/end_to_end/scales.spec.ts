@@ -3,7 +3,7 @@
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import type { RakeRecord, Vec3 } from '../../web-client/src/protocol/messages.ts';
-import { ask, finalSurface, newContext, openPage, screenshot } from './support/browser_page.ts';
+import { ask, finalSurface, newContext, openPage } from './support/browser_page.ts';
 import { writeScaledFlow } from './support/scaled_flow.ts';
 import { ServerProcess, temporaryFolder } from './support/server_process.ts';
 import { closePages, testBrowser } from './support/test_browser.ts';
@@ -116,9 +116,7 @@ describe('a domain on a map, in seconds since 1970', () => {
         expect(await box.inputValue()).toBe('1700000300');
         await page.getByRole('button', { name: 'Fit the whole domain' }).click();
         await expect.poll(() => drawnEdges(page)).toBeGreaterThanOrEqual(9);
-        await screenshot(page, 'scale-map');
         await page.setViewportSize({ width: 390, height: 844 });
-        await screenshot(page, 'scale-map-phone');
         await page.context().close();
     });
 });
@@ -144,7 +142,6 @@ describe('a domain of 40 micrometres, in steps of 0.1 milliseconds', () => {
         const shown = await page.getByRole('spinbutton', { name: 'Start y', exact: true }).inputValue();
         expect(Math.abs(Number(shown) - start![1])).toBeLessThan(1e-9);
         expect(shown.length).toBeLessThan(11);
-        await screenshot(page, 'scale-tiny');
         await page.context().close();
     });
 });

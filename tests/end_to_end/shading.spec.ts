@@ -4,7 +4,7 @@ import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
 import type { SurfaceLook } from '../../web-client/src/state/surfaceLook.ts';
-import { newContext, openPage, screenshot } from './support/browser_page.ts';
+import { newContext, openPage } from './support/browser_page.ts';
 import { finalSheets, FlatSheets, ground, lookFrom, middle, type Sheet, type Side, spread } from './support/flat_sheets.ts';
 import { type Colour, layerAlpha, layered, litColour } from './support/shading_formula.ts';
 import { closePages, testBrowser } from './support/test_browser.ts';
@@ -95,7 +95,6 @@ describe('flat sheets', () => {
                 bands.map((z) => placeIn(left, z, 2.3)),
                 false,
             );
-            await screenshot(page, `sides-${side}`);
         }
         const fronts = inBytes(litColour(colour, [0, 0, 1]));
         const backs = (['same', 'shaded', 'tinted'] as const).map((side) => inBytes(litColour(colour, [0, 0, 1], side)));
@@ -145,7 +144,6 @@ describe('flat sheets', () => {
         const dense = layered([{ colour: seen, alpha: 1 - (1 - 0.6) ** 2 }], ground);
         const places = times.map((t) => placeIn(right, bands[0], t));
         expect(layerAlpha({ opacity: 0.6, facing: cosine })).toBeCloseTo(0.84, 9);
-        await screenshot(page, 'edge-on');
         const [blended, exact] = [await pixels(page, places, false), await pixels(page, places, true)];
         const opaque = await pixels(page, [placeIn(left, bands[0], 1.2)], false);
         for (const pixel of [...blended, ...exact]) expect(apart(pixel, dense)).toBeLessThan(2);
@@ -166,8 +164,8 @@ describe('outlines', () => {
         await page.getByRole('tab', { name: 'Look' }).click();
         await page.locator('#opacity-group summary').click();
         /** A column of pixels across the upper edge of the tube, from inside to outside. */
-        const edge = async (name: string): Promise<number[][]> => {
-            const read = await page.evaluate(() => {
+        const edge = (): Promise<number[][]> =>
+            page.evaluate(() => {
                 const hook = window.wakesurf!;
                 const top = Math.max(
                     ...hook
@@ -181,14 +179,11 @@ describe('outlines', () => {
                     true,
                 );
             });
-            await screenshot(page, `outlines-${name}`);
-            return read;
-        };
-        const plain = await edge('none');
+        const plain = await edge();
         await page.locator('#silhouettes').check();
-        const outlined = await edge('opaque');
+        const outlined = await edge();
         await page.locator('#opacity').fill('0.3');
-        const glass = await edge('glass');
+        const glass = await edge();
         await context.close();
         const sum = (pixel: readonly number[]): number => pixel[0]! + pixel[1]! + pixel[2]!;
         const covered = plain.filter((pixel) => pixel[0]! < 120).length;

@@ -3,7 +3,7 @@
 import type { Page } from 'playwright-core';
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { SampledPoints, Vec3 } from '../../web-client/src/protocol/messages.ts';
-import { ask, screenshot } from './support/browser_page.ts';
+import { ask } from './support/browser_page.ts';
 import { useStand } from './support/stand.ts';
 
 const stand = useStand();
@@ -61,7 +61,6 @@ describe('the probe', () => {
         await page.mouse.move(elsewhere.x, elsewhere.y);
         await page.mouse.move(elsewhere.x + 5, elsewhere.y);
         expect(apart(await typed('Probe'), at.point)).toBeLessThan(0.02);
-        await screenshot(page, 'probe');
     });
 
     it('goes where numbers say, and says where nothing flows', async () => {
@@ -86,7 +85,6 @@ describe('the measure', () => {
         await page.keyboard.press('Enter');
         expect(await distance.textContent()).toMatch(/ mm$/);
         await page.locator('.axis-x', { hasText: 'x (mm)' }).waitFor();
-        await screenshot(page, 'measure');
         await page.getByRole('button', { name: 'Measure', exact: true }).click();
     });
 });

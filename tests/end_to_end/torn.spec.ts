@@ -13,7 +13,7 @@ const scene = readGallery().scenes.find(({ name }) => name === 'wake-streak')!;
 const camera = { position: [-1.2, -4.2, 5.2] as [number, number, number], target: [1.2, 0, 3] as [number, number, number] };
 
 async function open(surface: Record<string, unknown> = {}): Promise<Page> {
-    const context = await newContext(stand.browser, { width: 1100, height: 620 });
+    const context = await newContext(stand.browser, { width: 800, height: 520 });
     const link = await linkTo(stand.server, { ...scene, camera, surface: { ...scene.surface, ...surface } });
     const page = await openPage(context, link);
     await settled(page);

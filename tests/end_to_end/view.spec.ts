@@ -3,7 +3,7 @@ import type { Page } from 'playwright-core';
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
 import { readFragment } from '../../web-client/src/session/view/urlState.ts';
-import { ask, finalSurface, openPage, screenshot } from './support/browser_page.ts';
+import { ask, finalSurface, openPage } from './support/browser_page.ts';
 import { framesPass } from './support/frames.ts';
 import { hitsOver } from './support/look_facts.ts';
 import { expectSamePoints } from './support/same_points.ts';
@@ -96,7 +96,6 @@ describe('the camera', () => {
         expect(moved.x).toBeCloseTo(handle.x + 12, 1);
         expect(moved.y).toBeCloseTo(handle.y + 8, 1);
         await finalSurface(page);
-        await screenshot(page, 'parallel');
         await page.getByRole('button', { name: 'Parallel' }).click();
     });
 
@@ -147,7 +146,6 @@ describe('views that are kept', () => {
         await kept.click();
         const camera = await ask(page, (hook) => hook.camera);
         expectSamePoints([camera.position, camera.target], [place.position, place.target]);
-        await screenshot(page, 'views');
         await page.getByRole('button', { name: 'Delete the view From the wake' }).click();
         await kept.waitFor({ state: 'detached' });
     });
@@ -170,7 +168,6 @@ describe('views that are kept', () => {
         address.hash = values.toString();
         const again = await openPage(page.context(), address.href);
         await again.getByText(/is not on this server\. This page remembers its contents/).waitFor();
-        await screenshot(again, 'session-forgotten');
         await again.getByRole('button', { name: 'Recreate it' }).click();
         await finalSurface(again);
         const rebuilt = await ask(again, (hook) => hook.rakePoints);
@@ -191,7 +188,7 @@ describe('what a brush has revealed', () => {
     const masksOf = (page: Page) => readFragment(new URL(page.url()).hash).state?.view.masks ?? {};
 
     it('is in the link that someone else opens, and in views that are kept', async () => {
-        const page = await stand.visit({ width: 900, height: 560 });
+        const page = await stand.visit({ width: 780, height: 510 });
         await page.evaluate(() => window.wakesurf!.setCamera([4, -16, 7], [3.5, 0, 2.8]));
         await page.getByRole('tab', { name: 'Look' }).click();
         await page.locator('#paint-group summary').click();
@@ -224,10 +221,9 @@ describe('what a brush has revealed', () => {
 
         const link = new URL(page.url());
         link.hash += `&token=${stand.server.token}`;
-        const other = await stand.visit({ width: 900, height: 560, link: link.href });
+        const other = await stand.visit({ width: 780, height: 510, link: link.href });
         // Texels of the code are some pixels wide: what differs is the border.
         await expect.poll(async () => apart(painted, await shown(other))).toBeLessThan(0.1 * painted.size);
-        await screenshot(other, 'painted-by-link');
         await other.context().close();
 
         await page.getByRole('tab', { name: 'View' }).click();
@@ -255,7 +251,6 @@ describe('dark and light', () => {
         expect(Math.max(...dark)).toBeLessThan(60);
         await page.getByLabel('Colours of the page').selectOption('light');
         expect(Math.min(...(await corner(page)))).toBeGreaterThan(220);
-        await screenshot(page, 'light');
         const again = await stand.open(page, page.url());
         expect(Math.min(...(await corner(again)))).toBeGreaterThan(220);
         await again.close();

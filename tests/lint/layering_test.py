@@ -13,7 +13,7 @@ import unittest
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 LONGEST_FILE = 500
 SOURCE = (".cpp", ".hpp", ".ts", ".tsx", ".py", ".css", ".js", ".mjs", ".sh")
-GENERATED = {"node_modules", "dist", "build", "coverage", ".git", "fixtures", "test-artefacts"}
+GENERATED = {"node_modules", "dist", "build", "coverage", ".git", "fixtures"}
 
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"]', re.MULTILINE)
 

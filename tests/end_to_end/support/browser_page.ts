@@ -1,10 +1,7 @@
 // Debian's Chromium with software WebGL2, and what the tests do with a page in it.
-import { mkdirSync } from 'node:fs';
-import { join } from 'node:path';
 import { type Browser, type BrowserContext, chromium, type Page } from 'playwright-core';
 import { hearComplaints } from './complaints.ts';
 import { type PageFacts, showFacts } from './page_facts.ts';
-import { projectRoot } from './project_root.ts';
 
 const flags = [
     '--no-sandbox',
@@ -19,8 +16,6 @@ const flags = [
     '--force-color-profile=srgb',
     '--hide-scrollbars',
 ];
-
-const artefacts = join(projectRoot, 'test-artefacts');
 
 export async function launchBrowser(extra: readonly string[] = [], executable = '/usr/bin/chromium'): Promise<Browser> {
     const browser = await chromium.launch({
@@ -69,9 +64,4 @@ export async function finalSurface(page: Page): Promise<void> {
 /** Reads facts from the page. */
 export function ask<Result>(page: Page, read: (hook: PageFacts) => Result): Promise<Result> {
     return page.evaluate<Result>(`(${read.toString()})(window.wakesurf)`);
-}
-
-export async function screenshot(page: Page, name: string): Promise<void> {
-    mkdirSync(artefacts, { recursive: true });
-    await page.screenshot({ path: join(artefacts, `${name}.png`) });
 }

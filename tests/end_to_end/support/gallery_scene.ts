@@ -74,14 +74,15 @@ export async function linkTo(server: ServerProcess, scene: Scene): Promise<strin
     return `${server.link}&session=${session}&dataset=${encodeURIComponent(dataset)}&state=${state}`;
 }
 
-/** Waits until the page shows the scene's surface at its finest, in its colours, and nothing is drawn any more. */
+/** Waits until the page shows the scene's surface at its finest, in its colours, and the picture gets no better. */
 export async function settled(page: Page): Promise<void> {
     await finalSurface(page);
-    await page.waitForFunction(() => window.wakesurf!.unfinished(null) === '');
-    const drawn = (): Promise<number> => page.evaluate(() => window.wakesurf!.framesDrawn);
-    for (let before = -1, now = await drawn(); now !== before;) {
-        before = now;
-        await page.waitForTimeout(800);
-        now = await drawn();
-    }
+    await page.evaluate(async () => {
+        const hook = window.wakesurf!;
+        // What was chosen just now is drawn in the next frames.
+        for (let still = 0, drawn = -1; still < 6; drawn = hook.framesDrawn) {
+            await new Promise(requestAnimationFrame);
+            still = hook.framesDrawn === drawn && hook.isAtRest && hook.unfinished(null) === '' ? still + 1 : 0;
+        }
+    });
 }

@@ -69,7 +69,7 @@ export async function places(page: Page, every: number, ground: Ground): Promise
 
 /**
  * How the light changes around places, in the picture as it is now, over what it was in the picture without texture.
- * @param without  those that this has returned for that; empty: it is that one
+ * @param without  the light that this has returned for that; empty: it is that one
  */
 export async function momentsAround(
     page: Page,
@@ -105,7 +105,7 @@ export async function momentsAround(
                 }
                 return sums;
             });
-            return { moments, light };
+            return { moments, light: plain.length === 0 ? light : [] };
         },
         [around as Place[], reach, without as number[]] as const,
     );
