@@ -366,7 +366,6 @@ export class FlowScene {
             scene.background = backgroundBefore;
             for (const { object } of hidden) object.visible = true;
             renderer.setPixelRatio(ratioBefore);
-            this.controls.setAspect(this.size.width / this.size.height);
             this.resize();
         }
     }

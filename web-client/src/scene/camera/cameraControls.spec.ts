@@ -97,7 +97,21 @@ describe('a picture of another shape', () => {
         const { controls } = bench();
         const before = controls.pose;
         controls.setAspect(0.3);
-        controls.setAspect(2);
+        controls.resized(2);
         expect(controls.pose).toEqual(before);
+    });
+
+    it('counts when the page tells of it, though a frame or a figure had that shape before', () => {
+        const { controls, halfWidth } = bench();
+        controls.place({ position: [2, -9, 1], target: [2, 0, 1], orthographic: false });
+        const before = halfWidth(2);
+        // Three's camera takes the shape of what it draws.
+        controls.camera.setViewOffset(100, 200, 0, 0, 100, 200);
+        controls.camera.clearViewOffset();
+        controls.resized(0.5);
+        expect(halfWidth(0.5)).toBeCloseTo(before, 6);
+        controls.setAspect(2);
+        controls.resized(2);
+        expect(controls.pose.position[1]).toBeCloseTo(-9, 6);
     });
 });

@@ -59,7 +59,10 @@ export class CameraControls {
     private untouched = false;
     /** Holds what it shows by itself while no user has moved it. */
     private shownPart: Bounds | null = null;
-    /** Is the width of the picture over its height when the camera was last placed or moved. */
+    /** Width of the picture on the page over its height, as `resized` was last told. The cameras' own changes with
+     *  what is drawn: a figure, or a frame of the new size before the page tells of it. */
+    private aspect = 1;
+    /** The same when the camera was last placed or moved. */
     private placedAspect = 1;
 
     constructor({ requestFrame, onHold, onTurn }: CameraControlsOptions) {
@@ -70,7 +73,7 @@ export class CameraControls {
         this.orbit.addEventListener('change', () => {
             if (!this.led) for (const listener of this.moved) listener();
             if (!this.placing) {
-                this.placedAspect = this.perspective.aspect;
+                this.placedAspect = this.aspect;
                 this.untouched = false;
                 onTurn();
             }
@@ -117,6 +120,7 @@ export class CameraControls {
         this.moved.push(listener);
     }
 
+    /** Of what is drawn next, on the page or aside. */
     setAspect(aspect: number): void {
         this.perspective.aspect = aspect;
         this.perspective.updateProjectionMatrix();
@@ -131,7 +135,8 @@ export class CameraControls {
      * a shape of its own, is drawn from where the camera is.
      */
     resized(aspect: number): void {
-        const before = this.perspective.aspect;
+        const before = this.aspect;
+        this.aspect = aspect;
         this.setAspect(aspect);
         if (aspect === before) return;
         if (this.untouched && this.shownPart !== null) {
@@ -183,7 +188,7 @@ export class CameraControls {
 
     place({ position, target, orthographic }: CameraPose): void {
         this.untouched = false;
-        this.placedAspect = this.perspective.aspect;
+        this.placedAspect = this.aspect;
         this.orthographic = orthographic;
         const { camera } = this;
         camera.position.set(...position);
@@ -251,7 +256,7 @@ export class CameraControls {
         parallel.zoom = 1;
         parallel.top = half;
         parallel.bottom = -half;
-        parallel.right = half * this.perspective.aspect;
+        parallel.right = half * this.aspect;
         parallel.left = -parallel.right;
         // Nothing of the domain may be cut off because the camera is near it.
         parallel.near = -10 * size;
