@@ -42,6 +42,13 @@ struct BoundedForm {
         return (form.velocity(p + offset, t) - form.velocity(p - offset, t)) * (length / (2.0 * h));
     }
 
+    /// Implements SteadyField.
+    static constexpr bool steady() {
+        if constexpr (requires { Form::steady; })
+            return Form::steady;
+        return false;
+    }
+
     PointStatus status(const Vec3& p) const {
         if (!box.contains(p))
             return PointStatus::OutsideDomain;

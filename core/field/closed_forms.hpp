@@ -13,6 +13,7 @@
 namespace wakesurf::core {
 
 struct UniformFlow {
+    static constexpr bool steady = true;
     double u, v, w;
 
     Vec3 velocity(const Vec3&, double) const { return {u, v, w}; }
@@ -25,18 +26,21 @@ struct OscillatingFlow {
 };
 
 struct RotationFlow {
+    static constexpr bool steady = true;
     double omega, w;
 
     Vec3 velocity(const Vec3& p, double) const { return {-omega * p.y, omega * p.x, w}; }
 };
 
 struct ShearFlow {
+    static constexpr bool steady = true;
     double u, g;
 
     Vec3 velocity(const Vec3& p, double) const { return {u + g * p.z, 0.0, 0.0}; }
 };
 
 struct StrainFlow {
+    static constexpr bool steady = true;
     double a, b, c;
 
     Vec3 velocity(const Vec3& p, double) const { return {a * p.x, b * p.y, c * p.z}; }
@@ -53,6 +57,7 @@ struct RotatingStrainFlow {
 };
 
 struct LambOseenFlow {
+    static constexpr bool steady = true;
     double gamma, rc, w;
 
     Vec3 velocity(const Vec3& p, double) const {
@@ -64,6 +69,7 @@ struct LambOseenFlow {
 };
 
 struct SphereFlow {
+    static constexpr bool steady = true;
     double u, a;
 
     Vec3 velocity(const Vec3& p, double) const {
@@ -78,6 +84,7 @@ struct SphereFlow {
 };
 
 struct CylinderFlow {
+    static constexpr bool steady = true;
     double u, a, w;
 
     Vec3 velocity(const Vec3& p, double) const {
@@ -92,6 +99,7 @@ struct CylinderFlow {
 };
 
 struct HillFlow {
+    static constexpr bool steady = true;
     double u, a;
 
     Vec3 velocity(const Vec3& p, double) const {
@@ -109,6 +117,7 @@ struct HillFlow {
 };
 
 struct AbcFlow {
+    static constexpr bool steady = true;
     double a, b, c;
 
     Vec3 velocity(const Vec3& p, double) const {
@@ -149,6 +158,7 @@ struct TornadoFlow {
 };
 
 struct StagnationFlow {
+    static constexpr bool steady = true;
     double a;
 
     Vec3 velocity(const Vec3& p, double) const { return {a * p.x, a * p.y, -2.0 * a * p.z}; }

@@ -119,6 +119,8 @@ struct CubicSampler {
 
     bool at_wall(const Vec3& p) const { return linear.at_wall(p); }
 
+    double cell_speed(const Vec3& p, double t) const { return linear.cell_speed(p, t); }
+
     /// Returns the weights of the four time-steps.
     std::array<double, 4> shares(double t) const {
         if (!linear.velocity1)

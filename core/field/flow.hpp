@@ -37,6 +37,12 @@ class Flow {
     /// Times at which the flow is known; nothing for closed forms, which are known at all times.
     virtual std::optional<std::array<double, 2>> time_range() const = 0;
 
+    /// Returns the first stored time after `time`, or before it where `sign` is negative; nothing where there is
+    /// none. Between two of them the linear field at a place changes at a constant rate.
+    virtual std::optional<double> next_stored_time(double /*time*/, double /*sign*/) const {
+        return std::nullopt;
+    }
+
     /// Returns the finest detail of the field, in units of length: the node spacing, or 1/100 of the shortest
     /// side for closed forms.
     virtual double finest_spacing() const = 0;

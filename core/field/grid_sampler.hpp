@@ -204,6 +204,27 @@ struct GridSampler {
         return share >= 1.0 - near_wall;
     }
 
+    /// Implements FieldOfCells, with the cells around: between solid nodes and those beside them all is at
+    /// rest.
+    double cell_speed(const Vec3& p, double t) const {
+        const std::array<std::size_t, 3> here = locate(*grid, p).cell;
+        std::array<std::size_t, 3> cell{};
+        double fastest = 0.0;
+        const auto around = [&](std::size_t axis) {
+            const std::size_t cells = dimensions(*grid)[axis] - 1;
+            return std::pair(here[axis] - std::min<std::size_t>(here[axis], 1),
+                             std::min(here[axis] + 2, cells));
+        };
+        const auto [x0, x1] = around(0);
+        const auto [y0, y1] = around(1);
+        const auto [z0, z1] = around(2);
+        for (cell[2] = z0; cell[2] < z1; ++cell[2])
+            for (cell[1] = y0; cell[1] < y1; ++cell[1])
+                for (cell[0] = x0; cell[0] < x1; ++cell[0])
+                    fastest = std::max(fastest, fastest_node(cell, t));
+        return fastest;
+    }
+
     /// True where a node of the cell has a velocity that is not finite in either time-step.
     bool gap(const std::array<std::size_t, 3>& cell) const {
         const StoredCell stored = stored_cell(cell, first_node(cell));
@@ -253,6 +274,21 @@ struct GridSampler {
     }
 
   private:
+    double fastest_node(const std::array<std::size_t, 3>& cell, double t) const {
+        const StoredCell stored = stored_cell(cell, first_node(cell));
+        const float* const first = at_first(velocity0, stored);
+        const float* const second = velocity1 ? at_first(velocity1, stored) : first;
+        double fastest = 0.0;
+        for (const std::size_t node : cell_nodes(stored.strides, 0)) {
+            const float* now = first + 3 * node;
+            const float* then = second + 3 * node;
+            Vec3 v(now[0], now[1], now[2]);
+            v += (t - time0) / interval * (Vec3(then[0], then[1], then[2]) - v);
+            fastest = std::max(fastest, glm::length(v));
+        }
+        return fastest;
+    }
+
     /// True for a node that shares a cell with a solid one, or is one.
     bool beside_solid(const std::array<std::size_t, 3>& node) const {
         for (std::size_t i = 0; i < 8; ++i) {

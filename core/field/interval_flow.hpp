@@ -38,6 +38,16 @@ class IntervalFlow final : public Flow {
         return std::array{source_.times().front(), source_.times().back()};
     }
 
+    std::optional<double> next_stored_time(double time, double sign) const override {
+        const std::vector<double>& times = source_.times();
+        if (sign > 0.0) {
+            const auto next = std::upper_bound(times.begin(), times.end(), time);
+            return next == times.end() ? std::nullopt : std::optional(*next);
+        }
+        const auto here = std::lower_bound(times.begin(), times.end(), time);
+        return here == times.begin() ? std::nullopt : std::optional(*std::prev(here));
+    }
+
     double finest_spacing() const override { return finest_; }
 
     PointStatus status(const Vec3& position) const override { return sampling_->status(position); }

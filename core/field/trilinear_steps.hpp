@@ -30,7 +30,10 @@ inline CellExit roughly_leaves(const PathSeries& path, std::size_t axis) {
     const int step = direction > 0.0 ? +1 : -1;
     if (const double square = v * v + 4.0 * a * ahead; square >= 0.0) {
         const double sum = v + std::sqrt(square);
-        return sum > 0.0 ? CellExit{2.0 * ahead / sum, axis, step} : CellExit{};
+        if (sum > 0.0)
+            return {2.0 * ahead / sum, axis, step};
+        if (!(a < 0.0)) // at rest on the face ahead, or for as long as is known
+            return a > 0.0 ? CellExit{0.0, axis, step} : CellExit{};
     }
     return {(v + std::sqrt(v * v - 4.0 * a * behind)) / (-2.0 * a), axis, -step}; // turns back
 }
@@ -109,7 +112,8 @@ class TrilinearSteps {
         const Vec3 velocity =
             Vec3(path.term[1][0], path.term[1][1], path.term[1][2]) * cell_.size();
         const double speed = glm::length(velocity);
-        if (!(speed > options_.stagnation_speed)) // also ends on NaN
+        const bool rests = !(speed > options_.stagnation_speed);
+        if (rests && ends_at_rest(field_, curve.last.position, time, speed, options_.frozen))
             return StepOutcome::Stagnation;
         exit_ = leaves_cell(path);
         auto next = index_;
@@ -117,13 +121,13 @@ class TrilinearSteps {
         if (!cell_.inside(next))
             sharpen(path, exit_, 1e-12);
         // Bounds a particle that circles slowly in its cell.
-        const double crossing = cell_.finest() / speed;
+        const double crossing = rests ? left : cell_.finest() / speed;
         t_ = std::max(exit_.time, grazing_.least(exit_.time / crossing) * crossing);
         t_ = t_ <= 1e3 * crossing ? t_ : 1e3 * crossing;
         t_ = std::min(t_, left);
-        const auto shortened =
-            series_step(path, cell_.lo(), cell_.size(), curve.last.arc, options_.tolerance * speed,
-                        t_, GrazingSteps::shortest * crossing);
+        const auto shortened = series_step(path, cell_.lo(), cell_.size(), curve.last.arc,
+                                           allowed_error(options_, rests, speed, left), t_,
+                                           GrazingSteps::shortest * crossing);
         if (!shortened)
             return StepOutcome::Stagnation;
         step = *shortened;

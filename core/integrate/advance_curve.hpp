@@ -28,7 +28,7 @@ concept VelocityField = requires(const F& field, const Vec3& p, double t) {
 };
 
 /// The outcome of an attempted step. Again: its error was too large, the next one will be shorter.
-/// Stagnation: the particle is slower than TraceOptions::stagnation_speed, or its velocity is not a number.
+/// Stagnation: the particle ends at rest (at_rest.hpp), or its velocity is not a number.
 enum class StepOutcome { Taken, Again, Stagnation };
 
 /// The steps of one curve: its position, the length of a step and its formula.

@@ -113,7 +113,9 @@ void rk4_particle_step(const Field& field,
         return carried_slope(field, y, t, tangents);
     };
     const Carried k1 = slope(at.carried, at.time);
-    if (!(glm::length(k1.position) > options.stagnation_speed)) {
+    const double speed = glm::length(k1.position);
+    if (!(speed > options.stagnation_speed) &&
+        ends_at_rest(field, at.carried.position, at.time, speed, false)) {
         at.end = end_at_rest(field, at.carried.position);
         return;
     }
@@ -159,7 +161,8 @@ void advance_particle(const Field& field,
             return;
         }
         const double speed = glm::length(k1.position);
-        if (!(speed > options.stagnation_speed)) {
+        if (!(speed > options.stagnation_speed) &&
+            ends_at_rest(field, at.carried.position, at.time, speed, false)) {
             at.end = end_at_rest(field, at.carried.position);
             return;
         }
@@ -171,9 +174,12 @@ void advance_particle(const Field& field,
         const double allowed =
             options.tolerance * std::max(dt * speed, 0.05 * options.longest_step);
         next = dt * step_scale(allowed, error);
-        if (!(error <= allowed) && dt * speed > 1e-9 * options.longest_step)
+        const Carried change = sign * dt * k.rate;
+        // From rest it is the way that tells whether the step was short.
+        const double way = std::max(dt * speed, glm::length(change.position));
+        if (!(error <= allowed) && way > 1e-9 * options.longest_step)
             continue;
-        take_step(field, at, sign * dt * k.rate, k1, k.k7, sign * dt);
+        take_step(field, at, change, k1, k.k7, sign * dt);
         if (at.end == CurveEnd::Running && dt == left)
             at.time = to;
         k1 = k.k7;

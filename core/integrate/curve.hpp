@@ -38,7 +38,7 @@ struct TraceOptions {
     double tolerance = 1e-6;   ///< Dopri5: error allowed per unit length
     double step = 0.0;         ///< Rk4: the time step; Dopri5: the first one tried, 0: chosen
     double longest_step = 0.0; ///< arc length a step may cover, in the dataset's length unit; > 0
-    double stagnation_speed = 0.0;   ///< a slower particle ends: at_rest.hpp says with what
+    double stagnation_speed = 0.0;   ///< a slower particle may end: at_rest.hpp says which
     std::size_t most_steps = 50'000; ///< attempts after which it ends with Budget: 184 bytes each
     bool stretch = false; ///< transport the tangent across the rake: 96 bytes a step more
     bool smooth = false;  ///< stored data: tricubic in space and cubic in time instead of linear

@@ -49,7 +49,7 @@ struct AdvanceOptions {
     double step = 0.0;               ///< Rk4: longest time step; > 0
     double tolerance = 1e-6;         ///< Dopri5: error allowed per unit length
     double longest_step = 0.0;       ///< Dopri5: arc length a step may cover; > 0
-    double stagnation_speed = 0.0;   ///< a slower particle ends: at_rest.hpp says with what
+    double stagnation_speed = 0.0;   ///< a slower particle may end: at_rest.hpp says which
     std::size_t most_steps = 50'000; ///< Dopri5: attempts after which a particle ends with Budget
     bool smooth = false; ///< stored data: tricubic in space and cubic in time instead of linear
 };

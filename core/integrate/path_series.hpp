@@ -109,6 +109,13 @@ inline bool add_arc(CurveStep& step, double v0, double v_middle, double v1, doub
     return true;
 }
 
+/// Returns the error that a series may have, over the time it serves for. A particle that starts from rest goes a
+/// way that is not known yet: a twentieth of the longest step, as Runge-Kutta steps allow.
+inline double allowed_error(const TraceOptions& options, bool rests, double speed, double left) {
+    return options.tolerance *
+           (rests ? std::max(speed, 0.05 * options.longest_step / left) : speed);
+}
+
 /// Returns the step along a series from its start, with dense output and without times. It shortens `t` until
 /// the series' error over it is allowed. Nothing is returned where the particle stands still.
 /// @param lo, size  of the cell whose coordinates the series is in

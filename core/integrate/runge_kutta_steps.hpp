@@ -37,14 +37,15 @@ class RungeKuttaSteps {
 
     StepOutcome attempt(Curve& curve, double left, CurveStep& step) {
         const double speed = glm::length(velocity_);
-        if (!(speed > options_.stagnation_speed)) // also ends on NaN
+        const double now = curve.release + curve.last.time;
+        if (!(speed > options_.stagnation_speed) &&
+            ends_at_rest(field_, curve.last.position, now, speed, options_.frozen))
             return StepOutcome::Stagnation;
         const bool controlled = options_.method == TraceOptions::Method::Dopri5;
         const double wanted = wanted_dt(curve, speed);
         const double dt = std::min(wanted, left);
         const auto at = [&](const Vec3& p, double t) { return velocity(curve, p, t); };
         const glm::dvec4 y(curve.last.position, curve.last.arc);
-        const double now = curve.release + curve.last.time;
         const RungeKuttaStep next = controlled ? dopri5_step(at, y, now, sign_ * dt, velocity_)
                                                : rk4_step(at, y, now, sign_ * dt, velocity_);
         if (controlled) {
@@ -52,7 +53,9 @@ class RungeKuttaSteps {
             const double arc = next.dense.c[1].w;
             const double allowed = options_.tolerance * std::max(arc, 0.05 * options_.longest_step);
             curve.next_dt = dt * step_scale(allowed, next.error);
-            if (!(next.error <= allowed) && dt * speed > 1e-9 * options_.longest_step)
+            // From rest it is the way that tells whether the step was short.
+            const double way = std::max(dt * speed, arc);
+            if (!(next.error <= allowed) && way > 1e-9 * options_.longest_step)
                 return StepOutcome::Again;
             if (wanted >= left) // cut short: the error allows more
                 curve.next_dt = std::max(curve.next_dt, wanted);

@@ -44,8 +44,8 @@ struct SurfaceParameters {
     /// the flow and across, those of stream and path surfaces down to an eighth of the separation; 180:
     /// never.
     double angle = 20.0;
-    /// A part of the largest speed: a slower particle counts as at rest and ends, in all four kinds of
-    /// surface. 0: only a particle that does not move at all. Default: such a particle moves 1/15 of a
+    /// A part of the largest speed: a slower particle counts as at rest. It ends in stream surfaces and steady
+    /// closed forms; elsewhere where a wall holds it, or else waits (at_rest.hpp). 0: only a particle that does not move at all. Default: such a particle moves 1/15 of a
     /// lattice step (domain / 65,536) while the fastest crosses the domain, which is invisible.
     double stagnation_speed = 1e-6;
     /// The refinement. With Off, `merge`, `angle` and `separation` across the flow are ignored.

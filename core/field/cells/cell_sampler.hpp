@@ -65,6 +65,8 @@ struct CellSampler {
     PointStatus status(const Vec3& p) const;
 
     bool at_wall(const Vec3& p) const;
+
+    double cell_speed(const Vec3& p, double t) const;
 };
 
 /// The field as one particle asks for it, one thread at a time: const only in that it answers the same.
@@ -160,6 +162,17 @@ class CellSamplerCursor {
                domain.walls.share(domain.mesh, place_.cell(), place_.local()) >= 1.0 - near_wall;
     }
 
+    /// Implements FieldOfCells.
+    double cell_speed(const Vec3& p, double t) const {
+        if (!go_to(p, false))
+            return 0.0;
+        const MeshCell& cell = field_.domain->mesh.cells[place_.cell()];
+        double fastest = 0.0;
+        for (std::size_t i = 0; i < node_count(cell.shape); ++i)
+            fastest = std::max(fastest, glm::length(at_node(cell.node[i], t)));
+        return fastest;
+    }
+
     const CellCursor& place() const { return place_; }
 
   private:
@@ -169,6 +182,17 @@ class CellSamplerCursor {
         CellPolynomial now;
         CellPolynomial change;
     };
+
+    Vec3 at_node(std::size_t node, double t) const {
+        const auto at = [&](const float* velocity) {
+            const float* v = velocity + 3 * node;
+            return Vec3(v[0], v[1], v[2]);
+        };
+        const Vec3 v = at(field_.velocity0);
+        return field_.velocity1
+                   ? v + (t - field_.time0) / field_.interval * (at(field_.velocity1) - v)
+                   : v;
+    }
 
     /// Returns the velocity in or near a cell with a gap: the mean of its nodes that have one, by their
     /// shares. It meets the field at faces without a gap.
@@ -190,13 +214,7 @@ class CellSamplerCursor {
             place ? shares_in_cell(domain.mesh.cells[place->cell], geometry, place->local)
                   : NodeShares{};
         for (std::size_t i = 0; i < shares.count; ++i) {
-            const auto at = [&](const float* velocity) {
-                const float* v = velocity + 3 * shares.node[i];
-                return Vec3(v[0], v[1], v[2]);
-            };
-            Vec3 v = at(field_.velocity0);
-            if (field_.velocity1)
-                v += (t - field_.time0) / field_.interval * (at(field_.velocity1) - v);
+            const Vec3 v = at_node(shares.node[i], t);
             if (!finite(v))
                 continue;
             const double weight = std::max(shares.share[i], 0.0) + 1e-9;
@@ -266,6 +284,10 @@ inline PointStatus CellSampler::status(const Vec3& p) const {
 
 inline bool CellSampler::at_wall(const Vec3& p) const {
     return cursor().at_wall(p);
+}
+
+inline double CellSampler::cell_speed(const Vec3& p, double t) const {
+    return cursor().cell_speed(p, t);
 }
 
 } // namespace wakesurf::core

@@ -33,17 +33,18 @@ class CellStepsOf {
             return Vec3(term[0], term[1], term[2]);
         };
         const double speed = glm::length(vector(space.term[1]));
-        if (!(speed > options_.stagnation_speed)) // also ends on NaN
+        const bool rests = !(speed > options_.stagnation_speed);
+        if (rests && ends_at_rest(field_, curve.last.position, time, speed, options_.frozen))
             return StepOutcome::Stagnation;
         const Vec3 pace = glm::abs(vector(local.term[1]));
-        const double crossing = 1.0 / std::max(std::max(pace.x, pace.y), pace.z);
+        const double crossing = rests ? left : 1.0 / std::max(std::max(pace.x, pace.y), pace.z);
         const double exit = leaves_cell(field_.place().geometry().shape(), local);
         const double least = grazing_.least(exit / crossing) * crossing;
         // A particle that circles in its cell does not do so for ever.
         double t = std::min(std::min(std::max(exit, least), 1e3 * crossing), left);
-        const auto shortened =
-            series_step(space, Vec3(0.0), Vec3(1.0), curve.last.arc, options_.tolerance * speed, t,
-                        GrazingSteps::shortest * crossing);
+        const auto shortened = series_step(space, Vec3(0.0), Vec3(1.0), curve.last.arc,
+                                           allowed_error(options_, rests, speed, left), t,
+                                           GrazingSteps::shortest * crossing);
         if (!shortened)
             return StepOutcome::Stagnation;
         step = *shortened;

@@ -83,22 +83,26 @@ Result<std::optional<Emptiness>> at_release(const SurfacePlan& plan, const std::
         return because(Reason::OutsideCells,
                        "the whole rake lies inside the body or where the data have no cells",
                        "move the rake into the fluid");
-    const std::vector<double> times(inside.size(), p.from);
-    std::vector<Vec3> velocities(inside.size());
-    if (auto sampled = flow.sample(inside, times, velocities, stop); !sampled)
-        return tl::unexpected(sampled.error());
-    if (!std::all_of(velocities.begin(), velocities.end(), finite))
-        return because(Reason::NotFinite, "the velocities at the rake are not finite numbers",
-                       "choose another time; the simulation may have failed at this one");
     const auto fastest = plan.largest_speed(stop);
     if (!fastest)
         return tl::unexpected(fastest.error());
     const double rest = p.stagnation_speed * *fastest;
-    if (std::all_of(velocities.begin(), velocities.end(),
-                    [&](const Vec3& v) { return glm::length(v) <= rest; }))
-        return because(Reason::AtRest, "the fluid is at rest all along the rake",
-                       "move the rake to where the fluid moves, or choose another time");
-    return std::nullopt;
+    std::vector<Vec3> velocities(inside.size());
+    const auto frozen = p.kind == SurfaceKind::Stream;
+    for (const double time :
+         {p.from, frozen ? p.from : 0.5 * (p.from + p.to), frozen ? p.from : p.to}) {
+        const std::vector<double> times(inside.size(), time);
+        if (auto sampled = flow.sample(inside, times, velocities, stop); !sampled)
+            return tl::unexpected(sampled.error());
+        if (!std::all_of(velocities.begin(), velocities.end(), finite))
+            return because(Reason::NotFinite, "the velocities at the rake are not finite numbers",
+                           "choose another time; the simulation may have failed at this one");
+        if (std::any_of(velocities.begin(), velocities.end(),
+                        [&](const Vec3& v) { return glm::length(v) > rest; }))
+            return std::nullopt;
+    }
+    return because(Reason::AtRest, "the fluid is at rest all along the rake",
+                   "move the rake to where the fluid moves, or choose another time");
 }
 
 } // namespace

@@ -28,6 +28,14 @@ constexpr int most_given_up = 3;
 
 /// The integrator's errors are measured every so many steps.
 constexpr std::uint64_t check_every = 4;
+
+// Limit steps in flows that start from rest: how much faster than now the fluid may become within one, at how many
+// places that is looked at, and the part of a separation that it goes within a stored interval while it is as good
+// as at rest. Flows that change slowly take the steps that they would have without.
+constexpr double speeding_up = 2.0;
+constexpr std::size_t most_looks = 256;
+constexpr double as_good_as_rest = 1e-3;
+
 constexpr double carry_share = 0.4;     // of a step, in the reported progress
 constexpr double sorting_share = 0.125; // of vertices inserted since memory was last in mesh order
 
@@ -105,7 +113,7 @@ Result<std::optional<std::uint64_t>> MovingSurface::most_quads(MovingPlan plan,
             return most;
         if (stop.stop_requested())
             return fail(Error::Code::Cancelled, "the surface was cancelled");
-        within = surface.move(surface.next_time(surface.end_time()), stop, work.quietly());
+        within = surface.move(surface.next_time(surface.end_time(), stop), stop, work.quietly());
         work.reached(std::abs(surface.time() - from) / std::abs(surface.end_time() - from));
     }
 }
@@ -263,22 +271,53 @@ Result<void> MovingSurface::sample_velocity(const std::stop_token& stop) {
     return {};
 }
 
-double MovingSurface::next_time(double to) const {
+double MovingSurface::next_time(double to, const std::stop_token& stop) const {
     const double here = state_.mesh.time;
     const double sign = to < here ? -1.0 : 1.0;
     const double until = state_.plan->release_until;
     const double target =
         state_.releasing && sign * (until - here) > 0.0 && sign * (to - until) > 0.0 ? until : to;
-    const double dt =
-        step_length(state_.mesh, target, state_.separation, state_.releasing, refines());
+    double dt = step_length(state_.mesh, target, state_.separation, state_.releasing, refines());
+    // Fluid at rest says nothing of how long a step may be: what it does within a stored interval is known.
+    if (const auto stored = flow_->next_stored_time(here, sign))
+        if (const double interval = std::abs(*stored - here);
+            interval < dt &&
+            leading_speed(here, stop) * interval < as_good_as_rest * state_.separation)
+            dt = interval;
+    for (int i = 0; i < 40; ++i, dt *= 0.5)
+        if (leading_speed(here + sign * dt, stop) * dt <=
+            speeding_up * row_spacing * state_.separation)
+            break;
     return dt == std::abs(target - here) ? target : here + sign * dt;
+}
+
+/// The speed of what decides how long a step may be, where it is now but at another time: of the fastest on the
+/// rake while that releases particles, or of some of the others. 0 where the data cannot be had: the step will say
+/// so.
+double MovingSurface::leading_speed(double time, const std::stop_token& stop) const {
+    const MaterialVertices& v = state_.mesh.vertices;
+    const auto fastest = [&](VertexRole role, std::size_t stride) {
+        std::vector<Vec3> places;
+        for (std::size_t i = 0; i < v.slots(); i += stride)
+            if (v.role[i] == role && v.end[i] == CurveEnd::Running)
+                places.push_back(v.position[i]);
+        std::vector<Vec3> velocity(places.size());
+        const std::vector<double> times(places.size(), time);
+        double speed = 0.0;
+        if (flow_->sample(places, times, velocity, stop, state_.plan->carry.smooth))
+            for (const Vec3& each : velocity)
+                speed = std::max(speed, glm::length(each));
+        return speed;
+    };
+    const double rake = state_.releasing ? fastest(VertexRole::Attached, 1) : 0.0;
+    return rake > 0.0 ? rake : fastest(VertexRole::Free, v.slots() / most_looks + 1);
 }
 
 Result<void> MovingSurface::step(double to,
                                  std::stop_token stop,
                                  const WorkPart& work,
                                  std::optional<double> aim) {
-    const double reached = next_time(to);
+    const double reached = next_time(to, stop);
     const double way = std::abs(aim.value_or(to) - time());
     const double part = way > 0.0 ? std::min(1.0, std::abs(reached - time()) / way) : 1.0;
     const WorkPart here = work.rest().between(0.0, part);
@@ -302,6 +341,8 @@ Result<bool> MovingSurface::move(double now, const std::stop_token& stop, const 
     const auto began = clock_->now();
     const double before = mesh.time;
     const double dt = std::abs(now - before);
+    const double then = leading_speed(now, stop);
+    const auto of_step = [then](double speed) { return then > speeding_up * speed ? then : speed; };
 
     // Release the row on the rake when it would fall too far behind in this step, or for the last time.
     MaterialVertices& v = mesh.vertices;
@@ -312,6 +353,7 @@ Result<bool> MovingSurface::move(double now, const std::stop_token& stop, const 
         for (VertexId i = 0; i < v.slots(); ++i)
             if (v.role[i] == VertexRole::Attached)
                 fastest = std::max(fastest, double(glm::length(v.velocity[i])));
+        fastest = of_step(fastest);
         const bool due =
             mesh.triangles.quads() == 0 ||
             state_.row_travel + fastest * dt > row_spacing * state_.separation * (1.0 + 1e-9);
@@ -327,6 +369,7 @@ Result<bool> MovingSurface::move(double now, const std::stop_token& stop, const 
             speed = std::max(speed, double(glm::length(v.velocity[i])));
             ++running;
         }
+    speed = of_step(speed);
     AdvanceOptions carry = state_.plan->carry;
     // Half a cell, or half a separation, whichever is less, in a step of RK4; fast takes it whole.
     const double reach =

@@ -67,7 +67,7 @@ class MovingSurface {
     Result<void> advance_to(double to, std::stop_token stop, const WorkPart& work = {});
 
     /// The time the next step towards `to` will reach.
-    double next_time(double to) const;
+    double next_time(double to, const std::stop_token& stop = {}) const;
 
     double time() const { return state_.mesh.time; }
 
@@ -110,6 +110,7 @@ class MovingSurface {
                         const WorkPart& work);
     Result<void> trace_doubtful(const AdvanceOptions& options, const std::stop_token& stop);
     Result<void> sample_velocity(const std::stop_token& stop);
+    double leading_speed(double time, const std::stop_token& stop) const;
     bool refines() const;
 
     const Flow* flow_;

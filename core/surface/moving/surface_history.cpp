@@ -51,7 +51,7 @@ Result<void> SurfaceHistory::go_to(double time, const std::stop_token& stop, con
         since_start(nearest.mesh.time) > since_start(surface_.time()))
         surface_.restore(nearest);
     torn_ = false;
-    while (since_start(surface_.next_time(surface_.end_time())) <= since_start(time) &&
+    while (since_start(surface_.next_time(surface_.end_time(), stop)) <= since_start(time) &&
            surface_.time() != surface_.end_time()) {
         if (auto stepped = surface_.step(surface_.end_time(), stop, work, time); !stepped) {
             torn_ = true; // nothing is copied now: there may be no memory for it

@@ -151,15 +151,25 @@ Result<double> SurfacePlan::largest_speed(std::stop_token stop) const {
                              (Vec3(1 + 2 * (i % 3), 1 + 2 * (i / 3 % 3), 1 + 2 * (i / 9)) / 6.0));
     for (int i = 0; i <= 16; ++i)
         points.push_back(seeding.at(i / 16.0));
-    const std::vector<double> times(points.size(), parameters.from);
     std::vector<Vec3> velocities(points.size());
-    return flow->sample(points, times, velocities, stop).map([&] {
-        double speed = 0.0;
-        for (std::size_t i = 0; i < points.size(); ++i)
-            if (flow->status(points[i]) == PointStatus::Inside)
-                speed = std::max(speed, glm::length(velocities[i]));
+    const auto speed_at = [&](double time) {
+        const std::vector<double> times(points.size(), time);
+        return flow->sample(points, times, velocities, stop).map([&] {
+            double speed = 0.0;
+            for (std::size_t i = 0; i < points.size(); ++i)
+                if (flow->status(points[i]) == PointStatus::Inside)
+                    speed = std::max(speed, glm::length(velocities[i]));
+            return speed;
+        });
+    };
+    auto speed = speed_at(parameters.from);
+    if (parameters.kind == SurfaceKind::Stream)
         return speed;
-    });
+    // A flow that starts from rest: each later time may be a time-step to read.
+    for (const double part : {1.0, 0.5, 0.25, 0.75})
+        if (speed && *speed == 0.0)
+            speed = speed_at(parameters.from + part * (parameters.to - parameters.from));
+    return speed;
 }
 
 std::vector<SheetOptions> SurfacePlan::sheets(double separation, double largest_speed) const {

@@ -32,7 +32,8 @@ struct SurfacePlan {
     bool clipped = false;
 
     /// Returns the largest speed on 3^3 points of the domain and 17 of the rake, at `from`, which defines "at
-    /// rest". It is no member, since it needs data to be loaded.
+    /// rest"; where all is at rest then, at `to` or between, unless the field is frozen. It is no member, since it
+    /// needs data to be loaded.
     Result<double> largest_speed(std::stop_token stop) const;
 
     /// Returns the sheets of a stream or path surface, one a direction, at `separation`, which may be larger

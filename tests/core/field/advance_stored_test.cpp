@@ -312,14 +312,15 @@ TEST(AdvanceStored, OfACellAndThoseRoundItOneSolidNodeMakesTheFieldLinear) {
     EXPECT_GT(near, 100u);
 }
 
-TEST(AdvanceStored, StandingParticlesEndWithStagnationWhereTheyAre) {
+TEST(AdvanceStored, StandingParticlesWaitWhereTheyAre) {
     const auto still = [](const Vec3& p, double) { return Vec3(p.x < 1.0 ? 0.0 : 1.0, 0.0, 0.0); };
     const auto flow = stored({0.0, 1.0}, Simd::Best, still);
     Swarm swarm = everywhere(2, 0.0, 0.0);
     swarm.position = {Vec3(0.5, 0.0, 3.0), Vec3(1.5, 0.0, 3.0)};
     swarm.end = {CurveEnd::Running, CurveEnd::Running};
     ASSERT_TRUE(flow->advance(swarm.particles(false), 0.5, in_steps_of(0.1), {}));
-    EXPECT_EQ(swarm.end[0], CurveEnd::Stagnation);
+    EXPECT_EQ(swarm.end[0], CurveEnd::Running);
+    EXPECT_EQ(swarm.time[0], 0.5);
     EXPECT_EQ(swarm.position[0], Vec3(0.5, 0.0, 3.0));
     EXPECT_EQ(swarm.end[1], CurveEnd::Running);
     EXPECT_NEAR(swarm.position[1].x, 2.0, 1e-6);

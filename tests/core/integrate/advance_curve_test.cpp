@@ -122,7 +122,7 @@ TEST(AdvanceCurve, ASeedInsideAnObstacleOrOutsideGoesNowhere) {
 
 TEST(AdvanceCurve, StandingStillEndsTheCurve) {
     const Curve curve = traced(Unbounded<StagnationFlow>{{1.0}}, {0, 0, 1}, 100.0,
-                               {.longest_step = 0.1, .stagnation_speed = 1e-3});
+                               {.frozen = true, .longest_step = 0.1, .stagnation_speed = 1e-3});
     EXPECT_EQ(curve.end, CurveEnd::Stagnation);
     EXPECT_NEAR(curve.last.position.z, 0.5e-3, 2e-4);
 }

@@ -1,5 +1,5 @@
 // Particles that slow down for ever before a wall that holds the fluid have reached it; those that slow down
-// elsewhere came to rest.
+// elsewhere came to rest in a frozen field, and wait in one that changes.
 #include "core/field/analytic_flow.hpp"
 #include "core/surface/builder/surface_builder.hpp"
 #include "tests/support/meshed_field.hpp"
@@ -76,7 +76,10 @@ std::unique_ptr<Flow> on_grid(bool rectilinear, SampledSource::Velocity velocity
 const std::vector<SurfaceKind> kinds{SurfaceKind::Stream, SurfaceKind::Path, SurfaceKind::Streak,
                                      SurfaceKind::Time};
 
-SurfaceStatistics::Terminated ended(const Flow& flow, SurfaceKind kind, SurfaceParameters p = {}) {
+SurfaceStatistics::Terminated ended(const Flow& flow,
+                                    SurfaceKind kind,
+                                    SurfaceParameters p = {},
+                                    const Vec3& from = Vec3(0.45, 0.52, 0.4)) {
     p.kind = kind;
     p.from = 0.0;
     p.to = 40.0;
@@ -86,7 +89,7 @@ SurfaceStatistics::Terminated ended(const Flow& flow, SurfaceKind kind, SurfaceP
         p.release_until = 1.0;
     if (kind == SurfaceKind::Time)
         p.sweep = Vec3(0.0, 0.1, 0.05);
-    Rake rake{.points = {{0.45, 0.52, 0.4}, {0.57, 0.55, 0.45}}, .seeds = 5};
+    Rake rake{.points = {from, from + Vec3(0.12, 0.03, 0.05)}, .seeds = 5};
     const auto surface = build_surface(flow, rake, p);
     if (!surface) {
         ADD_FAILURE() << surface.error().message;
@@ -103,9 +106,16 @@ void expect_reached(const Flow& flow, const SurfaceParameters& p = {}) {
     }
 }
 
-void expect_at_rest(const Flow& flow, SurfaceKind kind) {
-    const auto end = ended(flow, kind);
-    EXPECT_GT(end.stagnation, 2U) << static_cast<int>(kind);
+void expect_at_rest(const Flow& flow) {
+    const auto end = ended(flow, SurfaceKind::Stream);
+    EXPECT_GT(end.stagnation, 2U);
+    EXPECT_EQ(end.obstacle, 0U);
+}
+
+/// Even beside a wall: what stands still there is the fluid.
+void expect_waiting(const Flow& flow, SurfaceKind kind, Vec3 from = Vec3(0.45, 0.52, 0.4)) {
+    const auto end = ended(flow, kind, {}, from);
+    EXPECT_EQ(end.stagnation, 0U) << static_cast<int>(kind);
     EXPECT_EQ(end.obstacle, 0U) << static_cast<int>(kind);
 }
 
@@ -132,16 +142,20 @@ TEST(WallRest, ParticlesThatTheNodesBesideSolidOnesHoldHaveReachedTheBody) {
     expect_reached(*on_grid(false, onto_the_floor), smooth);
 }
 
-TEST(WallRest, ParticlesThatStopAwayFromWallsCameToRest) {
-    const std::vector<double> times{0.0, 1.0, 40.0};
-    expect_at_rest(*meshed_flow(hexahedra(), times, onto_the_middle), SurfaceKind::Stream);
+TEST(WallRest, ParticlesThatStopAwayFromWallsCameToRestInAFrozenField) {
+    expect_at_rest(*meshed_flow(hexahedra(), {0.0, 1.0, 40.0}, onto_the_middle));
     for (const bool rectilinear : {false, true})
-        expect_at_rest(*on_grid(rectilinear, onto_the_middle), SurfaceKind::Stream);
-    for (const auto kind : {SurfaceKind::Path, SurfaceKind::Streak, SurfaceKind::Time}) {
-        expect_at_rest(*meshed_flow(hexahedra(), times, stopping), kind);
-        for (const bool rectilinear : {false, true})
-            expect_at_rest(*on_grid(rectilinear, stopping), kind);
-    }
+        expect_at_rest(*on_grid(rectilinear, onto_the_middle));
+}
+
+TEST(WallRest, NoneEndsWhereTheFluidItselfStops) {
+    const Vec3 beside_the_wall(0.45, 0.52, 0.001);
+    for (const auto kind : {SurfaceKind::Path, SurfaceKind::Streak, SurfaceKind::Time})
+        for (const Vec3& from : {Vec3(0.45, 0.52, 0.4), beside_the_wall}) {
+            expect_waiting(*meshed_flow(hexahedra(), {0.0, 1.0, 40.0}, stopping), kind, from);
+            for (const bool rectilinear : {false, true})
+                expect_waiting(*on_grid(rectilinear, stopping), kind, from);
+        }
 }
 
 TEST(WallRest, ParticlesOnTheStagnationLineOfABuiltInBodyReachIt) {
