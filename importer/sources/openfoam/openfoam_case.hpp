@@ -25,6 +25,9 @@ struct FoamRegion {
     /// Maps its patches that continue at another one, in any part, to the names of those; empty if the file
     /// does not say.
     std::map<std::string, std::string> cyclic{};
+    // A patch of these types that has faces, if there is one.
+    std::string empty{};
+    std::string wedge{};
 };
 
 struct FoamCase {

@@ -65,48 +65,31 @@ bool is_wall(const std::string& type) {
     return type == "wall" || type.ends_with("Wall");
 }
 
-// Refuses a case that is one cell across without an equation for that direction: OpenFOAM's way to compute in
-// a plane.
-core::Result<void> check_directions(const std::vector<FoamPatch>& patches,
-                                    const std::string& file) {
-    for (const auto& patch : patches) {
-        if (patch.faces == 0)
-            continue; // what blockMesh leaves of its defaultFaces
-        if (patch.type == "empty")
-            return core::fail(
-                Error::Code::Unsupported,
-                file + " is not three-dimensional: its patch " + patch.name +
-                    " is of the type empty, so the flow is computed in a plane",
-                "surfaces need a three-dimensional flow: compute it in three dimensions");
-        if (patch.type == "wedge")
-            return core::fail(
-                Error::Code::Unsupported,
-                file + " is not three-dimensional: its patch " + patch.name +
-                    " is a wedge, so the flow is computed in a plane through the axis",
-                "surfaces need a three-dimensional flow: compute it in three dimensions");
-    }
-    return {};
-}
-
-// Collects the walls of all parts: in some versions of OpenFOAM a part lists only those that touch it.
-core::Result<void> find_walls(const FoamCase& found, FoamRegion& region) {
+// Collects the patches of all parts: in some versions of OpenFOAM a part lists only those that touch it.
+core::Result<void> find_patches(const FoamCase& found, FoamRegion& region) {
     region.walls.clear();
     region.cyclic.clear();
+    region.empty.clear();
+    region.wedge.clear();
     for (const auto& part : found.parts) {
         const auto file = found.file_at(found.mesh_file(part, region.name, "boundary"));
         const auto patches = read_foam_patches(file.path, file.name);
         if (!patches)
             return tl::unexpected(patches.error());
-        if (auto spatial = check_directions(*patches, found.file); !spatial)
-            return spatial;
         for (const auto& patch : *patches) {
             auto& walls = region.walls;
             if (is_wall(patch.type) &&
                 std::find(walls.begin(), walls.end(), patch.name) == walls.end())
                 walls.push_back(patch.name);
-            if (patch.type.starts_with("cyclic") && patch.faces > 0)
+            if (patch.faces == 0) // what blockMesh leaves of its defaultFaces
+                continue;
+            if (patch.type == "empty")
+                region.empty = patch.name;
+            if (patch.type == "wedge")
+                region.wedge = patch.name;
+            if (patch.type.starts_with("cyclic"))
                 region.cyclic[patch.name] = patch.neighbour;
-            if (patch.type == "processorCyclic" && patch.faces > 0)
+            if (patch.type == "processorCyclic")
                 region.cyclic.try_emplace(patch.part_of);
         }
     }
@@ -123,12 +106,33 @@ core::Result<std::vector<FoamRegion>> find_regions(const FoamCase& found) {
                                   found.parts.front() + ", or none",
                               "decompose the case again, or copy the whole case");
     for (const auto& name : first) {
-        FoamRegion region{name, false, {}};
-        if (auto walls = find_walls(found, region); !walls)
+        FoamRegion region;
+        region.name = name;
+        if (auto walls = find_patches(found, region); !walls)
             return tl::unexpected(walls.error());
         out.push_back(std::move(region));
     }
     return out;
+}
+
+// OpenFOAM computes in a plane where the mesh is one cell across and there is no equation for that direction. Such a
+// slab is read as it is: nothing leaves through its sides, where the velocity has no component across. A wedge would
+// be a sliver of the flow. Regions without a velocity may be anything: a film is often a plane.
+core::Result<void> check_directions(FoamCase& found) {
+    for (const auto& region : found.regions) {
+        if (!region.fluid)
+            continue;
+        if (!region.wedge.empty())
+            return core::fail(
+                Error::Code::Unsupported,
+                found.file + " is not three-dimensional: its patch " + region.wedge +
+                    " is a wedge, so the flow is computed in a plane through the axis",
+                "surfaces need a three-dimensional flow: compute it in three dimensions");
+        if (!region.empty.empty())
+            add_note(found.note, "a plane flow, one cell thick (the patch " + region.empty +
+                                     " is of the type empty)");
+    }
+    return {};
 }
 
 int components_of(const FoamHeader& header) {
@@ -241,8 +245,10 @@ core::Result<FoamCase> scan_openfoam_case(const fs::path& path, const std::strin
     if (auto one = keep_times_of_last_mesh(*chosen); !one)
         return tl::unexpected(one.error());
     for (auto& region : chosen->regions)
-        if (auto walls = find_walls(*chosen, region); !chosen->mesh_times.empty() && !walls)
+        if (auto walls = find_patches(*chosen, region); !chosen->mesh_times.empty() && !walls)
             return tl::unexpected(walls.error());
+    if (auto directions = check_directions(*chosen); !directions)
+        return tl::unexpected(directions.error());
     find_fields(*chosen);
     return chosen;
 }
