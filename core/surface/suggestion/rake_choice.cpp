@@ -25,8 +25,9 @@ constexpr double beyond = 0.25;
 constexpr double entering = 0.1, usual_length = 0.6, margin = 0.03;
 /// A body this wide is as wide as the domain.
 constexpr double whole = 0.9;
-/// A part of the domain's other side: along a thinner one a surface is a ribbon that is hardly visible.
-constexpr double too_thin = 0.01;
+/// A part of the domain's other side: along a thinner one, as across the slab of a plane flow, a surface is a ribbon
+/// that is hardly visible.
+constexpr double too_thin = 0.15;
 /// A flow whose vorticity changes its velocity by less across the domain does not turn.
 constexpr double turning = 0.3;
 /// Limits the turns of the fluid where it turns most, while a surface grows; fewer where it moves on at the
@@ -91,8 +92,14 @@ int more_of(const std::array<int, 2>& axes, const Vec3& amount, const Vec3& exte
     return extent[a] > extent[b] * 1.05 ? a : b;
 }
 
-/// Along `axis`, to where there is more room.
-Vec3 sweep_along(const Box& domain, const Vec3& from, int axis, double length) {
+/// Along `axis`, to where there is more room. In a slab not across it, but in its plane.
+Vec3 sweep_along(const Box& domain, const Vec3& from, int span, int axis, double length) {
+    const Vec3 extent = domain.extent();
+    const int third = 3 - span - axis;
+    if (extent[axis] < too_thin * std::min(extent[span], extent[third])) {
+        length = std::max(length, sweep_of_domain * extent[third]);
+        axis = third;
+    }
     const double above = domain.hi[axis] - from[axis];
     const double below = from[axis] - domain.lo[axis];
     Vec3 sweep(0.0);
@@ -182,10 +189,10 @@ along_vortex(const Flow& flow, const FlowSurvey& survey, const Rotation& rotatio
     double rising = 0.0;
     for (const Vec3& v : survey.velocity)
         rising += std::abs(v[axis]) / static_cast<double>(survey.velocity.size());
-    if (rising * most_turns * turn > rises * extent[axis])
-        return std::nullopt;
     const auto [a, b] = others(axis);
     const double side = std::min(extent[a], extent[b]);
+    if (extent[axis] < too_thin * side || rising * most_turns * turn > rises * extent[axis])
+        return std::nullopt;
     const int offset = extent[a] < extent[b] ? b : a;
     RakeChoice choice;
     for (const double sign : {1.0, -1.0}) {
@@ -200,7 +207,7 @@ along_vortex(const Flow& flow, const FlowSurvey& survey, const Rotation& rotatio
         if (!(choice.speed > 0.0))
             continue;
         choice.way = std::numbers::pi * rolled * side;
-        choice.sweep = sweep_along(domain, at, offset, sweep_of_domain * extent[offset]);
+        choice.sweep = sweep_along(domain, at, axis, offset, sweep_of_domain * extent[offset]);
         choice.why =
             "along the place where the flow turns most, which the surface is rolled up round";
         return choice;
@@ -263,7 +270,7 @@ std::optional<RakeChoice> ahead_of_body(const Flow& flow,
         if (!line)
             continue;
         choice.line = *line;
-        choice.sweep = sweep_along(domain, at, offset, sweep_of_body * size);
+        choice.sweep = sweep_along(domain, at, span, offset, sweep_of_body * size);
         choice.way = way_out(survey, at);
         choice.why = "ahead of a body, across the flow that meets it";
         return choice;
@@ -333,7 +340,7 @@ std::optional<RakeChoice> at_rotation(const Flow& flow,
     if (!line)
         return std::nullopt;
     choice.line = *line;
-    choice.sweep = sweep_along(domain, at, offset, sweep_of_domain * extent[offset]);
+    choice.sweep = sweep_along(domain, at, span, offset, sweep_of_domain * extent[offset]);
     if (!survey.through())
         choice.speed = std::max(choice.speed, fastest_along(survey, *line));
     return choice;
@@ -379,7 +386,7 @@ RakeChoice at_entry(const Flow& flow, const FlowSurvey& survey) {
     Vec3 side(0.0);
     side[span] = half;
     choice.line = line.value_or(std::array{at - side, at + side});
-    choice.sweep = sweep_along(domain, at, offset, sweep_of_domain * extent[offset]);
+    choice.sweep = sweep_along(domain, at, span, offset, sweep_of_domain * extent[offset]);
     // Fluid that enters and does not go through turns aside half-way.
     choice.way = (survey.through() ? 1.0 : 0.5) * extent[axis];
     choice.why = survey.speed > 0.0 ? "where the flow enters"

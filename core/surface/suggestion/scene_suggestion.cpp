@@ -127,10 +127,11 @@ Result<SceneSuggestion> suggest_scene(const Flow& flow,
     const std::vector<double>& times = series.times;
     double shown = times.back();
     auto survey = survey_flow(flow, shown, stop);
-    if (survey && at_rest(*survey) && times.size() > 1) {
-        shown = times[times.size() / 2];
-        survey = survey_flow(flow, shown, stop);
-    }
+    for (const std::size_t quarter : {2U, 3U, 1U})
+        if (survey && at_rest(*survey) && times.size() > 1) {
+            shown = times[times.size() * quarter / 4];
+            survey = survey_flow(flow, shown, stop);
+        }
     if (!survey)
         return tl::unexpected(survey.error());
     const bool moves = series.steady || times.size() > 1;

@@ -54,6 +54,19 @@ describe.each([false, true])('the camera by steps, without perspective: %s', (or
     });
 });
 
+it.each([
+    ['x', [0, 0.1, -1, 1, 0, 2], [1, 0, 0]],
+    ['y', [0, 4, 0, 0.1, 0, 2], [0, -1, 0]],
+    ['z', [0, 4, -1, 1, 0, 0.01], [0, 0, 1]],
+] as const)('sees a slab across %s straight on', (_, bounds, towards) => {
+    const controls = new CameraControls({ requestFrame: () => undefined, onHold: () => undefined, onTurn: () => undefined });
+    controls.setBounds([...bounds]);
+    const from = between(controls.pose.position, controls.pose.target);
+    from.forEach((x, k) => expect(x / length(from)).toBeCloseTo(towards[k]!, 2));
+    controls.setBounds([0, 4, -1, 1, 0, 2]);
+    expect(Math.min(...between(controls.pose.position, controls.pose.target).map(Math.abs))).toBeGreaterThan(1);
+});
+
 describe('a picture of another shape', () => {
     function bench() {
         const controls = new CameraControls({ requestFrame: () => undefined, onHold: () => undefined, onTurn: () => undefined });

@@ -7,7 +7,7 @@ import type { SceneCamera } from '../base/view.ts';
 import { FineOrbit } from './fineOrbit.ts';
 import { diagonal, fittingDistance } from './fitting.ts';
 
-/** From the domain towards the camera. */
+/** From the domain towards the camera; oblique: as shows most of it. */
 export type ViewName = 'oblique' | 'x' | 'y' | 'z' | '-x' | '-y' | '-z';
 
 const viewDirections: Record<ViewName, Vec3> = {
@@ -20,6 +20,16 @@ const viewDirections: Record<ViewName, Vec3> = {
     '-y': [0, 1, 0],
     '-z': [0, -0.0005, -1],
 };
+
+/** Is the part of its shorter other side below which a domain is a slab, as of a plane flow. */
+const slab = 0.15;
+
+/** From where a slab is seen straight on; nothing for domains that are none. */
+function straightOn(bounds: Bounds): ViewName | undefined {
+    const sides = [0, 1, 2].map((k) => bounds[2 * k + 1]! - bounds[2 * k]!);
+    const [thin, shorter] = sides.toSorted((a, b) => a - b) as Vec3;
+    return thin < slab * shorter ? (['-x', 'y', 'z'] as const)[sides.indexOf(thin)] : undefined;
+}
 
 /** Where the camera is and what it looks at; without perspective, what is seen is what would be at the
  *  target's distance. */
@@ -160,10 +170,10 @@ export class CameraControls {
     }
 
     /** Shows this part of the domain as it would show all of it, unless a user has moved it. False: it has
-     *  been. */
+     *  been. Of a slab all stays in view. */
     offer(part: Bounds): boolean {
         if (!this.untouched) return false;
-        this.lookAt(part, 'oblique');
+        this.lookAt(straightOn(this.bounds) === undefined ? part : this.bounds, 'oblique');
         this.shownPart = part;
         this.untouched = true;
         return true;
@@ -180,7 +190,8 @@ export class CameraControls {
 
     private lookAt(box: Bounds, view: ViewName): void {
         const centre = new Vector3(...centreOf(box));
-        const towards = new Vector3(...viewDirections[view]).normalize();
+        const from = view === 'oblique' ? (straightOn(this.bounds) ?? view) : view;
+        const towards = new Vector3(...viewDirections[from]).normalize();
         const distance = fittingDistance(box, towards, this.perspective);
         const position = centre.clone().addScaledVector(towards, distance).toArray();
         this.place({ position, target: centre.toArray(), orthographic: this.orthographic });
