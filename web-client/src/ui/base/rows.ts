@@ -4,6 +4,7 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import type { Vec3 } from '../../protocol/messages.ts';
 import { fieldNumber, resolutionOf } from '../../scene/base/numbers.ts';
+import { typedValue } from './typedValue.ts';
 
 const axes = ['x', 'y', 'z'] as const;
 
@@ -119,7 +120,7 @@ export function numberField(field: NumberField): TemplateResult {
         step=${step ?? 'any'}
         title=${title ?? nothing}
         aria-label=${label ?? nothing}
-        .value=${live(shown)}
+        .value=${typedValue(shown)}
         ?disabled=${disabled}
         @change=${changed}
     />`;
