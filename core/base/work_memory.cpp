@@ -9,7 +9,6 @@ namespace {
 // The account is asked for a part of what is taken already at a time.
 constexpr std::size_t least_part = std::size_t{64} << 10;
 constexpr std::size_t largest_part = std::size_t{4} << 20;
-constexpr std::size_t most = std::size_t{1} << 50; ///< that sums of them do not wrap round
 
 // Small work waits so much longer: large work that is asked to end runs at low priority, and was seen to take
 // over a second.
@@ -20,6 +19,22 @@ constexpr int small_patience = 5;
 bool WorkMemory::grow(std::size_t bytes) {
     const std::size_t now = taken_ += std::min(bytes, most);
     return (now <= reserved_ && !gives_way_) || reserve(now);
+}
+
+bool WorkMemory::grow_within_free(std::size_t bytes) {
+    const std::lock_guard lock(mutex_);
+    const std::size_t now = taken_ + std::min(bytes, most);
+    if (exhausted_ || gives_way_)
+        return false;
+    if (now > reserved_) {
+        if (!share_.grow_within_free(now + ahead_of(now), left_beside(now)))
+            return false;
+        if (now > account_.small() && !ticket_)
+            give_way_from_now_on();
+        reserved_ = share_.bytes();
+    }
+    taken_ += std::min(bytes, most);
+    return true;
 }
 
 bool WorkMemory::grow_to(std::size_t bytes) {
@@ -35,10 +50,9 @@ bool WorkMemory::reserve(std::size_t bytes) {
         return true;
     if (bytes > account_.small() && !ticket_)
         give_way_from_now_on();
-    const std::size_t ahead = std::clamp(bytes / 16, least_part, largest_part);
-    const std::size_t leave = bytes > account_.small() ? account_.kept_for_small() : 0;
+    const std::size_t leave = left_beside(bytes);
     if (gives_way_ ||
-        (!share_.grow_within_free(bytes + ahead, leave) &&
+        (!share_.grow_within_free(bytes + ahead_of(bytes), leave) &&
          !share_.grow_to(bytes, end_.get_token(),
                          leave == 0 ? small_patience * patience_ : patience_, leave))) {
         wanted_ = bytes;
@@ -47,6 +61,14 @@ bool WorkMemory::reserve(std::size_t bytes) {
     }
     reserved_ = share_.bytes();
     return true;
+}
+
+std::size_t WorkMemory::ahead_of(std::size_t bytes) const {
+    return std::clamp(bytes / 16, least_part, largest_part);
+}
+
+std::size_t WorkMemory::left_beside(std::size_t bytes) const {
+    return bytes > account_.small() ? account_.kept_for_small() : 0;
 }
 
 void WorkMemory::give_way_from_now_on() {

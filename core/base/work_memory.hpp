@@ -4,6 +4,7 @@
 
 #include "core/base/memory_account.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstddef>
@@ -37,6 +38,12 @@ class WorkMemory {
     /// The account is asked for large parts at a time; a call in between costs some 5 ns.
     bool grow(std::size_t bytes);
 
+    /// Takes so many bytes more if they are free: no holder of others is asked, and nothing is refused.
+    bool grow_within_free(std::size_t bytes);
+
+    /// Sees to it that so many bytes more are there to be taken. Returns false as grow() does.
+    bool make_room(std::size_t bytes) { return reserve(taken_ + std::min(bytes, most)); }
+
     /// Releases so many bytes.
     void shrink(std::size_t bytes) { taken_ -= bytes; }
 
@@ -54,7 +61,12 @@ class WorkMemory {
     Error refusal() const;
 
   private:
+    static constexpr std::size_t most = std::size_t{1}
+                                        << 50; ///< that sums of them do not wrap round
+
     bool reserve(std::size_t bytes);
+    std::size_t ahead_of(std::size_t bytes) const;
+    std::size_t left_beside(std::size_t bytes) const;
     void give_way_from_now_on();
 
     MemoryAccount account_;

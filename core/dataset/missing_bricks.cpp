@@ -31,10 +31,13 @@ MissingBricks::Outcome MissingBricks::fetch(const std::stop_token& stop, bool an
     for (const std::size_t step : steps_)
         for (const std::uint32_t brick : ahead)
             soon.push_back({step, brick, field_});
+    const std::size_t bytes = std::exchange(bytes_, 0);
+    if (bytes > 0 && !memory_->make_room(bytes))
+        return Outcome::Failed;
     if (bricks.empty() && !soon.empty())
         cache_->prefetch(soon);
     if (bricks.empty())
-        return Outcome::None;
+        return bytes > 0 ? Outcome::Fetched : Outcome::None;
     const std::size_t most = cache_->most_at_once() / steps_.size();
     if (bricks.size() > most && !anyway)
         return Outcome::TooMany;

@@ -2,6 +2,7 @@
 // threads, then fetched together.
 #pragma once
 
+#include "core/base/work_memory.hpp"
 #include "core/dataset/brick_cache.hpp"
 #include "core/dataset/step_nodes.hpp"
 
@@ -32,6 +33,14 @@ class MissingBricks {
         bricks_.insert(bricks_.end(), bricks.begin(), bricks.end());
     }
 
+    /// Asks for memory of the work that samples: it is had where no brick is being read, so that the cache can
+    /// give some back. All ask for the same work's.
+    void want(WorkMemory& memory, std::size_t bytes) {
+        const std::scoped_lock lock(mutex_);
+        memory_ = &memory;
+        bytes_ += bytes;
+    }
+
     /// Asks for a brick that will be wanted soon: it is read along with what is missing, where there is room.
     /// REQUIRES: called from one thread.
     void look_ahead(std::size_t brick) {
@@ -49,7 +58,8 @@ class MissingBricks {
         Failed   ///< see error()
     };
 
-    /// Fetches what has been added since the last time.
+    /// Fetches what has been added since the last time, and sees to the memory that was asked for. Failed
+    /// without an error: there is none.
     /// @param anyway  fetches as many as fit where they are too many
     Outcome fetch(const std::stop_token& stop, bool anyway);
 
@@ -129,6 +139,8 @@ class MissingBricks {
     std::mutex mutex_;
     std::vector<std::uint32_t> bricks_;
     std::vector<std::uint32_t> ahead_;
+    WorkMemory* memory_ = nullptr;
+    std::size_t bytes_ = 0; ///< wanted of it
     bool begins_ = false;
     std::optional<Error> error_;
 };

@@ -16,6 +16,7 @@
 #include <atomic>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace wakesurf::core {
@@ -47,7 +48,9 @@ bool trace_curves(const Field& field,
                                until, stop, waiting.empty() ? nullptr : &waiting[i]))
                 whole = false;
             if (!done.empty())
-                done[i] = missed(view) ? 0 : 1;
+                done[i] = missed(view) || curve.wanted > 0 ? 0 : 1;
+            if (const std::size_t wanted = std::exchange(curve.wanted, 0))
+                missing->want(*options.memory, wanted);
         };
         const auto round = [&](std::size_t begin, std::size_t end) {
             tbb::this_task_arena::isolate([&] {

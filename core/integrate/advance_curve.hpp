@@ -200,6 +200,9 @@ bool advance_steps(Steps steps,
             else
                 return std::monostate();
         }();
+        // Memory is asked for where no brick is being read: those who hold bricks may have to give them up.
+        if (place != nullptr && !room_for_step(curve, options))
+            return wait_at(here);
         const double next_dt = curve.next_dt;
         const StepOutcome outcome = steps.attempt(curve, left, step);
         ++curve.attempts;

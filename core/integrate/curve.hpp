@@ -101,6 +101,7 @@ struct Curve {
     CurvePoint last;                    ///< where the curve ends
     double next_dt = 0.0;     ///< the integrator's proposal, kept between sliding-window intervals
     std::size_t attempts = 0; ///< accepted and rejected steps
+    std::size_t wanted = 0;   ///< bytes that it waits for, where tracing can wait
 
     /// Returns the point at an arc length from the seed, 0..last.arc. Cost: O(log steps).
     CurvePoint at_arc(double arc) const;
@@ -108,6 +109,22 @@ struct Curve {
     /// Returns the point so long after the release, 0..last.time, negative upstream. Cost: O(log steps).
     CurvePoint at_time(double time) const;
 };
+
+/// Takes the memory for one step more, if it is free; otherwise the curve has to wait for it.
+inline bool room_for_step(Curve& curve, const TraceOptions& options) {
+    const std::size_t now = curve.steps.size();
+    if (options.memory == nullptr || options.watch != nullptr || now < curve.steps.capacity())
+        return true;
+    const std::size_t more = std::max<std::size_t>(now, 1);
+    const std::size_t bytes =
+        more * (sizeof(CurveStep) + (options.stretch ? sizeof(StretchStep) : 0));
+    if (!options.memory->grow_within_free(bytes)) {
+        curve.wanted = bytes;
+        return false;
+    }
+    curve.steps.reserve(now + more);
+    return true;
+}
 
 /// Adds a step. False: there is no memory for it, and tracing should end.
 inline bool keep_step(Curve& curve, const CurveStep& step, const TraceOptions& options) {

@@ -1,6 +1,7 @@
 // Surfaces through time-steps that come brick by brick, beside those through whole ones: the same bytes.
 #include "core/field/stored_flow.hpp"
 #include "core/surface/builder/surface_builder.hpp"
+#include "core/surface/playback/surface_at.hpp"
 #include "tests/support/bricked_source.hpp"
 #include "tests/support/sampled_source.hpp"
 #include "tests/support/value_of.hpp"
@@ -124,6 +125,37 @@ TEST_P(BricksTwin, HasTheSameBytesInAnyBricksAndOrderOfArrival) {
                 << "bricks of " << cells << ", order " << order << ": " << surface.mesh.vertices()
                 << " vertices for " << flat.mesh.vertices();
         }
+    }
+}
+
+TEST(BricksInLittleMemory, GiveWayToTheSurfaceThatReadsThem) {
+    const UniformGrid grid{Vec3(-2.0, -1.5, -1.0), Vec3(0.05), {80, 58, 38}};
+    const auto whole =
+        std::make_shared<SampledSource>(grid, std::vector{0.0, 0.5, 0.9, 1.4, 2.0}, drifting);
+    const Rake rake{Rake::Kind::Line, {{-1.6, -0.9, -0.4}, {-1.6, 0.9, 0.5}}, 9};
+    const MemoryAccount account(std::size_t{8} << 20);
+    for (const auto kind : {SurfaceKind::Stream, SurfaceKind::Path}) {
+        const SurfaceParameters p{.kind = kind, .to = 1.9, .separation = 0.04};
+        const auto flat =
+            value_of(build_surface(*flow_of(whole, std::size_t{1} << 30, false), rake, p));
+        TimeStepCache::Options options;
+        options.account = account;
+        options.by_brick = true;
+        const std::shared_ptr<const Flow> paged = make_stored_flow(
+            std::make_shared<TimeStepCache>(std::make_shared<BrickedSource>(whole, 8, 3), options));
+        const auto plan = plan_surface(paged, rake, p).value();
+        for (const double time : whole->times()) { // bricks take all that they may
+            std::vector<Vec3> places;
+            for (std::size_t node = 0; node < node_count(Grid(grid)); node += 101)
+                places.push_back(whole->position(node));
+            std::vector<Vec3> velocities(places.size());
+            ASSERT_TRUE(paged->sample(places, std::vector(places.size(), time), velocities, {}));
+        }
+        EXPECT_LT(account.free(), account.budget() / 5);
+        WorkMemory memory(account);
+        const auto surface = surface_at(plan, {}, SteadyClock{}, {}, {nullptr, &memory});
+        ASSERT_TRUE(surface) << surface.error().message;
+        EXPECT_EQ(difference(flat.mesh, surface->mesh), "");
     }
 }
 
