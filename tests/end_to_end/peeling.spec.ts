@@ -1,13 +1,13 @@
 // Layers that can be seen through, in their exact order: against the over operator, worked out from colours and opacities of
 // flat sheets, from before and from behind.
-import { readFileSync } from 'node:fs';
 import type { Browser, BrowserContext, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import type { BackSide, SurfaceLook } from '../../web-client/src/state/surfaceLook.ts';
 import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
 import type { PageView } from '../../web-client/src/state/pageView.ts';
 import { ask, newContext, openPage } from './support/browser_page.ts';
-import { acrossAt, finalSheets, FlatSheets, ground, middle, type Side, spread } from './support/flat_sheets.ts';
+import { savedFigure } from './support/figure_download.ts';
+import { acrossAt, finalSheets, FlatSheets, ground, lookFrom, middle, type Side, spread } from './support/flat_sheets.ts';
 import { pixelsOfPng } from './support/png_pixels.ts';
 import { layered, type Layer, litColour } from './support/shading_formula.ts';
 import { closePages, testBrowser } from './support/test_browser.ts';
@@ -92,16 +92,27 @@ function expected(
 const apart = (a: readonly number[], b: readonly number[]): number => Math.max(...a.map((c, i) => Math.abs(c - b[i]!)));
 
 describe('layers over one another', () => {
-    it.each(['before', 'behind'] as const)('are as the over operator says, seen from %s', async (side) => {
-        const page = await open(side);
-        const [blended, exact] = [await pixels(page, false), await pixels(page, true)];
-        const other = side === 'before' ? 'behind' : 'before';
-        for (const [i, reach] of places.entries()) {
-            // The fifth and the sixth are mixed by weights.
-            expect(apart(exact[i]!, expected(reach, side))).toBeLessThan(i < 4 ? 1.5 : 3);
-            if (i === 0) expect(apart(blended[i]!, exact[i]!)).toBeLessThan(1.5);
-            // Neither weights nor the order of the other side would do.
-            else expect(Math.min(apart(blended[i]!, exact[i]!), apart(exact[i]!, expected(reach, other)))).toBeGreaterThan(15);
+    it('are as the over operator says, from both sides; where they are blended instead, the nearer ones show more', async () => {
+        const page = await open('before');
+        for (const [side, other] of [
+            ['before', 'behind'],
+            ['behind', 'before'],
+        ] as const) {
+            await lookFrom(page, side);
+            const [blended, exact] = [await pixels(page, false), await pixels(page, true)];
+            for (const [i, reach] of places.entries()) {
+                // The fifth and the sixth are mixed by weights.
+                expect(apart(exact[i]!, expected(reach, side))).toBeLessThan(i < 4 ? 1.5 : 3);
+                if (i === 0) {
+                    expect(apart(blended[i]!, exact[i]!)).toBeLessThan(1.5);
+                    continue;
+                }
+                // Neither weights nor the order of the other side would do.
+                const others = expected(reach, other);
+                expect(Math.min(apart(blended[i]!, exact[i]!), apart(exact[i]!, others))).toBeGreaterThan(15);
+                // From one of both sides the sheets were made in the order in which they are seen.
+                expect(apart(blended[i]!, exact[i]!)).toBeLessThan(apart(blended[i]!, others));
+            }
         }
         await page.close();
     });
@@ -152,9 +163,10 @@ describe('layers over one another', () => {
         const folded = await flow.session([{ points: turns, length: 3, look }]);
         const at = 3;
         const grown = Math.exp(spread * (at - 0.5));
+        const page = await openPage(context, flow.link(folded.session, 'before', { [folded.surfaces[0]!]: look }));
+        await finalSheets(page, 1);
         for (const side of ['before', 'behind'] as const) {
-            const page = await openPage(context, flow.link(folded.session, side, { [folded.surfaces[0]!]: look }));
-            await finalSheets(page, 1);
+            await lookFrom(page, side);
             const drawn = await page.evaluate((x) => {
                 const hook = window.wakesurf!;
                 return hook.pixelsAt(
@@ -171,8 +183,8 @@ describe('layers over one another', () => {
             for (const [i, layers] of [[upright], [upright, slanted, upright], [upright]].entries()) {
                 expect(apart(drawn[i]!, layered(layers, ground))).toBeLessThan(2.5);
             }
-            await page.close();
         }
+        await page.close();
     });
 });
 
@@ -180,9 +192,7 @@ describe('a picture', () => {
     const whole = (page: Page): Promise<string> => ask(page, (hook) => hook.transparency);
 
     it('that stands still is drawn once more in exact order, and no more, where that is wanted', async () => {
-        const wide = await newContext(browser, { width: 764, height: 440 });
-        const page = await openPage(wide, flow.link(session, 'before', looksBy(usual)));
-        await finalSheets(page, sheets.length);
+        const page = await open('before');
         await page.getByRole('tab', { name: 'Look' }).click();
         await page.locator('#opacity-group summary').click();
         // Software rendering, as here, leaves it to its user.
@@ -220,28 +230,20 @@ describe('a picture', () => {
         // The choice stays with the browser.
         await page.reload();
         await page.waitForFunction(() => window.wakesurf?.transparency === 'exact');
-        await wide.close();
+        await page.getByRole('tab', { name: 'Look' }).click();
+        await page.locator('#opacity-group summary').click();
+        await page.getByLabel('Exact order when still').uncheck();
+        await page.close();
     });
 
-    it('that is saved is in exact order, before a ground and before none', async () => {
-        const wide = await newContext(browser, { width: 764, height: 440 });
-        const page = await openPage(wide, flow.link(session, 'behind', looksBy(usual)));
-        await finalSheets(page, sheets.length);
+    it('that is saved before no ground is in exact order, and as opaque as its layers', async () => {
+        const page = await open('behind');
         await page.getByRole('tab', { name: 'Export' }).click();
         const canvas = (await page.locator('canvas').first().boundingBox())!;
         const spots = await page.evaluate((all) => all.map((reach) => window.wakesurf!.project([reach, 3.5, 3.87])!), places);
         const inPicture = spots.map(({ x, y }) => ({ x: x - canvas.x, y: y - canvas.y }));
-        const saved = async (): Promise<number[][]> => {
-            const download = page.waitForEvent('download');
-            await page.locator('#save-picture').click();
-            return (await pixelsOfPng(page, readFileSync(await (await download).path()), inPicture)).at;
-        };
-        const before = await saved();
-        for (const [i, reach] of places.entries()) {
-            expect(apart(before[i]!.slice(0, 3), expected(reach, 'behind'))).toBeLessThan(3);
-        }
         await page.getByLabel('Background').selectOption('clear');
-        const bare = await saved();
+        const { at: bare } = await pixelsOfPng(page, await savedFigure(page), inPicture);
         for (const [i, reach] of places.entries()) {
             const [red, green, blue, alpha] = bare[i]! as [number, number, number, number];
             const passes = sheets
@@ -253,6 +255,6 @@ describe('a picture', () => {
         }
         // It costs nothing on the screen afterwards.
         await page.waitForFunction(() => window.wakesurf!.transparency === 'blended');
-        await wide.close();
+        await page.close();
     });
 });

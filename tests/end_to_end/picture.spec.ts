@@ -1,10 +1,6 @@
-// The pixels: the picture must be that of the mesh and the body, in the colours of the speed, not
-// merely some picture.
+// The pixels: the picture must be that of the mesh and the body, not merely some picture.
 import type { Page } from 'playwright-core';
 import { beforeAll, describe, expect, it } from 'vitest';
-import { colourTable, fractionOf } from '../../web-client/src/scene/surface/colourMap.ts';
-import { steadyRange } from '../../web-client/src/scene/surface/steadyRange.ts';
-import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
 import { ask } from './support/browser_page.ts';
 import { hueOf } from './support/look_facts.ts';
 import { useStand } from './support/stand.ts';
@@ -23,7 +19,6 @@ function isBackground([r, g, b]: Rgb): boolean {
 }
 
 interface SeenVertex {
-    scalar: number;
     pixel: Rgb;
     /** On the surface's own edge the pixel may belong to what is behind, but then its neighbours do not. */
     around: Rgb[];
@@ -33,33 +28,31 @@ function isCovered({ pixel, around }: SeenVertex): boolean {
     return !isBackground(pixel) || around.some((each) => !isBackground(each));
 }
 
-/** Pixels at every n-th vertex that is well inside the canvas, with the vertex's speed. */
-async function verticesInPicture(every: number): Promise<SeenVertex[]> {
-    return page.evaluate((n) => {
+/** Of every seventh vertex that is well inside the canvas. */
+async function expectCovered(): Promise<void> {
+    const seen = await page.evaluate((): SeenVertex[] => {
         const hook = window.wakesurf!;
         const canvas = { left: 4, top: 50, right: 520, bottom: 460 };
-        const seen = hook.vertices(n).flatMap(({ point, scalar }) => {
+        const seen = hook.vertices(7).flatMap(({ point }) => {
             const at = hook.project(point);
             const inside = at !== null && at.x > canvas.left && at.x < canvas.right && at.y > canvas.top && at.y < canvas.bottom;
-            return inside ? [{ at, scalar }] : [];
+            return inside ? [at] : [];
         });
         const offsets = [-1, 0, 1].flatMap((dx) => [-1, 0, 1].map((dy) => ({ dx, dy })));
-        const places = seen.flatMap(({ at }) => offsets.map(({ dx, dy }) => ({ x: at.x + dx, y: at.y + dy })));
+        const places = seen.flatMap((at) => offsets.map(({ dx, dy }) => ({ x: at.x + dx, y: at.y + dy })));
         const pixels = hook.pixelsAt(places);
-        return seen.map(({ scalar }, i) => {
+        return seen.map((_, i) => {
             const around = pixels.slice(9 * i, 9 * i + 9);
-            return { scalar, pixel: around[4]!, around };
+            return { pixel: around[4]!, around };
         });
-    }, every);
+    });
+    expect(seen.length).toBeGreaterThan(100);
+    expect(seen.filter(isCovered).length / seen.length).toBeGreaterThan(0.98);
 }
 
 describe('the picture', () => {
-    it('covers the projected vertices of the surface and leaves the rest dark', async () => {
-        const seen = await verticesInPicture(7);
-        expect(seen.length).toBeGreaterThan(100);
-        const covered = seen.filter(isCovered).length;
-        expect(covered / seen.length).toBeGreaterThan(0.98);
-
+    it('covers the projected vertices of the surface, wherever it is seen from, and leaves the rest dark', async () => {
+        await expectCovered();
         const around = await page.evaluate(() => {
             const [x0 = 0, x1 = 0, y0 = 0, y1 = 0, z0 = 0, z1 = 0] = window.wakesurf!.bounds ?? [];
             const outside: { x: number; y: number }[] = [];
@@ -72,37 +65,11 @@ describe('the picture', () => {
             return window.wakesurf!.pixelsAt(outside);
         });
         expect(around.filter(isBackground)).toHaveLength(around.length);
-    });
 
-    it('follows the camera: the same vertices are covered from elsewhere', async () => {
         const before = await ask(page, (hook) => hook.camera);
         await page.evaluate(() => window.wakesurf!.setCamera([20, -28, 14], [5, 0, 3]));
-        const seen = await verticesInPicture(7);
-        expect(seen.length).toBeGreaterThan(100);
-        const covered = seen.filter(isCovered).length;
-        expect(covered / seen.length).toBeGreaterThan(0.98);
+        await expectCovered();
         await page.evaluate(({ position, target }) => window.wakesurf!.setCamera(position, target), before);
-    });
-
-    it('colours the surface by the speed, as the scalar bar says', async () => {
-        const speeds = await ask(page, (hook) => hook.vertices(1).map(({ scalar }) => scalar));
-        const range = steadyRange(Math.min(...speeds), Math.max(...speeds));
-        expect(await page.locator('wakesurf-scalar-bar figure').getAttribute('aria-label')).toContain('of this surface');
-        const table = colourTable();
-        const hueOfSpeed = (speed: number): number => {
-            const i = Math.round(fractionOf(speed, range) * 255) * 4;
-            return hueOf([...table.subarray(i, i + 3)]).hue;
-        };
-        // From the side that faces the camera; a vertex may be hidden behind another fold, so most, not all.
-        const seen = (await verticesInPicture(5)).filter(({ pixel }) => hueOf(pixel).chroma > 40);
-        expect(seen.length).toBeGreaterThan(60);
-        const close = seen.filter(({ scalar, pixel }) => {
-            const apart = Math.abs(hueOf(pixel).hue - hueOfSpeed(scalar));
-            return Math.min(apart, 360 - apart) < 14;
-        });
-        expect(close.length / seen.length).toBeGreaterThan(0.8);
-        const hues = seen.map(({ scalar }) => hueOfSpeed(scalar));
-        expect(Math.max(...hues) - Math.min(...hues)).toBeGreaterThan(30);
     });
 
     it('shows the body in the flow, grey', async () => {
@@ -118,62 +85,30 @@ describe('the picture', () => {
         await page.getByRole('button', { name: 'Fit the whole domain' }).click();
     });
 
-    it('comes back after the graphics context was lost, and the page says so meanwhile', async () => {
-        const drawnAt = (): Promise<number> => ask(page, (hook) => hook.framesDrawn);
-        await page.evaluate(() => {
-            const canvas = document.querySelector('wakesurf-app')!.shadowRoot!.querySelector('canvas')!;
-            const lost = new Promise((resolve) => canvas.addEventListener('webglcontextlost', resolve, { once: true }));
-            window.wakesurf!.loseContext();
-            return lost.then(() => undefined);
-        });
-        const told = page.getByText('The system has reset the graphics');
-        await told.waitFor();
-        const before = await drawnAt();
-        await page.evaluate(() => window.wakesurf!.restoreContext());
-        await page.waitForFunction((count) => window.wakesurf!.framesDrawn > count, before);
-        await told.waitFor({ state: 'hidden' });
-        const seen = await verticesInPicture(7);
-        const covered = seen.filter(isCovered).length;
-        expect(covered / seen.length).toBeGreaterThan(0.98);
-    });
-
-    it.each(['with', 'without'])('tells what is under the pointer, %s perspective', async (perspective) => {
-        await page.evaluate(() => window.wakesurf!.setCamera([4, -26, 9], [4, 0, 3]));
-        if (perspective === 'without') await page.getByRole('button', { name: 'Parallel' }).click();
-        const found = await page.evaluate(() => {
-            const hook = window.wakesurf!;
-            const bounds = hook.bounds!;
-            const size = Math.hypot(...[0, 2, 4].map((i) => bounds[i + 1]! - bounds[i]!));
-            return hook.vertices(61).flatMap(({ point, s, t, scalar }) => {
-                const at = hook.project(point)!;
-                const hit = hook.pick(at);
-                if (hit === null || hit.surface === null) return [];
-                const apart = Math.hypot(...hit.point.map((x, i) => x - point[i]!)) / size;
-                const back = hook.project(hit.point)!;
-                const px = Math.hypot(back.x - at.x, back.y - at.y);
-                const numbers = Math.max(Math.abs(hit.s - s), Math.abs(hit.t - t) / 13, Math.abs(hit.scalar - scalar));
-                return [{ apart, px, numbers }];
+    it('tells what is under the pointer, with perspective and without', async () => {
+        for (const orthographic of [false, true]) {
+            await page.evaluate((parallel) => window.wakesurf!.setCamera([4, -26, 9], [4, 0, 3], parallel), orthographic);
+            const found = await page.evaluate(() => {
+                const hook = window.wakesurf!;
+                const bounds = hook.bounds!;
+                const size = Math.hypot(...[0, 2, 4].map((i) => bounds[i + 1]! - bounds[i]!));
+                return hook.vertices(61).flatMap(({ point, s, t, scalar }) => {
+                    const at = hook.project(point)!;
+                    const hit = hook.pick(at);
+                    if (hit === null || hit.surface === null) return [];
+                    const apart = Math.hypot(...hit.point.map((x, i) => x - point[i]!)) / size;
+                    const back = hook.project(hit.point)!;
+                    const px = Math.hypot(back.x - at.x, back.y - at.y);
+                    const numbers = Math.max(Math.abs(hit.s - s), Math.abs(hit.t - t) / 13, Math.abs(hit.scalar - scalar));
+                    return [{ apart, px, numbers }];
+                });
             });
-        });
-        expect(Math.max(...found.map(({ px }) => px))).toBeLessThan(0.1);
-        // Of the others a fold in front is seen.
-        const same = found.filter(({ apart }) => apart < 1e-3);
-        expect(same.length).toBeGreaterThan(40);
-        const close = same.filter(({ apart, numbers }) => apart < 1e-4 && numbers < 5e-3);
-        expect(close.length / same.length).toBeGreaterThan(0.9);
-        if (perspective === 'without') await page.getByRole('button', { name: 'Parallel' }).click();
-    });
-
-    it('projects as a camera does: halfway between two points is on the line between them', async () => {
-        const ends: [Vec3, Vec3] = [
-            [-3, -4, 0],
-            [-3, -4, 5],
-        ];
-        const [a, b, m] = await page.evaluate(([p, q]) => {
-            const middle = p.map((v, i) => (v + q[i]!) / 2) as typeof p;
-            return [p, q, middle].map((point) => window.wakesurf!.project(point)!);
-        }, ends);
-        const cross = (b!.x - a!.x) * (m!.y - a!.y) - (b!.y - a!.y) * (m!.x - a!.x);
-        expect(Math.abs(cross) / Math.hypot(b!.x - a!.x, b!.y - a!.y)).toBeLessThan(0.01);
+            expect(Math.max(...found.map(({ px }) => px))).toBeLessThan(0.1);
+            // Of the others a fold in front is seen.
+            const same = found.filter(({ apart }) => apart < 1e-3);
+            expect(same.length).toBeGreaterThan(40);
+            const close = same.filter(({ apart, numbers }) => apart < 1e-4 && numbers < 5e-3);
+            expect(close.length / same.length).toBeGreaterThan(0.9);
+        }
     });
 });

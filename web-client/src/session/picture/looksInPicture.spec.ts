@@ -1,5 +1,6 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { AppState } from '../../state/appState.ts';
+import type { SurfaceStyle } from '../../scene/surface/surfaceStyle.ts';
 import type { ShowWish } from '../../worker/workerMessages.ts';
 import { ViewState } from '../../state/viewState.ts';
 import { surfaceOf } from '../../testing/records.ts';
@@ -9,9 +10,20 @@ function bench() {
     const [state, view] = [new AppState(), new ViewState()];
     state.stage.value = 'running';
     const shown: unknown[] = [];
+    const styles = new Map<string, SurfaceStyle>();
+    const whole: [number, number] = [0, 5];
+    const texture = { moved: 0, frame: (): void => undefined };
     const scene = {
-        loop: { request: () => undefined, requestNext: () => undefined, beforeFrame: () => undefined },
-        surfaces: { setStyle: () => undefined, spanOf: () => null, moveTexture: () => undefined },
+        loop: {
+            request: () => undefined,
+            requestNext: () => undefined,
+            beforeFrame: (frame: () => void) => void (texture.frame = frame),
+        },
+        surfaces: {
+            setStyle: (id: string, style: SurfaceStyle) => void styles.set(id, style),
+            spanOf: (id: string) => ({ colours: whole, t: whole, s: whole, age: whole, style: styles.get(id)! }),
+            moveTexture: () => ++texture.moved,
+        },
         setClip: () => undefined,
     };
     const worker = { show: (id: string, { parts }: ShowWish) => shown.push([id, parts]) };
@@ -19,7 +31,7 @@ function bench() {
     const has = (...ids: string[]): void => {
         state.surfaces.value = new Map(ids.map((id) => [id, surfaceOf(id)]));
     };
-    return { state, view, shown, has };
+    return { state, view, shown, has, texture };
 }
 
 describe('the looks on their way to the worker', () => {
@@ -52,5 +64,31 @@ describe('the looks on their way to the worker', () => {
             ['s1', null],
             ['s2', listed],
         ]);
+    });
+});
+
+describe('the flow texture of a field that stands still', () => {
+    it('moves with every frame while that is on, and not for people who want no motion', () => {
+        const calm = { matches: false, addEventListener: () => undefined };
+        vi.stubGlobal('matchMedia', () => calm);
+        const { state, view, texture } = bench();
+        const fields = ['velocity_x', 'velocity_y', 'velocity_z'];
+        state.surfaces.value = new Map([['s1', surfaceOf('s1', { kind: 'stream', fields })]]);
+        const frames = (): number => {
+            const before = texture.moved;
+            for (let i = 0; i < 3; ++i) texture.frame();
+            return texture.moved - before;
+        };
+        view.changeLook('s1', { texture: true });
+        expect(frames()).toBe(0);
+        view.changeLook('s1', { animated: true });
+        expect(frames()).toBe(3);
+        calm.matches = true;
+        expect(frames()).toBe(0);
+        calm.matches = false;
+        expect(frames()).toBe(3);
+        view.changeLook('s1', { animated: false });
+        expect(frames()).toBe(0);
+        vi.unstubAllGlobals();
     });
 });
