@@ -6,7 +6,7 @@ import { finalSurface, newContext, openPage } from './support/browser_page.ts';
 import { degreesOff, type Ground, lightAround, momentsAround, places, shiftRatio } from './support/grain.ts';
 import { useStand } from './support/stand.ts';
 
-const stand = useStand(['flow:sphere', 'flow:tornado']);
+const stand = useStand(['flow:sphere']);
 const label = 'Show the flow along the body';
 
 /** A page on a dataset, with what is in the look of its body. */
@@ -89,10 +89,4 @@ describe('the flow texture of a body', () => {
         expect(later).not.toEqual(before);
         expect(await lightAround(page, around)).toEqual(later);
     }, 120_000);
-
-    it('cannot be had, in words, where there is no body', async () => {
-        const { page } = await open('tornado');
-        expect(await page.getByLabel(label).isDisabled()).toBe(true);
-        await page.getByText('There is no body in this dataset.').waitFor();
-    });
 });

@@ -28,7 +28,7 @@ async function open(page: Page, dataset: string): Promise<void> {
 }
 
 describe('the first picture', () => {
-    it('is filled by the surface, in flows of which that is a small part too', async () => {
+    it('is filled by the surface, in flows of which that is a small part too, which have no body to show the flow along', async () => {
         const page = await stand.visit(size);
         const largest = ({ width, height }: { width: number; height: number }): number => Math.max(width, height);
         expect(largest(await filled(page))).toBeGreaterThan(0.55);
@@ -36,5 +36,10 @@ describe('the first picture', () => {
             await open(page, dataset);
             expect(largest(await filled(page)), dataset).toBeGreaterThan(0.55);
         }
+        // No flow can be shown along a body where there is none.
+        await page.getByRole('tab', { name: 'Look' }).click();
+        await page.locator('#body-group summary').click();
+        expect(await page.getByLabel('Show the flow along the body').isDisabled()).toBe(true);
+        await page.getByText('There is no body in this dataset.').waitFor();
     });
 });

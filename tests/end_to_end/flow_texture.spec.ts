@@ -1,8 +1,9 @@
-// The flow texture of surfaces, looked at pixel by pixel: its grain lies along the velocity's part in the surface, and goes with it.
+// The flow texture of surfaces, looked at pixel by pixel: its grain lies along the velocity's part in the surface. How it goes with that is looked
+// at on flat sheets (flow_grain) and on a body.
 import type { Page } from 'playwright-core';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { finalSurface } from './support/browser_page.ts';
-import { degreesOff, type Ground, lightAround, momentsAround, places, shiftRatio } from './support/grain.ts';
+import { degreesOff, type Ground, momentsAround, places } from './support/grain.ts';
 import { useStand } from './support/stand.ts';
 
 const stand = useStand();
@@ -44,38 +45,5 @@ describe('the flow texture of a streak surface', () => {
         const off = await grainOff(4);
         expect(off.length).toBeGreaterThan(100);
         expect(off.filter((angle) => angle <= 5).length / off.length).toBeGreaterThanOrEqual(0.95);
-    });
-});
-
-describe('the flow texture of a path surface', () => {
-    it('goes with the flow while the time goes on, and stands while that stands', async () => {
-        await page.getByRole('tab', { name: 'Flow' }).click();
-        await page.getByRole('radio', { name: 'Path' }).check();
-        await page.waitForFunction((before) => (window.wakesurf?.displayed?.epoch ?? 0) > before, 3);
-        await page.getByRole('tab', { name: 'Look' }).click();
-        await page.locator('#lines-group summary').click();
-        const session = await page.evaluate(() => window.wakesurf!.session);
-        const shownAt = async (time: number): Promise<void> => {
-            await stand.server.call('time.set', { session, time });
-            await page.waitForFunction((at) => Math.abs(window.wakesurf!.displayed!.time - at) < 1e-6, time);
-            await finalSurface(page);
-        };
-        await shownAt(13);
-        const around = (await places(page, 3, ground)).filter(({ speed }) => speed > 20);
-        await page.getByLabel('Flow texture').uncheck();
-        await finalSurface(page);
-        const plain = await lightAround(page, around);
-        await page.getByLabel('Flow texture').check();
-        await page.getByLabel('Moving with the flow').check();
-        await finalSurface(page);
-        const before = await lightAround(page, around);
-        expect(await lightAround(page, around)).toEqual(before);
-        // Some four pixels, an eighth of a wave.
-        const passed = 4 / (around.reduce((sum, { speed }) => sum + speed, 0) / around.length);
-        await shownAt(13 + passed);
-        const gone = shiftRatio(around, plain, [before, await lightAround(page, around)], passed);
-        // A fortieth of a wave is missing: what is looked at of it stands still, so the best agreement is before the true place.
-        expect(gone).toBeGreaterThan(0.65);
-        expect(gone).toBeLessThan(1.05);
     });
 });

@@ -1,6 +1,6 @@
 // A level set from the panel: its field is chosen, its level dragged and typed, and what is shown has that value at every vertex.
 import type { Page } from 'playwright-core';
-import { afterEach, beforeEach, describe, expect, it } from 'vitest';
+import { beforeAll, describe, expect, it } from 'vitest';
 import type { SurfaceRecord, SurfaceStats } from '../../web-client/src/protocol/messages.ts';
 import { ask, finalSurface } from './support/browser_page.ts';
 import { useStand } from './support/stand.ts';
@@ -8,12 +8,8 @@ import { useStand } from './support/stand.ts';
 const stand = useStand();
 let page: Page;
 
-beforeEach(async () => {
+beforeAll(async () => {
     page = await stand.visit({ width: 780, height: 560 });
-});
-
-afterEach(async () => {
-    await page.context().close();
 });
 
 async function record(): Promise<SurfaceRecord> {
@@ -91,25 +87,5 @@ describe('a level set', () => {
         await finalSurface(page);
         expect(await ask(page, (hook) => hook.displayed!.time)).toBe(10);
         expect(await offLevel(0.6)).toBeLessThan(0.01);
-    });
-
-    it('of a family that is made from the rake goes through the rake, and says how many nodes have no value', async () => {
-        await edited(() => page.getByRole('radio', { name: 'Level set' }).check());
-        await page.getByText('Make a family…').click();
-        const family = await edited(() => page.getByRole('button', { name: 'Make it' }).click());
-        expect(family).toMatchObject({ kind: 'level', field: 'rake_family', level: 0 });
-        await page.getByText(/^rake_family: \d+ of \d+ nodes have no value\.$/).waitFor();
-        const [start, end] = await ask(page, (hook) => hook.rakePoints);
-        const middle = start!.map((value, k) => (value + end![k]!) / 2);
-        const away = (await ask(page, (hook) => hook.vertices(1).map(({ point }) => point))).map((point) =>
-            Math.hypot(...point.map((value, k) => value - middle[k]!)),
-        );
-        expect(Math.min(...away)).toBeLessThan(0.17);
-        const { fields } = (await stand.server.call('dataset.describe', { dataset: family.dataset })) as {
-            fields: { name: string }[];
-        };
-        expect(fields.map(({ name }) => name)).toContain('rake_family');
-        // The data are those of other tests as well.
-        await stand.server.call('family.remove', { dataset: family.dataset, name: 'rake_family' });
     });
 });

@@ -70,18 +70,4 @@ describe('a picture that moves', () => {
         expect(moving.places.some((place) => place !== null)).toBe(true);
         expect({ ...moving, ratio: 1 }).toEqual(resting);
     });
-
-    it('has fewer pixels while it plays, and all of them soon after', async () => {
-        const page = await stand.visit();
-        await page.getByRole('radio', { name: 'Streak' }).check();
-        await page.locator('#speed').selectOption('0.25');
-        await page.locator('#go-to').fill('11');
-        await page.keyboard.press('Enter');
-        await page.waitForFunction(() => window.wakesurf!.displayed!.time === 11);
-        await atRest(page);
-        await page.getByRole('button', { name: 'Play' }).click();
-        await page.waitForFunction(() => window.wakesurf?.phase === 'live' && window.wakesurf.pixelRatio < 1);
-        await page.getByRole('button', { name: 'Pause' }).click();
-        await atRest(page);
-    });
 });

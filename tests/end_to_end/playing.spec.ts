@@ -1,7 +1,7 @@
 // A streak surface that moves with the session's clock: what the page plays are changes of the state before, and where
 // it stops is the server's state.
 import type { Page } from 'playwright-core';
-import { beforeEach, describe, expect, it } from 'vitest';
+import { beforeAll, describe, expect, it } from 'vitest';
 import { ask, finalSurface } from './support/browser_page.ts';
 import { expectServersMesh } from './support/server_mesh.ts';
 import { useStand } from './support/stand.ts';
@@ -9,7 +9,7 @@ import { useStand } from './support/stand.ts';
 const stand = useStand();
 let page: Page;
 
-beforeEach(async () => {
+beforeAll(async () => {
     page = await stand.visit({ width: 860, height: 700 });
     await page.getByRole('radio', { name: 'Streak' }).check();
     await page.waitForFunction(() => (window.wakesurf?.displayed?.epoch ?? 0) > 1);
@@ -41,9 +41,9 @@ function playsOn({ deltas }: Played, more: number): Promise<unknown> {
 }
 
 describe('a streak surface', () => {
-    it('plays by changes of the state before, and stops at the state of the server', async () => {
+    it('plays by changes of the state before, in fewer pixels, and stops at the state of the server in all of them', async () => {
         await page.getByRole('button', { name: 'Play' }).click();
-        await page.waitForFunction(() => window.wakesurf?.phase === 'live');
+        await page.waitForFunction(() => window.wakesurf?.phase === 'live' && window.wakesurf.pixelRatio < 1);
         const begun = await played();
         await playsOn(begun, 20);
         const later = await played();
@@ -52,5 +52,6 @@ describe('a streak surface', () => {
         expect(later.time).not.toBe(begun.time);
         await page.getByRole('button', { name: 'Pause' }).click();
         await expectServersMesh(stand.server, page);
+        await page.waitForFunction(() => window.wakesurf!.pixelRatio === 1);
     });
 });

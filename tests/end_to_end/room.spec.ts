@@ -12,7 +12,6 @@ let page: Page;
 
 const canvasSize = (): Promise<{ width: number; height: number }> =>
     page.locator('main > canvas').evaluate(({ clientWidth, clientHeight }) => ({ width: clientWidth, height: clientHeight }));
-const camera = (): Promise<{ position: number[]; target: number[] }> => ask(page, (hook) => hook.camera);
 const drawnRakes = (): Promise<string[]> => ask(page, (hook) => hook.rakes.map(({ rake }) => rake));
 const displayed = (): Promise<number> => ask(page, (hook) => hook.allDisplayed.length);
 
@@ -110,13 +109,12 @@ describe('a rake that is locked', () => {
 });
 
 describe('room for the picture', () => {
-    it.each([
-        [1440, 900, 'width', 304],
-        [844, 390, 'width', 304],
-        [390, 844, 'height', 300],
-    ] as const)(
-        'is made at %d x %d by folding the panel away, with a button and with a key',
-        async (width, height, side, gained) => {
+    it('is made by folding the panel away, with a button and with a key, on a desk and on a phone', async () => {
+        for (const [width, height, side, gained] of [
+            [1440, 900, 'width', 304],
+            [844, 390, 'width', 304],
+            [390, 844, 'height', 300],
+        ] as const) {
             await page.setViewportSize({ width, height });
             const before = await canvasSize();
             const button = page.getByRole('button', { name: 'Panel' });
@@ -129,35 +127,18 @@ describe('room for the picture', () => {
             await page.keyboard.press('p');
             await expect.poll(canvasSize).toEqual(before);
             expect(await button.getAttribute('aria-expanded')).toBe('true');
-        },
-    );
+        }
+    });
 });
 
 describe('the camera', () => {
-    it('is turned, moved and moved nearer by keys', async () => {
+    it('is turned by arrows where the picture has the focus, and leaves them to the handle whose button has it', async () => {
         await page.locator('main > canvas').focus();
-        const distance = ({ position, target }: { position: number[]; target: number[] }): number =>
-            Math.hypot(...position.map((x, i) => x - target[i]!));
-        await page.keyboard.press('f');
-        const start = await camera();
-        for (let i = 0; i < 3; ++i) await page.keyboard.press('ArrowRight');
-        const turned = await camera();
-        const angle = ({ position, target }: typeof start): number =>
-            (Math.atan2(position[1]! - target[1]!, position[0]! - target[0]!) * 180) / Math.PI;
-        expect(angle(start) - angle(turned)).toBeCloseTo(15, 3);
-        expect(distance(turned)).toBeCloseTo(distance(start), 6);
+        const start = await ask(page, (hook) => hook.camera);
+        await page.keyboard.press('ArrowRight');
+        const turned = await ask(page, (hook) => hook.camera);
         expect(turned.target).toEqual(start.target);
-        await page.keyboard.press('+');
-        expect(distance(await camera())).toBeCloseTo(distance(start) / 1.15, 6);
-        await page.keyboard.press('Shift+ArrowUp');
-        const moved = await camera();
-        expect(moved.target).not.toEqual(start.target);
-        expect(distance(moved)).toBeCloseTo(distance(start) / 1.15, 6);
-        await page.keyboard.press('f');
-        expect((await camera()).target).toEqual(start.target);
-    });
-
-    it('leaves arrows to the handle whose button has the focus', async () => {
+        expect(turned.position).not.toEqual(start.position);
         const before = await ask(page, (hook) => [hook.camera, hook.rakePoints]);
         await page.locator('wakesurf-rake').getByRole('button', { name: 'Start' }).first().focus();
         await page.keyboard.press('ArrowUp');

@@ -1,9 +1,9 @@
-// Sessions as people meet them: the printed link leads back to their work, and a list shows all there are. What else the list does,
+// Sessions as people meet them: the printed link leads to one for all, and a list shows all there are. What else the list does,
 // and what becomes of a session that is deleted, is tested beside it.
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import type { SessionEntry } from '../../web-client/src/protocol/messages.ts';
-import { ask, finalSurface } from './support/browser_page.ts';
+import { ask } from './support/browser_page.ts';
 import { dragHandle } from './support/rake_drag.ts';
 import { useStand } from './support/stand.ts';
 
@@ -34,16 +34,6 @@ function sessionOf(page: Page): Promise<string | null> {
     return ask(page, (hook) => hook.session);
 }
 
-/** Into a new session, as a person makes one. */
-async function makeSession(page: Page, name: string): Promise<void> {
-    const before = await sessionOf(page);
-    await openList(page);
-    await page.getByLabel('Name of the new session').fill(name);
-    await page.keyboard.press('Enter');
-    await page.waitForFunction((old) => ![null, undefined, old].includes(window.wakesurf?.session), before);
-    await finalSurface(page);
-}
-
 describe('the printed link', () => {
     it('makes no session however often it is opened: everyone meets in one, with a first surface that no one has edited', async () => {
         const pages: Page[] = [];
@@ -58,21 +48,6 @@ describe('the printed link', () => {
         );
         await expect.poll(async () => (await listed())[0]!.edited).toBe(true);
         for (const page of pages) await page.context().close();
-    });
-
-    it('leads back to the session one was in last, and to the others where that is gone', async () => {
-        const page = await stand.visit({ ...size, link: stand.server.link });
-        await makeSession(page, 'Wake behind the cylinder');
-        expect((await named('Wake behind the cylinder'))?.session).toBe(await sessionOf(page));
-        const again = await stand.open(page, stand.server.link);
-        expect(await sessionOf(again)).toBe(await sessionOf(page));
-        expect(await again.locator('#session-name').textContent()).toBe('Wake behind the cylinder');
-        await again.close();
-        await page.goto('about:blank');
-        await stand.server.call('session.delete', { session: (await named('Wake behind the cylinder'))!.session });
-        const back = await stand.open(page, stand.server.link);
-        expect(await sessionOf(back)).toBe('main');
-        await page.context().close();
     });
 });
 

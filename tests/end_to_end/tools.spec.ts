@@ -49,7 +49,7 @@ async function sampled(point: Vec3): Promise<SampledPoints> {
 }
 
 describe('the probe', () => {
-    it('says of the surface under the pointer what the server samples there, and keeps the clicked place', async () => {
+    it('says what the server samples on the surface under the pointer, keeps the clicked place, and goes where numbers say', async () => {
         const [at, elsewhere] = await places();
         await page.getByRole('button', { name: 'Probe', exact: true }).click();
         await page.mouse.move(at.x, at.y);
@@ -61,9 +61,7 @@ describe('the probe', () => {
         await page.mouse.move(elsewhere.x, elsewhere.y);
         await page.mouse.move(elsewhere.x + 5, elsewhere.y);
         expect(apart(await typed('Probe'), at.point)).toBeLessThan(0.02);
-    });
-
-    it('goes where numbers say, and says where nothing flows', async () => {
+        // Where nothing flows.
         await page.getByRole('spinbutton', { name: 'Probe y' }).fill('0.1');
         await page.keyboard.press('Enter');
         await page.getByRole('spinbutton', { name: 'Probe x' }).fill('0.1');

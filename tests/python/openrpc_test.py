@@ -64,6 +64,13 @@ class OpenRpcTest(unittest.TestCase):
         self.assertEqual(codes, {-32602, -32603, -32800, -32801, -32001, -32003, -32004, -32011, -32012, -32013, -32014,
                                  -32015})
 
+    def test_it_says_what_parameters_are_that_are_left_out(self):
+        of_surfaces = {each["name"]: each["schema"]["default"] for each in self.methods["surface.set"]["params"]
+                       if "default" in each["schema"]}
+        self.assertEqual(of_surfaces, {
+            "default": False, "accuracy": "balanced", "interpolation": "linear", "refine": "on", "merge": 0.35, "angle": 20,
+            "stagnationSpeed": 1e-6, "maxQuads": 1_000_000, "fields": []})
+
     def test_examples_are_calls_and_answers_that_the_schemas_allow(self):
         self.assertEqual([name for name, method in self.methods.items() if not method.get("examples")], [])
         examples = [(method, each) for method in self.methods.values() for each in method["examples"]]

@@ -4,9 +4,9 @@ import { turnByKey } from './cameraKeys.ts';
 function did(key: string, shiftKey = false): [string, ...number[]][] {
     const heard: [string, ...number[]][] = [];
     const controls = {
-        turn: (...by: number[]) => void heard.push(['turn', ...by.map(Math.sign)]),
-        pan: (...by: number[]) => void heard.push(['pan', ...by.map(Math.sign)]),
-        zoom: (factor: number) => void heard.push(['zoom', Math.sign(factor - 1)]),
+        turn: (...by: number[]) => void heard.push(['turn', ...by.map((angle) => Math.round((angle * 180) / Math.PI))]),
+        pan: (...by: number[]) => void heard.push(['pan', ...by]),
+        zoom: (factor: number) => void heard.push(['zoom', factor]),
     };
     expect(turnByKey({ key, shiftKey }, controls)).toBe(heard.length > 0);
     return heard;
@@ -14,12 +14,12 @@ function did(key: string, shiftKey = false): [string, ...number[]][] {
 
 describe('keys for the camera', () => {
     it('turn by arrows, move by arrows with Shift, and zoom', () => {
-        expect(did('ArrowRight')).toEqual([['turn', 1, 0]]);
-        expect(did('ArrowDown')).toEqual([['turn', 0, -1]]);
-        expect(did('ArrowLeft', true)).toEqual([['pan', -1, 0]]);
-        expect(did('ArrowUp', true)).toEqual([['pan', 0, 1]]);
-        for (const key of ['+', '=']) expect(did(key)).toEqual([['zoom', 1]]);
-        expect(did('-')).toEqual([['zoom', -1]]);
+        expect(did('ArrowRight')).toEqual([['turn', 5, 0]]);
+        expect(did('ArrowDown')).toEqual([['turn', 0, -5]]);
+        expect(did('ArrowLeft', true)).toEqual([['pan', -0.05, 0]]);
+        expect(did('ArrowUp', true)).toEqual([['pan', 0, 0.05]]);
+        for (const key of ['+', '=']) expect(did(key)).toEqual([['zoom', 1.15]]);
+        expect(did('-')).toEqual([['zoom', 1 / 1.15]]);
     });
 
     it('leave all others alone', () => {
