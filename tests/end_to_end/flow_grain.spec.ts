@@ -68,11 +68,10 @@ describe('the grain of the flow texture', () => {
             { ...flat, size: 4e-5 },
             { ...flat, size: 1e-8 },
         ];
-        for (const place of places) {
-            for (const angle of [0.3, 1.3, 2.3]) {
-                const off = offOf(await lightOf({ ...place, angle: [angle, angle] }, {}), angle);
-                expect(off, `${place.size} long, ${angle}`).toBeLessThan(5);
-            }
+        for (const [i, place] of places.entries()) {
+            const angle = [0.3, 1.3, 2.3, 0.8][i]!;
+            const off = offOf(await lightOf({ ...place, angle: [angle, angle] }, {}), angle);
+            expect(off, `${place.size} long, ${angle}`).toBeLessThan(5);
         }
     });
 

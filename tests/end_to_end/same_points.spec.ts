@@ -2,7 +2,7 @@
 import { expect, it } from 'vitest';
 import { expectSamePoints } from './support/same_points.ts';
 
-it('points are not the same where there are none, too few, or others', () => {
+it('points are the same where they differ by less than the decimals, and not where there are none, too few, or others', () => {
     for (const [found, wanted] of [
         [[], []],
         [[[]], [[]]],
@@ -19,8 +19,5 @@ it('points are not the same where there are none, too few, or others', () => {
     ]) {
         expect(() => expectSamePoints(found, wanted)).toThrow();
     }
-});
-
-it('points that differ by less than the decimals are the same', () => {
     expectSamePoints([[1, 2, 3.0004]], [[1, 2, 3]], 3);
 });

@@ -40,7 +40,7 @@ async function sheetOf(opacity: number): Promise<Page> {
     return page;
 }
 
-type Background = 'shown' | 'white' | 'clear';
+type Background = 'shown' | 'clear';
 
 async function figure(page: Page, background: Background, size: { width: number; height: number }) {
     const setting = { ...size, background, bar: false, axes: false, rake: false, caption: null };
@@ -93,14 +93,11 @@ async function columnsOf(page: Page, background: Background, height: number): Pr
 
 describe('a figure', () => {
     it.each([
-        ['white', 1, 440],
-        ['shown', 1, 440],
-        ['clear', 1, 440],
-        ['clear', 0.6, 440],
-        ['white', 1, 1000],
+        { opacity: 1, background: 'shown', rows: 1000 },
+        { opacity: 0.6, background: 'clear', rows: 440 },
     ] as const)(
-        'before %s, of a sheet of opacity %d, covers of each pixel what the sheet does: %d rows',
-        async (background, opacity, rows) => {
+        'covers of each pixel what the sheet does: opacity $opacity, background $background, $rows rows',
+        async ({ opacity, background, rows }) => {
             const page = await sheetOf(opacity);
             const { heights, mixed } = await columnsOf(page, background, rows);
             expect(heights.length).toBeGreaterThan(25);
