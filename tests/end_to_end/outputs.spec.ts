@@ -5,7 +5,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { promisify } from 'node:util';
 import type { Page } from 'playwright-core';
-import { afterAll, beforeEach, describe, expect, it } from 'vitest';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import type { ClockRecord, RakeRecord, SurfaceRecord } from '../../web-client/src/protocol/messages.ts';
 import { ask, finalSurface } from './support/browser_page.ts';
 import { pixelsOfPng } from './support/png_pixels.ts';
@@ -19,10 +19,9 @@ let page: Page;
 
 afterAll(() => work.remove());
 
-beforeEach(async () => {
+beforeAll(async () => {
     page = await stand.visit({ width: 900, height: 520 });
     await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
-    return () => page.context().close();
 });
 
 const toExport = (): Promise<void> => page.getByRole('tab', { name: 'Export' }).click();
@@ -48,9 +47,11 @@ async function chooseSize(id: string, width: number, height: number): Promise<vo
     }
 }
 
-async function streak(): Promise<void> {
-    await page.getByRole('radio', { name: 'Streak' }).check();
-    await page.waitForFunction(() => (window.wakesurf?.displayed?.epoch ?? 0) > 1);
+/** Does what changes the surface, and waits for the new one. */
+async function changed(change: () => Promise<unknown>): Promise<void> {
+    const before = await ask(page, (hook) => hook.displayed!.epoch);
+    await change();
+    await page.waitForFunction((old) => window.wakesurf!.displayed!.epoch > old, before);
     await finalSurface(page);
 }
 
@@ -110,8 +111,8 @@ describe('a picture', () => {
 
     it('holds bar and numbers or leaves them out, and is not drawn larger than the graphics can', async () => {
         await toExport();
-        await page.locator('#background').selectOption('clear');
         const box = (await page.locator('canvas').first().boundingBox())!;
+        await chooseSize('picture', box.width, box.height);
         const axis = (await page.locator('.axis-x').boundingBox())!;
         const bar = (await page.locator('wakesurf-scalar-bar canvas').boundingBox())!;
         const inside = (from: typeof box, fx: number, fy: number) => ({
@@ -130,6 +131,8 @@ describe('a picture', () => {
         await page.getByRole('checkbox', { name: 'Box and axes' }).uncheck();
         const bare = await pixelsOfPng(page, (await saved('#save-picture')).bytes, [...ends, ...letter]);
         expect(opaque(bare.at)).toBe(0);
+        await page.getByRole('checkbox', { name: 'Scalar bar' }).check();
+        await page.getByRole('checkbox', { name: 'Box and axes' }).check();
         await chooseSize('picture', 100_000, 500);
         await page.locator('#save-picture').click();
         expect(await page.getByRole('alert').filter({ hasText: 'at most' }).textContent()).toMatch(/at most \d+ pixels per side/);
@@ -140,9 +143,7 @@ describe('a picture', () => {
         const session = await ask(page, (hook) => hook.session);
         const { surface, rake, dataset, kind, from, to, separation } = (await records()).surfaces[0]!;
         const coarse = { surface, rake, dataset, kind, from, to, separation: 3 * separation };
-        await stand.server.call('surface.set', { session, ...coarse });
-        await page.waitForFunction(() => (window.wakesurf?.displayed?.epoch ?? 0) > 1);
-        await finalSurface(page);
+        await changed(() => stand.server.call('surface.set', { session, ...coarse }));
         await page.getByRole('tab', { name: 'Look' }).click();
         await page.locator('#opacity').evaluate((slider: HTMLInputElement) => {
             slider.value = '0.5';
@@ -151,25 +152,22 @@ describe('a picture', () => {
         await page.waitForFunction(() => window.wakesurf!.transparency === 'blended');
         await toExport();
         await page.getByRole('checkbox', { name: 'Rake' }).check();
-        for (const background of ['shown', 'clear']) {
-            await page.locator('#background').selectOption(background);
-            const { differing, coloured } = await page.evaluate(() => {
-                const hook = window.wakesurf!;
-                const size = { width: 200, height: 131 };
-                const [tiled, whole] = [hook.figure(size, 107), hook.figure(size, 2000)];
-                let [differ, colours] = [0, 0];
-                for (let i = 0; i < whole.length; i += 4) {
-                    const pixel = [0, 1, 2, 3].map((k) => i + k);
-                    if (Math.max(...pixel.map((at) => Math.abs(whole[at]! - tiled[at]!))) > 3) ++differ;
-                    const [r, g, b] = [whole[i]!, whole[i + 1]!, whole[i + 2]!];
-                    if (Math.max(r, g, b) - Math.min(r, g, b) > 40) ++colours;
-                }
-                return { differing: differ, coloured: colours };
-            });
-            expect(coloured).toBeGreaterThan(1_000);
-            // Of 26 200; at an edge rounding may put a pixel on the other side. A seam of a tile is 131 long.
-            expect(differing).toBeLessThan(30);
-        }
+        const { differing, coloured } = await page.evaluate(() => {
+            const hook = window.wakesurf!;
+            const size = { width: 200, height: 131 };
+            const [tiled, whole] = [hook.figure(size, 107), hook.figure(size, 2000)];
+            let [differ, colours] = [0, 0];
+            for (let i = 0; i < whole.length; i += 4) {
+                const pixel = [0, 1, 2, 3].map((k) => i + k);
+                if (Math.max(...pixel.map((at) => Math.abs(whole[at]! - tiled[at]!))) > 3) ++differ;
+                const [r, g, b] = [whole[i]!, whole[i + 1]!, whole[i + 2]!];
+                if (Math.max(r, g, b) - Math.min(r, g, b) > 40) ++colours;
+            }
+            return { differing: differ, coloured: colours };
+        });
+        expect(coloured).toBeGreaterThan(1_000);
+        // Of 26 200; at an edge rounding may put a pixel on the other side. A seam of a tile is 131 long.
+        expect(differing).toBeLessThan(30);
         // Wider than a texture may be here; opaque, since each tile of what lets light through takes a second.
         await page.getByRole('tab', { name: 'Look' }).click();
         await page.locator('#opacity').evaluate((slider: HTMLInputElement) => {
@@ -186,7 +184,8 @@ describe('a picture', () => {
 
 describe('a film', () => {
     it('has every frame of the playback; it and one that is cancelled leave the clock as it was', async () => {
-        await streak();
+        await page.getByRole('tab', { name: 'Flow' }).click();
+        await changed(() => page.getByRole('radio', { name: 'Streak' }).check());
         const session = await ask(page, (hook) => hook.session);
         await stand.server.call('time.set', { session, time: 10 });
         await page.waitForFunction(() => window.wakesurf!.displayed!.time === 10);
@@ -266,7 +265,7 @@ describe('a script', () => {
     const placed = ({ rake: _rake, rev: _rev, author: _author, ...rest }: RakeRecord) => rest;
 
     it('fetches the surface that is there; where it is gone, it makes the same rake and surface', async () => {
-        await streak();
+        await page.getByRole('tab', { name: 'Flow' }).click();
         const surfacePanel = 'section[aria-labelledby="surface-head"]';
         const before = await records();
         const [python, curl] = [await copied(surfacePanel, 'Python'), await copied(surfacePanel, 'curl')];
@@ -295,7 +294,6 @@ describe('a script', () => {
     });
 
     it('sets the clock, and fetches the mesh', async () => {
-        await streak();
         const session = await ask(page, (hook) => hook.session);
         for (const [language, runs, time] of [
             ['Python', runPython, 11.5],

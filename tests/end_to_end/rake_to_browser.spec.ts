@@ -1,39 +1,21 @@
-// The whole path: real data, real stand.server, real stand.browser, real mouse. What is on the screen must be
+// The whole path: real data, real server, real browser, real mouse. What is on the screen must be
 // what the server computed for the rake as it was left.
-import type { BrowserContext, Page } from 'playwright-core';
-import { afterEach, beforeEach, describe, expect, it } from 'vitest';
+import type { Page } from 'playwright-core';
+import { beforeAll, describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
-import { ask, finalSurface, newContext, openPage } from './support/browser_page.ts';
+import { ask, finalSurface } from './support/browser_page.ts';
 import { framesPass } from './support/frames.ts';
-import { dragHandle, handleIsAt, takeHandle } from './support/rake_drag.ts';
+import { handleIsAt, takeHandle } from './support/rake_drag.ts';
 import { expectSamePoints } from './support/same_points.ts';
 import { expectServersMesh } from './support/server_mesh.ts';
 import { useStand } from './support/stand.ts';
 
 const stand = useStand();
-let context: BrowserContext;
 let page: Page;
 
-beforeEach(async () => {
-    context = await newContext(stand.browser);
-    page = await openPage(context, await stand.server.newSession());
-    await finalSurface(page);
+beforeAll(async () => {
+    page = await stand.visit();
 });
-
-afterEach(async () => {
-    await context.close();
-});
-
-/** The epoch on the screen, to be overtaken by what the test does. */
-function epochNow(): Promise<number> {
-    return ask(page, (hook) => hook.displayed?.epoch ?? 0);
-}
-
-/** The surface of an edit made after `epoch` is on the screen, and is the server's. */
-async function expectNewSurface(epoch: number): Promise<void> {
-    await page.waitForFunction((old) => (window.wakesurf?.displayed?.epoch ?? 0) > old, epoch);
-    await expectServersMesh(stand.server, page);
-}
 
 describe('the page', () => {
     it('shows the final surface of the default rake and hides the token', async () => {
@@ -48,7 +30,7 @@ describe('the page', () => {
         const from = await takeHandle(page, 1);
         for (let i = 1; i <= 4; ++i) {
             // The surface comes along while the hand still holds.
-            const shown = await epochNow();
+            const shown = await ask(page, (hook) => hook.displayed!.epoch);
             const to = { x: from.x + 11 * i, y: from.y + 8 * i };
             await page.mouse.move(to.x, to.y, { steps: 3 });
             await handleIsAt(page, 1, to);
@@ -88,44 +70,12 @@ describe('the keyboard', () => {
         const before = await ask(page, (hook) => hook.displayed);
         await page.getByRole('slider', { name: 'Time of the frozen field' }).focus();
         for (let i = 0; i < 5; ++i) await page.keyboard.press('ArrowLeft');
-        await expectNewSurface(before?.epoch ?? 0);
+        await page.waitForFunction((old) => window.wakesurf!.displayed!.epoch > old, before!.epoch);
+        await expectServersMesh(stand.server, page);
         const after = await ask(page, (hook) => hook.displayed);
         expect(after?.stateSum).not.toBe(before?.stateSum);
         const session = await ask(page, (hook) => hook.session);
         const list = await stand.server.call('surface.list', { session });
         expect((list['surfaces'] as { from: number }[])[0]?.from).toBeCloseTo(13.5);
-    });
-
-    it('takes numbers for the rake, and says so when they are outside the domain', async () => {
-        const epoch = await epochNow();
-        await page.getByRole('spinbutton', { name: 'Start x' }).fill('2');
-        await page.keyboard.press('Enter');
-        await expectNewSurface(epoch);
-        expect((await ask(page, (hook) => hook.rakePoints))[0]?.[0]).toBe(2);
-        const [before] = await ask(page, (hook) => hook.rakePoints);
-        await page.getByRole('spinbutton', { name: 'Start x' }).fill('500');
-        await page.keyboard.press('Enter');
-        await page.getByText(/x stops at 12\.92; y and z stay\./).waitFor();
-        const [after] = await ask(page, (hook) => hook.rakePoints);
-        expect(after![0]).toBeCloseTo(12.916, 3);
-        expect(after!.slice(1)).toEqual(before!.slice(1));
-    });
-});
-
-describe('a link', () => {
-    it('opens the same session in another window, which sees every edit', async () => {
-        const other = await openPage(context, page.url());
-        await finalSurface(other);
-        expect(await ask(other, (hook) => hook.session)).toBe(await ask(page, (hook) => hook.session));
-        const epoch = await epochNow();
-        await dragHandle(page, 0, 20, 10, 6);
-        await expectNewSurface(epoch);
-        const shown = await ask(page, (hook) => hook.displayed);
-        await other.waitForFunction(
-            (sum) => window.wakesurf?.phase === 'final' && window.wakesurf.displayed?.stateSum === sum,
-            shown?.stateSum ?? 0,
-        );
-        const [mine, theirs] = [await ask(page, (h) => h.rakePoints), await ask(other, (h) => h.rakePoints)];
-        expectSamePoints(theirs, mine);
     });
 });

@@ -56,3 +56,12 @@ describe('a number that a rake cannot have', () => {
         expect(panel.get('input', 'Start x').value).toBe('512345');
     });
 });
+
+describe('the controls of a rake', () => {
+    it('have names: each handle a button, each coordinate of the ends a field', () => {
+        for (const name of ['Start', 'Middle', 'End']) expect(panel.all('button', name), name).toHaveLength(1);
+        for (const end of ['Start', 'End']) {
+            for (const axis of ['x', 'y', 'z']) expect(panel.all('input', `${end} ${axis}`), `${end} ${axis}`).toHaveLength(1);
+        }
+    });
+});
