@@ -5,7 +5,7 @@ import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import WebSocket from 'ws';
 import { subprotocol } from '../../web-client/src/protocol/version.ts';
-import { finalSurface, newContext, openPage } from './support/browser_page.ts';
+import { entered, finalSurface, newContext, openPage } from './support/browser_page.ts';
 import { expectComplaint } from './support/complaints.ts';
 import { useStand } from './support/stand.ts';
 
@@ -57,8 +57,9 @@ async function opens(origin: string, headers: Record<string, string>): Promise<b
 }
 
 describe('another program on another port of the same host', () => {
-    it('is sent nothing by a browser that is logged in here, with which it could come in', async () => {
-        const page = await stand.visit(size);
+    it('is sent nothing by a browser that is logged in here, with which it could come in, and its page can neither ask nor join', async () => {
+        const page = await openPage(await newContext(stand.browser, size), await stand.server.newSession());
+        await entered(page);
         const { origin } = new URL(page.url());
         const count = ((await stand.server.call('session.list', {}))['sessions'] as unknown[]).length;
         const other = await page.context().newPage();
@@ -81,15 +82,8 @@ describe('another program on another port of the same host', () => {
         expect(
             await other.evaluate(() => JSON.stringify([{ ...localStorage }, { ...sessionStorage }, document.cookie])),
         ).not.toMatch(/login|session/);
-        await page.context().close();
-    });
-
-    it('can neither ask nor frame nor join from its page', async () => {
-        const page = await stand.visit(size);
-        const { origin } = new URL(page.url());
-        const other = await page.context().newPage();
+        // Nor can it ask or join.
         expectComplaint(/.*/);
-        await other.goto(neighbourAt(page));
         const tried = await other.evaluate(async (to) => {
             const get = await fetch(`${to}/openrpc.json`, { credentials: 'include' }).then(
                 () => 'read',

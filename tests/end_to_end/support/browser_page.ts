@@ -61,6 +61,12 @@ export async function finalSurface(page: Page): Promise<void> {
     await page.waitForFunction(() => window.wakesurf?.phase === 'final', null, { timeout: 60_000 });
 }
 
+/** Waits until the page is in a session, whatever is drawn of it; which one. */
+export async function entered(page: Page): Promise<string> {
+    const session = await page.waitForFunction(() => window.wakesurf?.connection === 'open' && window.wakesurf.session);
+    return (await session.jsonValue()) as string;
+}
+
 /** Reads facts from the page. */
 export function ask<Result>(page: Page, read: (hook: PageFacts) => Result): Promise<Result> {
     return page.evaluate<Result>(`(${read.toString()})(window.wakesurf)`);

@@ -5,8 +5,6 @@ import type { AddressInfo, Socket } from 'node:net';
 interface Behind {
     prefix: string;
     port: number;
-    /** Instead of the Host that the browser sent. */
-    host: string | undefined;
 }
 
 export class PrefixProxy {
@@ -61,9 +59,8 @@ export class PrefixProxy {
         return `http://lab.localhost:${(this.server.address() as AddressInfo).port}`;
     }
 
-    /** @param host that the server is told, where it is not the browser's */
-    lead(prefix: string, port: number, host?: string): void {
-        this.behind.push({ prefix, port, host });
+    lead(prefix: string, port: number): void {
+        this.behind.push({ prefix, port });
     }
 
     stop(): void {
@@ -75,14 +72,8 @@ export class PrefixProxy {
         const { url = '', method, headers } = incoming;
         const found = this.behind.find(({ prefix }) => url.startsWith(prefix));
         if (found === undefined) return null;
-        const { prefix, port, host } = found;
+        const { prefix, port } = found;
         const path = `/${url.slice(prefix.length)}`;
-        return request({
-            host: '127.0.0.1',
-            port,
-            path,
-            method,
-            headers: host === undefined ? headers : { ...headers, host },
-        });
+        return request({ host: '127.0.0.1', port, path, method, headers });
     }
 }
