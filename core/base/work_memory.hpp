@@ -61,8 +61,8 @@ class WorkMemory {
     Error refusal() const;
 
   private:
-    static constexpr std::size_t most = std::size_t{1}
-                                        << 50; ///< that sums of them do not wrap round
+    /// Sums of so many bytes do not wrap round.
+    static constexpr std::size_t most = std::size_t{1} << 50;
 
     bool reserve(std::size_t bytes);
     std::size_t ahead_of(std::size_t bytes) const;

@@ -48,7 +48,9 @@ Emptiness because(Emptiness::Reason reason, const char* message, const char* hin
 }
 
 /// Returns what the places tell at which particles are released; nothing if some are released, and move.
-Result<std::optional<Emptiness>> at_release(const SurfacePlan& plan, const std::stop_token& stop) {
+/// @param later  set where they do not move at first
+Result<std::optional<Emptiness>>
+at_release(const SurfacePlan& plan, bool& later, const std::stop_token& stop) {
     using Reason = Emptiness::Reason;
     const Flow& flow = *plan.flow;
     const SurfaceParameters& p = plan.parameters;
@@ -98,8 +100,10 @@ Result<std::optional<Emptiness>> at_release(const SurfacePlan& plan, const std::
             return because(Reason::NotFinite, "the velocities at the rake are not finite numbers",
                            "choose another time; the simulation may have failed at this one");
         if (std::any_of(velocities.begin(), velocities.end(),
-                        [&](const Vec3& v) { return glm::length(v) > rest; }))
+                        [&](const Vec3& v) { return glm::length(v) > rest; })) {
+            later = time != p.from;
             return std::nullopt;
+        }
     }
     return because(Reason::AtRest, "the fluid is at rest all along the rake",
                    "move the rake to where the fluid moves, or choose another time");
@@ -114,9 +118,14 @@ Result<std::optional<Emptiness>> why_empty(const SurfacePlan& plan,
     using Reason = Emptiness::Reason;
     if (!mesh.cells.empty() && has_area(mesh))
         return std::nullopt;
-    auto reason = at_release(plan, stop);
+    bool later = false;
+    auto reason = at_release(plan, later, stop);
     if (!reason || *reason)
         return reason;
+    const auto& ended = statistics.terminated;
+    if (later && ended.domain + ended.obstacle + ended.stagnation == 0)
+        return because(Reason::NothingYet, "the fluid along the rake has not moved yet",
+                       "choose a later time, or play");
     const SurfaceParameters& p = plan.parameters;
     if (p.kind == SurfaceKind::Time && p.rake2 && p.rake2->points == plan.rake.points)
         return because(Reason::SameRakes,
@@ -132,7 +141,6 @@ Result<std::optional<Emptiness>> why_empty(const SurfacePlan& plan,
     if (statistics.steps == 0)
         return because(Reason::NothingYet, "nothing has been released yet",
                        "choose a later time, or play");
-    const auto& ended = statistics.terminated;
     if (ended.domain > 0)
         return because(Reason::AllLeft, "all particles have left the domain",
                        "choose a shorter time, or a rake further from where the flow leaves");

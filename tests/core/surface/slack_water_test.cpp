@@ -1,6 +1,7 @@
 // Fluid that is at rest for a moment: particles of path, streak and time surfaces wait, and go on with it.
 // Velocities are the same everywhere and linear between the stored times, so that ways are integrals.
 #include "core/surface/builder/surface_builder.hpp"
+#include "core/surface/playback/surface_at.hpp"
 #include "tests/support/meshed_field.hpp"
 #include "tests/support/meshed_source.hpp"
 #include "tests/support/sampled_source.hpp"
@@ -155,6 +156,17 @@ TEST(SlackWater, RowsOfAStreakThatStartsFromRestLieAsCloseAsThoseOfASteadyOne) {
     const auto surface = build_surface(*flow, rake, p);
     ASSERT_TRUE(surface) << surface.error().message;
     EXPECT_LT(surface->statistics.max_edge, 3.0 * std::max(p.separation, 0.67 / 4.0));
+}
+
+TEST(SlackWater, BeforeTheFluidMovesThereIsNothingYet) {
+    const Rake rake{.points = {{0.7, 0.6, 0.4}, {0.7, 1.2, 0.7}}, .seeds = 5};
+    const std::shared_ptr<const Flow> flow = stored(tides()[4], Stored::Uniform);
+    const SurfaceParameters p{.kind = SurfaceKind::Streak, .to = 29.0, .separation = 0.2};
+    const auto shown = surface_at(plan_surface(flow, rake, p).value(), 20.0, SteadyClock{}, {});
+    ASSERT_TRUE(shown) << shown.error().message;
+    ASSERT_TRUE(shown->statistics.empty);
+    EXPECT_EQ(shown->statistics.empty->reason, Emptiness::Reason::NothingYet)
+        << shown->statistics.empty->message;
 }
 
 TEST(SlackWater, FluidThatNeverMovesAlongTheRakeIsRefusedInWords) {
