@@ -308,16 +308,18 @@ class TranscriptTest(McpCase):
 
 class EndTest(McpCase):
     def test_ends_its_server_when_the_client_has_gone_or_says_so(self):
-        for way in ("gone", signal.SIGTERM, signal.SIGHUP, "input, then terminated"):
+        for way in ("gone", signal.SIGTERM, signal.SIGHUP, "input, then terminated", "a thread that does not read the input"):
             with self.subTest(way):
                 agent = self.agent("flow:tornado")
                 agent.numbers("surface", kind="streak", to=12, separation=0.004, max_quads=4_000_000)
                 agent.start("tools/call", name="wait", arguments={"seconds": 600})
                 server = self.child(agent.process.pid)
-                if isinstance(way, str):
+                if way in ("gone", "input, then terminated"):
                     agent.process.stdin.close()
                 if way == "gone":
                     agent.process.stdout.close()
+                elif way == "a thread that does not read the input":
+                    os.kill(max(int(each) for each in os.listdir(f"/proc/{agent.process.pid}/task")), signal.SIGTERM)
                 else:
                     agent.process.send_signal(signal.SIGTERM if isinstance(way, str) else way)
                 self.assertEqual(agent.process.wait(timeout=60), 0)

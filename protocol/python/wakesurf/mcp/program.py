@@ -5,6 +5,7 @@ import argparse
 import os
 import signal
 import sys
+import threading
 from typing import Optional, Sequence
 
 from .place import Place
@@ -13,6 +14,7 @@ from .wire import Out
 from .work import Work
 
 _PATIENCE = 5.0  # s, for the call that runs at the end
+_LOOK_AGAIN = 0.2  # s, whether a signal has been noticed
 
 
 def _options(arguments: Optional[Sequence[str]]) -> argparse.Namespace:
@@ -32,14 +34,39 @@ def _options(arguments: Optional[Sequence[str]]) -> argparse.Namespace:
     return given
 
 
+def _end_on_signals() -> None:
+    """Python acts on a signal between two of its own steps. One that comes just before a read of the input, or to another
+    thread, is noticed after that read only, which may be never: the main thread is sent it again."""
+    ended = threading.Event()
+
+    def end(*_: object) -> None:
+        if not ended.is_set():  # the end itself is not interrupted
+            ended.set()
+            sys.exit(0)
+
+    def send_again() -> None:
+        while not ended.is_set():
+            number = os.read(told, 1)[0]
+            if number in ending and not ended.wait(_LOOK_AGAIN):
+                signal.pthread_kill(threading.main_thread().ident or 0, number)
+
+    # The second where there is one: the server has a session of its own, and would go on.
+    ending = [getattr(signal, name) for name in ("SIGTERM", "SIGHUP") if hasattr(signal, name)]
+    for each in ending:
+        signal.signal(each, end)
+    if hasattr(signal, "pthread_kill"):
+        told, tell = os.pipe()
+        os.set_blocking(tell, False)
+        signal.set_wakeup_fd(tell, warn_on_full_buffer=False)
+        threading.Thread(target=send_again, name="wakesurf-mcp-signals", daemon=True).start()
+
+
 def main(arguments: Optional[Sequence[str]] = None) -> int:
     """Runs the command and returns its exit status."""
     given = _options(arguments)
     out = Out(sys.stdout.buffer)
     sys.stdout = sys.stderr  # what a library prints must not come between the messages
-    for name in ("SIGTERM", "SIGHUP"):  # the second where there is one: the server has a session of its own, and would go on
-        if hasattr(signal, name):
-            signal.signal(getattr(signal, name), lambda *_: sys.exit(0))
+    _end_on_signals()
     work = Work(given.datasets, given.url or (None if given.datasets else os.environ.get("WAKESURF_URL")), given.session,
                 Place(given.folder))
     server = Server(work, sys.stdin.buffer, out)
