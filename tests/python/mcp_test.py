@@ -1,5 +1,6 @@
 """The tools for AI agents, as a client has them: over the standard streams of the real program."""
 import base64
+import ctypes
 import json
 import os
 import re
@@ -319,7 +320,9 @@ class EndTest(McpCase):
                 if way == "gone":
                     agent.process.stdout.close()
                 elif way == "a thread that does not read the input":
-                    os.kill(max(int(each) for each in os.listdir(f"/proc/{agent.process.pid}/task")), signal.SIGTERM)
+                    agent.ask("ping")  # then the main thread reads the input again
+                    thread = max(int(each) for each in os.listdir(f"/proc/{agent.process.pid}/task"))
+                    self.assertEqual(ctypes.CDLL(None).tgkill(agent.process.pid, thread, signal.SIGTERM), 0)
                 else:
                     agent.process.send_signal(signal.SIGTERM if isinstance(way, str) else way)
                 self.assertEqual(agent.process.wait(timeout=60), 0)
