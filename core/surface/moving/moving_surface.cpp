@@ -278,12 +278,16 @@ double MovingSurface::next_time(double to, const std::stop_token& stop) const {
     const double target =
         state_.releasing && sign * (until - here) > 0.0 && sign * (to - until) > 0.0 ? until : to;
     double dt = step_length(state_.mesh, target, state_.separation, state_.releasing, refines());
-    // Fluid at rest says nothing of how long a step may be: what it does within a stored interval is known.
-    if (const auto stored = flow_->next_stored_time(here, sign))
-        if (const double interval = std::abs(*stored - here);
-            interval < dt &&
-            leading_speed(here, stop) * interval < as_good_as_rest * state_.separation)
-            dt = interval;
+    // Fluid at rest says nothing of how long a step may be: what it does within a stored interval is known. Nothing
+    // later is looked at, which would have to be read.
+    const auto stored = flow_->next_stored_time(here, sign);
+    if (const double interval = stored ? std::abs(*stored - here) : dt; interval < dt) {
+        const double speed = leading_speed(here, stop);
+        if (speed * interval >= as_good_as_rest * state_.separation &&
+            leading_speed(*stored, stop) <= speeding_up * speed)
+            return dt == std::abs(target - here) ? target : here + sign * dt;
+        dt = interval;
+    }
     for (int i = 0; i < 40; ++i, dt *= 0.5)
         if (leading_speed(here + sign * dt, stop) * dt <=
             speeding_up * row_spacing * state_.separation)

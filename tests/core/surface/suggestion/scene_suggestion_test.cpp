@@ -396,6 +396,22 @@ TEST(SceneSuggestion, OfOneTimeStepIsOfStreamSurfacesAlone) {
     EXPECT_EQ(scene.surfaces[0].from, 3.0);
 }
 
+TEST(SceneSuggestion, LiesInThePlaneOfASlab) {
+    UniformGrid grid{.spacing = Vec3(0.1), .dimensions = {11, 11, 2}};
+    auto source = std::make_shared<tests::SampledSource>(
+        grid, times(3, 1.0), [](const Vec3& p, double) { return Vec3(0.5 - p.y, p.x - 0.5, 0.0); });
+    const auto flow =
+        make_stored_flow(std::make_shared<TimeStepCache>(source, TimeStepCache::Options{}));
+    const SceneSuggestion scene = suggested(*flow, {times(3, 1.0), false, 1000});
+    EXPECT_EQ(scene.rake.points[0].z, scene.rake.points[1].z);
+    EXPECT_GT(glm::length(scene.rake.points[1] - scene.rake.points[0]), 0.2);
+    for (const SurfaceParameters& surface : scene.surfaces)
+        if (surface.sweep) {
+            EXPECT_EQ(surface.sweep->z, 0.0);
+            EXPECT_GT(glm::length(*surface.sweep), 0.1);
+        }
+}
+
 TEST(SceneSuggestion, SaysThatTheFlowIsAtRest) {
     UniformGrid grid{.spacing = Vec3(0.125), .dimensions = {9, 9, 9}};
     auto source = std::make_shared<tests::SampledSource>(
