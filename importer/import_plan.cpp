@@ -137,6 +137,9 @@ core::Result<ImportPlan> plan_of(std::unique_ptr<Source> source,
     plan.time_note = std::move(times->note);
     plan.source = std::move(source);
     FieldWish wish{request.fields, request.taken.velocity};
+    const bool first_phase = wish.velocity.empty() && !plan.source->description().velocity.empty();
+    if (first_phase)
+        wish.velocity = plan.source->description().velocity;
     do {
         const auto& fields = plan.source->description().fields;
         auto choice = choose_fields(fields, wish);
@@ -148,6 +151,9 @@ core::Result<ImportPlan> plan_of(std::unique_ptr<Source> source,
                               choice.error().hint);
         plan.choice = std::move(*choice);
     } while (drops_its_mask(plan, wish));
+    if (first_phase)
+        plan.choice.why =
+            "the velocity of the first phase; its cell values are averaged to the points";
     progress_marks().surveyed = true;
     return plan;
 }

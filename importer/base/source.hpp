@@ -37,6 +37,9 @@ struct SourceDescription {
     bool ignores_boundary_values = false;
     /// The fields of the fluid, with units if the format has them, and ranges of the first time-step.
     std::vector<core::FieldInfo> fields;
+    /// The velocity to take unless the user names one, where names alone leave several: of the first phase. Else
+    /// empty.
+    std::string velocity{};
     /// The unit of coordinates; empty if the files do not state it.
     std::string length_unit{};
     /// The unit of times; empty if the files do not state it.

@@ -211,6 +211,43 @@ core::Result<void> tell_statistics(const core::SurfaceStatistics& statistics, bo
     return {};
 }
 
+/// Chooses the field of a stream surface whose time is open: of a steady solver's iterations the last, else the first
+/// stored one in which the fluid moves along the rake; the very first if it moves in none. Looks at 16 at most.
+core::Result<void> choose_field_time(SurfaceRequest& request,
+                                     const LoadedDataset& dataset,
+                                     const std::stop_token& stop) {
+    constexpr std::size_t most_looks = 16;
+    const auto& times = dataset.info.times;
+    if (request.from || request.parameters.kind != core::SurfaceKind::Stream || times.size() < 2)
+        return {};
+    if (dataset.info.time_unit == core::iterations) {
+        request.from = times.back();
+        tell(stderr, "wakesurf: without --from: the last iteration, {:g}\n", times.back());
+        return {};
+    }
+    const core::SeedingCurve rake(request.rake);
+    std::vector<core::Vec3> points;
+    for (int i = 0; i <= 16; ++i)
+        points.push_back(rake.at(i / 16.0));
+    std::vector<core::Vec3> velocities(points.size());
+    const std::size_t apart = (times.size() + most_looks - 1) / most_looks;
+    for (std::size_t k = 0; k < times.size(); k += apart) {
+        const std::vector<double> when(points.size(), times[k]);
+        if (auto sampled = dataset.flow->sample(points, when, velocities, stop); !sampled)
+            return sampled;
+        if (std::ranges::all_of(velocities,
+                                [](const core::Vec3& v) { return !(glm::length(v) > 0.0); }))
+            continue;
+        if (k > 0) {
+            request.from = times[k];
+            tell(stderr, "wakesurf: without --from: {:g}, because the fluid is at rest before\n",
+                 times[k]);
+        }
+        return {};
+    }
+    return {};
+}
+
 /// Completes the options from the data, and makes the checks that need the data.
 core::Result<core::SurfacePlan> planned(SurfaceRequest request,
                                         const SurfaceOptions& options,
@@ -219,7 +256,14 @@ core::Result<core::SurfacePlan> planned(SurfaceRequest request,
     if (options.rake.empty() && request.parameters.kind != core::SurfaceKind::Level)
         if (auto begun = begin_with_suggestion(request, options, dataset, stop); !begun)
             return tl::unexpected(begun.error());
+    if (auto chosen = choose_field_time(request, dataset, stop); !chosen)
+        return tl::unexpected(chosen.error());
     choose_times(request, dataset.info.times);
+    if (dataset.info.time_unit == core::iterations &&
+        request.parameters.kind != core::SurfaceKind::Stream)
+        tell(stderr, "wakesurf: the times are iterations of a steady solver: a {} surface through "
+                     "them means nothing; --kind stream shows the result\n",
+             core::name_of(request.parameters.kind));
     auto plan = core::plan_surface(dataset.flow, request.rake, std::move(request.parameters));
     if (!plan)
         return tl::unexpected(plan.error());

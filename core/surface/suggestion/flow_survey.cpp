@@ -11,6 +11,9 @@ namespace wakesurf::core {
 namespace {
 
 constexpr int survey_points = 32'768;
+constexpr int finer_survey =
+    8; ///< times as many points, up to `most_points`, where none is in fluid
+constexpr int most_points = 3'000'000;
 constexpr int least_along = 3, most_along = 256;
 /// If the mean velocity is less than this part of the mean speed, the flow that enters on one side does not
 /// leave on the other.
@@ -109,6 +112,13 @@ int FlowSurvey::axis() const {
 Result<FlowSurvey> survey_flow(const Flow& flow, double time, std::stop_token stop) {
     FlowSurvey survey{survey_lattice(flow.domain(), survey_points), {}, {}};
     survey.solid = not_fluid(flow, survey.lattice);
+    // A narrow passage that slants through its box may lie between all of the middles.
+    for (int points = finer_survey * survey_points;
+         points <= most_points && std::ranges::find(survey.solid, 0) == survey.solid.end();
+         points *= finer_survey) {
+        survey.lattice = survey_lattice(flow.domain(), points);
+        survey.solid = not_fluid(flow, survey.lattice);
+    }
     std::vector<Vec3> places;
     std::vector<std::size_t> index;
     for (std::size_t i = 0; i < survey.solid.size(); ++i)

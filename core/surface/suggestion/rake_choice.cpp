@@ -1,6 +1,7 @@
 #include "core/surface/suggestion/rake_choice.hpp"
 
 #include "core/surface/suggestion/body_search.hpp"
+#include "core/surface/suggestion/line_search.hpp"
 
 #include <algorithm>
 #include <array>
@@ -346,9 +347,27 @@ std::optional<RakeChoice> at_rotation(const Flow& flow,
     return choice;
 }
 
+/// Returns a rake in a domain of any shape. Nothing if the survey met no fluid.
+std::optional<RakeChoice> through_fluid(const Flow& flow, const FlowSurvey& survey) {
+    const Vec3 extent = survey.lattice.domain.extent();
+    const double longest = std::max({extent.x, extent.y, extent.z});
+    const auto found = find_line(flow, survey, usual_length * longest, sweep_of_domain);
+    if (!found)
+        return std::nullopt;
+    RakeChoice choice;
+    choice.line = found->line;
+    choice.sweep = found->sweep;
+    choice.speed = survey.speed;
+    choice.way = 0.75 * longest;
+    choice.why = !(survey.speed > 0.0) ? "in the fluid, which is at rest"
+                 : found->enters       ? "where the flow enters"
+                                       : "where the flow is fastest";
+    return choice;
+}
+
 /// Returns a rake where more enters than anywhere else: the side of the domain with the fastest flow inward,
-/// over its boxes.
-RakeChoice at_entry(const Flow& flow, const FlowSurvey& survey) {
+/// over its boxes. Nothing where that side is no plain inlet.
+std::optional<RakeChoice> at_entry(const Flow& flow, const FlowSurvey& survey) {
     const SurveyLattice& lattice = survey.lattice;
     const Box& domain = lattice.domain;
     const Vec3 extent = domain.extent();
@@ -383,9 +402,9 @@ RakeChoice at_entry(const Flow& flow, const FlowSurvey& survey) {
     at[offset] += margin * extent[offset];
     const double half = 0.5 * usual_length * extent[span];
     const auto line = line_in_fluid(flow, at, span, at[span] - half, at[span] + half);
-    Vec3 side(0.0);
-    side[span] = half;
-    choice.line = line.value_or(std::array{at - side, at + side});
+    if (!line || glm::length((*line)[1] - (*line)[0]) < half)
+        return std::nullopt;
+    choice.line = *line;
     choice.sweep = sweep_along(domain, at, span, offset, sweep_of_domain * extent[offset]);
     // Fluid that enters and does not go through turns aside half-way.
     choice.way = (survey.through() ? 1.0 : 0.5) * extent[axis];
@@ -409,7 +428,15 @@ RakeChoice choose_rake(const Flow& flow,
     if (rotation.strength > turning)
         if (auto choice = at_rotation(flow, survey, rotation, time))
             return *choice;
-    return at_entry(flow, survey);
+    if (const auto choice = at_entry(flow, survey))
+        return *choice;
+    if (const auto choice = through_fluid(flow, survey))
+        return *choice;
+    RakeChoice across;
+    const Box domain = flow.domain();
+    across.line = {domain.lo, domain.hi};
+    across.why = "across the whole domain, because no fluid was found in it";
+    return across;
 }
 
 } // namespace wakesurf::core

@@ -69,7 +69,8 @@ double usual_time(const RakeChoice& choice) {
     return choice.speed > 0.0 ? rounded(slower * choice.way / choice.speed, 2) : 1.0;
 }
 
-/// The last time-steps that last so long, as far as there are so many and they are not too large.
+/// The last time-steps that last so long, as far as there are so many and they are not too large; where they are much
+/// farther apart, the last of the time between them.
 double first_time(const SeriesFacts& series, double wanted) {
     const auto& times = series.times;
     std::size_t first = times.size() - 1;
@@ -80,7 +81,7 @@ double first_time(const SeriesFacts& series, double wanted) {
             break;
         --first;
     }
-    return times[first];
+    return std::max(times[first], times.back() - 1.5 * wanted);
 }
 
 double separation_of(const Flow& flow, const RakeChoice& choice, double time) {

@@ -25,6 +25,8 @@ struct FoamRegion {
     /// Maps its patches that continue at another one, in any part, to the names of those; empty if the file
     /// does not say.
     std::map<std::string, std::string> cyclic{};
+    /// The groups of its patches. Fields written by hand have entries for groups as well.
+    std::map<std::string, std::vector<std::string>> groups{};
     // A patch of these types that has faces, if there is one.
     std::string empty{};
     std::string wedge{};
@@ -34,12 +36,14 @@ struct FoamCase {
     std::filesystem::path folder;
     std::string name;     ///< for people: of the folder
     std::string file;     ///< the path given, for errors
-    std::string velocity; ///< asked for; may be empty
+    std::string velocity; ///< asked for, or of the first phase; else empty
     /// The folders with a mesh each: "" alone, or processor0 and so on.
     std::vector<std::string> parts;
     std::vector<FoamRegion> regions;
     /// The times at which every fluid region of every part has a velocity.
     std::vector<FoamTime> times;
+    double time_scale = 1.0; ///< what `times` are multiplied by to be in `time_unit`
+    std::string time_unit;   ///< if it is not that of the fields
     /// The fields that every fluid region of every part has at all of them; without ranges.
     std::vector<core::FieldInfo> fields;
     /// The folders with a polyMesh that counts at `times`, newest first.

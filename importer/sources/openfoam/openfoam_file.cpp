@@ -111,6 +111,15 @@ std::optional<std::string> foam_content(const fs::path& file, std::size_t at_mos
     return out;
 }
 
+std::vector<std::string> foam_words(const fs::path& file) {
+    const auto found = foam_file(file);
+    const auto text = found ? foam_content(*found, std::size_t{1} << 20) : std::nullopt;
+    if (!text)
+        return {};
+    const auto words = tokens_of(std::string_view(*text).substr(behind_header(*text)));
+    return {words.begin(), words.end()};
+}
+
 std::optional<FoamHeader> read_foam_header(const fs::path& file) {
     const auto text = foam_content(file, foam_header_bytes);
     if (!text)
@@ -133,9 +142,6 @@ std::optional<FoamHeader> read_foam_header(const fs::path& file) {
         const auto close = rest.find(']', at);
         if (open != std::string_view::npos && close != std::string_view::npos && open < close)
             out.unit = foam_unit(rest.substr(open, close + 1 - open));
-        if (open != std::string_view::npos && close != std::string_view::npos && open < close &&
-            has_letter(rest.substr(open, close - open)))
-            out.names_units = true;
     }
     if (const auto list = rest.find("List<", std::min(rest.find("internalField"), rest.size()));
         list != std::string_view::npos) {
@@ -161,7 +167,7 @@ core::Result<std::vector<FoamPatch>> read_foam_patches(const fs::path& file,
     int depth = 0;
     for (auto at = begin + 1; at != tokens.end(); ++at) {
         if (*at == "{" && ++depth == 1)
-            out.push_back({std::string(*(at - 1)), {}, 0, {}, {}});
+            out.push_back({std::string(*(at - 1)), {}, 0, {}, {}, {}});
         if (*at == "}")
             --depth;
         if (depth == 1 && at + 1 != tokens.end()) {
@@ -172,6 +178,11 @@ core::Result<std::vector<FoamPatch>> read_foam_patches(const fs::path& file,
             if (*at == "referPatch")
                 out.back().part_of = *(at + 1);
         }
+        if (*at == "inGroups" && depth == 1)
+            for (auto name = std::find(at, tokens.end(), "("); name != tokens.end() && *name != ")";
+                 ++name)
+                if (*name != "(")
+                    out.back().groups.emplace_back(*name);
         if (*at == "nFaces" && depth == 1 && at + 1 != tokens.end()) {
             const auto number = *(at + 1);
             const char* const end = number.data() + number.size();

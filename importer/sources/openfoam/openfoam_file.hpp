@@ -19,9 +19,8 @@ namespace wakesurf::importer {
 constexpr std::size_t foam_header_bytes = 4096;
 
 struct FoamHeader {
-    std::string type;         ///< its `class` entry: volVectorField, polyBoundaryMesh ...
-    std::string object;       ///< the file's name for itself
-    bool names_units = false; ///< its `dimensions` entry is "[m s^-1]", not "[0 1 -1 0 0 0 0]"
+    std::string type;   ///< its `class` entry: volVectorField, polyBoundaryMesh ...
+    std::string object; ///< the file's name for itself
     /// The number of values that its internalField states; 0: one for all.
     std::uint64_t values = 0;
     /// The unit of its `dimensions` entry: "m/s"; empty without an entry, or for a pure number.
@@ -35,6 +34,7 @@ struct FoamPatch {
     std::string neighbour; ///< of a cyclic one: its `neighbourPatch`; may be empty
     /// The cyclic patch that one between processors is cut from, its `referPatch`.
     std::string part_of;
+    std::vector<std::string> groups; ///< its `inGroups`
 };
 
 /// Returns `file`, or `file` + ".gz" if only that exists.
@@ -42,6 +42,10 @@ std::optional<std::filesystem::path> foam_file(const std::filesystem::path& file
 
 /// Returns the unpacked content of a file. Empty if it cannot be read, or ends before its checksum.
 std::optional<std::string> foam_content(const std::filesystem::path& file, std::size_t at_most);
+
+/// Returns the words of a dictionary behind its header, and its brackets and semicolons, without comments and
+/// quotes. Reads the first MiB. Empty if it cannot be read.
+std::vector<std::string> foam_words(const std::filesystem::path& file);
 
 /// Reads at most foam_header_bytes. Empty if they are no header of an OpenFOAM file.
 std::optional<FoamHeader> read_foam_header(const std::filesystem::path& file);

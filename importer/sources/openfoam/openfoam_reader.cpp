@@ -170,16 +170,30 @@ core::Result<void> check_foam_cells(const fs::path& mesh, const std::string& nam
     return {};
 }
 
+// Returns the values of a patch's own entry, else of a group it is in, else of all patches.
+std::span<const float>
+values_on(const FoamValues& values, const std::string& patch, const FoamRegion& region) {
+    std::vector<std::string> entries{patch};
+    if (const auto groups = region.groups.find(patch); groups != region.groups.end())
+        entries.insert(entries.end(), groups->second.begin(), groups->second.end());
+    entries.emplace_back(".*");
+    for (const auto& entry : entries)
+        if (const auto found = values.patches.find(entry); found != values.patches.end())
+            return found->second;
+    return {};
+}
+
 // Gives faces of a patch that states no value one that is no number, so that they are no wall at rest.
 core::Result<void> add_array(const Leaf& leaf,
+                             const FoamRegion& region,
                              const FieldInfo& field,
                              const FoamValues& values,
                              const std::string& file) {
     constexpr std::array none{std::nanf("")};
-    const auto patch = values.patches.find(leaf.name());
-    const auto given = is_inside(leaf)                 ? std::span<const float>(values.inside)
-                       : patch == values.patches.end() ? std::span<const float>(none)
-                                                       : std::span<const float>(patch->second);
+    auto given = is_inside(leaf) ? std::span<const float>(values.inside)
+                                 : values_on(values, leaf.name(), region);
+    if (given.empty() && !is_inside(leaf))
+        given = none;
     const auto wanted = static_cast<std::size_t>(leaf.data->GetNumberOfCells() * field.components);
     const bool one_for_all = given.size() == static_cast<std::size_t>(field.components);
     if (given.size() != wanted && !one_for_all && given.data() != none.data())
@@ -213,14 +227,12 @@ std::string region_of(const Leaf& leaf) {
 OpenfoamReader::OpenfoamReader(const FoamCase& found, std::string part)
     : found_(found), part_(std::move(part)) {}
 
-// VTK ignores missing fields, and takes a field's name from inside the file: a copy beside it would replace
-// it.
+// VTK ignores missing fields.
 core::Result<void> OpenfoamReader::check_files(const FoamTime& time,
                                                const std::vector<FieldInfo>& fields) const {
     for (const auto& region : found_.regions) {
         if (!region.fluid)
             continue;
-        const auto folder = found_.folder / found_.relative(part_, time.name, region.name, "");
         for (const auto& field : fields) {
             const auto file =
                 found_.file_at(found_.relative(part_, time.name, region.name, field.name));
@@ -234,25 +246,6 @@ core::Result<void> OpenfoamReader::check_files(const FoamTime& time,
             const auto bytes = sizeof(float) * static_cast<std::uint64_t>(field.components);
             if (auto fits = check_claim(file.name, header->values, bytes); !fits)
                 return fits;
-            if (header->object != field.name)
-                return core::fail(Error::Code::Unsupported,
-                                  file.name + " of " + found_.file + " says it is the field '" +
-                                      header->object + "'",
-                                  "write `object " + field.name + ";` into its header");
-        }
-        for (const auto& name : foam_fields(folder)) {
-            const auto same = [&](const FieldInfo& field) { return field.name == name; };
-            const auto other = foam_file(folder / name);
-            if (!other || std::any_of(fields.begin(), fields.end(), same))
-                continue;
-            const auto header = read_foam_header(*other);
-            for (const auto& field : fields)
-                if (header && header->object == field.name)
-                    return core::fail(Error::Code::Unsupported,
-                                      found_.relative(part_, time.name, region.name, name) +
-                                          " of " + found_.file + " says it is the field " +
-                                          field.name + ", as the file of that name does",
-                                      "move it out of the time folder");
         }
     }
     return {};
@@ -283,6 +276,7 @@ core::Result<void> OpenfoamReader::open(const std::string& what) {
 void OpenfoamReader::choose_patches() {
     reader_->DisableAllPatchArrays();
     reader_->DisableAllPointArrays();
+    reader_->DisableAllCellArrays();
     reader_->DisableAllLagrangianArrays();
     for (const auto& region : found_.regions) {
         const std::string prefix = region.name.empty() ? "" : "/" + region.name + "/";
@@ -302,36 +296,12 @@ void OpenfoamReader::choose_patches() {
     }
 }
 
-// Says whether VTK's reader fails on the units.
-bool OpenfoamReader::names_units(const FoamTime& time,
-                                 const FoamRegion& region,
-                                 const std::string& field) const {
-    const auto header = read_foam_header(
-        found_.file_at(found_.relative(part_, time.name, region.name, field)).path);
-    return header && header->names_units;
-}
-
-// VTK would read fields that it first meets at a later time, unless they are known and disabled.
-void OpenfoamReader::choose_fields(const FoamTime& time, const std::vector<FieldInfo>& fields) {
-    for (const auto& region : found_.regions)
-        for (const auto& name :
-             foam_fields(found_.folder / found_.relative(part_, time.name, region.name, ""))) {
-            const bool wanted =
-                std::any_of(fields.begin(), fields.end(),
-                            [&](const FieldInfo& field) { return field.name == name; }) &&
-                !names_units(time, region, name);
-            reader_->SetPointArrayStatus(name.c_str(), 0);
-            if ((reader_->GetCellArrayStatus(name.c_str()) != 0) != wanted || !wanted)
-                reader_->SetCellArrayStatus(name.c_str(), wanted ? 1 : 0);
-        }
-}
-
 core::Result<void> OpenfoamReader::add_values(const FoamTime& time,
                                               const std::vector<FieldInfo>& fields,
                                               std::vector<Leaf>& leaves) const {
     for (const auto& region : found_.regions)
         for (const auto& field : fields) {
-            if (!region.fluid || !names_units(time, region, field.name))
+            if (!region.fluid)
                 continue;
             const auto file =
                 found_.file_at(found_.relative(part_, time.name, region.name, field.name));
@@ -341,7 +311,7 @@ core::Result<void> OpenfoamReader::add_values(const FoamTime& time,
                 return tl::unexpected(values.error());
             for (auto& leaf : leaves)
                 if (region_of(leaf) == region.name)
-                    if (auto added = add_array(leaf, field, *values, name); !added)
+                    if (auto added = add_array(leaf, region, field, *values, name); !added)
                         return added;
         }
     return {};
@@ -365,7 +335,6 @@ core::Result<std::vector<Leaf>> OpenfoamReader::read(const FoamTime& time,
         if (reader_ == nullptr)
             if (auto opened = open(what); !opened)
                 return give_up(opened.error());
-        choose_fields(time, fields);
         const VtkMessages messages;
         reader_->UpdateTimeStep(time.value); // SetTimeValue and Update give the first one again
         if (auto clean = messages.verdict(what); !clean)

@@ -24,8 +24,7 @@ class OpenfoamReader {
 
     /// Returns VTK's output, copied shallowly, so that reading on does not change it: paths end in
     /// "internalMesh", or in "boundary" and a patch's name, behind the name of the region if it has one.
-    /// After an error nothing is kept. Error: NotFound, Corrupt, OverLimit, Unsupported (two files of one
-    /// name).
+    /// After an error nothing is kept. Error: NotFound, Corrupt, OverLimit.
     core::Result<std::vector<Leaf>> read(const FoamTime& time,
                                          const std::vector<core::FieldInfo>& fields);
 
@@ -34,12 +33,9 @@ class OpenfoamReader {
                                    const std::vector<core::FieldInfo>& fields) const;
     core::Result<void> open(const std::string& what);
     void choose_patches();
-    bool
-    names_units(const FoamTime& time, const FoamRegion& region, const std::string& field) const;
     core::Result<void> add_values(const FoamTime& time,
                                   const std::vector<core::FieldInfo>& fields,
                                   std::vector<Leaf>& leaves) const;
-    void choose_fields(const FoamTime& time, const std::vector<core::FieldInfo>& fields);
 
     const FoamCase& found_;
     std::string part_;

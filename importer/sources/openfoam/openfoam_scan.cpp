@@ -69,6 +69,7 @@ bool is_wall(const std::string& type) {
 core::Result<void> find_patches(const FoamCase& found, FoamRegion& region) {
     region.walls.clear();
     region.cyclic.clear();
+    region.groups.clear();
     region.empty.clear();
     region.wedge.clear();
     for (const auto& part : found.parts) {
@@ -81,6 +82,7 @@ core::Result<void> find_patches(const FoamCase& found, FoamRegion& region) {
             if (is_wall(patch.type) &&
                 std::find(walls.begin(), walls.end(), patch.name) == walls.end())
                 walls.push_back(patch.name);
+            region.groups[patch.name] = patch.groups;
             if (patch.faces == 0) // what blockMesh leaves of its defaultFaces
                 continue;
             if (patch.type == "empty")
@@ -160,7 +162,7 @@ void find_fields(FoamCase& found) {
     std::string left_out;
     for (const auto& [name, count] : counts) {
         const auto header = read_foam_header(found.file_at(first.at(name)).path);
-        if (!header || header->object != name || components_of(*header) == 0)
+        if (!header || components_of(*header) == 0)
             continue;
         if (count == places)
             found.fields.push_back(
@@ -170,6 +172,26 @@ void find_fields(FoamCase& found) {
     }
     if (!left_out.empty())
         add_note(found.note, "not at every time-step: " + left_out);
+}
+
+// Takes the first phase of several, in the order of their names: U.air of U.air and U.water.
+void choose_phase(FoamCase& found) {
+    std::string names;
+    std::string first;
+    const bool has_plain =
+        std::ranges::any_of(found.fields, [](const FieldInfo& field) { return field.name == "U"; });
+    for (const auto& field : found.fields)
+        if (field.components == 3 && field.name.starts_with("U.")) {
+            names += (names.empty() ? "" : ", ") + field.name;
+            if (first.empty())
+                first = field.name;
+        }
+    if (names.empty() || has_plain)
+        return;
+    found.velocity = first;
+    if (names != found.velocity)
+        add_note(found.note,
+                 found.velocity + " is taken, of the phases " + names + ": choose with --velocity");
 }
 
 core::Result<FoamCase> scan_parts(FoamCase found, std::vector<std::string> parts) {
@@ -250,6 +272,8 @@ core::Result<FoamCase> scan_openfoam_case(const fs::path& path, const std::strin
     if (auto directions = check_directions(*chosen); !directions)
         return tl::unexpected(directions.error());
     find_fields(*chosen);
+    if (chosen->velocity.empty())
+        choose_phase(*chosen);
     return chosen;
 }
 

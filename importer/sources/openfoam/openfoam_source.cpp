@@ -31,10 +31,11 @@ class OpenfoamSource final : public Source {
                                    ? ", " + std::to_string(found_.parts.size()) + " processors)"
                                    : std::string(")"));
         for (const auto& time : found_.times)
-            description_.times.push_back(time.value);
+            description_.times.push_back(time.value * found_.time_scale);
         description_.note = found_.note;
         description_.ignores_boundary_values = true;
         description_.fields = found_.fields;
+        description_.velocity = found_.velocity;
         // A case without dimensions, or in units of its own, shows it in its fields.
         const bool metric = std::any_of(found_.fields.begin(), found_.fields.end(),
                                         [](const auto& field) { return field.unit == "m/s"; });
@@ -42,6 +43,8 @@ class OpenfoamSource final : public Source {
             description_.length_unit = "m";
             description_.time_unit = "s";
         }
+        if (!found_.time_unit.empty())
+            description_.time_unit = found_.time_unit;
     }
 
     OpenfoamSource(const OpenfoamSource&) = delete;

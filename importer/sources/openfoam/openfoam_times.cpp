@@ -3,6 +3,7 @@
 #include "importer/base/notes.hpp"
 #include "importer/base/progress_marks.hpp"
 #include "importer/sources/openfoam/openfoam_file.hpp"
+#include "importer/sources/openfoam/openfoam_settings.hpp"
 #include "store/velocity_names.hpp"
 
 #include <algorithm>
@@ -232,6 +233,103 @@ core::Result<void> keep_common_times(const FoamCase& found,
     return {};
 }
 
+// Finds the regions of the fluid: of those with the velocity the ones that constant/regionProperties names. Where it
+// names none, solids may have a velocity at the first time that was left there when the mesh was split. What is
+// left behind of the mesh before it was split is no region.
+void mark_fluid_regions(FoamCase& found,
+                        const std::vector<NamesAtTimes>& names,
+                        const std::vector<std::map<double, std::string>>& with) {
+    std::size_t most = 0;
+    double last = -HUGE_VAL;
+    for (const auto& times : with) {
+        most = std::max(most, times.size());
+        if (!times.empty())
+            last = std::max(last, times.rbegin()->first);
+    }
+    auto listed = fluid_regions(found.folder);
+    std::erase_if(listed, [&](const std::string& name) {
+        for (std::size_t r = 0; r < with.size(); ++r)
+            if (found.regions[r].name == name && !with[r].empty())
+                return false;
+        return true;
+    });
+    for (std::size_t r = 0; r < found.regions.size(); ++r) {
+        auto& region = found.regions[r];
+        const bool split = std::any_of(names[r].begin(), names[r].end(), [](const auto& here) {
+            return here.second.second.contains("cellToRegion");
+        });
+        const bool remnant =
+            region.name.empty() && (with[r].size() < most || (split && names.size() > 1));
+        const bool left_behind = with[r].size() == 1 && with[r].begin()->first < last &&
+                                 with[r].begin()->first == names[r].begin()->first;
+        region.fluid = !with[r].empty() && !remnant &&
+                       (listed.empty() ? !left_behind : listed.contains(region.name));
+    }
+}
+
+// Returns a note on the times that have fields, but not the velocity, and on the vectors that they have.
+std::string note_on_other_times(const FoamCase& found,
+                                const std::vector<NamesAtTimes>& names,
+                                const std::string& velocity) {
+    std::map<double, std::string> times;
+    std::set<std::string> vectors;
+    for (std::size_t r = 0; r < found.regions.size(); ++r)
+        for (const auto& [value, here] : names[r]) {
+            if (!found.regions[r].fluid || here.second.contains(velocity))
+                continue;
+            for (const auto& name : here.second) {
+                const auto header =
+                    read_foam_header(found
+                                         .file_at(found.relative(found.parts.front(), here.first,
+                                                                 found.regions[r].name, name))
+                                         .path);
+                if (!header || !header->type.starts_with("vol"))
+                    continue;
+                times[value] = here.first;
+                if (header->type == "volVectorField" && !is_of_something_else(name))
+                    vectors.insert(name);
+            }
+        }
+    if (times.empty())
+        return {};
+    const auto& first = times.begin()->second;
+    std::string out = times.size() == 1
+                          ? "time " + first + " is left out: it has no " + velocity
+                          : std::to_string(times.size()) + " times, " + first + " to " +
+                                times.rbegin()->second + ", are left out: they have no " + velocity;
+    std::string which;
+    for (const auto& name : vectors)
+        which += (which.empty() ? "" : ", ") + name;
+    if (!vectors.empty())
+        out += ", but " + which + ", which --velocity " + *vectors.begin() + " takes";
+    return out;
+}
+
+// Finds what the times count, of a case whose regions and times are known.
+void find_time_unit(FoamCase& found) {
+    std::vector<std::string> fluid;
+    for (const auto& region : found.regions)
+        if (region.fluid)
+            fluid.push_back(region.name);
+    if (const auto crank = crank_times(found.folder)) {
+        found.time_unit = "degrees";
+        std::string words = "times are stored as degrees of the crank";
+        if (crank->revolutions_per_minute) {
+            found.time_unit = "s";
+            found.time_scale = 1.0 / (6.0 * *crank->revolutions_per_minute);
+            words += ", which are made seconds by " +
+                     length_text(*crank->revolutions_per_minute, 6) + " revolutions a minute";
+        } else {
+            words += ", and no file says how fast it turns: paths through them are wrong";
+        }
+        add_note(found.note, words);
+    } else if (times_are_iterations(found.folder, fluid)) {
+        found.time_unit = "iterations";
+        add_note(found.note, "the times are iterations of a steady solver: the last one is the "
+                             "result, and a path through them means nothing");
+    }
+}
+
 // Leaves out the last time if it is half written. Fields are written one after the other: some processors may
 // have files that others do not have yet, and one file may be written in part.
 void leave_out_last_time_half_written(FoamCase& found) {
@@ -304,23 +402,17 @@ core::Result<void> find_foam_times(FoamCase& found) {
                           "a case is read from folders named by their time, with a file U in each");
     std::vector<std::map<double, std::string>> with;
     std::size_t most = 0;
-    for (const auto& region : names) {
+    for (const auto& region : names)
         with.push_back(times_with(region, velocity));
-        most = std::max(most, with.back().size());
-    }
+    mark_fluid_regions(found, names, with);
+    add_note(found.note, note_on_other_times(found, names, velocity));
     std::map<double, std::string> times;
     LeftOut left_out;
     bool any = false;
     for (std::size_t r = 0; r < found.regions.size(); ++r) {
-        // Splitting a mesh into regions leaves the whole one behind, often with the fields it started from.
-        const bool split = std::any_of(names[r].begin(), names[r].end(), [](const auto& here) {
-            return here.second.second.contains("cellToRegion");
-        });
-        const bool remnant =
-            found.regions[r].name.empty() && (with[r].size() < most || (split && names.size() > 1));
-        found.regions[r].fluid = !with[r].empty() && !remnant;
         if (!found.regions[r].fluid)
             continue;
+        most = std::max(most, with[r].size());
         if (auto kept = keep_common_times(found, found.regions[r], velocity, with[r], left_out);
             !kept)
             return kept;
@@ -341,9 +433,10 @@ core::Result<void> find_foam_times(FoamCase& found) {
                               " of " + found.file + " have no time with " + velocity +
                               " in common");
     if (found.times.size() + left_out.times.size() < most)
-        found.note = "only times at which all fluid regions have " + velocity;
+        add_note(found.note, "only times at which all fluid regions have " + velocity);
     add_note(found.note, left_out.note(velocity));
     leave_out_last_time_half_written(found);
+    find_time_unit(found);
     return {};
 }
 

@@ -80,7 +80,10 @@ class FoamDictionary {
             return take_numbers(1, components_, *values());
         if (path_.size() == 1 && path_[0] == "FoamFile")
             take_header(here);
-        if (key_.empty())
+        if (key_.empty() &&
+            here.front() == '#') // a directive, #includeEtc "...", ends with its line
+            at_ = std::min(text_.find('\n', at_), text_.size());
+        else if (key_.empty())
             key_ = here;
         else if (key_ == "type" && here == "noSlip" && in_patch())
             out_.patches[path_[1]].assign(components_, 0.0F);

@@ -1,5 +1,6 @@
-// The values of a field's file, read without VTK, whose reader fails on dimensions that name units, "[m
-// s^-1]", as OpenFOAM writes them since version 10. Text and binary, plain and compressed.
+// The values of a field's file, text and binary, plain and compressed. VTK's reader is asked for the mesh only: it
+// takes a field's name from inside the file, fails on dimensions that name units, "[m s^-1]", and on entries for
+// groups of patches.
 #pragma once
 
 #include "core/base/result.hpp"
