@@ -60,6 +60,8 @@ core::Result<FirstStepReading> read_first_step(const ImportPlan& plan, bool with
     if (!assembly)
         return tl::unexpected(assembly.error());
     first.assembly = std::move(*assembly);
+    if (auto* mesh = std::get_if<core::CellMesh>(&first.assembly.grid))
+        mesh->axis = plan.source->description().axis;
     first.blocks = without_values(reading.step.blocks);
     Walls walls = find_walls(first.assembly, reading.step);
     if (walls.unmatched > 0)

@@ -77,6 +77,14 @@ bool sound(const core::MeshCell& cell, std::size_t points, std::size_t cells) {
                        [&](std::uint32_t b) { return b < cells || b >= core::beyond_wall; });
 }
 
+// Both are of length 1 and at right angles, to rounding.
+bool sound(const core::SymmetryAxis& axis) {
+    constexpr double rounding = 1e-9;
+    return core::finite(axis.origin) && std::abs(glm::length(axis.direction) - 1.0) < rounding &&
+           std::abs(glm::length(axis.radial) - 1.0) < rounding &&
+           std::abs(glm::dot(axis.direction, axis.radial)) < rounding;
+}
+
 Result<Grid> read_cells(const StoreLayout& layout, const Disk& disk) {
     const auto points = static_cast<std::size_t>(layout.grid.points);
     const auto cells = static_cast<std::size_t>(layout.grid.cells);
@@ -90,6 +98,9 @@ Result<Grid> read_cells(const StoreLayout& layout, const Disk& disk) {
                               : !beyond    ? beyond.error()
                                            : shapes.error());
     core::CellMesh mesh;
+    mesh.axis = layout.grid.axis;
+    if (mesh.axis && !sound(*mesh.axis))
+        return damaged("the axis is none");
     mesh.points.resize(points);
     for (std::size_t i = 0; i < points; ++i) {
         mesh.points[i] = {(*coordinates)[3 * i], (*coordinates)[3 * i + 1],
@@ -168,6 +179,7 @@ StoredGrid stored_grid(const Grid& grid, bool curvilinear) {
         stored.kind = curvilinear ? GridKind::Curvilinear : GridKind::Unstructured;
         stored.points = core::node_count(grid);
         stored.cells = cell_count(grid);
+        stored.axis = std::get<CellMesh>(grid).axis;
     }
     return stored;
 }

@@ -4,6 +4,7 @@
 
 #include "core/base/result.hpp"
 #include "core/dataset/brick_layout.hpp"
+#include "core/dataset/cell_mesh.hpp"
 #include "core/dataset/dataset_info.hpp"
 #include "core/dataset/uniform_grid.hpp"
 
@@ -11,6 +12,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,6 +31,7 @@ struct StoredGrid {
     std::array<std::uint32_t, 3> dimensions{0, 0, 0}; ///< nodes an axis, of Rectilinear
     std::uint64_t points = 0;                         ///< of Curvilinear and Unstructured
     std::uint64_t cells = 0;                          ///< of Curvilinear and Unstructured
+    std::optional<core::SymmetryAxis> axis{};         ///< of Unstructured: see core::CellMesh
 
     /// Nodes; 0 where they are too many to be counted.
     std::uint64_t nodes() const;

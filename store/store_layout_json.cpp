@@ -22,10 +22,17 @@ inline constexpr auto table_of<UniformGrid> = std::tuple(needed("origin", &Unifo
                                                                 &UniformGrid::dimensions));
 
 template <>
+inline constexpr auto
+    table_of<core::SymmetryAxis> = std::tuple(needed("origin", &core::SymmetryAxis::origin),
+                                              needed("direction", &core::SymmetryAxis::direction),
+                                              needed("radial", &core::SymmetryAxis::radial));
+
+template <>
 inline constexpr auto table_of<StoredGrid> = std::tuple(needed("kind", &StoredGrid::kind),
                                                         some("dimensions", &StoredGrid::dimensions),
                                                         some("points", &StoredGrid::points),
-                                                        some("cells", &StoredGrid::cells));
+                                                        some("cells", &StoredGrid::cells),
+                                                        some("axis", &StoredGrid::axis));
 
 template <>
 inline constexpr auto table_of<StoredScalar> = std::tuple(needed("name", &StoredScalar::name),

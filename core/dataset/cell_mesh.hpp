@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace wakesurf::core {
@@ -27,10 +28,21 @@ struct alignas(64) MeshCell {
     CellShape shape; ///< which of the four it is
 };
 
+/// The axis of a flow that is the same all the way round it.
+struct SymmetryAxis {
+    Vec3 origin;    ///< a point of it
+    Vec3 direction; ///< of length 1
+    Vec3 radial;    ///< of length 1, across it: into the half plane round which the mesh lies
+
+    bool operator==(const SymmetryAxis&) const = default;
+};
+
 /// Nodes and cells, connected through faces (cell_neighbours.hpp).
 struct CellMesh {
     std::vector<Vec3> points;    ///< of the nodes
     std::vector<MeshCell> cells; ///< in no order that matters
+    /// The mesh is a thin wedge of an axisymmetric flow, which fills the body of revolution.
+    std::optional<SymmetryAxis> axis{};
 };
 
 /// A face of a cell.

@@ -8,9 +8,13 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace wakesurf::core {
+
+/// The unit of times that count the iterations of a steady solver: its last one is the result.
+inline constexpr std::string_view iterations = "iterations";
 
 enum class GridKind { Uniform, Rectilinear, Curvilinear, Unstructured, Analytic };
 

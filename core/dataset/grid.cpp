@@ -18,10 +18,18 @@ Overloaded(F...) -> Overloaded<F...>; // clang 14 finds no guide of an aggregate
 Box box_of(const CellMesh& mesh) {
     if (mesh.points.empty())
         return {};
-    Box box{mesh.points.front(), mesh.points.front()};
+    Box box{Vec3(std::numeric_limits<double>::infinity()),
+            Vec3(-std::numeric_limits<double>::infinity())};
     for (const Vec3& p : mesh.points) {
-        box.lo = glm::min(box.lo, p);
-        box.hi = glm::max(box.hi, p);
+        Vec3 middle = p;
+        Vec3 reach(0.0); // of the circle that a node makes round the axis
+        if (mesh.axis) {
+            const Vec3& a = mesh.axis->direction;
+            middle = mesh.axis->origin + glm::dot(p - mesh.axis->origin, a) * a;
+            reach = glm::length(p - middle) * glm::sqrt(glm::max(Vec3(1.0) - a * a, Vec3(0.0)));
+        }
+        box.lo = glm::min(box.lo, middle - reach);
+        box.hi = glm::max(box.hi, middle + reach);
     }
     return box;
 }
@@ -34,8 +42,26 @@ double closest_nodes(const RectilinearGrid& grid) {
     return closest;
 }
 
+// Returns the root of the area that a cell of an axisymmetric flow has in its half plane, as a box.
+double size_in_half_plane(const CellMesh& mesh, const MeshCell& cell) {
+    double lo[2] = {HUGE_VAL, HUGE_VAL};
+    double hi[2] = {-HUGE_VAL, -HUGE_VAL};
+    for (std::size_t i = 0; i < node_count(cell.shape); ++i) {
+        const Vec3 from = mesh.points[cell.node[i]] - mesh.axis->origin;
+        const double along = glm::dot(from, mesh.axis->direction);
+        const double at[2] = {along, glm::length(from - along * mesh.axis->direction)};
+        for (int k = 0; k < 2; ++k) {
+            lo[k] = std::min(lo[k], at[k]);
+            hi[k] = std::max(hi[k], at[k]);
+        }
+    }
+    return std::sqrt((hi[0] - lo[0]) * (hi[1] - lo[1]));
+}
+
 // Returns the cube root of the volume of the box round a cell.
 double cell_size(const CellMesh& mesh, const MeshCell& cell) {
+    if (mesh.axis)
+        return size_in_half_plane(mesh, cell);
     Vec3 lo = mesh.points[cell.node[0]];
     Vec3 hi = lo;
     for (std::size_t i = 1; i < node_count(cell.shape); ++i) {

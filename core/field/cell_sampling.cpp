@@ -23,10 +23,11 @@ bool beside(const CellCursor& place, const Vec3& point) {
 
 NodeShares CellSampling::shares(const Vec3& position) const {
     CellCursor place(domain_);
-    const PointStatus status = place.locate(position, false, [](std::uint32_t) { return true; });
+    const Vec3 in_mesh = Meridian(domain_.mesh.axis).enter(position);
+    const PointStatus status = place.locate(in_mesh, false, [](std::uint32_t) { return true; });
     const bool there = status == PointStatus::Inside ||
                        (status == PointStatus::OutsideDomain &&
-                        place.cell() != CellCursor::nowhere && beside(place, position));
+                        place.cell() != CellCursor::nowhere && beside(place, in_mesh));
     return there ? shares_in_cell(domain_.mesh.cells[place.cell()], place.geometry(), place.local())
                  : NodeShares{status, 0, {}, {}};
 }

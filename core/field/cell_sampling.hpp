@@ -29,10 +29,13 @@ class CellSampling {
 
     bool obstacle() const { return !domain_.walls.empty(); }
 
-    bool may_have_wall(const Box& box) const { return domain_.walls.near(box); }
+    /// Round an axis walls are anywhere that one is.
+    bool may_have_wall(const Box& box) const {
+        return domain_.mesh.axis ? obstacle() : domain_.walls.near(box);
+    }
 
     bool may_cross_wall(const Vec3& from, const Vec3& to) const {
-        return domain_.walls.may_cross(from, to);
+        return domain_.mesh.axis ? obstacle() : domain_.walls.may_cross(from, to);
     }
 
     bool advance(const Interval& interval,

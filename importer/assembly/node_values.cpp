@@ -109,6 +109,8 @@ class NodeValues {
             return tl::unexpected(got.error());
         for (const std::uint32_t node : still)
             std::fill_n(out_.begin() + static_cast<std::ptrdiff_t>(width_ * node), width_, 0.0f);
+        if (width_ == 3)
+            turn_round_axis();
         interpolate_added();
         return std::move(out_);
     }
@@ -214,6 +216,34 @@ class NodeValues {
                     ++count[node];
             });
         return count;
+    }
+
+    // The vector of a wedge's cell is that in its half plane. A node has it on either side, so it is turned to where
+    // the node is; on the axis only what points along it is left.
+    void turn_round_axis() {
+        const auto* mesh = std::get_if<core::CellMesh>(&assembly_.grid);
+        if (mesh == nullptr || !mesh->axis)
+            return;
+        const core::SymmetryAxis& axis = *mesh->axis;
+        const core::Vec3 around = glm::cross(axis.direction, axis.radial);
+        const double size = core::bounds(assembly_.grid).diagonal();
+        for (std::size_t node = 0; node < mesh->points.size(); ++node) {
+            float* const values = out_.data() + 3 * node;
+            const core::Vec3 v(values[0], values[1], values[2]);
+            const core::Vec3 from = mesh->points[node] - axis.origin;
+            const double x = glm::dot(from, axis.radial);
+            const double y = glm::dot(from, around);
+            const double radius = std::hypot(x, y);
+            core::Vec3 turned = glm::dot(v, axis.direction) * axis.direction;
+            if (radius > 1e-9 * size) {
+                const double outward = glm::dot(v, axis.radial);
+                const double sideways = glm::dot(v, around);
+                turned += (outward * x - sideways * y) / radius * axis.radial +
+                          (outward * y + sideways * x) / radius * around;
+            }
+            for (int k = 0; k < 3; ++k)
+                values[k] = stored(turned[k]);
+        }
     }
 
     void interpolate_added() {

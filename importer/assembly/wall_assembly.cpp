@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numbers>
 #include <numeric>
 #include <set>
 #include <unordered_map>
@@ -169,6 +170,42 @@ class Triangles {
         out.triangles.push_back({number(a), number(b), number(c)});
     }
 
+    /// Draws the faces of a thin wedge all the way round: it is stretched to one of `sectors`, and repeated.
+    void revolve(const core::SymmetryAxis& axis) {
+        constexpr int sectors = 72;
+        constexpr double sector = 2.0 * std::numbers::pi / sectors;
+        const Vec3 around = glm::cross(axis.direction, axis.radial);
+        const auto points = std::move(out.points);
+        const auto triangles = std::move(out.triangles);
+        out = {};
+        number_.clear();
+        std::vector<std::array<double, 3>> at; // along the axis, from it, and the angle
+        double half = 0.0;
+        for (const auto& p : points) {
+            const Vec3 from = Vec3(p) - axis.origin;
+            const double x = glm::dot(from, axis.radial);
+            const double y = glm::dot(from, around);
+            at.push_back({glm::dot(from, axis.direction), std::hypot(x, y), std::atan2(y, x)});
+            if (x > 0.0)
+                half = std::max(half, std::abs(at.back()[2]));
+        }
+        if (!(half > 0.0))
+            return;
+        for (int k = 0; k < sectors; ++k)
+            for (const auto& triangle : triangles) {
+                std::array<Vec3, 3> corner;
+                for (std::size_t i = 0; i < 3; ++i) {
+                    const auto& [along, radius, angle] = at[triangle[i]];
+                    // Both sides of a sector are reckoned alike: its neighbours have the very same points.
+                    const double turn =
+                        sector * (k + std::round(0.5 * (angle / half + 1.0) * 1024.0) / 1024.0);
+                    corner[i] = axis.origin + along * axis.direction +
+                                radius * (std::cos(turn) * axis.radial + std::sin(turn) * around);
+                }
+                add(corner[0], corner[1], corner[2]);
+            }
+    }
+
     core::WallGeometry out;
 
   private:
@@ -291,6 +328,8 @@ core::WallGeometry wall_geometry(const GridAssembly& assembly, const SourceStep&
     for (const auto& solid : step.solids)
         if (solid != nullptr)
             add_polygons(*solid, triangles);
+    if (const auto* mesh = std::get_if<CellMesh>(&assembly.grid); mesh != nullptr && mesh->axis)
+        triangles.revolve(*mesh->axis);
     return std::move(triangles.out);
 }
 

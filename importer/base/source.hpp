@@ -4,6 +4,7 @@
 
 #include "command/source_options.hpp"
 #include "core/base/result.hpp"
+#include "core/dataset/cell_mesh.hpp"
 #include "core/dataset/dataset_info.hpp"
 #include "store/store_manifest.hpp"
 
@@ -13,6 +14,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,6 +42,8 @@ struct SourceDescription {
     /// The velocity to take unless the user names one, where names alone leave several: of the first phase. Else
     /// empty.
     std::string velocity{};
+    /// The axis of an axisymmetric flow, of which the source has a wedge.
+    std::optional<core::SymmetryAxis> axis{};
     /// The unit of coordinates; empty if the files do not state it.
     std::string length_unit{};
     /// The unit of times; empty if the files do not state it.

@@ -154,10 +154,11 @@ core::Result<void> begin_with_suggestion(SurfaceRequest& request,
     core::SurfaceParameters& parameters = request.parameters;
     request.rake = scene->rake;
     request.rake.seeds = options.seeds;
-    const core::Vec3 a = scene->rake.points[0];
-    const core::Vec3 b = scene->rake.points[1];
-    tell(stderr, "wakesurf: without --rake: {} It is --rake \"{:g},{:g},{:g} {:g},{:g},{:g}\"\n",
-         scene->why, a.x, a.y, a.z, b.x, b.y, b.z);
+    std::string points;
+    for (const core::Vec3& p : scene->rake.points)
+        points += fmt::format("{}{:g},{:g},{:g}", points.empty() ? "" : " ", p.x, p.y, p.z);
+    tell(stderr, "wakesurf: without --rake: {} It is --rake \"{}\"{}\n", scene->why, points,
+         scene->rake.kind == core::Rake::Kind::Circle ? " --rake-kind circle" : "");
     const auto same =
         std::ranges::find(scene->surfaces, parameters.kind, &core::SurfaceParameters::kind);
     if (same == scene->surfaces.end())
@@ -218,7 +219,8 @@ core::Result<void> choose_field_time(SurfaceRequest& request,
                                      const std::stop_token& stop) {
     constexpr std::size_t most_looks = 16;
     const auto& times = dataset.info.times;
-    if (request.from || request.parameters.kind != core::SurfaceKind::Stream || times.size() < 2)
+    if (request.from || request.parameters.kind != core::SurfaceKind::Stream ||
+        request.parameters.direction == core::Direction::Backward || times.size() < 2)
         return {};
     if (dataset.info.time_unit == core::iterations) {
         request.from = times.back();
@@ -261,9 +263,10 @@ core::Result<core::SurfacePlan> planned(SurfaceRequest request,
     choose_times(request, dataset.info.times);
     if (dataset.info.time_unit == core::iterations &&
         request.parameters.kind != core::SurfaceKind::Stream)
-        tell(stderr, "wakesurf: the times are iterations of a steady solver: a {} surface through "
-                     "them means nothing; --kind stream shows the result\n",
-             core::name_of(request.parameters.kind));
+        tell(stderr,
+             "wakesurf: the times are iterations of a steady solver: a {} surface through "
+             "them means nothing; --kind stream shows the result\n",
+             protocol::name(request.parameters.kind));
     auto plan = core::plan_surface(dataset.flow, request.rake, std::move(request.parameters));
     if (!plan)
         return tl::unexpected(plan.error());

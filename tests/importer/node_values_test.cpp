@@ -124,6 +124,30 @@ TEST(NodeValues, AreZeroOnWallsBeforeAddedNodesAreInterpolated) {
     EXPECT_TRUE(std::all_of(got->begin(), got->end(), [](float v) { return v == 0.0f; }));
 }
 
+TEST(NodeValues, OfAWedgeAreTurnedToWhereTheNodesAre) {
+    auto grid = brick({0, 0, -0.5}, 1.0, {2, 2, 1});
+    add_array(*grid, false, "U", 3, [](const Vec3&, int c) {
+        return c == 0 ? 4.0 : c == 1 ? 2.0 : 0.5;
+    });
+    const Pointers blocks{grid};
+    auto assembly = assemble_mesh(blocks, {}).value();
+    auto& mesh = std::get<core::CellMesh>(assembly.grid);
+    mesh.axis = core::SymmetryAxis{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    mesh.points[0].z = 0.0; // on the axis
+    const auto got = node_values(assembly, blocks, cell_velocity).value();
+    EXPECT_FLOAT_EQ(got[0], 4.0f);
+    EXPECT_FLOAT_EQ(got[1], 0.0f);
+    EXPECT_FLOAT_EQ(got[2], 0.0f);
+    for (std::size_t i = 1; i < mesh.points.size(); ++i) {
+        const Vec3& p = mesh.points[i];
+        const double radius = std::hypot(p.y, p.z);
+        const Vec3 v(got[3 * i], got[3 * i + 1], got[3 * i + 2]);
+        EXPECT_NEAR(v.x, 4.0, 1e-6);
+        EXPECT_NEAR((v.y * p.y + v.z * p.z) / radius, 2.0, 1e-6) << "away from the axis";
+        EXPECT_NEAR((v.z * p.y - v.y * p.z) / radius, 0.5, 1e-6) << "round it";
+    }
+}
+
 TEST(NodeValues, DivideAMomentumAndJoinComponents) {
     auto grid = brick({0, 0, 0}, 1.0, {1, 1, 1});
     add_array(*grid, true, "Momentum", 3,

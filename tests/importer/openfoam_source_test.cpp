@@ -9,7 +9,9 @@
 #include <vtkPointData.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <functional>
+#include <numbers>
 #include <set>
 
 namespace wakesurf::importer::openfoam_source_test {
@@ -238,16 +240,42 @@ TEST_F(OpenfoamSource, RefusesAMeshThatMovesButNotOneWrittenAgain) {
         "the mesh moves: 1e1/polyMesh/points of cavity.foam differs from 0.5/polyMesh/points");
 }
 
-TEST_F(OpenfoamSource, RefusesAWedgeAndReadsASlabOfAPlaneFlow) {
-    auto mesh = foam_block_mesh({});
-    mesh.patches.back().type = "wedge";
-    put(mesh);
+TEST_F(OpenfoamSource, FindsTheAxisInWhichTheSidesOfAWedgeMeet) {
+    auto mesh = foam_block_mesh({{4, 3, 1}, false});
+    auto& sides = mesh.patches.back();
+    sides.type = "wedge";
+    put(mesh); // both sides in one patch, and parallel
     const auto refused = open_openfoam(at("cavity.foam"));
     ASSERT_FALSE(refused.has_value());
-    EXPECT_EQ(refused.error().code, Error::Code::Unsupported);
-    EXPECT_TRUE(refused.error().message.starts_with(
-        "cavity.foam is not three-dimensional: its patch sides is a wedge"))
-        << refused.error().message;
+    EXPECT_EQ(
+        refused.error().message,
+        "the patches of the type wedge of cavity.foam are not two planes that meet in an axis");
+    const auto first = mesh.faces.begin() + sides.start;
+    const auto low = [&](const FoamMesh::Face& face) {
+        return mesh.points[static_cast<std::size_t>(face.nodes[0])][2] < 0.5;
+    };
+    const auto middle = std::stable_partition(first, first + sides.size, low);
+    const int count = static_cast<int>(middle - first);
+    mesh.patches.push_back({"back", "wedge", sides.start + count, sides.size - count, -1});
+    mesh.patches[mesh.patches.size() - 2].size = count;
+    for (auto& p : mesh.points) { // 5 degrees round a line along x through y = -0.5
+        const double angle = (p[2] < 0.5 ? -2.5 : 2.5) * std::numbers::pi / 180.0;
+        const double radius = p[1] + 0.5;
+        p = {p[0], radius * std::cos(angle) - 0.5, radius * std::sin(angle)};
+    }
+    put(mesh);
+    const auto source = open();
+    EXPECT_EQ(source->description().note,
+              "an axisymmetric flow, drawn all the way round: the mesh is a wedge of 5 degrees");
+    const auto& axis = source->description().axis;
+    ASSERT_TRUE(axis.has_value());
+    EXPECT_EQ(std::abs(axis->direction.x), 1.0);
+    EXPECT_EQ(axis->radial, core::Vec3(0.0, 1.0, 0.0));
+    EXPECT_LT(glm::length(axis->origin - core::Vec3(0.0, -0.5, 0.0)), 1e-5);
+}
+
+TEST_F(OpenfoamSource, ReadsASlabOfAPlaneFlow) {
+    auto mesh = foam_block_mesh({});
     mesh.patches.back().type = "empty";
     put(mesh);
     const auto plane = open();

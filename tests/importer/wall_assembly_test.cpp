@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
 
 namespace wakesurf::importer::wall_assembly_test {
 namespace {
@@ -92,6 +95,27 @@ TEST(WallAssembly, TakesTheBoundaryOfAHoleButNotThatOfTheDomain) {
     EXPECT_EQ(geometry.points.size(), 8u);
     for (const auto& p : geometry.points)
         EXPECT_TRUE(p.x >= 1 && p.x <= 2 && p.y >= 1 && p.y <= 2 && p.z >= 1 && p.z <= 2);
+}
+
+TEST(WallAssembly, DrawsTheWallsOfAWedgeAllTheWayRound) {
+    auto assembly = brick_with_hole();
+    find_walls(assembly, {});
+    auto& mesh = std::get<CellMesh>(assembly.grid);
+    // Thin about the half plane y > 0, whose axis lies along x.
+    for (auto& p : mesh.points)
+        p = {p.x, (p.y + 1.0) * std::cos(0.01 * (p.z - 1.5)),
+             (p.y + 1.0) * std::sin(0.01 * (p.z - 1.5))};
+    mesh.axis = core::SymmetryAxis{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    const auto geometry = wall_geometry(assembly, {});
+    EXPECT_EQ(geometry.triangles.size(), 72u * 12u);
+    std::array<int, 8> octants{};
+    for (const auto& p : geometry.points) {
+        const double radius = std::hypot(p.y, p.z);
+        EXPECT_TRUE(p.x >= 1 && p.x <= 2 && radius > 2 - 1e-5 && radius < 3 + 1e-5);
+        ++octants[static_cast<std::size_t>((std::atan2(p.z, p.y) + std::numbers::pi) * 3.99999 /
+                                           std::numbers::pi)];
+    }
+    EXPECT_TRUE(std::ranges::all_of(octants, [](int count) { return count > 8; }));
 }
 
 TEST(WallAssembly, TakesFacesThatAreAtRestAtBothTimeSteps) {

@@ -1,8 +1,11 @@
 #include "store/store_grid.hpp"
+#include "store/store_layout_json.hpp"
 #include "tests/support/small_store.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <limits>
 
 namespace wakesurf::store::store_grid_test {
@@ -70,6 +73,22 @@ TEST(StoreGrid, GivesBackCellsAndWhatLiesBeyondTheirFaces) {
         EXPECT_EQ(back.cells[i].node, mesh.cells[i].node);
         EXPECT_EQ(back.cells[i].beyond, mesh.cells[i].beyond);
         EXPECT_EQ(back.cells[i].shape, mesh.cells[i].shape);
+    }
+}
+
+TEST(StoreGrid, KeepsTheAxisOfAWedgeAndRefusesOneThatIsNone) {
+    const TemporaryFolder folder;
+    CellMesh mesh = two_cells();
+    mesh.axis = core::SymmetryAxis{{0.1, 0.2, 0.3}, {0, 0.6, 0.8}, {1, 0, 0}};
+    auto layout = stored(folder, mesh);
+    const auto text = store_layout_json(layout);
+    const auto parsed = parse_store_layout(text);
+    ASSERT_TRUE(parsed.has_value()) << parsed.error().message;
+    layout.grid.axis = parsed->grid.axis;
+    EXPECT_EQ(std::get<CellMesh>(read_grid(layout, PosixDisk()).value()).axis, mesh.axis);
+    for (const Vec3& radial : {Vec3(1, 0.1, 0), Vec3(0, 0.6, 0.8), Vec3(0), Vec3(NAN)}) {
+        layout.grid.axis->radial = radial;
+        EXPECT_EQ(read_error(layout), Error::Code::Corrupt);
     }
 }
 

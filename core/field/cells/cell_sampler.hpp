@@ -6,6 +6,7 @@
 #include "core/field/cells/cell_path.hpp"
 #include "core/field/cells/cell_shares.hpp"
 #include "core/field/cells/linear_cell.hpp"
+#include "core/field/cells/meridian.hpp"
 #include "core/integrate/at_rest.hpp"
 
 #include <algorithm>
@@ -72,7 +73,8 @@ struct CellSampler {
 /// The field as one particle asks for it, one thread at a time: const only in that it answers the same.
 class CellSamplerCursor {
   public:
-    explicit CellSamplerCursor(const CellSampler& field) : field_(field), place_(*field.domain) {}
+    explicit CellSamplerCursor(const CellSampler& field)
+        : field_(field), place_(*field.domain), meridian_(field.domain->mesh.axis) {}
 
     /// Begins with another particle: see CellCursor.
     void restart(std::uint32_t guess = CellCursor::nowhere) const { place_.restart(guess); }
@@ -82,14 +84,14 @@ class CellSamplerCursor {
 
     Vec3 velocity(const Vec3& p, double t) const {
         if (!go_to(p, false))
-            return field_.gaps ? beside_gap(p, t) : Vec3(0.0);
+            return field_.gaps ? meridian_.back(beside_gap(meridian_.enter(p), t)) : Vec3(0.0);
         const bool pyramid = place_.geometry().pyramid();
         const Fit& fit = fit_[here_];
         const Components v = fit.now.at(pyramid, place_.local());
         if (!field_.velocity1)
-            return v.vector();
+            return meridian_.back(v.vector());
         const double part = (t - field_.time0) / field_.interval;
-        return (v + fit.change.at(pyramid, place_.local()) * part).vector();
+        return meridian_.back((v + fit.change.at(pyramid, place_.local()) * part).vector());
     }
 
     /// Returns (grad v) w at local coordinates of the present cell, as a function of w. REQUIRES: a velocity
@@ -105,8 +107,8 @@ class CellSamplerCursor {
                 slope[i] = slope[i] + change[i] * part;
         }
         return [this, local, slope](const Vec3& w) {
-            const Vec3 u = place_.geometry().along(local, w);
-            return (slope[0] * u.x + slope[1] * u.y + slope[2] * u.z).vector();
+            const Vec3 u = place_.geometry().along(local, meridian_.into(w));
+            return meridian_.back((slope[0] * u.x + slope[1] * u.y + slope[2] * u.z).vector());
         };
     }
 
@@ -130,7 +132,17 @@ class CellSamplerCursor {
         if (field_.velocity1)
             velocity = {&fit.now, &fit.change, (t - field_.time0) / field_.interval,
                         frozen ? 0.0 : sign / field_.interval};
-        return cell_path(place_.geometry(), velocity, p, place_.local(), sign);
+        if (!meridian_)
+            return cell_path(place_.geometry(), velocity, p, place_.local(), sign);
+        CellPath path =
+            cell_path(place_.geometry(), velocity, meridian_.enter(p), place_.local(), sign);
+        path.space.term[0] = {p.x, p.y, p.z};
+        for (std::size_t k = 1; k <= PathSeries::order; ++k) {
+            auto& term = path.space.term[k];
+            const Vec3 turned = meridian_.back({term[0], term[1], term[2]});
+            term = {turned.x, turned.y, turned.z};
+        }
+        return path;
     }
 
     /// Returns how far the particle at `p`, inside, goes in a time t >= 0, if it stays in its cell and the
@@ -226,7 +238,8 @@ class CellSamplerCursor {
 
     /// Returns false where there is no velocity at all.
     bool go_to(const Vec3& p, bool stays) const {
-        place_.locate(p, stays, [&](std::uint32_t cell) { return field_.usable(cell); });
+        place_.locate(meridian_.enter(p), stays,
+                      [&](std::uint32_t cell) { return field_.usable(cell); });
         if (place_.cell() == CellCursor::nowhere)
             return false;
         if (place_.cell() == fit_[here_].cell)
@@ -257,6 +270,7 @@ class CellSamplerCursor {
 
     CellSampler field_;
     mutable CellCursor place_;
+    mutable Meridian meridian_;
     mutable std::array<Fit, 2> fit_; ///< of the last two cells: particles near a face go to and fro
     mutable std::size_t here_ = 0;   ///< that of the present cell
 };

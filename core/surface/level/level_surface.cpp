@@ -76,7 +76,13 @@ add_velocity(QuadComplex& mesh, const SurfacePlan& plan, double time, const std:
         .map([&] { mesh.velocity.assign(velocity.begin(), velocity.end()); });
 }
 
-Error no_nodes() {
+Error no_nodes(const Flow& flow) {
+    if (flow.time_range())
+        return {
+            Error::Code::Unsupported,
+            "level sets of an axisymmetric flow cannot be drawn yet: its values are known in one "
+            "half plane",
+            "choose another `kind` of surface"};
     return {Error::Code::Unsupported,
             "a built-in flow stores no values at nodes, so it has no level sets",
             "write it into a store with `wakesurf generate`, and open that"};
@@ -88,7 +94,7 @@ Result<void> take_levels(SurfacePlan& plan, std::shared_ptr<const LevelSource> l
     if (plan.parameters.kind != SurfaceKind::Level)
         return {};
     if (levels == nullptr)
-        return tl::unexpected(no_nodes());
+        return tl::unexpected(no_nodes(*plan.flow));
     plan.levels = std::move(levels);
     return plan.levels->check_field(*plan.parameters.field);
 }
@@ -100,7 +106,7 @@ Result<Surface> build_level_surface(const SurfacePlan& plan,
                                     const WorkPart& work) {
     const SurfaceParameters& p = plan.parameters;
     if (plan.levels == nullptr)
-        return tl::unexpected(no_nodes());
+        return tl::unexpected(no_nodes(*plan.flow));
     const auto start = clock.now();
     const auto since = [&](auto begin) {
         return std::chrono::duration<double>(clock.now() - begin).count();

@@ -115,6 +115,53 @@ surface_of(SurfaceKind kind, double from, double to, double separation, const Ve
     return p;
 }
 
+/// Makes a line a ring round the axis, at about the same place along it: half of what flows there does so inside.
+Result<void> make_ring(RakeChoice& choice,
+                       Rake& rake,
+                       const SymmetryAxis& axis,
+                       const Flow& flow,
+                       double time,
+                       std::stop_token stop) {
+    constexpr int places = 64;
+    const Box domain = flow.domain();
+    const Vec3 from = 0.5 * (choice.line[0] + choice.line[1]) - axis.origin;
+    const Vec3 centre = axis.origin + glm::dot(from, axis.direction) * axis.direction;
+    const Vec3 outward = glm::cross(axis.direction, axis.radial);
+    double most = 0.0;
+    for (int k = 0; k < 3; ++k)
+        most = std::max(most, std::abs(outward[k]) * (domain.hi[k] - centre[k]));
+    std::vector<Vec3> points;
+    for (int i = 0; i < places; ++i)
+        if (const Vec3 p = centre + most * (i + 0.5) / places * outward;
+            flow.status(p) == PointStatus::Inside)
+            points.push_back(p);
+    std::vector<Vec3> velocity(points.size());
+    const std::vector<double> times(points.size(), time);
+    if (auto sampled = flow.sample(points, times, velocity, std::move(stop)); !sampled)
+        return sampled;
+    double all = 0.0;
+    for (const Vec3& v : velocity)
+        all += glm::length(v);
+    double inside = 0.0;
+    std::size_t at = points.size() / 2;
+    for (std::size_t i = 0; i < points.size() && all > 0.0; ++i) {
+        inside += glm::length(velocity[i]);
+        if (inside >= 0.5 * all) {
+            at = i;
+            break;
+        }
+    }
+    if (points.empty())
+        return {}; // the line was found in fluid; a ring there would not be
+    const double radius = glm::length(points[at] - centre);
+    rake.kind = Rake::Kind::Circle;
+    rake.points = {centre, centre + radius * axis.radial, centre + radius * outward};
+    choice.line = {centre - radius * outward, centre + radius * outward};
+    const double along = glm::dot(domain.extent(), glm::abs(axis.direction));
+    choice.sweep = 0.1 * along * axis.direction;
+    return {};
+}
+
 bool at_rest(const FlowSurvey& survey) {
     return !(survey.speed > 0.0);
 }
@@ -146,6 +193,11 @@ Result<SceneSuggestion> suggest_scene(const Flow& flow,
                 {rounded(choice.line[0], domain), rounded(choice.line[1], domain)},
                 usual_seeds};
     out.why = "The rake is " + choice.why + ".";
+    if (series.axis) {
+        if (auto ring = make_ring(choice, out.rake, *series.axis, flow, shown, stop); !ring)
+            return tl::unexpected(ring.error());
+        out.why = "The rake is a ring round the axis, half-way through what flows there.";
+    }
     const double long_enough = usual_time(choice);
     const Vec3 sweep = choice.sweep;
     out.surfaces.push_back(surface_of(SurfaceKind::Stream, shown, shown + long_enough,

@@ -2,6 +2,7 @@
 // data. Commands, scripts and the page begin with it unless the user chooses otherwise.
 #pragma once
 
+#include "core/dataset/cell_mesh.hpp"
 #include "core/dataset/wall_geometry.hpp"
 #include "core/field/flow.hpp"
 #include "core/surface/surface_parameters.hpp"
@@ -16,9 +17,10 @@ namespace wakesurf::core {
 
 /// The facts about a series that a suggestion depends on, beside the flow itself.
 struct SeriesFacts {
-    std::vector<double> times;        ///< strictly increasing; at least one
-    bool steady = false;              ///< it has one field for all times
-    std::uint64_t bytes_per_step = 0; ///< of a time-step's velocity
+    std::vector<double> times;          ///< strictly increasing; at least one
+    bool steady = false;                ///< it has one field for all times
+    std::uint64_t bytes_per_step = 0;   ///< of a time-step's velocity
+    std::optional<SymmetryAxis> axis{}; ///< of an axisymmetric flow
 };
 
 /// A suggested scene.

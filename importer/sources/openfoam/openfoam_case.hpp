@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -27,9 +28,8 @@ struct FoamRegion {
     std::map<std::string, std::string> cyclic{};
     /// The groups of its patches. Fields written by hand have entries for groups as well.
     std::map<std::string, std::vector<std::string>> groups{};
-    // A patch of these types that has faces, if there is one.
-    std::string empty{};
-    std::string wedge{};
+    std::string empty{};            ///< a patch of this type that has faces, if there is one
+    std::set<std::string> wedges{}; ///< its patches of this type
 };
 
 struct FoamCase {

@@ -284,6 +284,8 @@ void OpenfoamReader::choose_patches() {
             reader_->SetPatchArrayStatus((prefix + "internalMesh").c_str(), 1);
             for (const auto& wall : region.walls)
                 reader_->SetPatchArrayStatus((prefix + "patch/" + wall).c_str(), 1);
+            for (const auto& wedge : region.wedges)
+                reader_->SetPatchArrayStatus((prefix + "patch/" + wedge).c_str(), 1);
             for (const auto& [cyclic, other] : region.cyclic)
                 reader_->SetPatchArrayStatus((prefix + "patch/" + cyclic).c_str(), 1);
             continue;

@@ -71,7 +71,7 @@ core::Result<void> find_patches(const FoamCase& found, FoamRegion& region) {
     region.cyclic.clear();
     region.groups.clear();
     region.empty.clear();
-    region.wedge.clear();
+    region.wedges.clear();
     for (const auto& part : found.parts) {
         const auto file = found.file_at(found.mesh_file(part, region.name, "boundary"));
         const auto patches = read_foam_patches(file.path, file.name);
@@ -88,7 +88,7 @@ core::Result<void> find_patches(const FoamCase& found, FoamRegion& region) {
             if (patch.type == "empty")
                 region.empty = patch.name;
             if (patch.type == "wedge")
-                region.wedge = patch.name;
+                region.wedges.insert(patch.name);
             if (patch.type.starts_with("cyclic"))
                 region.cyclic[patch.name] = patch.neighbour;
             if (patch.type == "processorCyclic")
@@ -118,23 +118,13 @@ core::Result<std::vector<FoamRegion>> find_regions(const FoamCase& found) {
 }
 
 // OpenFOAM computes in a plane where the mesh is one cell across and there is no equation for that direction. Such a
-// slab is read as it is: nothing leaves through its sides, where the velocity has no component across. A wedge would
-// be a sliver of the flow. Regions without a velocity may be anything: a film is often a plane.
-core::Result<void> check_directions(FoamCase& found) {
-    for (const auto& region : found.regions) {
-        if (!region.fluid)
-            continue;
-        if (!region.wedge.empty())
-            return core::fail(
-                Error::Code::Unsupported,
-                found.file + " is not three-dimensional: its patch " + region.wedge +
-                    " is a wedge, so the flow is computed in a plane through the axis",
-                "surfaces need a three-dimensional flow: compute it in three dimensions");
-        if (!region.empty.empty())
+// slab is read as it is: nothing leaves through its sides, where the velocity has no component across. Regions without a
+// velocity may be anything: a film is often a plane.
+void note_planes(FoamCase& found) {
+    for (const auto& region : found.regions)
+        if (region.fluid && region.wedges.empty() && !region.empty.empty())
             add_note(found.note, "a plane flow, one cell thick (the patch " + region.empty +
                                      " is of the type empty)");
-    }
-    return {};
 }
 
 int components_of(const FoamHeader& header) {
@@ -269,8 +259,7 @@ core::Result<FoamCase> scan_openfoam_case(const fs::path& path, const std::strin
     for (auto& region : chosen->regions)
         if (auto walls = find_patches(*chosen, region); !chosen->mesh_times.empty() && !walls)
             return tl::unexpected(walls.error());
-    if (auto directions = check_directions(*chosen); !directions)
-        return tl::unexpected(directions.error());
+    note_planes(*chosen);
     find_fields(*chosen);
     if (chosen->velocity.empty())
         choose_phase(*chosen);

@@ -6,11 +6,14 @@
 #include "importer/sources/openfoam/openfoam_scan.hpp"
 
 #include <vtkBoundingBox.h>
+#include <vtkCell.h>
+#include <vtkPoints.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 namespace wakesurf::importer {
 
@@ -19,6 +22,44 @@ using core::FieldInfo;
 namespace fs = std::filesystem;
 
 namespace {
+
+/// One side of a wedge.
+struct WedgeSide {
+    core::Vec3 normal; ///< outward, of length 1
+    core::Vec3 point;
+};
+
+WedgeSide side_of(vtkDataSet& patch) {
+    core::Vec3 area(0.0);
+    core::Vec3 middle(0.0);
+    double corners = 0.0;
+    for (vtkIdType i = 0; i < patch.GetNumberOfCells(); ++i) {
+        vtkPoints* const points = patch.GetCell(i)->GetPoints();
+        const auto at = [&](vtkIdType k) {
+            std::array<double, 3> p{};
+            points->GetPoint(k, p.data());
+            return core::Vec3(p[0], p[1], p[2]);
+        };
+        for (vtkIdType k = 0; k < points->GetNumberOfPoints(); ++k, corners += 1.0) {
+            middle += at(k);
+            if (k >= 2)
+                area += 0.5 * glm::cross(at(k - 1) - at(0), at(k) - at(0));
+        }
+    }
+    return {glm::normalize(area), middle / std::max(corners, 1.0)};
+}
+
+/// Returns the direction of a coordinate, if a vector of length 1 is that but for the rounding of points.
+core::Vec3 to_coordinate(const core::Vec3& v) {
+    constexpr double rounding = 1e-4;
+    for (int k = 0; k < 3; ++k) {
+        core::Vec3 axis(0.0);
+        axis[k] = std::copysign(1.0, v[k]);
+        if (glm::length(v - axis) < rounding)
+            return axis;
+    }
+    return v;
+}
 
 class OpenfoamSource final : public Source {
   public:
@@ -61,6 +102,8 @@ class OpenfoamSource final : public Source {
         if (!first)
             return tl::unexpected(first.error());
         add_note(description_.note, note_on_cyclic());
+        if (auto axis = find_axis(); !axis)
+            return axis;
         std::vector<FieldInfo> seen;
         for (const auto& block : first->blocks)
             add_fields(*block, seen);
@@ -148,6 +191,11 @@ class OpenfoamSource final : public Source {
             cyclic_[known->name + "/" + leaf.name()].AddBounds(leaf.data->GetBounds());
             return {};
         }
+        if (known->wedges.contains(leaf.name())) {
+            if (!description_.axis)
+                wedge_sides_.push_back(side_of(*leaf.data));
+            return {};
+        }
         const std::string file = time.name + " of " + found_.file;
         if (auto whole = require_fields(*leaf.data, fields, file); !whole) {
             // The file is there: VTK passes over one that cannot be unpacked.
@@ -187,8 +235,48 @@ class OpenfoamSource final : public Source {
                                    "), particles do not: they end there";
     }
 
+    // Finds the axis of a wedge from its two sides: they meet in it. OpenFOAM wants the plane between them to be one
+    // of the coordinates'. Error: Unsupported.
+    core::Result<void> find_axis() {
+        if (wedge_sides_.empty())
+            return {};
+        const auto refused =
+            core::fail(Error::Code::Unsupported,
+                       "the patches of the type wedge of " + found_.file +
+                           " are not two planes that meet in an axis",
+                       "make the wedge with one patch of that type on either side");
+        const WedgeSide& one = wedge_sides_.front();
+        const auto& other = *std::ranges::min_element(wedge_sides_, {}, [&](const WedgeSide& side) {
+            return glm::dot(one.normal, side.normal);
+        });
+        const core::Vec3 apart = one.normal - other.normal;
+        const core::Vec3 inward = one.normal + other.normal;
+        if (!(glm::length(apart) > 1.0) || !(glm::length(inward) > 1e-6))
+            return refused;
+        core::SymmetryAxis axis;
+        const core::Vec3 across = to_coordinate(glm::normalize(apart));
+        axis.radial = to_coordinate(glm::normalize(-(inward - glm::dot(inward, across) * across)));
+        const double a = glm::dot(one.normal, one.point);
+        const double b = glm::dot(other.normal, other.point);
+        axis.origin =
+            -(a + b) / glm::length(inward) * axis.radial + (a - b) / glm::length(apart) * across;
+        if (glm::length(axis.origin) < 1e-6 * glm::length(one.point))
+            axis.origin = core::Vec3(0.0); // but for the rounding of the points
+        if (glm::dot(one.point - axis.origin, axis.radial) < 0.0)
+            axis.radial = -axis.radial; // the files' normals point inward
+        axis.direction = glm::cross(axis.radial, across);
+        description_.axis = axis;
+        const double degrees =
+            2.0 * std::asin(std::min(1.0, 0.5 * glm::length(inward))) * 180.0 / std::numbers::pi;
+        add_note(description_.note,
+                 "an axisymmetric flow, drawn all the way round: the mesh is a wedge of " +
+                     length_text(degrees) + " degrees");
+        return {};
+    }
+
     FoamCase found_;
     std::vector<OpenfoamReader> readers_;
+    std::vector<WedgeSide> wedge_sides_;
     std::map<std::string, vtkBoundingBox> cyclic_; ///< of such patches: REGION/NAME
 };
 

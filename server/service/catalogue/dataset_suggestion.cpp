@@ -16,6 +16,9 @@ core::Result<core::SceneSuggestion> suggest_for(const core::DatasetInfo& info,
             break;
     if (series.times.empty())
         series.times.push_back(0.0);
+    if (store != nullptr)
+        if (const auto* mesh = std::get_if<core::CellMesh>(&store->grid()))
+            series.axis = mesh->axis;
     const auto walls = store != nullptr ? store->load_walls() : flow.walls();
     if (!walls)
         return tl::unexpected(walls.error());

@@ -39,7 +39,10 @@ export class RecordActions {
             if (dataset.value === null) return;
             const { rake: first } = this.suggestion ?? (await this.suggested());
             const others = [...rakes.value.values()].map(({ points }) => points);
-            const shape: RakeShape = { kind: 'line', points: freeRake(dataset.value.bounds, first.points, others) };
+            const shape: RakeShape =
+                others.length === 0
+                    ? { kind: first.kind, points: first.points }
+                    : { kind: 'line', points: freeRake(dataset.value.bounds, first.points, others) };
             // As near to each other as those of the first.
             const seeds = others.length === 0 ? first.seeds : Math.max(2, Math.ceil(first.seeds / 2));
             const rake = await this.make(call, shape, { seeds, name: this.freeName('Rake') });
