@@ -50,7 +50,7 @@ class CarryingSteps {
         return steps_.inside_until(step, met);
     }
 
-    bool arrive(const Curve& curve) { return steps_.arrive(curve); }
+    bool arrive(Curve& curve) { return steps_.arrive(curve); }
 
   private:
     Steps steps_;

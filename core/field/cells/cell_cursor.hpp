@@ -28,14 +28,18 @@ class CellCursor {
     PointStatus locate(const Vec3& p, bool stays, const Usable& usable) {
         if (!(p == asked_)) {
             asked_ = p;
+            on_side_ = false;
             status_ = search(p, usable);
         }
         if (status_ == PointStatus::Inside && (stays || anchor_cell_ == nowhere)) {
-            anchor_ = p;
+            anchor_ = on_side();
             anchor_cell_ = cell_;
         }
         return status_;
     }
+
+    /// Returns the last point, or the place on the side that a particle slides along if it was beyond that by rounding.
+    Vec3 on_side() const { return on_side_ ? here_.position(local_) : asked_; }
 
     /// Begins with another particle: it answers as a new cursor, to the bit unless cells overlap, but finds
     /// the first point at once where that is well inside one cell.
@@ -64,6 +68,11 @@ class CellCursor {
     /// Compares along each axis.
     static bool within(const Vec3& by, const Vec3& most) {
         return std::abs(by.x) <= most.x && std::abs(by.y) <= most.y && std::abs(by.z) <= most.z;
+    }
+
+    /// Says whether a point is no farther out than rounding: along any axis, as sides may be parallel to none.
+    bool beside(const Vec3& off) const {
+        return glm::length(off) <= glm::length(domain_->rounding);
     }
 
     template <class Usable>
@@ -119,6 +128,8 @@ class CellCursor {
             if (const auto found = across_crack(p, from))
                 return move(*found, p, usable);
         }
+        if (border && elsewhere && usable(at) && slides(edge, p, from))
+            return PointStatus::Inside;
         if (border && at != cell_ &&
             usable(at)) { // the velocity continues from where the walk ended
             here_.enter(domain_->mesh, at);
@@ -126,6 +137,28 @@ class CellCursor {
             local_ = clamp_to_cell(shape, edge.local);
         }
         return crossed ? PointStatus::InObstacle : beyond;
+    }
+
+    /// Goes to the nearest place in the last cell of a walk, if the particle leaves that by no more than 32-bit points and
+    /// velocities are rounded by: along a side that is parallel to no axis they point out of the fluid as often as into
+    /// it. A particle that does leave is a step later farther out than that.
+    bool slides(const CellPlace& edge, const Vec3& p, const Vec3& from) {
+        CellGeometry& cell = edge.cell == cell_ ? here_ : there_;
+        if (edge.cell != cell_)
+            cell.enter(domain_->mesh, edge.cell);
+        const Vec3 nearest = clamp_to_cell(cell.shape(), edge.local);
+        const Vec3 off = p - cell.position(nearest);
+        const double size = glm::length(cell.position(clamp_to_cell(cell.shape(), Vec3(1.0))) -
+                                        cell.position(Vec3(0.0)));
+        const double slope = 0x1p-20 + glm::length(domain_->rounding) / size;
+        if (!beside(off) || !(glm::length(off) <= slope * glm::length(p - from)))
+            return false;
+        if (edge.cell != cell_)
+            std::swap(here_, there_);
+        cell_ = edge.cell;
+        local_ = nearest;
+        on_side_ = true;
+        return true;
     }
 
     /// The nearest place in the cell beyond a crack as wide as a rounding, in which `p` is: cells of
@@ -177,7 +210,8 @@ class CellCursor {
         here_.invert(p, u);
         local_ = clamp_to_cell(here_.shape(), u);
         const PointStatus met = walk(p, u, usable, false);
-        return within(p - here_.position(local_), domain_->rounding) ? PointStatus::Inside : met;
+        on_side_ = beside(p - here_.position(local_));
+        return on_side_ ? PointStatus::Inside : met;
     }
 
     /// Takes the place that `there_` is the geometry of, unless something is in the way.
@@ -203,7 +237,18 @@ class CellCursor {
             for (const std::uint32_t next : domain_->mesh.cells[anchor_cell_].beyond)
                 if (next == cell)
                     return false;
-        return walls.crossed(anchor_, p);
+        return walls.crossed(into(anchor_cell_, anchor_), into(cell, p));
+    }
+
+    /// A place farther into a cell by rounding: a way along a wall does not go through it.
+    Vec3 into(std::uint32_t number, const Vec3& p) const {
+        const MeshCell& cell = domain_->mesh.cells[number];
+        const std::size_t nodes = node_count(cell.shape);
+        Vec3 centre(0.0);
+        for (std::size_t i = 0; i < nodes; ++i)
+            centre += domain_->mesh.points[cell.node[i]] / static_cast<double>(nodes);
+        const double far = glm::length(centre - p);
+        return p + std::min(1.0, 2.0 * glm::length(domain_->rounding) / far) * (centre - p);
     }
 
     const CellDomain* domain_;
@@ -214,6 +259,7 @@ class CellCursor {
     Vec3 anchor_{0.0};
     Vec3 asked_{std::numeric_limits<double>::quiet_NaN()};
     PointStatus status_ = PointStatus::OutsideDomain;
+    bool on_side_ = false; ///< the last point is taken for that at `local_`
     CellGeometry here_;
     CellGeometry there_;
     CellGeometry entered_; ///< of `begun_`, as it was before any point

@@ -163,7 +163,17 @@ class CellSamplerCursor {
 
     /// Returns the status of the particle at `p`, which may continue from there.
     PointStatus status(const Vec3& p) const {
-        return place_.locate(p, true, [&](std::uint32_t cell) { return field_.usable(cell); });
+        return place_.locate(meridian_.enter(p), true,
+                             [&](std::uint32_t cell) { return field_.usable(cell); });
+    }
+
+    /// Returns the place of a particle that came to `p`, inside: on the side of the fluid if it slides along that and
+    /// came beyond it by rounding.
+    Vec3 settled(const Vec3& p) const {
+        const Vec3 in_mesh = meridian_.enter(p);
+        status(p);
+        const Vec3 off = place_.on_side() - in_mesh;
+        return off == Vec3(0.0) ? p : p + meridian_.back(off);
     }
 
     /// Implements FieldWithWalls::at_wall, also at the edge or the corner of a wall, in a cell that only

@@ -24,7 +24,12 @@ class CellStepsOf {
     const CellSamplerCursor& field() const { return field_; }
 
     /// Other time-steps may have gaps where these had none.
-    PointStatus begin(const Curve& curve) { return field_.status(curve.last.position); }
+    PointStatus begin(Curve& curve) {
+        const PointStatus status = field_.status(curve.last.position);
+        if (status == PointStatus::Inside)
+            curve.last.position = field_.settled(curve.last.position);
+        return status;
+    }
 
     StepOutcome attempt(const Curve& curve, double left, CurveStep& step) {
         const double time = options_.frozen ? curve.release : curve.release + curve.last.time;
@@ -71,8 +76,11 @@ class CellStepsOf {
                    : core::inside_until(field_, step, options_.longest_step, met);
     }
 
-    /// Returns true: the cursor is there, because inside_until tested the end.
-    bool arrive(const Curve&) { return true; }
+    /// Returns true: inside_until tested the end. A particle that slides along a side stays on it.
+    bool arrive(Curve& curve) {
+        curve.last.position = field_.settled(curve.last.position);
+        return true;
+    }
 
   private:
     Cursor field_;

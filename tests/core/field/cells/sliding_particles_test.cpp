@@ -3,6 +3,7 @@
 #include "core/field/field_in_series.hpp"
 #include "tests/support/meshed_field.hpp"
 
+#include <glm/ext/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
 namespace wakesurf::core::sliding_particles_test {
@@ -46,6 +47,53 @@ TEST(SlidingParticles, FollowTheFaceThatVelocityPointsAtFromEitherSide) {
         EXPECT_NEAR(curve.last.position.y, 1.0, 0.01) << y;
         EXPECT_NEAR(curve.last.position.x, 3.55, 1e-9) << y;
         EXPECT_LT(curve.attempts, 4'000u) << y;
+    }
+}
+
+TEST(SlidingParticles, GoAlongSidesOfAnyDirectionToTheEndThoughPointsAndVelocitiesAreRounded) {
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> angle(-3.0, 3.0);
+    for (int turn = 0; turn < 12; ++turn) {
+        const glm::dmat3 matrix(
+            glm::rotate(glm::rotate(glm::dmat4(1.0), angle(random), Vec3(0, 0, 1)), angle(random),
+                        Vec3(1, 0, 0)));
+        const Vec3 origin = turn % 3 == 0 ? Vec3(0.0) : Vec3(angle(random), 40.0, angle(random));
+        const auto placed = [&](const Vec3& u) { return origin + matrix * (2.0 * u); };
+        const auto rounded = [&](const Vec3& u) { return Vec3(glm::vec3(placed(u))); };
+        CellMesh mesh = turn % 2 == 0 ? block({9, 7, 5}, rounded)
+                                      : TwoToOne(
+                                            4,
+                                            [](const Vec3& c) {
+                                                return c.x < 0.5 ? TwoToOne::Kind::Fine
+                                                                 : TwoToOne::Kind::Coarse;
+                                            },
+                                            rounded)
+                                            .take();
+        if (turn % 4 >= 2) // walls that the fluid slides along
+            mark_walls(mesh, [&](const Vec3& centre) {
+                const Vec3 u = 0.5 * (glm::transpose(matrix) * (centre - origin));
+                return std::abs(u.y - 0.5) > 0.4999 || std::abs(u.z - 0.5) > 0.4999;
+            });
+        const MeshedField field(std::move(mesh),
+                                [&](const Vec3&) { return matrix * Vec3(1.0, 0.0, 0.0); });
+        for (const Vec3& u : {Vec3(0.1, 0.0, 0.3), Vec3(0.1, 0.7, 0.0), Vec3(0.1, 1.0, 0.4),
+                              Vec3(0.1, 0.35, 1.0), Vec3(0.1, 0.0, 0.0), Vec3(0.1, 1.0, 1.0)}) {
+            const Curve curve = traced(field, placed(u), 1.7);
+            EXPECT_EQ(curve.end, CurveEnd::Time) << turn << ": " << curve.last.time;
+            EXPECT_LT(glm::length(curve.last.position - placed(u + Vec3(0.85, 0.0, 0.0))), 4e-5);
+            EXPECT_LT(curve.attempts, 400u);
+        }
+    }
+}
+
+TEST(SlidingParticles, LeaveWhereTheFlowDoesHoweverSlantedTheSide) {
+    const glm::dmat3 matrix(glm::rotate(glm::dmat4(1.0), 0.7, glm::normalize(Vec3(1, 2, 3))));
+    const MeshedField field(block({9, 7, 5}, [&](const Vec3& u) { return matrix * (2.0 * u); }),
+                            [&](const Vec3&) { return matrix * Vec3(1.0, -1e-3, 0.0); });
+    for (const double height : {0.0, 2e-4, 1e-3}) {
+        const Curve curve = traced(field, matrix * Vec3(0.1, height, 0.6), 1.7);
+        EXPECT_EQ(curve.end, CurveEnd::Domain);
+        EXPECT_NEAR(curve.last.time, 1e3 * height, 1e-3);
     }
 }
 
