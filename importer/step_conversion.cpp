@@ -150,8 +150,17 @@ core::Result<std::vector<float>> velocity_of(const ImportPlan& plan,
                                              const FirstStep& first,
                                              std::size_t index,
                                              const SourceStep& step) {
-    return node_values(first.assembly, step.blocks, plan.choice.velocity, first.still)
-        .map_error([&](Error error) { return about_step(plan, index, std::move(error)); });
+    auto velocity =
+        node_values(first.assembly, step.blocks, plan.choice.velocity, first.still)
+            .map_error([&](Error error) { return about_step(plan, index, std::move(error)); });
+    if (const auto& across = first.assembly.across; velocity && across)
+        for (std::size_t i = 0; i < velocity->size(); i += 3) {
+            const core::Vec3 v((*velocity)[i], (*velocity)[i + 1], (*velocity)[i + 2]);
+            const core::Vec3 within = v - glm::dot(v, *across) * *across;
+            for (std::size_t k = 0; k < 3; ++k)
+                (*velocity)[i + k] = static_cast<float>(within[static_cast<int>(k)]);
+        }
+    return velocity;
 }
 
 core::Result<StepRecord> write_step(const ImportPlan& plan,

@@ -4,6 +4,8 @@
 #include "core/dataset/rectilinear_grid.hpp"
 #include "core/dataset/uniform_grid.hpp"
 #include "importer/assembly/mesh_assembly.hpp"
+#include "importer/assembly/slab_mark.hpp"
+#include "importer/base/notes.hpp"
 #include "store/store_grid.hpp"
 
 #include <vtkCellData.h>
@@ -106,6 +108,17 @@ GridAssembly of_grid(core::Grid grid) {
     return out;
 }
 
+core::Result<GridAssembly> assemble_blocks(BlockList blocks, const AssemblyRequest& request) {
+    const bool solid = std::any_of(request.solid.begin(), request.solid.end(),
+                                   [](const auto& block) { return !block.empty(); });
+    if (solid || !is_grid(blocks))
+        return assemble_mesh(blocks, request);
+    if (auto* image = vtkImageData::SafeDownCast(blocks.front()))
+        return uniform_grid(*image).map([](const auto& grid) { return of_grid(grid); });
+    return rectilinear_grid(*vtkRectilinearGrid::SafeDownCast(blocks.front()))
+        .map([](const auto& grid) { return of_grid(grid); });
+}
+
 } // namespace
 
 bool is_grid(BlockList blocks) {
@@ -117,14 +130,15 @@ bool is_grid(BlockList blocks) {
 }
 
 core::Result<GridAssembly> assemble_grid(BlockList blocks, const AssemblyRequest& request) {
-    const bool solid = std::any_of(request.solid.begin(), request.solid.end(),
-                                   [](const auto& block) { return !block.empty(); });
-    if (solid || !is_grid(blocks))
-        return assemble_mesh(blocks, request);
-    if (auto* image = vtkImageData::SafeDownCast(blocks.front()))
-        return uniform_grid(*image).map([](const auto& grid) { return of_grid(grid); });
-    return rectilinear_grid(*vtkRectilinearGrid::SafeDownCast(blocks.front()))
-        .map([](const auto& grid) { return of_grid(grid); });
+    const auto across = blocks.empty() ? std::nullopt : across_slab(*blocks.front());
+    if (!across)
+        return assemble_blocks(blocks, request);
+    return assemble_blocks(blocks, request).map([&](GridAssembly&& slab) {
+        slab.across = across;
+        add_note(slab.note,
+                 "a plane flow: its cells are given a thickness, and nothing moves across");
+        return std::move(slab);
+    });
 }
 
 } // namespace wakesurf::importer

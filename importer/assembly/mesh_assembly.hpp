@@ -11,6 +11,7 @@
 #include <vtkSmartPointer.h>
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -43,6 +44,8 @@ struct GridAssembly {
     /// Is empty unless the grid is a mesh of cells: the points of other grids are their nodes.
     std::vector<BlockNodes> blocks;
     AddedNodes added;
+    /// The direction across a plane that was given a thickness.
+    std::optional<core::Vec3> across{};
     /// Says what was left out or reordered; may be empty.
     std::string note;
 };

@@ -81,7 +81,7 @@ class PipelineSource final : public Source {
         }
         if (out.empty())
             return core::fail(Error::Code::Unsupported, "the input has no three-dimensional cells");
-        return check_thickness(out, description_.name).map([&] { return std::move(out); });
+        return out;
     }
 
     std::vector<PipelineStep> steps_;

@@ -1,4 +1,5 @@
 // VTK's own files as sources: every kind of grid, encoding and collection.
+#include "importer/sources/blocks/fluid_blocks.hpp"
 #include "importer/sources/open_source.hpp"
 #include "tests/importer/vtk_files.hpp"
 #include "tests/support/vti_text.hpp"
@@ -415,7 +416,7 @@ TEST_F(VtkFilesSource, ReadsLegacyFiles) {
     }
 }
 
-TEST_F(VtkFilesSource, KeepsTheSolidCellsOfAMixedMeshAndRefusesFlatOnes) {
+TEST_F(VtkFilesSource, KeepsTheSolidCellsOfAMixedMeshAndThickensPlanes) {
     auto mesh = sample_mesh();
     const std::array<vtkIdType, 4> quad{0, 1, 5, 4};
     mesh->InsertNextCell(VTK_QUAD, 4, quad.data());
@@ -426,12 +427,20 @@ TEST_F(VtkFilesSource, KeepsTheSolidCellsOfAMixedMeshAndRefusesFlatOnes) {
     auto flat = vtkSmartPointer<vtkUnstructuredGrid>::New();
     flat->SetPoints(sample_mesh()->GetPoints());
     flat->InsertNextCell(VTK_QUAD, 4, quad.data());
-    expect_failure(open_source(write_step("flat.vtu", *flat, 0)), Error::Code::Unsupported,
-                   "flat.vtu is not three-dimensional");
-    expect_failure(open_source(write_step("sheet.vti", *sample_image(4, 1, 6), 0)),
-                   Error::Code::Unsupported, "not three-dimensional: it has 1 nodes along y");
-    expect_failure(open_source(write_step("thin.vti", *sample_image(4, 5, 2), 0)),
-                   Error::Code::Unsupported, "not three-dimensional: it has one cell along z");
+    for (const auto& plane :
+         {write_step("flat.vtu", *flat, 0), write_step("sheet.vti", *sample_image(4, 1, 6), 0)}) {
+        const auto thick = open_source(plane);
+        ASSERT_TRUE(thick.has_value()) << thick.error().message;
+        const auto step = (*thick)->read(0, (*thick)->description().fields);
+        ASSERT_TRUE(step.has_value()) << step.error().message;
+        EXPECT_TRUE(has_solid_cells(*step->blocks[0]));
+    }
+    const auto bent = flat;
+    bent->InsertNextCell(VTK_QUAD, 4, std::array<vtkIdType, 4>{1, 2, 6, 9}.data());
+    expect_failure(open_source(write_step("bent.vtu", *bent, 0)), Error::Code::Unsupported,
+                   "bent.vtu has no cells in space");
+    expect_failure(open_source(write_step("line.vti", *sample_image(4, 1, 1), 0)),
+                   Error::Code::Unsupported, "line.vti has 1 nodes along y, and is no plane");
     expect_failure(open_source(write("patch.vtp", *patch(1.0))), Error::Code::Unsupported,
                    "patch.vtp is a surface");
 }

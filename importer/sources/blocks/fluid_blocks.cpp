@@ -1,6 +1,7 @@
 #include "importer/sources/blocks/fluid_blocks.hpp"
 
 #include "core/base/result.hpp"
+#include "importer/sources/blocks/plane_slab.hpp"
 #include "importer/sources/blocks/vtk_fields.hpp"
 
 #include <vtkCellArray.h>
@@ -293,10 +294,15 @@ core::Result<vtkSmartPointer<vtkDataSet>> solid_cells_of(vtkUnstructuredGrid& gr
     const auto count = std::count_if(types, types + grid.GetNumberOfCells(), solid);
     if (count == grid.GetNumberOfCells())
         return vtkSmartPointer<vtkDataSet>(&grid);
-    if (count == 0)
-        return core::fail(Error::Code::Unsupported,
-                          file + " is not three-dimensional: its cells are flat",
-                          "extrude it by two cells or more first");
+    if (count == 0) {
+        if (auto slab = slab_of(grid))
+            return std::move(*slab);
+        return core::fail(
+            Error::Code::Unsupported,
+            file + " has no cells in space, and its flat ones do not lie in one plane, or "
+                   "are curved",
+            "write the cells between the surfaces as well");
+    }
     const auto ids = solid_cells(grid);
     auto extract = vtkSmartPointer<vtkExtractCells>::New();
     extract->SetInputData(&grid);
@@ -331,32 +337,23 @@ bool has_solid_cells(vtkDataSet& data) {
 
 core::Result<vtkSmartPointer<vtkDataSet>> fluid_part(vtkDataSet& data, const std::string& file) {
     if (const auto dimensions = dimensions_of(data)) {
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            if ((*dimensions)[axis] < 2)
-                return core::fail(Error::Code::Unsupported,
-                                  file + " is not three-dimensional: it has " +
-                                      std::to_string((*dimensions)[axis]) + " nodes along " +
-                                      "xyz"[axis],
-                                  "extrude it by two cells or more first");
         if (auto sound = check_grid(data, file); !sound)
             return tl::unexpected(sound.error());
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            if ((*dimensions)[axis] < 2) {
+                if (auto slab = slab_of(data))
+                    return std::move(*slab);
+                return core::fail(Error::Code::Unsupported,
+                                  file + " has " + std::to_string((*dimensions)[axis]) +
+                                      " nodes along " + "xyz"[axis] + ", and is no plane",
+                                  "write it with two nodes or more along two axes at least");
+            }
         return vtkSmartPointer<vtkDataSet>(&data);
     }
     if (auto* grid = vtkUnstructuredGrid::SafeDownCast(&data); grid != nullptr)
         return solid_cells_of(*grid, file);
     return core::fail(Error::Code::Unsupported,
                       file + " is a surface, not a grid of cells in space");
-}
-
-core::Result<void> check_thickness(const Blocks& blocks, const std::string& file) {
-    const auto dimensions = blocks.size() == 1 ? dimensions_of(*blocks.front()) : std::nullopt;
-    for (std::size_t axis = 0; dimensions && axis < 3; ++axis)
-        if ((*dimensions)[axis] < 3)
-            return core::fail(Error::Code::Unsupported,
-                              file + " is not three-dimensional: it has one cell along " +
-                                  "xyz"[axis],
-                              "extrude it by two cells or more first");
-    return {};
 }
 
 std::vector<FieldInfo> common_fields(const Blocks& blocks) {

@@ -19,14 +19,10 @@ using Blocks = std::vector<vtkSmartPointer<vtkDataSet>>;
 /// every axis.
 bool has_solid_cells(vtkDataSet& data);
 
-/// Returns the three-dimensional cells, `data` itself if it has no others. Error (naming `file`): Corrupt
-/// (nodes that do not exist, coordinates that are not finite or do not rise), Unsupported (no
-/// three-dimensional cells, a rotated image).
+/// Returns the three-dimensional cells, `data` itself if it has no others; of a plane its slab (plane_slab.hpp).
+/// Error (naming `file`): Corrupt (nodes that do not exist, coordinates that are not finite or do not rise),
+/// Unsupported (neither cells in space nor a plane, a rotated image).
 core::Result<vtkSmartPointer<vtkDataSet>> fluid_part(vtkDataSet& data, const std::string& file);
-
-/// Returns Unsupported, naming the axis, if the source is a single structured block with one cell along an
-/// axis: that is a plane, not a flow in space.
-core::Result<void> check_thickness(const Blocks& blocks, const std::string& file);
 
 /// Returns the arrays that all blocks have, with the same components, and ranges over all; units if VTK has
 /// them.

@@ -172,7 +172,7 @@ class CgnsSource final : public SeriesSource<std::optional<double>> {
                 solids_.insert(zones[i].place);
         description_.fields = std::move(roles.fields);
         add_note(description_.note, roles.note);
-        return check_thickness(fluid, step_name(0));
+        return {};
     }
 
     std::string step_name(std::size_t step) const {

@@ -326,8 +326,6 @@ class Plot3dSource final : public Source {
         if (blocks.size() != layout->blocks.size())
             return core::fail(Error::Code::Corrupt,
                               grid.name + " does not have the grids that it declares");
-        if (auto thick = check_thickness(blocks, grid.name); !thick)
-            return tl::unexpected(thick.error());
         return blocks;
     }
 

@@ -156,8 +156,6 @@ class VtkFilesSource final : public Source {
             return core::fail(Error::Code::Unsupported,
                               entry_name(step) + " holds no three-dimensional cells",
                               "extrude it by two cells or more first");
-        if (auto thick = check_thickness(out.blocks, named); !thick)
-            return tl::unexpected(thick.error());
         return out;
     }
 
@@ -298,6 +296,10 @@ class VtkFilesSource final : public Source {
             if (description_.reader.empty())
                 description_.reader = file->reader + " (" + series_.kind + ")";
         }
+        if (blocks.empty() && !plane_) { // all parts are flat: of a plane flow
+            plane_ = true;
+            return describe();
+        }
         BlockRoles roles = block_roles(blocks, velocity_);
         Blocks fluid;
         for (std::size_t i = 0; i < blocks.size(); ++i)
@@ -309,8 +311,6 @@ class VtkFilesSource final : public Source {
             return core::fail(Error::Code::Unsupported,
                               entry_name(0) + " holds no three-dimensional cells",
                               "extrude it by two cells or more first");
-        if (auto thick = check_thickness(fluid, entry_name(0)); !thick)
-            return thick;
         description_.fields = std::move(roles.fields);
         add_note(description_.note, roles.note);
         leave_out_what_a_step_lacks();
@@ -358,8 +358,8 @@ class VtkFilesSource final : public Source {
 
     // Returns true for a flat leaf among several; a flat leaf alone is a source that cannot be read, with an
     // error.
-    static bool is_patch(vtkDataSet& data, std::size_t leaves) {
-        return leaves > 1 && !has_solid_cells(data);
+    bool is_patch(vtkDataSet& data, std::size_t leaves) const {
+        return leaves > 1 && !plane_ && !has_solid_cells(data);
     }
 
     // Identifies a leaf at every time-step: by the name of its block, else by its index.
@@ -418,6 +418,7 @@ class VtkFilesSource final : public Source {
 
     FileSeries series_;
     std::string velocity_;         ///< asked for; may be empty
+    bool plane_ = false;           ///< all parts are flat
     std::set<std::string> solids_; ///< places of the blocks without the velocity
     std::map<std::string, bool> still_;
     std::map<std::size_t, VtkFile> described_; ///< by leaf, of the first time-step

@@ -1,0 +1,18 @@
+// Cells of a plane, given a thickness: a slab of one cell across, in which particles stay in the plane. It lies
+// evenly on both sides of the plane and is as thick as the cells are wide, in the mean.
+#pragma once
+
+#include <vtkDataSet.h>
+#include <vtkSmartPointer.h>
+
+#include <optional>
+
+namespace wakesurf::importer {
+
+/// Returns the slab of a structured block with one node along an axis, or of an unstructured grid of flat cells
+/// with straight edges; nothing if it has other cells or does not lie in a plane. Values are the same on both
+/// sides. A vector of two components in a plane of coordinates gets its third, which is zero; so does a velocity
+/// of two scalars that are called like components of one. REQUIRES: the data set is sound.
+std::optional<vtkSmartPointer<vtkDataSet>> slab_of(vtkDataSet& plane);
+
+} // namespace wakesurf::importer

@@ -1,0 +1,147 @@
+// Planes of cells that are given a thickness.
+#include "importer/assembly/grid_assembly.hpp"
+#include "importer/assembly/slab_mark.hpp"
+#include "importer/sources/blocks/plane_slab.hpp"
+#include "tests/importer/small_blocks.hpp"
+
+#include <gtest/gtest.h>
+#include <vtkRectilinearGrid.h>
+#include <vtkStructuredGrid.h>
+
+#include <cmath>
+
+namespace wakesurf::importer::plane_slab_test {
+namespace {
+
+using namespace tests;
+using core::Vec3;
+
+/// A unit square: two triangles of either turn, a quad and a pentagon, on a plane that `place` puts anywhere.
+GridPointer square(const std::function<Vec3(double, double)>& place) {
+    auto grid = empty_block();
+    for (const auto& [x, y] : {std::pair{0.0, 0.0},
+                               {0.5, 0.0},
+                               {1.0, 0.0},
+                               {0.0, 0.5},
+                               {0.5, 0.5},
+                               {1.0, 0.5},
+                               {0.0, 1.0},
+                               {0.25, 1.0},
+                               {1.0, 1.0}})
+        add_point(*grid, place(x, y));
+    add_cell(*grid, VTK_TRIANGLE, {0, 1, 4});
+    add_cell(*grid, VTK_TRIANGLE, {0, 4, 3}); // the two of the first quarter
+    add_cell(*grid, VTK_QUAD, {5, 4, 1, 2});  // turned the other way
+    add_cell(*grid, VTK_POLYGON, {3, 4, 7, 6});
+    add_cell(*grid, VTK_POLYGON, {4, 5, 8, 7});
+    return grid;
+}
+
+double volume(const core::CellMesh& mesh) {
+    double sum = 0.0;
+    for (const auto& [cell, f] : core::boundary_faces(mesh)) {
+        const core::CellFace face = core::face(mesh.cells[cell].shape, f);
+        const auto at = [&](std::size_t i) {
+            return mesh.points[mesh.cells[cell].node[face.node[i]]];
+        };
+        for (std::size_t k = 2; k < face.count; ++k)
+            sum += glm::dot(at(0), glm::cross(at(k - 1), at(k))) / 6.0;
+    }
+    return sum;
+}
+
+TEST(PlaneSlab, HasTheAreaOfThePlaneTimesItsThicknessWhateverTheCellsAndTheirTurn) {
+    const Vec3 a = glm::normalize(Vec3(1.0, 2.0, 0.5));
+    const Vec3 b = glm::normalize(glm::cross(a, Vec3(0.3, -1.0, 0.2)));
+    for (const bool slanting : {false, true}) {
+        const auto plane = square([&](double x, double y) {
+            return slanting ? Vec3(3.0, 1.0, -2.0) + x * a + y * b : Vec3(x, 0.7, y);
+        });
+        const auto slab = slab_of(*plane);
+        ASSERT_TRUE(slab.has_value());
+        const auto normal = across_slab(**slab);
+        ASSERT_TRUE(normal.has_value());
+        EXPECT_NEAR(std::abs(glm::dot(*normal, slanting ? glm::cross(a, b) : Vec3(0.0, 1.0, 0.0))),
+                    1.0, 1e-12);
+        const std::vector<vtkSmartPointer<vtkDataSet>> blocks{*slab};
+        const auto assembly = assemble_grid(blocks, {});
+        ASSERT_TRUE(assembly.has_value()) << assembly.error().message;
+        EXPECT_EQ(assembly->note,
+                  "a plane flow: its cells are given a thickness, and nothing moves across");
+        EXPECT_EQ(assembly->source_cells, 5u);
+        const double thickness = std::sqrt(1.0 / 5.0);
+        EXPECT_NEAR(volume(std::get<core::CellMesh>(assembly->grid)), thickness, 1e-12);
+    }
+}
+
+TEST(PlaneSlab, HasTheValuesOfThePlaneOnBothSidesAndTheComponentThatPlanesLack) {
+    auto plane = square([](double x, double y) { return Vec3(x, 0.0, y); });
+    add_array(*plane, true, "u", 1, [](const Vec3& p, int) { return 1.0 + p.x; });
+    add_array(*plane, true, "w", 1, [](const Vec3& p, int) { return 2.0 + p.z; });
+    add_array(*plane, true, "Velocity", 2, [](const Vec3& p, int c) { return 10.0 * c + p.x; });
+    add_array(*plane, false, "T", 1, [](const Vec3& p, int) { return p.z; });
+    const auto slab = slab_of(*plane);
+    ASSERT_TRUE(slab.has_value());
+    auto& points = *(*slab)->GetPointData();
+    ASSERT_NE(points.GetArray("v"), nullptr);
+    for (vtkIdType i = 0; i < (*slab)->GetNumberOfPoints(); ++i) {
+        const double* p = (*slab)->GetPoint(i);
+        const double x = p[0];
+        const double z = p[2];
+        EXPECT_EQ(points.GetArray("u")->GetTuple1(i), 1.0 + x);
+        EXPECT_EQ(points.GetArray("v")->GetTuple1(i), 0.0);
+        EXPECT_EQ(points.GetArray("w")->GetTuple1(i), 2.0 + z);
+        EXPECT_EQ(points.GetArray("Velocity")->GetComponent(i, 0), x);
+        EXPECT_EQ(points.GetArray("Velocity")->GetComponent(i, 1), 0.0);
+        EXPECT_EQ(points.GetArray("Velocity")->GetComponent(i, 2), 10.0 + x);
+    }
+    EXPECT_EQ((*slab)->GetCellData()->GetArray("T")->GetNumberOfTuples(), 5);
+}
+
+TEST(PlaneSlab, IsOfTheKindOfTheBlockAcrossAnyAxis) {
+    for (int axis = 0; axis < 3; ++axis) {
+        std::array<int, 3> nodes{4, 3, 5};
+        nodes[static_cast<std::size_t>(axis)] = 1;
+        auto grid = vtkSmartPointer<vtkStructuredGrid>::New();
+        grid->SetDimensions(nodes.data());
+        auto points = vtkSmartPointer<vtkPoints>::New();
+        for (int k = 0; k < nodes[2]; ++k)
+            for (int j = 0; j < nodes[1]; ++j)
+                for (int i = 0; i < nodes[0]; ++i)
+                    points->InsertNextPoint(i, j, k);
+        grid->SetPoints(points);
+        auto number = vtkSmartPointer<vtkDoubleArray>::New();
+        number->SetName("n");
+        for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+            number->InsertNextValue(static_cast<double>(i));
+        grid->GetPointData()->AddArray(number);
+        const auto slab = slab_of(*grid);
+        ASSERT_TRUE(slab.has_value());
+        auto* const thick = vtkStructuredGrid::SafeDownCast(*slab);
+        ASSERT_NE(thick, nullptr);
+        EXPECT_EQ(thick->GetDimensions()[axis], 2);
+        for (vtkIdType i = 0; i < thick->GetNumberOfPoints(); ++i) {
+            const auto source =
+                static_cast<vtkIdType>(thick->GetPointData()->GetArray("n")->GetTuple1(i));
+            for (int c = 0; c < 3; ++c)
+                EXPECT_NEAR(thick->GetPoint(i)[c], points->GetPoint(source)[c],
+                            c == axis ? 0.5 + 1e-12 : 1e-12);
+        }
+        const std::vector<vtkSmartPointer<vtkDataSet>> blocks{*slab};
+        EXPECT_TRUE(assemble_grid(blocks, {}).has_value());
+    }
+}
+
+TEST(PlaneSlab, IsNotMadeOfWhatIsNoPlane) {
+    EXPECT_FALSE(slab_of(*square([](double x, double y) { return Vec3(x, y, 1e-3 * x * y); })));
+    EXPECT_FALSE(slab_of(*brick({0, 0, 0}, 1.0, {2, 2, 2})));
+    EXPECT_FALSE(slab_of(*square([](double x, double) { return Vec3(x, 0.0, 0.0); })));
+    auto curved = empty_block();
+    for (int i = 0; i < 6; ++i)
+        add_point(*curved, {i % 3, i / 3, 0});
+    add_cell(*curved, VTK_QUADRATIC_TRIANGLE, {0, 2, 3, 1, 4, 5});
+    EXPECT_FALSE(slab_of(*curved));
+}
+
+} // namespace
+} // namespace wakesurf::importer::plane_slab_test
