@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace wakesurf::importer {
 
@@ -136,15 +137,16 @@ core::Result<ImportPlan> plan_of(std::unique_ptr<Source> source,
         plan.times.push_back(times->values[step]);
     plan.time_note = std::move(times->note);
     plan.source = std::move(source);
-    FieldWish wish{request.fields, request.taken.velocity};
+    const auto& [fields, stated] =
+        std::tie(plan.source->description().fields, plan.source->description().velocities);
+    FieldWish wish{request.fields, request.taken.velocity, {}, stated};
     const bool first_phase = wish.velocity.empty() && !plan.source->description().velocity.empty();
     if (first_phase)
         wish.velocity = plan.source->description().velocity;
     do {
-        const auto& fields = plan.source->description().fields;
         auto choice = choose_fields(fields, wish);
-        if (!choice && unclear && !choose_velocity(fields, wish.velocity))
-            unclear(velocity_candidates(fields));
+        if (!choice && unclear && !choose_velocity(fields, wish.velocity, stated))
+            unclear(velocity_candidates(fields, stated));
         if (!choice)
             return core::fail(choice.error().code,
                               plan.step_name(0) + ": " + choice.error().message,

@@ -12,6 +12,7 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -44,6 +45,8 @@ struct SourceDescription {
     std::string velocity{};
     /// The axis of an axisymmetric flow, of which the source has a wedge.
     std::optional<core::SymmetryAxis> axis{};
+    /// The scalars that the files state to be the components of a velocity: three names each.
+    std::vector<std::array<std::string, 3>> velocities{};
     /// The unit of coordinates; empty if the files do not state it.
     std::string length_unit{};
     /// The unit of times; empty if the files do not state it.

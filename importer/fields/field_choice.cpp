@@ -200,7 +200,7 @@ core::Result<FieldChoice> choose_fields(const std::vector<FieldInfo>& fields,
                                         const FieldWish& wish) {
     if (auto known = check_wanted(fields, wish.kept); !known)
         return tl::unexpected(known.error());
-    auto velocity = choose_velocity(fields, wish.velocity);
+    auto velocity = choose_velocity(fields, wish.velocity, wish.stated);
     if (!velocity)
         return tl::unexpected(velocity.error());
     if (auto same = check_units(velocity->parts.arrays); !same)

@@ -28,6 +28,7 @@ struct FieldWish {
     std::string velocity;          ///< --velocity; empty: by its name
     /// The arrays with the name of a mask that hold other values than 0 and 1.
     std::vector<std::string> no_masks{};
+    std::vector<StatedComponents> stated{}; ///< as SourceDescription has them
 };
 
 struct FieldChoice {

@@ -63,13 +63,15 @@ using Found = core::Result<std::optional<VelocityChoice>>;
 // Chooses by rules if no field was asked for.
 class Rules {
   public:
-    explicit Rules(const Fields& fields) : fields_(fields) {}
+    Rules(const Fields& fields, const std::vector<StatedComponents>& stated)
+        : fields_(fields), stated_(stated) {}
 
     // Returns an empty outer list if the rules find nothing.
     Found run() const {
         using Rule = Found (Rules::*)(FieldInfo::Source) const;
-        constexpr std::array<Rule, 6> rules{&Rules::named,    &Rules::components, &Rules::qualified,
-                                            &Rules::momentum, &Rules::spoken_of,  &Rules::only};
+        constexpr std::array<Rule, 7> rules{&Rules::stated,    &Rules::named,    &Rules::components,
+                                            &Rules::qualified, &Rules::momentum, &Rules::spoken_of,
+                                            &Rules::only};
         for (const Rule rule : rules)
             for (const auto source : places) {
                 auto found = (this->*rule)(source);
@@ -105,11 +107,14 @@ class Rules {
 
     static Found
     triple(const std::vector<Components>& found, const Fields& divisor, const char* why) {
-        if (found.size() > 1)
+        if (found.size() > 1) {
+            std::string all;
+            for (const auto& parts : found)
+                all += (all.empty() ? "" : " or ") + joined(parts);
             return core::fail(Error::Code::InvalidArgument,
-                              "several fields could be the velocity: " + joined(found[0]) + " or " +
-                                  joined(found[1]),
+                              "several fields could be the velocity: " + all,
                               "choose three with --velocity U,V,W");
+        }
         if (found.empty())
             return std::nullopt;
         return made(found[0], divisor, why);
@@ -121,6 +126,30 @@ class Rules {
                                                "not say that it is the fluid's: choose with "
                                                "--velocity if it is another";
         return found;
+    }
+
+    // Components by their names that are none of the stated could be meant as well.
+    Found stated(FieldInfo::Source source) const {
+        std::vector<Components> found;
+        for (const auto& names : stated_) {
+            Components parts;
+            for (const auto& name : names)
+                for (const auto& field : fields_)
+                    if (field.name == name && field.source == source && field.components == 1)
+                        parts.push_back(field);
+            if (parts.size() == 3)
+                found.push_back(std::move(parts));
+        }
+        if (found.size() == 1)
+            for (const auto& other : velocity_components(fields_, source))
+                if (std::ranges::none_of(other, [&](const FieldInfo& field) {
+                        return std::ranges::find(found[0], field.name, &FieldInfo::name) !=
+                               found[0].end();
+                    })) {
+                    found.push_back(other);
+                    break;
+                }
+        return triple(found, {}, "the file states that they are its components");
     }
 
     Found named(FieldInfo::Source source) const {
@@ -169,6 +198,7 @@ class Rules {
     }
 
     const Fields& fields_;
+    const std::vector<StatedComponents>& stated_;
 };
 
 std::string trimmed(std::string_view text) {
@@ -290,7 +320,8 @@ std::set<std::string> possible_velocity(const Fields& fields, const std::string&
     return out;
 }
 
-std::vector<std::string> velocity_candidates(const Fields& fields) {
+std::vector<std::string> velocity_candidates(const Fields& fields,
+                                             const std::vector<StatedComponents>& stated) {
     constexpr std::size_t most = 32;
     std::vector<std::string> out;
     const auto add = [&](const std::string& wish) {
@@ -304,6 +335,8 @@ std::vector<std::string> velocity_candidates(const Fields& fields) {
                 is_vector(field, VectorName::Other) == something_else)
                 add(field.name);
     };
+    for (const auto& parts : stated)
+        add(parts[0] + "," + parts[1] + "," + parts[2]);
     add_vectors(false);
     for (const auto source : places)
         for (const auto& parts : velocity_components(fields, source))
@@ -316,10 +349,12 @@ std::vector<std::string> velocity_candidates(const Fields& fields) {
     return out;
 }
 
-core::Result<VelocityChoice> choose_velocity(const Fields& fields, const std::string& wish) {
+core::Result<VelocityChoice> choose_velocity(const Fields& fields,
+                                             const std::string& wish,
+                                             const std::vector<StatedComponents>& stated) {
     if (!wish.empty())
         return Wish(fields, wish).find();
-    auto choice = Rules(fields).run();
+    auto choice = Rules(fields, stated).run();
     if (!choice)
         return tl::unexpected(choice.error());
     if (choice->has_value())

@@ -4,6 +4,7 @@
 #include "core/base/result.hpp"
 #include "core/dataset/dataset_info.hpp"
 
+#include <array>
 #include <set>
 #include <string>
 #include <vector>
@@ -27,7 +28,11 @@ struct VelocityChoice {
     std::string doubt{};
 };
 
-/// Chooses in this order, of points before cells: a vector called U, velocity or vel (any case); three arrays
+/// The names of three scalars that their file states to be the components x, y and z of one velocity,
+/// whatever they are called.
+using StatedComponents = std::array<std::string, 3>;
+
+/// Chooses in this order, of points before cells: what the file states (`stated`); a vector called U, velocity or vel (any case); three arrays
 /// called u, v, w or the like; a vector whose name leaves no doubt that it is the fluid's velocity; a
 /// momentum with its density; a vector whose name speaks of a velocity; the only vector whose name does not
 /// say that it is something else, as a grid's velocity does. `wish` (--velocity) goes before everything: one
@@ -35,11 +40,13 @@ struct VelocityChoice {
 /// the wish is not there), InvalidArgument (several candidates), Unsupported (a momentum without its density;
 /// the wish is no velocity), each listing what there is.
 core::Result<VelocityChoice> choose_velocity(const std::vector<core::FieldInfo>& fields,
-                                             const std::string& wish);
+                                             const std::string& wish,
+                                             const std::vector<StatedComponents>& stated = {});
 
 /// Returns wishes that choose_velocity would follow, the likeliest first, for a user who has to choose. At
 /// most 32.
-std::vector<std::string> velocity_candidates(const std::vector<core::FieldInfo>& fields);
+std::vector<std::string> velocity_candidates(const std::vector<core::FieldInfo>& fields,
+                                             const std::vector<StatedComponents>& stated = {});
 
 /// Returns the names of the arrays that choose_velocity takes of `fields`; of all vectors if it finds none or
 /// several.

@@ -19,30 +19,24 @@ const NetcdfVariable* coordinates_of(const NetcdfFile& file, int dimension);
 /// latitude, pressure or sigma levels: no lengths).
 core::Result<AxisKind> axis_kind(const NetcdfFile& file, int dimension);
 
+/// Returns the variable of one value that has the time of the whole file: by its standard name, its own name, or
+/// else a reference in its units. Null if there is none, or if several might be.
+const NetcdfVariable* time_of_all(const NetcdfFile& file);
+
 struct NetcdfAxis {
     int dimension = 0;
     std::vector<double> nodes; ///< strictly rising
     bool flipped = false;      ///< stored falling
+    bool down = false;         ///< stored as a depth: the nodes are heights
+    bool by_name = false;      ///< a depth by its name alone
     bool numbered = false;     ///< the file has no coordinates: 0, 1, 2, ...
     std::string units{};       ///< as the file states them
     bool known = false;        ///< a unit of length
     double factor = 1.0;       ///< the factor that made the nodes metres
 };
 
-/// Reads an axis. A depth, positive downwards, becomes a height. Error: Corrupt (coordinates that are
+/// Reads an axis. A depth, positive downwards by its attribute or its name, becomes a height. Error: Corrupt (coordinates that are
 /// missing, not finite, neither rising nor falling).
 core::Result<NetcdfAxis> read_axis(const NetcdfFile& file, int dimension);
-
-struct NetcdfGrid {
-    std::array<NetcdfAxis, 3> axes; ///< x, y, z
-    std::optional<int> time;        ///< dimension
-    /// The variables on this grid: each has its three dimensions, each once, in any order.
-    std::vector<std::string> variables;
-};
-
-/// Returns the grid of the variables, in metres if the file states a unit of length. Error: Unsupported
-/// (two-dimensional data, velocities on staggered grids, curvilinear or spherical coordinates, axes that are
-/// no lengths), Corrupt, Io.
-core::Result<NetcdfGrid> find_grid(const NetcdfFile& file);
 
 } // namespace wakesurf::importer

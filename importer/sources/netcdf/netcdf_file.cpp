@@ -9,7 +9,9 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <new>
+#include <set>
 
 namespace wakesurf::importer {
 
@@ -21,12 +23,6 @@ tl::unexpected<Error> damaged(const std::string& file, int status) {
     return core::fail(
         Error::Code::Corrupt,
         file + " is damaged or not what it says it is (netCDF: " + nc_strerror(status) + ")");
-}
-
-template <class Named>
-bool has_name(const std::vector<Named>& all, const std::string& name) {
-    return std::any_of(all.begin(), all.end(),
-                       [&](const Named& each) { return each.name == name; });
 }
 
 tl::unexpected<Error>
@@ -129,43 +125,114 @@ core::Result<NetcdfFile> NetcdfFile::open(const ListedFile& file) {
     return out;
 }
 
+// Collects what all groups have, by the path of the group: "" or "flow/".
+struct NetcdfFile::Listing {
+    template <class Item>
+    struct Found {
+        Item item;
+        std::string path;
+    };
+
+    // Names an item by its path as well if another group has one of its name.
+    template <class Item>
+    static std::vector<Item> named(std::vector<Found<Item>>& all) {
+        std::map<std::string, int> count;
+        for (const auto& each : all)
+            ++count[each.item.name];
+        std::vector<Item> out;
+        for (auto& each : all) {
+            if (count[each.item.name] > 1)
+                each.item.name = each.path + each.item.name;
+            out.push_back(std::move(each.item));
+        }
+        return out;
+    }
+
+    std::vector<Found<NetcdfDimension>> dimensions;
+    std::vector<Found<NetcdfVariable>> variables;
+    std::map<int, int> index; ///< of a dimension, by the library's number
+    int depth = 0;
+};
+
 core::Result<void> NetcdfFile::list() {
-    int dimensions = 0;
-    int variables = 0;
-    if (const int status = nc_inq(*id_, &dimensions, &variables, nullptr, nullptr);
+    Listing listing;
+    if (auto listed = list_group(*id_, {}, listing); !listed)
+        return listed;
+    dimensions_ = Listing::named(listing.dimensions);
+    variables_ = Listing::named(listing.variables);
+    return {};
+}
+
+core::Result<void>
+NetcdfFile::list_group(int group, const std::string& path, Listing& listing) const {
+    constexpr int deepest = 32;
+    if (listing.depth > deepest)
+        return core::fail(Error::Code::OverLimit, name_ + " has more than " +
+                                                      std::to_string(deepest) +
+                                                      " groups within each other");
+    int count = 0;
+    std::array<char, NC_MAX_NAME + 1> text{};
+    const auto names_all = [&](auto inquire, std::vector<int>& ids) {
+        if (const int status = inquire(nullptr); status != NC_NOERR)
+            return status;
+        ids.resize(static_cast<std::size_t>(count));
+        return count == 0 ? NC_NOERR : inquire(ids.data());
+    };
+    std::vector<int> ids;
+    std::set<std::string> here;
+    if (const int status =
+            names_all([&](int* out) { return nc_inq_dimids(group, &count, out, 0); }, ids);
         status != NC_NOERR)
         return damaged(name_, status);
-    std::array<char, NC_MAX_NAME + 1> text{};
-    for (int i = 0; i < dimensions; ++i) {
+    for (const int id : ids) {
         NetcdfDimension dimension;
-        if (const int status = nc_inq_dim(*id_, i, text.data(), &dimension.length);
+        if (const int status = nc_inq_dim(group, id, text.data(), &dimension.length);
             status != NC_NOERR)
             return damaged(name_, status);
         dimension.name = text.data();
-        if (has_name(dimensions_, dimension.name))
+        if (!here.insert(dimension.name).second)
             return named_twice(name_, "dimensions", dimension.name);
-        dimensions_.push_back(std::move(dimension));
+        listing.index[id] = static_cast<int>(listing.dimensions.size());
+        listing.dimensions.push_back({std::move(dimension), path});
     }
-    for (int i = 0; i < variables; ++i) {
+    if (const int status = nc_inq_nvars(group, &count); status != NC_NOERR)
+        return damaged(name_, status);
+    here.clear();
+    for (int i = 0, variables = count; i < variables; ++i) {
         NetcdfVariable variable;
         variable.id = i;
-        std::array<int, NC_MAX_VAR_DIMS> ids{};
-        int count = 0;
+        variable.group = group;
+        std::array<int, NC_MAX_VAR_DIMS> of{};
+        int rank = 0;
         if (const int status =
-                nc_inq_var(*id_, i, text.data(), &variable.type, &count, ids.data(), nullptr);
+                nc_inq_var(group, i, text.data(), &variable.type, &rank, of.data(), nullptr);
             status != NC_NOERR)
             return damaged(name_, status);
         variable.name = text.data();
         // A damaged file may have two variables of one name: one would be read as the other, of another size.
-        if (has_name(variables_, variable.name))
+        if (!here.insert(variable.name).second)
             return named_twice(name_, "variables", variable.name);
-        variable.dimensions.assign(ids.begin(), ids.begin() + count);
-        for (const int dimension : variable.dimensions)
-            if (dimension < 0 || dimension >= dimensions)
+        for (int d = 0; d < rank; ++d) {
+            const auto known = listing.index.find(of[static_cast<std::size_t>(d)]);
+            if (known == listing.index.end())
                 return core::fail(Error::Code::Corrupt,
                                   name_ + " has a damaged variable " + variable.name);
-        variables_.push_back(std::move(variable));
+            variable.dimensions.push_back(known->second);
+        }
+        listing.variables.push_back({std::move(variable), path});
     }
+    if (const int status =
+            names_all([&](int* out) { return nc_inq_grps(group, &count, out); }, ids);
+        status != NC_NOERR)
+        return damaged(name_, status);
+    ++listing.depth;
+    for (const int id : ids) {
+        if (const int status = nc_inq_grpname(id, text.data()); status != NC_NOERR)
+            return damaged(name_, status);
+        if (auto listed = list_group(id, path + text.data() + "/", listing); !listed)
+            return listed;
+    }
+    --listing.depth;
     return {};
 }
 
@@ -178,11 +245,12 @@ const NetcdfVariable* NetcdfFile::variable(const std::string& name) const {
 std::string NetcdfFile::text(const NetcdfVariable& variable, const char* attribute) const {
     nc_type type = NC_NAT;
     std::size_t length = 0;
-    if (nc_inq_att(*id_, variable.id, attribute, &type, &length) != NC_NOERR)
+    if (nc_inq_att(variable.group, variable.id, attribute, &type, &length) != NC_NOERR)
         return {};
     if (type == NC_STRING && length == 1) {
         char* text = nullptr;
-        if (nc_get_att_string(*id_, variable.id, attribute, &text) != NC_NOERR || text == nullptr)
+        if (nc_get_att_string(variable.group, variable.id, attribute, &text) != NC_NOERR ||
+            text == nullptr)
             return {};
         const std::string out = text;
         nc_free_string(1, &text);
@@ -191,7 +259,7 @@ std::string NetcdfFile::text(const NetcdfVariable& variable, const char* attribu
     constexpr std::size_t longest = 1 << 16;
     std::string out(std::min(length, longest), '\0');
     if (type != NC_CHAR || length > longest ||
-        nc_get_att_text(*id_, variable.id, attribute, out.data()) != NC_NOERR)
+        nc_get_att_text(variable.group, variable.id, attribute, out.data()) != NC_NOERR)
         return {};
     out.erase(std::find(out.begin(), out.end(), '\0'), out.end());
     return out;
@@ -202,11 +270,11 @@ std::vector<double> NetcdfFile::numbers(const NetcdfVariable& variable,
     nc_type type = NC_NAT;
     std::size_t length = 0;
     constexpr std::size_t most = 1024;
-    if (nc_inq_att(*id_, variable.id, attribute, &type, &length) != NC_NOERR || type == NC_CHAR ||
-        type == NC_STRING || length > most)
+    if (nc_inq_att(variable.group, variable.id, attribute, &type, &length) != NC_NOERR ||
+        type == NC_CHAR || type == NC_STRING || length > most)
         return {};
     std::vector<double> out(length);
-    if (nc_get_att_double(*id_, variable.id, attribute, out.data()) != NC_NOERR)
+    if (nc_get_att_double(variable.group, variable.id, attribute, out.data()) != NC_NOERR)
         return {};
     return out;
 }
@@ -232,7 +300,7 @@ core::Result<std::vector<double>> NetcdfFile::read(const NetcdfVariable& variabl
     }
     const std::size_t none = 0; // of a variable without dimensions
     if (const int status =
-            nc_get_vara_double(*id_, variable.id, start.empty() ? &none : start.data(),
+            nc_get_vara_double(variable.group, variable.id, start.empty() ? &none : start.data(),
                                count.empty() ? &none : count.data(), out.data());
         status != NC_NOERR)
         return core::fail(Error::Code::Corrupt,

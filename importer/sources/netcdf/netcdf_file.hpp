@@ -1,6 +1,7 @@
 // A NetCDF file (classic, 64-bit, NetCDF-4) read with the netCDF library itself: VTK's reader turns packed
 // fill values into velocities. Packing and missing values as in the CF conventions 1.8, sections 2.5.1 and
-// 8.1.
+// 8.1. Variables and dimensions of groups are listed with those of the file: by their names alone where these
+// are clear, else as "group/name".
 #pragma once
 
 #include "importer/sources/series/file_series.hpp"
@@ -24,7 +25,17 @@ struct NetcdfVariable {
     std::string name;
     nc_type type = NC_NAT;
     std::vector<int> dimensions; ///< indices, slowest first
+    int group = 0;               ///< the library's number of its group
 };
+
+inline bool has_numbers(const NetcdfVariable& variable) {
+    return variable.type != NC_CHAR && variable.type < NC_STRING;
+}
+
+/// Returns the name without its groups.
+inline std::string last_of_path(const std::string& name) {
+    return name.substr(name.find_last_of('/') + 1);
+}
 
 /// Reads one file. Not thread-safe. All errors name the file.
 class NetcdfFile {
@@ -39,6 +50,9 @@ class NetcdfFile {
     const NetcdfVariable* variable(const std::string& name) const;
 
     const std::string& name() const { return name_; }
+
+    /// Has the attributes of the whole file, as a variable without values.
+    NetcdfVariable whole() const { return {NC_GLOBAL, {}, NC_NAT, {}, *id_}; }
 
     /// Returns a text attribute; "" if it is missing, or no text.
     std::string text(const NetcdfVariable& variable, const char* attribute) const;
@@ -63,7 +77,9 @@ class NetcdfFile {
         }
     };
 
+    struct Listing;
     core::Result<void> list();
+    core::Result<void> list_group(int group, const std::string& path, Listing& listing) const;
 
     std::string name_;
     std::unique_ptr<int, Closer> id_;

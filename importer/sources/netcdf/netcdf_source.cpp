@@ -4,8 +4,9 @@
 #include "importer/sources/blocks/fluid_blocks.hpp"
 #include "importer/sources/files/file_names.hpp"
 #include "importer/sources/files/formats.hpp"
-#include "importer/sources/netcdf/netcdf_axes.hpp"
+#include "importer/sources/netcdf/netcdf_grid.hpp"
 #include "importer/sources/netcdf/netcdf_units.hpp"
+#include "importer/sources/netcdf/netcdf_velocity.hpp"
 #include "importer/sources/series/series_source.hpp"
 
 #include <vtkDoubleArray.h>
@@ -62,11 +63,21 @@ vtkSmartPointer<vtkDataSet> make_grid(const NetcdfFile& file, const NetcdfGrid& 
     return rectilinear;
 }
 
-// Reads one time-step of a variable, x fastest, along rising axes.
+bool changes_sign(const NetcdfFile& file,
+                  const NetcdfGrid& grid,
+                  const NetcdfGridVariable& variable) {
+    return !variable.components &&
+           points_backward(file, *file.variable(variable.name), grid.axes[2].down);
+}
+
+// Reads one time-step of a variable, x fastest, along rising axes. z is up: a component that points down
+// changes its sign.
 template <class Array>
 core::Result<vtkSmartPointer<vtkDataArray>> read_array(const NetcdfFile& file,
                                                        const NetcdfVariable& variable,
                                                        const NetcdfGrid& grid,
+                                                       std::optional<int> components,
+                                                       double sign,
                                                        std::size_t time) {
     const std::size_t rank = variable.dimensions.size();
     std::vector<std::size_t> start(rank, 0);
@@ -78,19 +89,27 @@ core::Result<vtkSmartPointer<vtkDataArray>> read_array(const NetcdfFile& file,
         for (const auto& axis : grid.axes)
             if (axis.dimension == variable.dimensions[d])
                 count[d] = axis.nodes.size();
+        if (variable.dimensions[d] == components)
+            count[d] = 3;
     }
     std::size_t step = 1;
-    for (std::size_t d = rank; d-- > 0; step *= count[d])
+    std::size_t apart = 0; // the components
+    for (std::size_t d = rank; d-- > 0; step *= count[d]) {
+        if (variable.dimensions[d] == components)
+            apart = step;
         for (std::size_t i = 0; i < 3; ++i)
             if (grid.axes[i].dimension == variable.dimensions[d])
                 stride[i] = step;
+    }
     const auto values = file.read(variable, start, count);
     if (!values)
         return tl::unexpected(values.error());
-    const double factor = unit_of(file, variable).factor;
+    const double factor = sign * unit_of(file, variable).factor;
+    const std::size_t width = components ? 3 : 1;
     auto array = vtkSmartPointer<Array>::New();
     array->SetName(variable.name.c_str());
-    array->SetNumberOfTuples(static_cast<vtkIdType>(values->size()));
+    array->SetNumberOfComponents(static_cast<int>(width));
+    array->SetNumberOfTuples(static_cast<vtkIdType>(values->size() / width));
     const auto at = [&](std::size_t axis, std::size_t i) {
         const auto& a = grid.axes[axis];
         return stride[axis] * (a.flipped ? a.nodes.size() - 1 - i : i);
@@ -100,8 +119,10 @@ core::Result<vtkSmartPointer<vtkDataArray>> read_array(const NetcdfFile& file,
     for (std::size_t k = 0; k < grid.axes[2].nodes.size(); ++k)
         for (std::size_t j = 0; j < grid.axes[1].nodes.size(); ++j)
             for (std::size_t i = 0; i < grid.axes[0].nodes.size(); ++i)
-                array->SetValue(
-                    out++, static_cast<Value>(factor * (*values)[at(0, i) + at(1, j) + at(2, k)]));
+                for (std::size_t c = 0; c < width; ++c)
+                    array->SetValue(
+                        out++, static_cast<Value>(
+                                   factor * (*values)[at(0, i) + at(1, j) + at(2, k) + c * apart]));
     return vtkSmartPointer<vtkDataArray>(array);
 }
 
@@ -111,14 +132,16 @@ core::Result<void> add_field(vtkDataSet& data,
                              const std::string& name,
                              std::size_t time) {
     const auto* variable = file.variable(name);
-    if (variable == nullptr ||
-        std::find(grid.variables.begin(), grid.variables.end(), name) == grid.variables.end())
+    const auto here = std::ranges::find(grid.variables, name, &NetcdfGridVariable::name);
+    if (variable == nullptr || here == grid.variables.end())
         return core::fail(Error::Code::NotFound, file.name() + " has no field " + name);
+    const double sign = changes_sign(file, grid, *here) ? -1.0 : 1.0;
     const bool single = variable->type == NC_FLOAT &&
                         file.numbers(*variable, "scale_factor").empty() &&
                         file.numbers(*variable, "add_offset").empty();
-    auto array = single ? read_array<vtkFloatArray>(file, *variable, grid, time)
-                        : read_array<vtkDoubleArray>(file, *variable, grid, time);
+    auto array =
+        single ? read_array<vtkFloatArray>(file, *variable, grid, here->components, sign, time)
+               : read_array<vtkDoubleArray>(file, *variable, grid, here->components, sign, time);
     return array.map([&](const auto& read) { data.GetPointData()->AddArray(read); });
 }
 
@@ -142,7 +165,7 @@ class NetcdfSource final : public SeriesSource<std::size_t> {
         const auto file = NetcdfFile::open(listed(entry));
         if (!file)
             return tl::unexpected(file.error());
-        const auto grid = find_grid(*file);
+        const auto grid = find_grid(*file, velocity_);
         if (!grid)
             return tl::unexpected(grid.error());
         if (grid->time && time >= file->dimensions()[static_cast<std::size_t>(*grid->time)].length)
@@ -160,24 +183,24 @@ class NetcdfSource final : public SeriesSource<std::size_t> {
         const auto file = NetcdfFile::open(listed(entry));
         if (!file)
             return tl::unexpected(file.error());
-        const auto grid = find_grid(*file);
+        const auto grid = find_grid(*file, velocity_);
         if (!grid)
             return tl::unexpected(grid.error());
-        if (!grid->time) {
-            steps_.push_back({entry, 0});
-            times.push_back({file->name(), std::nullopt});
-            return {};
-        }
-        const auto length = file->dimensions()[static_cast<std::size_t>(*grid->time)].length;
+        const auto length =
+            grid->time ? file->dimensions()[static_cast<std::size_t>(*grid->time)].length : 1;
         if (length == 0)
             return core::fail(Error::Code::Corrupt, file->name() + " has no time-steps yet");
-        const auto* variable = coordinates_of(*file, *grid->time);
+        const auto* variable = grid->time ? coordinates_of(*file, *grid->time) : nullptr;
+        if (variable == nullptr && length == 1)
+            variable = time_of_all(*file);
         if (variable == nullptr) {
             for (std::size_t i = 0; i < length; ++i)
                 add_step(*file, entry, i, std::nullopt, times);
+            if (length == 1)
+                times.back().number = series_.entries[entry].number;
             return {};
         }
-        auto read = read_times(*file, *variable, reference_);
+        auto read = read_times(*file, *variable, reference_, series_.entries.size() > 1);
         if (!read)
             return tl::unexpected(read.error());
         for (std::size_t i = 0; i < length; ++i) {
@@ -210,28 +233,60 @@ class NetcdfSource final : public SeriesSource<std::size_t> {
         const auto file = NetcdfFile::open(listed(0));
         if (!file)
             return tl::unexpected(file.error());
-        const auto grid = find_grid(*file);
+        const auto grid = find_grid(*file, velocity_);
         if (!grid)
             return tl::unexpected(grid.error());
         for (std::size_t i = 0; i < 3; ++i)
             if (grid->axes[i].numbered)
                 add_note(description_.note, std::string("the file has no coordinates along ") +
                                                 "xyz"[i] + ": node numbers are used");
+        add_note(description_.note, grid->note);
         std::vector<FieldInfo> all;
-        for (const auto& name : grid->variables)
-            all.push_back({name, 1, FieldInfo::Source::Point, {0.0, 0.0}, {}});
-        return read(0, all).map([&](const SourceStep& first) {
-            description_.fields = common_fields(first.blocks);
-            for (auto& field : description_.fields)
-                field.unit = unit_of(*file, *file->variable(field.name)).unit;
-            add_note(description_.note, note_on_units(*file, *grid, velocity_names(), time_unit_));
-        });
+        std::vector<std::string> names;
+        for (const auto& [name, components] : grid->variables) {
+            all.push_back({name, components ? 3 : 1, FieldInfo::Source::Point, {0.0, 0.0}, {}});
+            names.push_back(name);
+        }
+        description_.velocities = stated_velocities(*file, names);
+        const auto first = read(0, all);
+        if (!first)
+            return tl::unexpected(first.error());
+        description_.fields = common_fields(first->blocks);
+        for (auto& field : description_.fields)
+            field.unit = unit_of(*file, *file->variable(field.name)).unit;
+        add_note(description_.note, note_on_units(*file, *grid, velocity_names(), time_unit_));
+        note_directions(*file, *grid);
+        const auto velocity = velocity_names();
+        return velocity.empty() && !velocity_.empty() ? core::Result<void>()
+                                                      : refuse_tendencies(*file, velocity);
+    }
+
+    void note_directions(const NetcdfFile& file, const NetcdfGrid& grid) {
+        if (grid.axes[2].by_name)
+            add_note(description_.note, "the depth does not state which way it is positive: taken "
+                                        "as positive down, so that z = -depth");
+        for (const auto& each : grid.variables) {
+            if (each.components)
+                add_note(description_.note,
+                         "the three values of " + each.name + " along " +
+                             file.dimensions()[static_cast<std::size_t>(*each.components)].name +
+                             " are taken as x, y and z");
+            if (changes_sign(file, grid, each)) {
+                const auto& variable = *file.variable(each.name);
+                const auto standard = file.text(variable, "standard_name");
+                add_note(description_.note, each.name + " is stated to point the other way (" +
+                                                (standard.empty() ? "positive down" : standard) +
+                                                "): its sign was changed" +
+                                                (grid.axes[2].down ? ", as that of z" : ""));
+            }
+        }
     }
 
     // Returns an empty list if the choice of the velocity is not clear.
     std::vector<std::string> velocity_names() const {
         std::vector<std::string> out;
-        if (const auto chosen = choose_velocity(description_.fields, velocity_))
+        if (const auto chosen =
+                choose_velocity(description_.fields, velocity_, description_.velocities))
             for (const auto& array : chosen->parts.arrays)
                 out.push_back(array.name);
         return out;

@@ -65,8 +65,10 @@ void note_kept(std::string& note, const Groups& groups, const std::string& as) {
 
 } // namespace
 
-core::Result<NetcdfTimes>
-read_times(const NetcdfFile& file, const NetcdfVariable& time, const std::string& reference) {
+core::Result<NetcdfTimes> read_times(const NetcdfFile& file,
+                                     const NetcdfVariable& time,
+                                     const std::string& reference,
+                                     bool several) {
     auto values = file.read(time);
     if (!values)
         return tl::unexpected(values.error());
@@ -76,7 +78,7 @@ read_times(const NetcdfFile& file, const NetcdfVariable& time, const std::string
     const auto [unit, since] = split_reference(text);
     NetcdfTimes out{std::move(*values), since, unit, {}};
     const auto factor = factor_to_si(unit, Quantity::Time);
-    if (out.seconds.size() > 1 && varies_in_length(unit))
+    if ((several || out.seconds.size() > 1) && varies_in_length(unit))
         return core::fail(Error::Code::Unsupported,
                           file.name() + " counts its times in " + unit +
                               ", which are not all of one length",
@@ -132,7 +134,7 @@ std::string note_on_units(const NetcdfFile& file,
     }
     note_converted(note, converted, "m");
     std::map<std::string, Groups> values;
-    for (const auto& name : grid.variables) {
+    for (const auto& [name, components] : grid.variables) {
         const auto& variable = *file.variable(name);
         if (const auto unit = unit_of(file, variable); unit.factor != 1.0)
             values[unit.unit][file.text(variable, "units")].push_back(name);

@@ -2,7 +2,7 @@
 // each other. (CF conventions 1.8, sections 3.1, 4.3 and 4.4)
 #pragma once
 
-#include "importer/sources/netcdf/netcdf_axes.hpp"
+#include "importer/sources/netcdf/netcdf_grid.hpp"
 
 namespace wakesurf::importer {
 
@@ -16,9 +16,12 @@ struct NetcdfTimes {
 };
 
 /// Reads the time coordinate. @param reference  of the series' first file; empty for that one
+/// @param several  there are times in other files too
 /// Error: Unsupported (months and years of several time-steps, references that cannot be compared), Io.
-core::Result<NetcdfTimes>
-read_times(const NetcdfFile& file, const NetcdfVariable& time, const std::string& reference);
+core::Result<NetcdfTimes> read_times(const NetcdfFile& file,
+                                     const NetcdfVariable& time,
+                                     const std::string& reference,
+                                     bool several);
 
 struct NetcdfUnit {
     double factor = 1.0;

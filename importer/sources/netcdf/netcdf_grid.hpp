@@ -1,0 +1,26 @@
+// The grid of a NetCDF-CF file: the variables that are on common nodes, and where those are.
+#pragma once
+
+#include "importer/sources/netcdf/netcdf_axes.hpp"
+
+namespace wakesurf::importer {
+
+struct NetcdfGridVariable {
+    std::string name;
+    std::optional<int> components; ///< the dimension along which the three of a vector are
+};
+
+struct NetcdfGrid {
+    std::array<NetcdfAxis, 3> axes; ///< x, y, z
+    std::optional<int> time;        ///< dimension
+    /// The variables on this grid: each has its three dimensions, each once, in any order. At least one.
+    std::vector<NetcdfGridVariable> variables;
+    std::string note; ///< what else there is
+};
+
+/// Returns the grid of the variables, of several that which has `velocity` or, if that is empty, one; in metres if the file states a unit of length. Error: Unsupported
+/// (two-dimensional data, velocities on staggered grids, curvilinear or spherical coordinates, axes that are
+/// no lengths), Corrupt, Io.
+core::Result<NetcdfGrid> find_grid(const NetcdfFile& file, const std::string& velocity);
+
+} // namespace wakesurf::importer
