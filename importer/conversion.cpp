@@ -271,7 +271,7 @@ class Conversion {
         if (!source)
             return tl::unexpected(source.error());
         plan_.source = std::move(*source);
-        return {};
+        return plan_.source->describe_by(plan_.described);
     }
 
     core::Result<void> commit(std::size_t index, const StepRecord& record) {

@@ -1,14 +1,15 @@
 #include "importer/import_plan.hpp"
 
 #include "importer/assembly/obstacle_mask.hpp"
+#include "importer/base/notes.hpp"
 #include "importer/base/progress_marks.hpp"
 #include "importer/fields/velocity_choice.hpp"
 #include "importer/sources/open_source.hpp"
 #include "importer/sources/series/series_times.hpp"
+#include "importer/step_fields.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 namespace wakesurf::importer {
 
@@ -122,11 +123,16 @@ core::Result<ImportPlan> plan_of(std::unique_ptr<Source> source,
     auto steps = select_times(times->values, request.times);
     if (!steps)
         return tl::unexpected(steps.error());
-    auto files = files_of(*source, *steps);
+    auto settled = settle_fields(*source, *steps, times->values, request.taken.velocity);
+    if (!settled)
+        return tl::unexpected(settled.error());
+    auto files = files_of(*source, settled->steps);
     if (!files)
         return tl::unexpected(files.error());
     ImportPlan plan;
-    plan.steps = std::move(*steps);
+    plan.steps = std::move(settled->steps);
+    plan.described = settled->described;
+    plan.fields = std::move(settled->fields);
     plan.made_from = std::move(*files);
     plan.made_from.selection = request.selection;
     plan.precision = request.precision;
@@ -136,9 +142,10 @@ core::Result<ImportPlan> plan_of(std::unique_ptr<Source> source,
     for (const std::size_t step : plan.steps)
         plan.times.push_back(times->values[step]);
     plan.time_note = std::move(times->note);
+    add_note(plan.time_note, settled->note);
     plan.source = std::move(source);
-    const auto& [fields, stated] =
-        std::tie(plan.source->description().fields, plan.source->description().velocities);
+    const auto& fields = plan.fields;
+    const auto& stated = plan.source->description().velocities;
     FieldWish wish{request.fields, request.taken.velocity, {}, stated};
     const bool first_phase = wish.velocity.empty() && !plan.source->description().velocity.empty();
     if (first_phase)
@@ -148,9 +155,11 @@ core::Result<ImportPlan> plan_of(std::unique_ptr<Source> source,
         if (!choice && unclear && !choose_velocity(fields, wish.velocity, stated))
             unclear(velocity_candidates(fields, stated));
         if (!choice)
-            return core::fail(choice.error().code,
-                              plan.step_name(0) + ": " + choice.error().message,
-                              choice.error().hint);
+            return core::fail(
+                choice.error().code,
+                (settled->none && plan.steps.size() > 1 ? "no time-step has a velocity: " : "") +
+                    plan.step_name(0) + ": " + choice.error().message,
+                choice.error().hint);
         plan.choice = std::move(*choice);
     } while (drops_its_mask(plan, wish));
     if (first_phase)

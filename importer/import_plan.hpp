@@ -34,8 +34,10 @@ struct ImportRequest {
 struct ImportPlan {
     std::unique_ptr<Source> source;
     std::vector<std::size_t> steps; ///< of the source, in order
+    std::size_t described = 0;      ///< the step of the source that it is described by
     std::vector<double> times;
-    std::string time_note; ///< where they come from, if that is not plain
+    std::string time_note; ///< where they come from, if that is not plain, and which are left out
+    std::vector<core::FieldInfo> fields; ///< of the source, those that all time-steps have
     FieldChoice choice;
     core::Precision precision = core::Precision::Single;
     store::StepPlacement placement = store::StepPlacement::Auto;

@@ -77,7 +77,7 @@ core::Result<store::StoreManifest> describe_store(const ImportPlan& plan,
     info.length_unit = source.length_unit;
     info.time_unit = source.time_unit;
     info.steady = plan.times.size() == 1;
-    info.fields = source.fields;
+    info.fields = plan.fields;
     add_velocity(plan, info.fields);
     for (const ChosenScalar& scalar : plan.choice.scalars)
         if (scalar.is_magnitude())

@@ -38,7 +38,8 @@ struct SourceDescription {
     std::vector<double> places;
     /// True if boundary values of the velocity are not used, except on walls at rest.
     bool ignores_boundary_values = false;
-    /// The fields of the fluid, with units if the format has them, and ranges of the first time-step.
+    /// The fields of the fluid at one time-step, the first unless describe_by took another; with units if the
+    /// format has them, and its ranges.
     std::vector<core::FieldInfo> fields;
     /// The velocity to take unless the user names one, where names alone leave several: of the first phase. Else
     /// empty.
@@ -88,6 +89,16 @@ class Source {
     /// Error: Corrupt, Io, NotFound (a field is missing at this time-step), Unsupported, OverLimit (memory).
     virtual core::Result<SourceStep> read(std::size_t step,
                                           const std::vector<core::FieldInfo>& fields) = 0;
+
+    /// Returns the fields of one time-step; none if only reading it whole would tell, or if all time-steps have
+    /// the same.
+    virtual std::optional<std::vector<core::FieldInfo>> fields_at(std::size_t) const {
+        return std::nullopt;
+    }
+
+    /// Describes the fields by this time-step; opening does by the first. Does nothing if all have the same.
+    /// Error: as read.
+    virtual core::Result<void> describe_by(std::size_t) { return {}; }
 
   protected:
     SourceDescription description_;

@@ -305,13 +305,15 @@ std::string listed(const Fields& fields) {
     return out.empty() ? "no array that all its parts have" : out;
 }
 
-std::set<std::string> possible_velocity(const Fields& fields, const std::string& wish) {
+std::set<std::string> possible_velocity(const Fields& fields,
+                                        const std::string& wish,
+                                        const std::vector<StatedComponents>& stated) {
     std::set<std::string> out;
     const auto add = [&](const Fields& some) {
         for (const auto& field : some)
             out.insert(field.name);
     };
-    if (const auto velocity = choose_velocity(fields, wish)) {
+    if (const auto velocity = choose_velocity(fields, wish, stated)) {
         add(velocity->parts.arrays);
         add(velocity->parts.divisor);
     } else {

@@ -51,7 +51,8 @@ std::vector<std::string> velocity_candidates(const std::vector<core::FieldInfo>&
 /// Returns the names of the arrays that choose_velocity takes of `fields`; of all vectors if it finds none or
 /// several.
 std::set<std::string> possible_velocity(const std::vector<core::FieldInfo>& fields,
-                                        const std::string& wish);
+                                        const std::string& wish,
+                                        const std::vector<StatedComponents>& stated = {});
 
 /// Returns "p (1 component, point), U (3 components, cell)", or "no array that all its parts have".
 std::string listed(const std::vector<core::FieldInfo>& fields);

@@ -102,9 +102,18 @@ class CgnsSource final : public SeriesSource<std::optional<double>> {
             (first.cells_have_other_numbers ? "CGNS library (" : "vtkCGNSReader (") + series_.kind +
             ")";
         add_note(description_.note, first.units.note);
-        return load(0, {true, {}}, first).and_then([&](const std::vector<Zone>& zones) {
-            return describe(zones);
-        });
+        source_note_ = description_.note;
+        return describe_by(0);
+    }
+
+    core::Result<void> describe_by(std::size_t step) override {
+        if (step == described_)
+            return {};
+        return survey_cgns(listed(steps_[step].file))
+            .and_then([&](const CgnsSurvey& survey) {
+                return load(step, {true, {}}, survey);
+            })
+            .and_then([&](const std::vector<Zone>& zones) { return describe(step, zones); });
     }
 
     core::Result<SourceStep> read(std::size_t step, const std::vector<FieldInfo>& fields) override {
@@ -159,7 +168,9 @@ class CgnsSource final : public SeriesSource<std::optional<double>> {
         vtkSmartPointer<vtkDataSet> block;
     };
 
-    core::Result<void> describe(const std::vector<Zone>& zones) {
+    core::Result<void> describe(std::size_t step, const std::vector<Zone>& zones) {
+        described_ = step;
+        solids_.clear();
         Blocks blocks;
         for (const auto& zone : zones)
             blocks.push_back(zone.block);
@@ -171,6 +182,7 @@ class CgnsSource final : public SeriesSource<std::optional<double>> {
             else
                 solids_.insert(zones[i].place);
         description_.fields = std::move(roles.fields);
+        description_.note = source_note_;
         add_note(description_.note, roles.note);
         return {};
     }
@@ -236,6 +248,8 @@ class CgnsSource final : public SeriesSource<std::optional<double>> {
         return zones;
     }
 
+    std::optional<std::size_t> described_; ///< the time-step
+    std::string source_note_;              ///< without what that time-step shows
     /// The names of the zones without the velocity.
     std::set<std::string> solids_;
 };

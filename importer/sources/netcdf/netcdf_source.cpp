@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace wakesurf::importer {
 
@@ -155,9 +156,26 @@ class NetcdfSource final : public SeriesSource<std::size_t> {
         for (std::size_t i = 0; i < series_.entries.size(); ++i)
             if (auto added = add_steps(i, times); !added)
                 return added;
+        if (times.empty())
+            return tl::unexpected(without_grid_.front());
+        constexpr std::size_t most = 3;
+        for (std::size_t i = 0; i < std::min(most, without_grid_.size()); ++i)
+            add_note(description_.note, "left out: " + without_grid_[i].message);
+        if (without_grid_.size() > most)
+            add_note(description_.note,
+                     std::to_string(without_grid_.size()) + " files are left out like these");
         if (auto settled = settle_steps(times); !settled)
             return settled;
-        return describe();
+        source_note_ = description_.note;
+        return describe_by(0);
+    }
+
+    std::optional<std::vector<FieldInfo>> fields_at(std::size_t step) const override {
+        return fields_.size() > 1 ? std::optional(fields_.at(steps_[step].file)) : std::nullopt;
+    }
+
+    core::Result<void> describe_by(std::size_t step) override {
+        return step == described_ ? core::Result<void>() : describe(step);
     }
 
     core::Result<SourceStep> read(std::size_t step, const std::vector<FieldInfo>& fields) override {
@@ -184,8 +202,16 @@ class NetcdfSource final : public SeriesSource<std::size_t> {
         if (!file)
             return tl::unexpected(file.error());
         const auto grid = find_grid(*file, velocity_);
-        if (!grid)
+        if (!grid && grid.error().code != Error::Code::Unsupported)
             return tl::unexpected(grid.error());
+        if (!grid) {
+            without_grid_.push_back(grid.error());
+            return {};
+        }
+        fields_[entry] = fields_of(*grid);
+        for (const auto& stated : stated_velocities(*file, names_of(*grid)))
+            if (std::ranges::find(description_.velocities, stated) == description_.velocities.end())
+                description_.velocities.push_back(stated);
         const auto length =
             grid->time ? file->dimensions()[static_cast<std::size_t>(*grid->time)].length : 1;
         if (length == 0)
@@ -208,7 +234,7 @@ class NetcdfSource final : public SeriesSource<std::size_t> {
                 return core::fail(Error::Code::Corrupt, step_name(*file, i) + " has no time");
             add_step(*file, entry, i, read->seconds[i], times);
         }
-        if (entry == 0) {
+        if (!time_unit_) {
             reference_ = read->reference;
             time_unit_ = read->unit;
             add_note(description_.note, read->note);
@@ -229,8 +255,23 @@ class NetcdfSource final : public SeriesSource<std::size_t> {
         times.push_back({step_name(file, step), time});
     }
 
-    core::Result<void> describe() {
-        const auto file = NetcdfFile::open(listed(0));
+    static std::vector<FieldInfo> fields_of(const NetcdfGrid& grid) {
+        std::vector<FieldInfo> out;
+        for (const auto& [name, components] : grid.variables)
+            out.push_back({name, components ? 3 : 1, FieldInfo::Source::Point, {0.0, 0.0}, {}});
+        return out;
+    }
+
+    static std::vector<std::string> names_of(const NetcdfGrid& grid) {
+        std::vector<std::string> out;
+        for (const auto& variable : grid.variables)
+            out.push_back(variable.name);
+        return out;
+    }
+
+    core::Result<void> describe(std::size_t step) {
+        description_.note = source_note_;
+        const auto file = NetcdfFile::open(listed(steps_[step].file));
         if (!file)
             return tl::unexpected(file.error());
         const auto grid = find_grid(*file, velocity_);
@@ -241,17 +282,11 @@ class NetcdfSource final : public SeriesSource<std::size_t> {
                 add_note(description_.note, std::string("the file has no coordinates along ") +
                                                 "xyz"[i] + ": node numbers are used");
         add_note(description_.note, grid->note);
-        std::vector<FieldInfo> all;
-        std::vector<std::string> names;
-        for (const auto& [name, components] : grid->variables) {
-            all.push_back({name, components ? 3 : 1, FieldInfo::Source::Point, {0.0, 0.0}, {}});
-            names.push_back(name);
-        }
-        description_.velocities = stated_velocities(*file, names);
-        const auto first = read(0, all);
-        if (!first)
-            return tl::unexpected(first.error());
-        description_.fields = common_fields(first->blocks);
+        const auto described = read(step, fields_of(*grid));
+        if (!described)
+            return tl::unexpected(described.error());
+        described_ = step;
+        description_.fields = common_fields(described->blocks);
         for (auto& field : description_.fields)
             field.unit = unit_of(*file, *file->variable(field.name)).unit;
         add_note(description_.note, note_on_units(*file, *grid, velocity_names(), time_unit_));
@@ -292,6 +327,10 @@ class NetcdfSource final : public SeriesSource<std::size_t> {
         return out;
     }
 
+    std::map<std::size_t, std::vector<FieldInfo>> fields_; ///< of each file
+    std::vector<Error> without_grid_;                      ///< why files are left out
+    std::optional<std::size_t> described_;                 ///< the time-step
+    std::string source_note_;                              ///< without what that time-step shows
     /// The point in time that times are counted from.
     std::string reference_;
     std::optional<std::string> time_unit_;

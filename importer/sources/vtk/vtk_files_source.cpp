@@ -1,7 +1,6 @@
 #include "core/base/disk.hpp"
 #include "importer/assembly/same_mesh.hpp"
 #include "importer/base/notes.hpp"
-#include "importer/fields/velocity_choice.hpp"
 #include "importer/sources/blocks/block_roles.hpp"
 #include "importer/sources/blocks/fluid_blocks.hpp"
 #include "importer/sources/blocks/vtk_fields.hpp"
@@ -77,15 +76,6 @@ core::Result<StatedTime> vtk_file_time(const ListedFile& file) {
     });
 }
 
-// Returns the point and cell arrays that the file's header lists. Error: Unsupported if only reading the
-// whole file would tell (legacy .vtk, VTKHDF); else as read_vtk_file.
-core::Result<std::set<std::pair<FieldInfo::Source, std::string>>>
-vtk_file_fields(const ListedFile& file) {
-    if (is_xml(file.path))
-        return xml_file_fields(file);
-    return core::fail(Error::Code::Unsupported, file.name + " has no header that lists its arrays");
-}
-
 CompositeFile& append(CompositeFile& whole, CompositeFile part) {
     std::move(part.files.begin(), part.files.end(), std::back_inserter(whole.files));
     std::move(part.leaves.begin(), part.leaves.end(), std::back_inserter(whole.leaves));
@@ -106,7 +96,7 @@ class VtkFilesSource final : public Source {
         description_.name = series_.name;
         if (auto there = check_presence(); !there)
             return there;
-        return find_times().and_then([&] { return describe(); });
+        return find_times().and_then([&] { return describe(0); });
     }
 
     // Returns none: a .pvd or .series lists files and times of the time-steps, whose own changes are seen. It
@@ -159,12 +149,36 @@ class VtkFilesSource final : public Source {
         return out;
     }
 
+    // Returns nothing of legacy files and VTKHDF: only reading them whole would tell.
+    std::optional<std::vector<FieldInfo>> fields_at(std::size_t step) const override {
+        const auto all = expand_step(step);
+        if (!all)
+            return std::nullopt;
+        std::vector<FieldInfo> out;
+        for (const auto& leaf : all->leaves) {
+            const auto here =
+                is_xml(leaf.path) ? xml_file_fields(leaf) : core::Result<std::vector<FieldInfo>>();
+            if (!here || !is_xml(leaf.path))
+                return std::nullopt;
+            for (const auto& field : *here)
+                if (std::ranges::none_of(out, [&](const FieldInfo& other) {
+                        return other.name == field.name && other.source == field.source;
+                    }))
+                    out.push_back(field);
+        }
+        return out;
+    }
+
+    core::Result<void> describe_by(std::size_t step) override {
+        return step == described_step_ ? core::Result<void>() : describe(step);
+    }
+
   private:
     // Returns what was read to describe the source, once, if it is this time-step and its files are
     // unchanged.
     std::map<std::size_t, VtkFile> take_described(std::size_t step, const CompositeFile& all) {
         auto taken = std::exchange(described_, {});
-        if (step != 0 || taken.empty())
+        if (step != described_step_ || taken.empty())
             return {};
         const auto now = fingerprint(all.files);
         return now && *now == described_from_ ? std::move(taken) : std::map<std::size_t, VtkFile>();
@@ -268,10 +282,14 @@ class VtkFilesSource final : public Source {
         return stated;
     }
 
-    core::Result<void> describe() {
-        auto all = expand_step(0);
+    core::Result<void> describe(std::size_t step) {
+        auto all = expand_step(step);
         if (!all)
             return tl::unexpected(all.error());
+        described_step_ = step;
+        described_.clear();
+        solids_.clear();
+        description_.note.clear();
         const auto before = fingerprint(all->files);
         if (before)
             described_from_ = *before;
@@ -309,51 +327,11 @@ class VtkFilesSource final : public Source {
                 solids_.insert(places[i]);
         if (fluid.empty())
             return core::fail(Error::Code::Unsupported,
-                              entry_name(0) + " holds no three-dimensional cells",
+                              entry_name(step) + " holds no three-dimensional cells",
                               "extrude it by two cells or more first");
         description_.fields = std::move(roles.fields);
         add_note(description_.note, roles.note);
-        leave_out_what_a_step_lacks();
         return {};
-    }
-
-    // A velocity that a time-step lacks is reported when the import reaches it; so is a file that cannot be
-    // read.
-    void leave_out_what_a_step_lacks() {
-        const auto velocity = possible_velocity(description_.fields, velocity_);
-        std::string left_out;
-        for (std::size_t step = 1; step < series_.entries.size(); ++step) {
-            const auto missing = fields_missing_at(step);
-            std::erase_if(description_.fields, [&](const FieldInfo& field) {
-                const bool gone =
-                    missing.contains({field.source, field.name}) && !velocity.contains(field.name);
-                if (gone)
-                    left_out += (left_out.empty() ? "" : ", ") + field.name;
-                return gone;
-            });
-        }
-        if (!left_out.empty())
-            add_note(description_.note, "not at every time-step: " + left_out);
-    }
-
-    // Returns the described fields that no file of the time-step has. Most often the first has them all.
-    std::set<std::pair<FieldInfo::Source, std::string>> fields_missing_at(std::size_t step) const {
-        std::set<std::pair<FieldInfo::Source, std::string>> missing;
-        for (const auto& field : description_.fields)
-            missing.insert({field.source, field.name});
-        const auto all = expand_step(step);
-        if (!all)
-            return {};
-        for (const auto& leaf : all->leaves) {
-            const auto names = vtk_file_fields(leaf);
-            if (!names)
-                return {};
-            for (const auto& name : *names)
-                missing.erase(name);
-            if (missing.empty())
-                break;
-        }
-        return missing;
     }
 
     // Returns true for a flat leaf among several; a flat leaf alone is a source that cannot be read, with an
@@ -389,8 +367,8 @@ class VtkFilesSource final : public Source {
         });
     }
 
-    // Returns true if the patch at `place` is still at the first and the last time-step: an inlet may start
-    // at rest.
+    // Returns true if the patch at `place` is still at the time-step that describes the source and at the
+    // last: an inlet may start at rest.
     core::Result<bool> still_throughout(const std::string& place,
                                         const std::vector<FieldInfo>& fields) {
         std::string key = place;
@@ -398,7 +376,7 @@ class VtkFilesSource final : public Source {
             key += '\n' + field.name;
         if (const auto known = still_.find(key); known != still_.end())
             return known->second;
-        for (const std::size_t step : {std::size_t{0}, series_.entries.size() - 1}) {
+        for (const std::size_t step : {described_step_, series_.entries.size() - 1}) {
             const auto all = expand_step(step);
             if (!all)
                 return tl::unexpected(all.error());
@@ -421,7 +399,8 @@ class VtkFilesSource final : public Source {
     bool plane_ = false;           ///< all parts are flat
     std::set<std::string> solids_; ///< places of the blocks without the velocity
     std::map<std::string, bool> still_;
-    std::map<std::size_t, VtkFile> described_; ///< by leaf, of the first time-step
+    std::size_t described_step_ = 0;
+    std::map<std::size_t, VtkFile> described_; ///< by leaf, of that time-step
     std::vector<store::SourceFile> described_from_;
     std::map<std::string, vtkSmartPointer<vtkDataSet>> sound_; ///< meshes by place, without values
 };

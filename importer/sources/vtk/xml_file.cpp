@@ -329,24 +329,27 @@ core::Result<StatedTime> xml_file_time(const ListedFile& file) {
     return time;
 }
 
-core::Result<std::set<std::pair<FieldInfo::Source, std::string>>>
-xml_file_fields(const ListedFile& file) {
+core::Result<std::vector<FieldInfo>> xml_file_fields(const ListedFile& file) {
     const VtkMessages messages;
     const auto header = read_xml_header(file);
     if (auto clean = messages.verdict(file.name); !clean)
         return tl::unexpected(clean.error());
     if (!header)
         return tl::unexpected(header.error());
-    std::set<std::pair<FieldInfo::Source, std::string>> out;
+    std::vector<FieldInfo> out;
     const auto add_arrays = [&](vtkXMLDataElement& parent) {
         for (const auto& [element, place] : {std::pair("PointData", FieldInfo::Source::Point),
                                              std::pair("CellData", FieldInfo::Source::Cell)})
             for (const char* const prefix : {"", "P"})
                 if (auto* const data =
                         parent.FindNestedElementWithName((std::string(prefix) + element).c_str()))
-                    for (int i = 0; i < data->GetNumberOfNestedElements(); ++i)
-                        if (const char* name = data->GetNestedElement(i)->GetAttribute("Name"))
-                            out.emplace(place, name);
+                    for (int i = 0; i < data->GetNumberOfNestedElements(); ++i) {
+                        int components = 1;
+                        auto* const array = data->GetNestedElement(i);
+                        array->GetScalarAttribute("NumberOfComponents", components);
+                        if (const char* name = array->GetAttribute("Name"))
+                            out.push_back({name, components, place, {}, {}});
+                    }
     };
     add_arrays(*header->primary); // of a parallel file
     for (int i = 0; i < header->primary->GetNumberOfNestedElements(); ++i)

@@ -4,8 +4,7 @@
 #include "importer/sources/series/series_times.hpp"
 #include "importer/sources/vtk/vtk_file.hpp"
 
-#include <set>
-#include <utility>
+#include <vector>
 
 namespace wakesurf::importer {
 
@@ -16,8 +15,7 @@ core::Result<VtkFile> read_xml_file(const ListedFile& file, const WantedArrays& 
 /// Returns its TimeValue, if it has one; reads as little else as VTK allows. Fails as read_xml_file does.
 core::Result<StatedTime> xml_file_time(const ListedFile& file);
 
-/// Returns places and names of the arrays that its header lists. Fails as read_xml_file does.
-core::Result<std::set<std::pair<core::FieldInfo::Source, std::string>>>
-xml_file_fields(const ListedFile& file);
+/// Returns the arrays that its header lists, those of each piece. Fails as read_xml_file does.
+core::Result<std::vector<core::FieldInfo>> xml_file_fields(const ListedFile& file);
 
 } // namespace wakesurf::importer

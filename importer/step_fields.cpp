@@ -1,0 +1,118 @@
+#include "importer/step_fields.hpp"
+
+#include "importer/base/notes.hpp"
+#include "importer/fields/velocity_choice.hpp"
+#include "importer/sources/series/series_times.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+
+namespace wakesurf::importer {
+
+using core::Error;
+using core::FieldInfo;
+
+namespace {
+
+using Fields = std::vector<FieldInfo>;
+
+// A choice that is not clear is one: it is asked for.
+bool has_velocity(const Fields& fields,
+                  const std::string& wish,
+                  const std::vector<StatedComponents>& stated) {
+    const auto velocity = choose_velocity(fields, wish, stated);
+    return velocity || velocity.error().code != Error::Code::NotFound;
+}
+
+// Describes the source by its first time-step with a velocity; returns none if there is none, or if a time-step
+// before it cannot be read.
+core::Result<std::optional<std::size_t>>
+describe_by_first(Source& source, const std::vector<std::size_t>& steps, const std::string& wish) {
+    const auto& now = source.description();
+    for (const std::size_t step : steps) {
+        const auto listed = source.fields_at(step);
+        if (listed && !has_velocity(*listed, wish, now.velocities))
+            continue;
+        auto described = source.describe_by(step);
+        if (!described && step == steps.front())
+            return tl::unexpected(described.error());
+        if (!described)
+            break;
+        if (has_velocity(now.fields, wish, now.velocities))
+            return step;
+    }
+    return source.describe_by(steps.front()).map([] { return std::optional<std::size_t>(); });
+}
+
+std::string listed_times(const std::vector<std::size_t>& steps, const std::vector<double>& times) {
+    constexpr std::size_t most = 5;
+    std::string out = steps.size() == 1 ? "time " : "times ";
+    for (std::size_t i = 0; i < std::min(most, steps.size()); ++i)
+        out += (i == 0 ? "" : ", ") + time_text(times.at(steps[i]));
+    return out + (steps.size() > most ? ", ... (" + std::to_string(steps.size()) + " in all)" : "");
+}
+
+bool is_here(const Fields& fields, const FieldInfo& field) {
+    return std::ranges::any_of(fields, [&](const FieldInfo& other) {
+        return other.name == field.name && other.source == field.source;
+    });
+}
+
+std::string joined(const std::set<std::string>& names) {
+    std::string out;
+    for (const auto& name : names)
+        out += (out.empty() ? "" : ", ") + name;
+    return out;
+}
+
+} // namespace
+
+core::Result<StepFields> settle_fields(Source& source,
+                                       const std::vector<std::size_t>& steps,
+                                       const std::vector<double>& times,
+                                       const std::string& wish) {
+    const auto first = describe_by_first(source, steps, wish);
+    if (!first)
+        return tl::unexpected(first.error());
+    const auto& now = source.description();
+    StepFields out{steps, first->value_or(steps.front()), !first->has_value(), now.fields, {}};
+    if (out.none)
+        return out;
+    const auto velocity = possible_velocity(now.fields, wish, now.velocities);
+    const auto lacks_velocity = [&](const Fields& fields) {
+        return std::ranges::any_of(velocity, [&](const std::string& name) {
+            return std::ranges::find(fields, name, &FieldInfo::name) == fields.end();
+        });
+    };
+    out.steps.clear();
+    std::map<std::string, std::vector<std::size_t>> bare; // by the velocity that they have instead
+    std::set<std::string> not_everywhere;
+    for (const std::size_t step : steps) {
+        const auto listed = step == **first ? std::nullopt : source.fields_at(step);
+        if (listed ? lacks_velocity(*listed) : step < **first) {
+            const auto other = choose_velocity(listed.value_or(Fields()), {}, now.velocities);
+            bare[other ? other->name : ""].push_back(step);
+            continue;
+        }
+        out.steps.push_back(step);
+        if (listed)
+            std::erase_if(out.fields, [&](const FieldInfo& field) {
+                const bool gone = !velocity.contains(field.name) && !is_here(*listed, field);
+                if (gone)
+                    not_everywhere.insert(field.name);
+                return gone;
+            });
+    }
+    for (const auto& [other, without] : bare)
+        add_note(out.note, "left out, as there is no " +
+                               (velocity.empty() ? "velocity" : joined(velocity)) + ": " +
+                               listed_times(without, times) +
+                               (other.empty() ? "" : " (with " + other + ": --velocity)"));
+    if (!not_everywhere.empty())
+        add_note(out.note, "not at every time-step: " + joined(not_everywhere));
+    return out;
+}
+
+} // namespace wakesurf::importer
