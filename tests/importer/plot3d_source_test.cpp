@@ -1,4 +1,5 @@
 // Plot3D files as sources, written byte by byte in every layout of the format.
+#include "importer/fields/velocity_choice.hpp"
 #include "importer/sources/open_source.hpp"
 #include "tests/importer/known_flow.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -8,6 +9,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <functional>
 #include <sstream>
 
 namespace wakesurf::importer::plot3d_source_test {
@@ -115,24 +117,32 @@ std::string grid_text(const Layout& layout) {
     return out.text();
 }
 
+// Adds the solution of one grid: the four numbers of its header, and the five values of each node.
+void put_solution(Text& out,
+                  const Layout& layout,
+                  const std::array<double, 4>& header,
+                  vtkIdType nodes,
+                  const std::function<std::array<double, 5>(vtkIdType)>& values) {
+    Text parameters(layout);
+    for (const double value : header)
+        parameters.real(value);
+    out.record(parameters);
+    Text body(layout);
+    for (std::size_t place = 0; place < 5; ++place)
+        for (vtkIdType i = 0; i < nodes; ++i)
+            body.real(values(i)[place]);
+    out.record(body);
+}
+
 std::string solution_text(const Layout& layout, int step, double time) {
     Text out(layout);
     put_header(out, layout);
     for (const auto& grid : grids(layout)) {
-        Text parameters(layout);
-        for (const double value : {0.2, 0.0, 100.0, time})
-            parameters.real(value);
-        out.record(parameters);
-        Text body(layout);
-        const auto count = grid->GetNumberOfPoints();
-        for (vtkIdType i = 0; i < count; ++i)
-            body.real(density);
-        for (std::size_t c = 0; c < 3; ++c)
-            for (vtkIdType i = 0; i < count; ++i)
-                body.real(density * known_velocity(grid->GetPoint(i), step)[c]);
-        for (vtkIdType i = 0; i < count; ++i)
-            body.real(1.0);
-        out.record(body);
+        put_solution(out, layout, {0.2, 0.0, 100.0, time}, grid->GetNumberOfPoints(),
+                     [&](vtkIdType i) -> std::array<double, 5> {
+                         const auto u = known_velocity(grid->GetPoint(i), step);
+                         return {density, density * u[0], density * u[1], density * u[2], 1.0};
+                     });
     }
     return out.text();
 }
@@ -243,6 +253,51 @@ TEST_F(Plot3dSource, DeliversMomentumAndDensity) {
         for (vtkIdType i = 0; i < block->GetNumberOfPoints(); ++i)
             ASSERT_NEAR(momentum->GetComponent(i, 1),
                         density * known_velocity(block->GetPoint(i), 0)[1], 1e-5);
+    }
+}
+
+TEST_F(Plot3dSource, AsksWhatTheFiveValuesAreWhereTheyAreNoFlows) {
+    const Layout layout{.several = false};
+    const auto open = [&](const std::array<double, 4>& header, const std::array<double, 5>& values,
+                          const std::string& wish) {
+        put("f.xyz", grid_text(layout));
+        Text out(layout);
+        put_header(out, layout);
+        put_solution(out, layout, header, grids(layout)[0]->GetNumberOfPoints(),
+                     [&](vtkIdType) { return values; });
+        put("f.q", out.text());
+        return open_source(folder_ / "f.xyz", {.velocity = wish});
+    };
+    const std::array<double, 4> nothing{};
+    const std::array<double, 5> fire{20, 1, 0.5, 0.25, 0};
+    for (const auto& values : {fire, {1.2, 1, 1, 1, 0}, {-3, 1, 0, 0, 900}}) {
+        const auto refused = open(nothing, values, "");
+        expect_failure(refused, Error::Code::InvalidArgument,
+                       "f.q may not hold density, momentum and energy");
+        EXPECT_NE(refused.error().hint.find("--velocity 2,3,4"), std::string::npos);
+    }
+    const auto by_place = open(nothing, fire, "2,3,4");
+    ASSERT_TRUE(by_place.has_value()) << by_place.error().message;
+    EXPECT_NE((*by_place)->description().note.find("by their places"), std::string::npos);
+    const auto& fields = (*by_place)->description().fields;
+    ASSERT_EQ(fields.size(), 5u);
+    EXPECT_EQ(choose_velocity(fields, "2,3,4")->name, "2, 3, 4");
+    const auto read = (*by_place)->read(0, fields);
+    for (int place = 1; place <= 5; ++place)
+        EXPECT_EQ(
+            read->blocks[0]->GetPointData()->GetArray(std::to_string(place).c_str())->GetTuple1(4),
+            fire.at(static_cast<std::size_t>(place) - 1));
+    EXPECT_TRUE(open(nothing, fire, "Momentum,Density").has_value());
+    for (const auto& [header, values] :
+         std::vector<std::pair<std::array<double, 4>, std::array<double, 5>>>{
+             {{0.8, 0, 1e6, 3}, fire},
+             {nothing, {1.2, 1, 1, 1, 2.5}},
+             {nothing, {1, 1, 1, 1, 0}},
+             {nothing, {0, 0, 0, 0, 0}}}) {
+        const auto taken = open(header, values, "");
+        ASSERT_TRUE(taken.has_value()) << taken.error().message;
+        EXPECT_NE((*taken)->description().note.find("taken as density, momentum and energy"),
+                  std::string::npos);
     }
 }
 

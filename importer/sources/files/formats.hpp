@@ -66,7 +66,8 @@ Opened open_openfoam(const std::filesystem::path& path, const command::SourceOpt
 bool is_plot3d(const std::filesystem::path& path);
 
 /// Makes a block of each grid of the file, the cells of blanked nodes marked. Fields: Momentum, Density,
-/// StagnationEnergy and the Velocity VTK makes of the first two. Times are those of the solutions' headers
+/// StagnationEnergy and the Velocity VTK makes of the first two; or, for a velocity like "2,3,4", the five
+/// values by their places, 1 to 5. Values that cannot be the former are refused, unless a velocity is asked for. Times are those of the solutions' headers
 /// where they rise, else 0, 1, 2, ...
 /// Error: as open_source.
 Opened open_plot3d(const std::filesystem::path& path, const command::SourceOptions& wish = {});

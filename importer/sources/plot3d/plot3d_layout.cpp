@@ -229,7 +229,7 @@ std::optional<Plot3dLayout> text_layout(std::ifstream& in, int axes) {
     return std::nullopt;
 }
 
-core::Result<double>
+core::Result<Plot3dHeader>
 check_text_solution(std::ifstream& in, const std::string& name, const Plot3dLayout& grid) {
     const std::size_t header = (grid.several ? 1 : 0) + 3 * grid.blocks.size();
     std::int64_t wanted = static_cast<std::int64_t>(header);
@@ -245,7 +245,10 @@ check_text_solution(std::ifstream& in, const std::string& name, const Plot3dLayo
                           name + " is truncated or not a solution on the grid: it has " +
                               std::to_string(tokens.count) + " of " + std::to_string(wanted) +
                               " numbers");
-    return tokens.first[header + 3];
+    Plot3dHeader out{};
+    std::copy_n(tokens.first.begin() + static_cast<std::ptrdiff_t>(header), out.size(),
+                out.begin());
+    return out;
 }
 
 } // namespace
@@ -269,7 +272,7 @@ core::Result<Plot3dLayout> grid_layout(const ListedFile& grid) {
         "Fortran records and iblank");
 }
 
-core::Result<double> check_solution(const ListedFile& solution, const Plot3dLayout& grid) {
+core::Result<Plot3dHeader> check_solution(const ListedFile& solution, const Plot3dLayout& grid) {
     made_progress();
     std::ifstream in(solution.path, std::ios::binary | std::ios::ate);
     if (!in)
@@ -291,10 +294,10 @@ core::Result<double> check_solution(const ListedFile& solution, const Plot3dLayo
     Bytes bytes(in, grid.big_endian);
     if (grid.records && bytes.integer() != (grid.doubles ? 32 : 16))
         return core::fail(Error::Code::Corrupt, solution.name + " has a damaged record");
-    double time = 0.0;
-    for (int i = 0; i < 4; ++i)
-        time = bytes.real(grid.doubles).value_or(0.0);
-    return time;
+    Plot3dHeader out{};
+    for (double& number : out)
+        number = bytes.real(grid.doubles).value_or(0.0);
+    return out;
 }
 
 } // namespace wakesurf::importer

@@ -23,8 +23,11 @@ struct Plot3dLayout {
 /// plane has).
 core::Result<Plot3dLayout> grid_layout(const ListedFile& grid);
 
+/// The four numbers before the values: Mach number, angle of attack, Reynolds number, time.
+using Plot3dHeader = std::array<double, 4>;
+
 /// Checks that the file has the length of a solution on the grid, and states the same numbers of nodes.
-/// Returns the time of its header. Error: Io, Corrupt.
-core::Result<double> check_solution(const ListedFile& solution, const Plot3dLayout& grid);
+/// Returns the header of its first grid. Error: Io, Corrupt.
+core::Result<Plot3dHeader> check_solution(const ListedFile& solution, const Plot3dLayout& grid);
 
 } // namespace wakesurf::importer

@@ -13,6 +13,7 @@
 #include "importer/sources/series/series_times.hpp"
 
 #include <nlohmann/json.hpp>
+#include <vtkFloatArray.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkMultiBlockPLOT3DReader.h>
 
@@ -201,21 +202,99 @@ bool are_times(const std::vector<double>& headers) {
            2 * std::set(headers.begin(), headers.end()).size() > headers.size();
 }
 
+// Returns the five values of a solution at a node, in their places.
+std::array<double, 5> values_at(vtkDataSet& block, vtkIdType node) {
+    auto& point = *block.GetPointData();
+    auto* const momentum = point.GetArray("Momentum");
+    return {point.GetArray("Density")->GetTuple1(node), momentum->GetComponent(node, 0),
+            momentum->GetComponent(node, 1), momentum->GetComponent(node, 2),
+            point.GetArray("StagnationEnergy")->GetTuple1(node)};
+}
+
+// A density without a unit is near 1, and of what moves the energy is more than that of its motion. Others use
+// the format for what they like: FDS for temperature, u, v, w and heat. Such files state no reference.
+bool is_conserved(const Blocks& blocks, const Plot3dHeader& header) {
+    constexpr double densest = 10.0;
+    if (header[0] != 0.0 || header[1] != 0.0 || header[2] != 0.0)
+        return true;
+    std::int64_t moving = 0;
+    std::int64_t too_fast = 0;
+    bool ones = true;
+    for (const auto& block : blocks)
+        for (vtkIdType node = 0; node < block->GetNumberOfPoints(); ++node) {
+            const auto [density, x, y, z, energy] = values_at(*block, node);
+            const double squares = x * x + y * y + z * z;
+            if (density == 0.0 && squares == 0.0) // blanked
+                continue;
+            if (density > densest || density < 0.0)
+                return false;
+            ones = ones && density == 1.0;
+            moving += squares > 0.0 ? 1 : 0;
+            too_fast += squares > 0.0 && energy * density < 0.5 * squares ? 1 : 0;
+        }
+    return ones || 2 * too_fast <= moving; // a velocity times 1 is a velocity
+}
+
+// Reads "2,3,4": the places of the velocity among the five values.
+bool are_places(std::string wish) {
+    std::erase(wish, ' ');
+    return wish.size() == 5 && wish[1] == ',' && wish[3] == ',' &&
+           std::ranges::all_of(std::array{wish[0], wish[2], wish[4]},
+                               [](char c) { return c >= '1' && c <= '5'; }) &&
+           wish[0] != wish[2] && wish[2] != wish[4] && wish[0] != wish[4];
+}
+
+// Replaces what VTK names by five scalars called by their places.
+void name_by_place(vtkDataSet& block) {
+    auto& point = *block.GetPointData();
+    std::array<vtkSmartPointer<vtkFloatArray>, 5> places;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        places[i] = vtkSmartPointer<vtkFloatArray>::New();
+        places[i]->SetName(std::to_string(i + 1).c_str());
+        places[i]->SetNumberOfTuples(block.GetNumberOfPoints());
+    }
+    for (vtkIdType node = 0; node < block.GetNumberOfPoints(); ++node) {
+        const auto values = values_at(block, node);
+        for (std::size_t i = 0; i < places.size(); ++i)
+            places[i]->SetValue(node, static_cast<float>(values[i]));
+    }
+    for (const char* const name : {"Density", "Momentum", "StagnationEnergy", "Velocity"})
+        point.RemoveArray(name);
+    for (const auto& place : places)
+        point.AddArray(place);
+}
+
 class Plot3dSource final : public Source {
   public:
-    explicit Plot3dSource(Plot3dFiles files) : files_(std::move(files)) {}
+    Plot3dSource(Plot3dFiles files, const std::string& velocity)
+        : files_(std::move(files)), by_place_(are_places(velocity)), wish_(velocity) {}
 
     core::Result<void> open() {
         description_.name = files_.name;
         description_.reader = "vtkMultiBlockPLOT3DReader (plot3d)";
         if (auto timed = find_times(); !timed)
             return timed;
-        return load(0).map([&](const Blocks& blocks) {
-            description_.fields = common_fields(blocks);
-            std::erase_if(description_.fields, [](const FieldInfo& field) { // of VTK's own making
-                return field.name == "IBlank";
-            });
+        const auto blocks = load(0);
+        if (!blocks)
+            return tl::unexpected(blocks.error());
+        description_.fields = common_fields(*blocks);
+        std::erase_if(description_.fields, [](const FieldInfo& field) { // of VTK's own making
+            return field.name == "IBlank";
         });
+        description_.note = by_place_
+                                ? "the five values of the solutions are taken by their places, "
+                                  "not as density, momentum and energy"
+                                : "the five values of the solutions are taken as density, "
+                                  "momentum and energy (by their places: --velocity 2,3,4)";
+        if (by_place_ || !wish_.empty() || is_conserved(*blocks, header_))
+            return {};
+        return core::fail(
+            Error::Code::InvalidArgument,
+            files_.steps.front().solution.name +
+                " may not hold density, momentum and energy: it states no Mach, angle "
+                "and Reynolds number, and these values are not of a flow",
+            "where the second to fourth of its five values are the velocity, as FDS "
+            "writes them, --velocity 2,3,4; else --velocity Momentum,Density");
     }
 
     core::Result<std::vector<store::SourceFile>> shared_files() const override {
@@ -264,10 +343,11 @@ class Plot3dSource final : public Source {
             const auto layout = grid_layout(step.grid);
             if (!layout)
                 return tl::unexpected(layout.error());
-            const auto time = check_solution(step.solution, *layout);
-            if (!time)
-                return tl::unexpected(time.error());
-            headers.push_back(*time);
+            const auto header = check_solution(step.solution, *layout);
+            if (!header)
+                return tl::unexpected(header.error());
+            headers.push_back(header->back());
+            header_ = headers.size() == 1 ? *header : header_;
             entries.push_back({step.solution.name, step.time});
         }
         const bool listed = files_.steps.front().time.has_value();
@@ -321,6 +401,8 @@ class Plot3dSource final : public Source {
             auto block = fluid_part(*leaf.data, grid.name);
             if (!block)
                 return tl::unexpected(block.error());
+            if (by_place_)
+                name_by_place(**block);
             blocks.push_back(std::move(*block));
         }
         if (blocks.size() != layout->blocks.size())
@@ -330,6 +412,9 @@ class Plot3dSource final : public Source {
     }
 
     Plot3dFiles files_;
+    bool by_place_;         ///< the velocity is asked for by places among the five values
+    std::string wish_;      ///< the velocity asked for; may be empty
+    Plot3dHeader header_{}; ///< of the first solution
 };
 
 } // namespace
@@ -339,8 +424,8 @@ bool is_plot3d(const std::filesystem::path& path) {
 }
 
 Opened open_plot3d(const fs::path& path, const command::SourceOptions& wish) {
-    return find_plot3d_files(path, wish.alone).and_then([](Plot3dFiles files) {
-        return opened<Plot3dSource>(std::move(files));
+    return find_plot3d_files(path, wish.alone).and_then([&](Plot3dFiles files) {
+        return opened<Plot3dSource>(std::move(files), wish.velocity);
     });
 }
 
