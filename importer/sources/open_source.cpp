@@ -1,10 +1,12 @@
-// Chooses the reader of a path: by its extension and, where several formats share one, by what it holds.
+// Chooses the reader of a path: by its extension and, where that tells none or several formats share it, by what
+// it holds.
 #include "importer/sources/open_source.hpp"
 
 #include "core/base/disk.hpp"
 #include "core/base/result.hpp"
 #include "importer/sources/files/file_names.hpp"
 #include "importer/sources/files/formats.hpp"
+#include "importer/sources/other_formats.hpp"
 #include "importer/sources/series/numbered_files.hpp"
 
 #include <algorithm>
@@ -61,14 +63,22 @@ core::Result<std::vector<fs::path>> files_in(const fs::path& folder) {
 // InvalidArgument (several datasets, listed), Io.
 core::Result<fs::path> choose_in_folder(const fs::path& folder,
                                         const std::function<bool(const fs::path&)>& readable) {
+    constexpr std::size_t most = 8;
     const std::string name = (folder / "").parent_path().filename().string();
     auto files = files_in(folder);
     if (!files)
         return tl::unexpected(files.error());
     std::erase_if(*files, [&](const fs::path& file) { return !readable(file); });
-    if (files->empty())
+    if (files->empty()) {
+        const auto all = files_in(folder);
+        for (std::size_t i = 0; all && i < std::min(all->size(), most); ++i)
+            if (auto other = other_format((*all)[i]))
+                return core::fail(Error::Code::NotFound,
+                                  name + " holds nothing that can be read: " + other->message,
+                                  other->hint);
         return core::fail(Error::Code::NotFound, name + " holds nothing that can be read",
                           "give a folder with an OpenFOAM case, or with one series of files");
+    }
     const auto best =
         std::min_element(files->begin(), files->end(),
                          [](const auto& a, const auto& b) { return rank(a) < rank(b); });
@@ -89,7 +99,6 @@ core::Result<fs::path> choose_in_folder(const fs::path& folder,
     if (datasets.size() == 1)
         return datasets.front();
     std::string list;
-    constexpr std::size_t most = 8;
     for (std::size_t i = 0; i < std::min(datasets.size(), most); ++i)
         list += (i == 0 ? "" : ", ") + datasets[i].filename().string();
     if (datasets.size() > most)
@@ -116,6 +125,11 @@ const Format* format_of(const fs::path& path) {
     return nullptr;
 }
 
+// Opens a file by what it holds, whatever it is called.
+Opened open_held(Held held, const fs::path& path, const command::SourceOptions& wish) {
+    return held == Held::Netcdf ? open_netcdf(path, wish) : open_cgns(path, wish);
+}
+
 } // namespace
 
 core::Result<std::unique_ptr<Source>> open_source(const fs::path& path,
@@ -123,10 +137,18 @@ core::Result<std::unique_ptr<Source>> open_source(const fs::path& path,
     const std::string name = path.filename().string();
     std::error_code error;
     const Format* format = format_of(path);
-    if (format == nullptr && fs::is_directory(path, error))
-        return choose_in_folder(path,
-                                [](const fs::path& file) { return format_of(file) != nullptr; })
-            .and_then([&](const fs::path& chosen) { return open_source(chosen, wish); });
+    if (format == nullptr && fs::is_directory(path, error)) {
+        if (auto other = other_format(path))
+            return tl::unexpected(*other);
+        auto chosen =
+            choose_in_folder(path, [](const fs::path& file) { return format_of(file) != nullptr; });
+        if (!chosen && chosen.error().code == Error::Code::NotFound)
+            if (auto held = choose_in_folder(
+                    path, [](const fs::path& file) { return held_format(file).has_value(); });
+                held || held.error().code != Error::Code::NotFound)
+                chosen = std::move(held);
+        return chosen.and_then([&](const fs::path& file) { return open_source(file, wish); });
+    }
     if (!is_pattern(path) || fs::exists(path, error)) {
         const auto size = core::PosixDisk().size(path);
         if (!size && !fs::is_directory(path, error))
@@ -134,6 +156,15 @@ core::Result<std::unique_ptr<Source>> open_source(const fs::path& path,
         if (size && *size == 0 && !is_openfoam(path)) // a .foam only marks its folder
             return core::fail(Error::Code::Corrupt, name + " is empty");
     }
+    if (format == nullptr || is_plot3d(path)) {
+        if (const auto held = held_format(path))
+            return open_held(*held, path, wish);
+    } else if (const auto other = other_format(path, true)) {
+        return tl::unexpected(*other);
+    }
+    if (format == nullptr)
+        if (const auto other = other_format(path))
+            return tl::unexpected(*other);
     if (format == nullptr)
         return core::fail(Error::Code::Unsupported, name + " is of a format that cannot be read",
                           "formats: OpenFOAM (case folder or .foam), EnSight (.case), Exodus (.e, "

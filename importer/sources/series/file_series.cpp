@@ -15,7 +15,7 @@ core::Result<FileSeries> open_file_series(const std::filesystem::path& source, b
     auto numbered = numbered_files(source, alone);
     if (!numbered)
         return tl::unexpected(numbered.error());
-    FileSeries series{numbered->name, extension.empty() ? "" : extension.substr(1), {}, {}};
+    FileSeries series{numbered->name, extension.empty() ? "file" : extension.substr(1), {}, {}};
     if (numbered->files.size() > 1)
         series.kind += " series";
     else
