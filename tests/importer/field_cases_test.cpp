@@ -245,5 +245,17 @@ TEST_F(FieldCases, AScalarThatIsNoMaskIsAScalarWhateverItsName) {
     expect_exact_surface("f_0.vti", 0, 1, {});
 }
 
+TEST_F(FieldCases, AFolderThatCannotBeMadeForTheStoreIsNamed) {
+    write("n.vti", [](vtkImageData& image) { put_velocity(image, "U", 0.0); });
+    const auto refused = command({"surface", folder_ / "n.vti", "--kind", "stream", "--store",
+                                  folder_ / "n.vti" / "below", "-o", folder_ / "s.obj"});
+    EXPECT_EQ(refused.status, 1);
+    EXPECT_NE(refused.errors.find("cannot create the store folder in " +
+                                  (folder_ / "n.vti" / "below").string()),
+              std::string::npos)
+        << refused.errors;
+    EXPECT_NE(refused.errors.find("with --store"), std::string::npos) << refused.errors;
+}
+
 } // namespace
 } // namespace wakesurf::importer::field_cases_test

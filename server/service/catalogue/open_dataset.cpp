@@ -292,6 +292,21 @@ std::string values_of(const LoadedDataset& open) {
     return open.store ? open.store->values() : std::string();
 }
 
+namespace {
+
+// The importer names no folders. Where it cannot write, the user of a command line needs to know where.
+core::Error with_store_root(core::Error error, const std::filesystem::path& root) {
+    constexpr std::string_view words = "the store folder";
+    const auto at = error.message.find(words);
+    if (at == std::string::npos || !error.message.starts_with("cannot "))
+        return error;
+    error.message.insert(at + words.size(), " in " + root.string());
+    error.hint = "name a folder that you can write to with --store";
+    return error;
+}
+
+} // namespace
+
 core::Result<LoadedDataset>
 open_dataset(const DatasetArgument& argument,
              const OpenOptions& options,
@@ -306,9 +321,9 @@ open_dataset(const DatasetArgument& argument,
     const auto folder = store_folder(options.store_root, argument, options.taken);
     ImportCommand command{argument.path, folder, {}, {}, options.importer};
     command.taken = options.taken;
-    return run_import_process(command, listener, stop).and_then([&] {
-        return open_store(folder, options.of_store());
-    });
+    return run_import_process(command, listener, stop)
+        .map_error([&](core::Error error) { return with_store_root(error, options.store_root); })
+        .and_then([&] { return open_store(folder, options.of_store()); });
 }
 
 } // namespace wakesurf::server
