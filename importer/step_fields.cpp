@@ -18,31 +18,37 @@ namespace {
 
 using Fields = std::vector<FieldInfo>;
 
-// A choice that is not clear is one: it is asked for.
-bool has_velocity(const Fields& fields,
-                  const std::string& wish,
-                  const std::vector<StatedComponents>& stated) {
+enum class Velocity { None, Doubtful, Clear };
+
+// Several that could be meant are clear: it is asked which.
+Velocity velocity_among(const Fields& fields,
+                        const std::string& wish,
+                        const std::vector<StatedComponents>& stated) {
     const auto velocity = choose_velocity(fields, wish, stated);
-    return velocity || velocity.error().code != Error::Code::NotFound;
+    if (!velocity)
+        return velocity.error().code == Error::Code::NotFound ? Velocity::None : Velocity::Clear;
+    return velocity->doubt.empty() ? Velocity::Clear : Velocity::Doubtful;
 }
 
-// Describes the source by its first time-step with a velocity; returns none if there is none, or if a time-step
-// before it cannot be read.
+// Describes the source by its first time-step with a velocity, but one whose name is clear goes before others;
+// returns none if there is none, or if a time-step before it cannot be read.
 core::Result<std::optional<std::size_t>>
 describe_by_first(Source& source, const std::vector<std::size_t>& steps, const std::string& wish) {
     const auto& now = source.description();
-    for (const std::size_t step : steps) {
-        const auto listed = source.fields_at(step);
-        if (listed && !has_velocity(*listed, wish, now.velocities))
-            continue;
-        auto described = source.describe_by(step);
-        if (!described && step == steps.front())
-            return tl::unexpected(described.error());
-        if (!described)
-            break;
-        if (has_velocity(now.fields, wish, now.velocities))
-            return step;
-    }
+    for (const auto least : {Velocity::Clear, Velocity::Doubtful})
+        for (const std::size_t step : steps) {
+            const auto listed = source.fields_at(step);
+            if (listed && velocity_among(*listed, wish, now.velocities) < least)
+                continue;
+            auto described = source.describe_by(step);
+            if (!described && step == steps.front())
+                return tl::unexpected(described.error());
+            if (!described)
+                break;
+            const auto found = velocity_among(now.fields, wish, now.velocities);
+            if (found >= least || (!listed && found != Velocity::None))
+                return step;
+        }
     return source.describe_by(steps.front()).map([] { return std::optional<std::size_t>(); });
 }
 

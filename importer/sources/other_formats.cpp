@@ -94,7 +94,7 @@ constexpr auto by_all = std::to_array<Row>({
      "call it .exo; join the parts of a parallel run with epu first"},
     {"(0 "sv, "", "", "a case or data file of Fluent", by_fluent},
     {"(1 "sv, "", "", "a case or data file of Fluent", by_fluent},
-    {"", "", ".cas .cas.h5 .dat.h5 .cdat", "a case or data file of Fluent", by_fluent},
+    {"", "", ".cas .cas.h5 .dat.h5 .msh.h5 .cdat", "a case or data file of Fluent", by_fluent},
     {"", "", ".sim .ccm .ccmg", "of STAR-CCM+", by_star},
     {"", "variables|zone|=", "", "text of Tecplot", by_paraview},
     {"", "ndime=", "", "a mesh of SU2",

@@ -1,6 +1,7 @@
 // Files in which a part or a time-step lacks a field, or the velocity.
 #include "importer/import_plan.hpp"
 #include "importer/sources/open_source.hpp"
+#include "tests/importer/cgns_files.hpp"
 #include "tests/importer/netcdf_files.hpp"
 #include "tests/importer/vtk_files.hpp"
 
@@ -137,6 +138,12 @@ TEST_F(BareSteps, ThatHaveAnotherVelocityAreNamedWithIt) {
     expect_plan(path, {1, 1.5}, "U", "", {}, {{1, 1.5, 1}});
 }
 
+TEST_F(BareSteps, AreThoseWithAVectorOfAnotherKindToo) {
+    expect_plan(write_series({"heat", "U", "U"}), {0.5, 1}, "U",
+                "left out, as there is no U: time 0 (with heat: --velocity)");
+    expect_plan(write_series({"heat", "heat"}), {0, 0.5}, "heat", "");
+}
+
 TEST_F(BareSteps, OfFilesWithoutAHeaderAreLeftOutBeforeTheFirstVelocity) {
     for (int number = 0; number < 4; ++number) {
         auto writer = vtkSmartPointer<vtkDataSetWriter>::New();
@@ -168,6 +175,25 @@ TEST_F(BareSteps, OfNetcdfFilesAreLeftOutToo) {
     EXPECT_NE(without->source->description().note.find(
                   "left out: n_0.nc has no variable over x, y and z"),
               std::string::npos);
+}
+
+TEST_F(BareSteps, OfCgnsFilesBeforeTheFirstVelocityAreLeftOut) {
+    for (int number = 0; number < 3; ++number)
+        write_cgns(folder_ / ("c_" + std::to_string(number) + ".cgns"),
+                   {.times = {1.0 * number},
+                    .vector = number == 0 ? "Vorticity" : "Velocity",
+                    .first_step = number});
+    const auto plan = make_plan({folder_ / "c_0.cgns"});
+    ASSERT_TRUE(plan.has_value()) << plan.error().message;
+    EXPECT_EQ(plan->times, (std::vector<double>{1, 2}));
+    EXPECT_EQ(plan->time_note, "left out, as there is no Velocity: time 0");
+    for (const std::size_t index : {0u, 1u}) {
+        const auto read = plan->read(index);
+        ASSERT_TRUE(read.has_value()) << read.error().message;
+        auto& block = *read->blocks[0];
+        EXPECT_NEAR(block.GetPointData()->GetArray("Velocity")->GetComponent(5, 1),
+                    known_velocity(block.GetPoint(5), static_cast<int>(index) + 1)[1], 1e-5);
+    }
 }
 
 TEST_F(BareSteps, AloneAreRefusedWithWhatThereIs) {

@@ -108,7 +108,9 @@ TEST_F(NetcdfVelocity, IsWhatStandardNamesSayWhateverTheVariablesAreCalled) {
              {"x_wind", "y_wind", "upward_air_velocity"},
              {"sea_water_x_velocity", "sea_water_y_velocity", "upward_sea_water_velocity"},
              {"grid_eastward_wind", "grid_northward_wind", "upward_air_velocity"},
-             {"X_wind", "Y_wind", "Upward_air_velocity"}}) {
+             {"X_wind", "Y_wind", "Upward_air_velocity"},
+             {" x_wind", "y_wind ", "upward_air_velocity "},
+             {"eastward_wind", "northward_wind", "downward_air_velocity"}}) {
         const auto source =
             open({{{"var120", names[2]}, {"var131", names[0]}, {"T"}, {"var132", names[1]}}});
         EXPECT_EQ(chosen(source), "var131, var132, var120") << names[0];
@@ -188,6 +190,7 @@ TEST_F(NetcdfVelocity, ThatPointsDownChangesItsSignAndADepthBecomesAHeight) {
         expect({"w", "", 0.5, "m s-1", "Downward velocity"}, -0.5, depth);
         expect({"w", "upward_sea_water_velocity", 0.5}, 0.5, depth);
         expect({"w", "", 0.5}, 0.5, depth);
+        expect({"w", "", 0.5, "W m-2", "downward flux"}, 0.5, depth);
         expect({"w", "sea_water_z_velocity", 0.5}, depth ? -0.5 : 0.5, depth);
     }
 }
@@ -227,7 +230,7 @@ TEST_F(NetcdfVelocity, OfOneArrayHasItsComponentsAlongAnAxis) {
                           {"v", "", 1.0, "m s-1", "", runs},
                           {"w", "", 1.0, "m s-1", "", runs}}}),
                    Error::Code::Unsupported,
-                   "has no variable over x, y and z: w is over member, z, y and x");
+                   "has no variable over x, y and z alone: w is over member, z, y and x");
 }
 
 TEST_F(NetcdfVelocity, OnFacesIsSaidToBeStaggeredWhateverItIsCalled) {
@@ -325,6 +328,28 @@ TEST_F(NetcdfVelocity, OfFilesOfOneTimeEachHasTheTimesThatTheyState) {
         EXPECT_EQ((*none)->description().places, (std::vector<double>{0, 1, 3}));
         EXPECT_NE((*none)->description().time_note.find("carry no times"), std::string::npos);
     }
+}
+
+TEST_F(NetcdfVelocity, OfFilesWithoutATimeVariableHasTheTimesOfTheirAttribute) {
+    const auto write = [&](int number, bool attribute) {
+        NetcdfWriter out(folder_ / ("o_" + std::to_string(number) + ".nc"));
+        for (const char* axis : {"z", "y", "x", "text"})
+            out.dimension(axis, 3);
+        for (const char* part : {"u", "v", "w"})
+            out.variable(part, NC_DOUBLE, {"z", "y", "x"});
+        if (attribute)
+            out.number(NC_GLOBAL, "time", NC_DOUBLE, 0.25 * number);
+        else
+            out.variable("Times", NC_CHAR, {"text"});
+    };
+    for (const int number : {3, 4})
+        write(number, true);
+    EXPECT_EQ((*open_source(folder_ / "o_3.nc"))->description().times,
+              (std::vector<double>{0.75, 1}));
+    for (const int number : {3, 4})
+        write(number, false);
+    EXPECT_EQ((*open_source(folder_ / "o_3.nc"))->description().time_note,
+              "the times are text (Times), which is not read: 0, 1, 2, ... are used");
 }
 
 TEST_F(NetcdfVelocity, OfAnotherMeshThanAGridIsRefusedWithTheReason) {

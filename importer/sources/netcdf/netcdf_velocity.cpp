@@ -1,6 +1,7 @@
 #include "importer/sources/netcdf/netcdf_velocity.hpp"
 
 #include "importer/base/lower_case.hpp"
+#include "importer/fields/physical_units.hpp"
 
 #include <algorithm>
 #include <array>
@@ -28,6 +29,7 @@ constexpr auto directions = std::to_array<Direction>({{"eastward", 0, false, Way
                                                       {"southward", 1, true, Way::Compass},
                                                       {"upward", 2, false, Way::Compass},
                                                       {"downward", 2, true, Way::Compass},
+                                                      {"vertical", 2, false, Way::Compass},
                                                       {"grid_eastward", 0, false, Way::Axes},
                                                       {"grid_northward", 1, false, Way::Axes},
                                                       {"x", 0, false, Way::Axes},
@@ -52,7 +54,9 @@ std::string joined(std::initializer_list<std::string_view> words) {
 }
 
 std::optional<Component> component_of(const NetcdfFile& file, const NetcdfVariable& variable) {
-    const auto name = lower_case(file.text(variable, "standard_name"));
+    auto name = lower_case(file.text(variable, "standard_name"));
+    name.erase(0, name.find_first_not_of(' '));
+    name.erase(name.find_last_not_of(' ') + 1);
     if (name.empty())
         return std::nullopt;
     for (const auto& direction : directions) {
@@ -116,7 +120,8 @@ std::vector<StatedComponents> stated_velocities(const NetcdfFile& file,
 bool points_backward(const NetcdfFile& file, const NetcdfVariable& variable, bool z_down) {
     if (const auto part = component_of(file, variable))
         return part->direction.word == "z" ? z_down : part->direction.backward;
-    if (!file.text(variable, "standard_name").empty())
+    if (!file.text(variable, "standard_name").empty() ||
+        !factor_to_si(file.text(variable, "units"), Quantity::Velocity)) // of fluxes it means else
         return false;
     const auto positive = lower_case(file.text(variable, "positive"));
     const auto words = lower_case(file.text(variable, "long_name"));
