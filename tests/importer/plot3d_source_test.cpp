@@ -301,6 +301,25 @@ TEST_F(Plot3dSource, AsksWhatTheFiveValuesAreWhereTheyAreNoFlows) {
     }
 }
 
+TEST_F(Plot3dSource, TakesTheTimesThatFdsWritesIntoNames) {
+    for (const char* const end : {"_0000_00", "_0002_50", "_0010_00"})
+        put(std::string("fire_1") + end + ".q", solution_text({}, 0, 0));
+    put("fire.xyz", grid_text({}));
+    for (const char* const name : {"fire.xyz", "fire_1_0002_50.q"}) {
+        const auto source = open_source(folder_ / name);
+        ASSERT_TRUE(source.has_value()) << source.error().message;
+        EXPECT_EQ((*source)->description().times, (std::vector<double>{0, 2.5, 10})) << name;
+        EXPECT_EQ((*source)->description().time_note,
+                  "the times are those in the names of the files");
+        EXPECT_EQ((*source)->files(1)->front().name, "fire_1_0002_50.q");
+    }
+    const auto alone = open_source(folder_ / "fire_1_0002_50.q", {.alone = true});
+    EXPECT_EQ((*alone)->description().times.size(), 1u);
+    put("fire_2_0000_00.q", solution_text({}, 0, 0));
+    expect_failure(open_source(folder_ / "fire.xyz"), Error::Code::InvalidArgument,
+                   "several series of solutions are beside fire.xyz");
+}
+
 TEST_F(Plot3dSource, MarksTheCellsOfBlankedNodes) {
     Layout layout;
     layout.blanking = true;

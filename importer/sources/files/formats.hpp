@@ -61,6 +61,7 @@ Opened open_openfoam(const std::filesystem::path& path, const command::SourceOpt
 /// solution ("q") file a time-step, all in one folder. What belongs together is told by names: the grid
 /// `name.xyz` (.x, .g, .grd, .p3d too) and the solutions `name.q`, `name_0001.q`, `name_0002.q`, ...; where
 /// no solution begins with the grid's name and there is one grid only, the numbered solutions of the folder.
+/// Those of FDS have their times in their names: fire_1_0012_50.q is at 12.5 s.
 /// A .p3d file may also be a text as ParaView reads it:
 /// {"filenames": [{"time": 0.5, "xyz": "name.xyz", "q": "name_0001.q"}, ...]}.
 bool is_plot3d(const std::filesystem::path& path);

@@ -1,18 +1,16 @@
+#include "importer/base/notes.hpp"
 #include "importer/base/process_memory.hpp"
 #include "importer/base/vtk_messages.hpp"
 #include "importer/sources/blocks/fluid_blocks.hpp"
 #include "importer/sources/blocks/vtk_fields.hpp"
 #include "importer/sources/files/file_names.hpp"
 #include "importer/sources/files/formats.hpp"
-#include "importer/sources/files/named_path.hpp"
 #include "importer/sources/files/source_files.hpp"
 #include "importer/sources/plot3d/fortran_numbers.hpp"
+#include "importer/sources/plot3d/plot3d_files.hpp"
 #include "importer/sources/plot3d/plot3d_layout.hpp"
-#include "importer/sources/series/file_series.hpp"
-#include "importer/sources/series/numbered_files.hpp"
 #include "importer/sources/series/series_times.hpp"
 
-#include <nlohmann/json.hpp>
 #include <vtkFloatArray.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkMultiBlockPLOT3DReader.h>
@@ -20,165 +18,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <optional>
 #include <set>
 
 namespace wakesurf::importer {
 
-using nlohmann::json;
 namespace fs = std::filesystem;
 using core::Error;
 using core::FieldInfo;
 
 namespace {
-
-// Finds the files of a Plot3D dataset; the rule is in files/formats.hpp.
-
-struct Plot3dStep {
-    ListedFile grid;
-    ListedFile solution;
-    std::optional<double> time; ///< of the text that lists the files
-};
-
-struct Plot3dFiles {
-    std::string name;
-    std::vector<std::filesystem::path> index; ///< the text that lists the others, if there is one
-    std::vector<Plot3dStep> steps;            ///< at least one
-};
-
-bool is_plot3d_grid(const fs::path& path) {
-    constexpr std::array extensions{".xyz", ".x", ".g", ".grd", ".p3d"};
-    return std::find(extensions.begin(), extensions.end(), lower_extension(path)) !=
-           extensions.end();
-}
-
-ListedFile listed(const fs::path& path) {
-    return {path, path.filename().string(), {}};
-}
-
-bool is_meta(const fs::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    char first = '\0';
-    return lower_extension(path) == ".p3d" && (in >> first) && first == '{';
-}
-
-std::vector<fs::path> siblings(const fs::path& path) {
-    std::vector<fs::path> out;
-    std::error_code error;
-    const fs::path folder = path.parent_path().empty() ? fs::path(".") : path.parent_path();
-    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
-         entry.increment(error))
-        out.push_back(path.parent_path() / entry->path().filename());
-    std::sort(out.begin(), out.end());
-    return out;
-}
-
-core::Result<fs::path> grid_of(const fs::path& solution, const std::string& stem) {
-    std::vector<fs::path> grids;
-    for (const auto& file : siblings(solution))
-        if (is_plot3d_grid(file) && !is_meta(file)) {
-            if (file.stem() == stem || file.stem() == solution.stem())
-                return file;
-            grids.push_back(file);
-        }
-    if (grids.size() == 1)
-        return grids.front();
-    const std::string name = solution.filename().string();
-    if (grids.empty())
-        return core::fail(Error::Code::NotFound, "there is no grid beside " + name,
-                          "put " + stem + ".xyz into the same folder");
-    return core::fail(Error::Code::InvalidArgument,
-                      "several grids are beside " + name + ", and none is called " + stem,
-                      "name the grid " + stem + ".xyz");
-}
-
-core::Result<fs::path> first_solution_of(const fs::path& grid) {
-    const std::string stem = grid.stem().string();
-    std::vector<fs::path> solutions;
-    std::size_t grids = 0;
-    for (const auto& file : siblings(grid)) {
-        grids += is_plot3d_grid(file) ? 1 : 0;
-        if (lower_extension(file) != ".q")
-            continue;
-        if (const auto series = numbered_files(file); series && series->name == stem)
-            return file;
-        solutions.push_back(file);
-    }
-    const std::string name = grid.filename().string();
-    if (solutions.empty() || grids > 1)
-        return core::fail(Error::Code::NotFound, "there are no solutions beside " + name,
-                          "put " + stem + ".q, or " + stem +
-                              "_0001.q and so on, into the same folder");
-    const auto series = numbered_files(solutions.front());
-    if (!series)
-        return tl::unexpected(series.error());
-    if (series->files.size() != solutions.size())
-        return core::fail(Error::Code::InvalidArgument,
-                          "several series of solutions are beside " + name,
-                          "name those of one " + stem + "_0001.q and so on");
-    return solutions.front();
-}
-
-core::Result<Plot3dFiles> read_meta(const fs::path& file) {
-    const std::string name = file.filename().string();
-    std::ifstream in(file, std::ios::binary);
-    const json root = json::parse(in, nullptr, false);
-    const auto files = root.is_object() ? root.find("filenames") : root.end();
-    if (!root.is_object() || files == root.end() || !files->is_array() || files->empty())
-        return core::fail(Error::Code::Corrupt, name + " is not JSON with a list of filenames");
-    Plot3dFiles out{file.stem().string(), {file}, {}};
-    for (const auto& entry : *files) {
-        const auto text = [&](const char* key) {
-            return entry.is_object() && entry.contains(key) && entry[key].is_string()
-                       ? entry[key].get<std::string>()
-                       : std::string();
-        };
-        const auto grid = text("xyz");
-        const auto solution = text("q");
-        if (grid.empty() || solution.empty())
-            return core::fail(Error::Code::Corrupt,
-                              name + " has an entry without an xyz and a q file");
-        const auto grid_path = named_path(file.parent_path(), grid, name);
-        const auto solution_path = named_path(file.parent_path(), solution, name);
-        if (!grid_path || !solution_path)
-            return tl::unexpected(grid_path ? solution_path.error() : grid_path.error());
-        Plot3dStep step{{*grid_path, told_name(grid), {}},
-                        {*solution_path, told_name(solution), {}},
-                        std::nullopt};
-        if (entry.contains("time")) {
-            if (!entry["time"].is_number() || !std::isfinite(entry["time"].get<double>()))
-                return core::fail(Error::Code::Corrupt, name + " gives " + solution +
-                                                            " a time that is not a finite number");
-            step.time = entry["time"].get<double>();
-        }
-        out.steps.push_back(std::move(step));
-    }
-    return out;
-}
-
-// Finds the files from one of them: the grid, a solution, a pattern of solutions, or a .p3d text. Error:
-// NotFound (no grid, no solutions), InvalidArgument (several grids), Corrupt, Io.
-// @param alone  takes of a numbered series only the solution that is named
-core::Result<Plot3dFiles> find_plot3d_files(const fs::path& path, bool alone) {
-    if (is_meta(path))
-        return read_meta(path);
-    const bool grid_given = is_plot3d_grid(path);
-    const auto first = grid_given ? first_solution_of(path) : core::Result<fs::path>(path);
-    if (!first)
-        return tl::unexpected(first.error());
-    const auto solutions = numbered_files(*first, alone && !grid_given);
-    if (!solutions)
-        return tl::unexpected(solutions.error());
-    const auto grid = grid_given ? core::Result<fs::path>(path)
-                                 : grid_of(solutions->files.front(), solutions->name);
-    if (!grid)
-        return tl::unexpected(grid.error());
-    Plot3dFiles out{grid->stem().string(), {}, {}};
-    for (const auto& solution : solutions->files)
-        out.steps.push_back({listed(*grid), listed(solution), std::nullopt});
-    return out;
-}
 
 constexpr int velocity_function = 200;
 
@@ -358,6 +207,7 @@ class Plot3dSource final : public Source {
             if (!listed && !stated)
                 description_.time_note =
                     "the times in the solutions do not increase: 0, 1, 2, ... are used";
+            add_note(description_.time_note, files_.note);
             keep_in_order(files_.steps, order);
         });
     }

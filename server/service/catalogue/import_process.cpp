@@ -141,9 +141,10 @@ bool speaks_of_damage(const std::string& words) {
     constexpr std::array<std::string_view, 8> signs{
         "damaged", "truncated",      "is empty",     "incomplete",
         "cut off", "does not exist", "is not there", "cannot be read"};
-    return std::any_of(signs.begin(), signs.end(), [&](std::string_view sign) {
-        return words.find(sign) != std::string::npos;
-    });
+    return words.find("of a format that") == std::string::npos &&
+           std::any_of(signs.begin(), signs.end(), [&](std::string_view sign) {
+               return words.find(sign) != std::string::npos;
+           });
 }
 
 Error error_of(const ImportCommand& command, int status, const std::string& words) {
