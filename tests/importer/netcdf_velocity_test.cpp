@@ -164,6 +164,8 @@ TEST_F(NetcdfVelocity, IsNoPartOfOneNorOneOfSomethingElse) {
                            std::string("f.nc has no vertical velocity: ") + name +
                                " is a rate of change (lagrangian_tendency_of_air_pressure)");
         }
+    expect_failure(open({{{"u"}, {"v"}, {"w", "", 1.0, "Pa/s"}}}), Error::Code::Unsupported,
+                   "f.nc has no vertical velocity: w is a rate of change (Pa/s)");
     const auto beside = open({{{"u", "eastward_wind"},
                                {"v", "northward_wind"},
                                {"w", "upward_air_velocity"},
@@ -296,7 +298,8 @@ TEST_F(NetcdfVelocity, OfFilesOfOneTimeEachHasTheTimesThatTheyState) {
              {"t", {}, "long_name", "time"},
              {"valid", {}, "standard_name", "time"},
              {"now", {"one"}, "units", "seconds since 2020-01-01"},
-             {"clock", {}, "axis", "T"}}) {
+             {"clock", {}, "axis", "T"},
+             {"since_start", {}, "units", "s"}}) {
         const auto write = [&](const std::string& file, double time, bool with_time) {
             NetcdfWriter out(folder_ / file);
             for (const char* axis : {"z", "y", "x"})
@@ -309,7 +312,8 @@ TEST_F(NetcdfVelocity, OfFilesOfOneTimeEachHasTheTimesThatTheyState) {
             out.text(start, "standard_name", "forecast_reference_time");
             out.text(start, "units", "hours since 2020-01-01");
             for (const char* part : {"u", "v", "w"})
-                out.variable(part, NC_DOUBLE, {"z", "y", "x"});
+                out.text(out.variable(part, NC_DOUBLE, {"z", "y", "x"}), "coordinates",
+                         "forecast since_start");
             out.end();
             if (with_time)
                 out.put(stated, std::vector<std::size_t>(dimensions.size(), 0),

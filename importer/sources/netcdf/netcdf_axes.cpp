@@ -1,11 +1,14 @@
 #include "importer/sources/netcdf/netcdf_axes.hpp"
 
 #include "importer/base/lower_case.hpp"
+#include "importer/fields/physical_units.hpp"
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <functional>
+#include <iterator>
+#include <sstream>
 #include <string_view>
 
 namespace wakesurf::importer {
@@ -144,6 +147,19 @@ core::Result<AxisKind> axis_kind(const NetcdfFile& file, int dimension) {
     return AxisKind::Unknown;
 }
 
+namespace {
+
+// Says whether the coordinates attribute of a variable names this one.
+bool is_coordinate(const NetcdfFile& file, const std::string& name) {
+    return std::ranges::any_of(file.variables(), [&](const NetcdfVariable& variable) {
+        std::istringstream words(file.text(variable, "coordinates"));
+        return std::find(std::istream_iterator<std::string>(words), {}, name) !=
+               std::istream_iterator<std::string>();
+    });
+}
+
+} // namespace
+
 const NetcdfVariable* time_of_all(const NetcdfFile& file) {
     const NetcdfVariable* dated = nullptr;
     const NetcdfVariable* named = nullptr;
@@ -160,7 +176,9 @@ const NetcdfVariable* time_of_all(const NetcdfFile& file) {
             continue;
         if (kind_of_name(lower_case(variable.name)) == AxisKind::Time) {
             named = named == nullptr ? &variable : named;
-        } else if (stated_kind(file, variable) == AxisKind::Time) {
+        } else if (stated_kind(file, variable) == AxisKind::Time ||
+                   (is_coordinate(file, variable.name) &&
+                    factor_to_si(file.text(variable, "units"), Quantity::Time))) {
             dated = &variable;
             ++several;
         }

@@ -20,7 +20,7 @@ const NetcdfVariable* coordinates_of(const NetcdfFile& file, int dimension);
 core::Result<AxisKind> axis_kind(const NetcdfFile& file, int dimension);
 
 /// Returns the variable of one value that has the time of the whole file: by its standard name, its own name, or
-/// else a reference in its units. Null if there is none, or if several might be.
+/// else a reference in its units, or as a coordinate of others with a unit of time. Null if there is none, or if several might be.
 const NetcdfVariable* time_of_all(const NetcdfFile& file);
 
 struct NetcdfAxis {

@@ -131,7 +131,16 @@ bool points_backward(const NetcdfFile& file, const NetcdfVariable& variable, boo
 
 std::string stated_tendency(const NetcdfFile& file, const NetcdfVariable& variable) {
     const auto name = lower_case(file.text(variable, "standard_name"));
-    return name.find("tendency_of") == std::string::npos ? "" : name;
+    if (name.find("tendency_of") != std::string::npos)
+        return name;
+    // Without a standard name, of pressure by the unit.
+    const auto units = file.text(variable, "units");
+    const auto small = lower_case(units);
+    const auto begins = [&](const char* unit) { return small.starts_with(unit); };
+    const bool by_time = small.find("s-1") != std::string::npos ||
+                         small.find("/s") != std::string::npos ||
+                         small.find("s^-1") != std::string::npos;
+    return by_time && (begins("pa") || begins("hpa") || begins("mb")) ? units : "";
 }
 
 core::Result<void> refuse_tendencies(const NetcdfFile& file,
