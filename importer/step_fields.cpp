@@ -95,6 +95,7 @@ core::Result<StepFields> settle_fields(Source& source,
     out.steps.clear();
     std::map<std::string, std::vector<std::size_t>> bare; // by the velocity that they have instead
     std::set<std::string> not_everywhere;
+    const auto of_first = source.fields_at(**first);
     for (const std::size_t step : steps) {
         const auto listed = step == **first ? std::nullopt : source.fields_at(step);
         if (listed ? lacks_velocity(*listed) : step < **first) {
@@ -103,13 +104,17 @@ core::Result<StepFields> settle_fields(Source& source,
             continue;
         }
         out.steps.push_back(step);
-        if (listed)
-            std::erase_if(out.fields, [&](const FieldInfo& field) {
-                const bool gone = !velocity.contains(field.name) && !is_here(*listed, field);
-                if (gone)
-                    not_everywhere.insert(field.name);
-                return gone;
-            });
+        if (!listed)
+            continue;
+        for (const auto& field : *listed)
+            if (of_first && !is_here(*of_first, field))
+                not_everywhere.insert(field.name);
+        std::erase_if(out.fields, [&](const FieldInfo& field) {
+            const bool gone = !velocity.contains(field.name) && !is_here(*listed, field);
+            if (gone)
+                not_everywhere.insert(field.name);
+            return gone;
+        });
     }
     for (const auto& [other, without] : bare)
         add_note(out.note, "left out, as there is no " +

@@ -290,6 +290,43 @@ TEST_F(NetcdfVelocity, InAGroupIsReadAndOfSeveralGroupsAskedFor) {
     EXPECT_EQ(first_of(**mean, "mean/w"), 6.0);
 }
 
+TEST_F(NetcdfVelocity, InAGroupWithinAGroupHasTheAxesAndTimesOfThatGroup) {
+    int id = 0;
+    int outer = 0;
+    int inner = 0;
+    NetcdfWriter::ok(nc_create((folder_ / "g.nc").c_str(), NC_CLOBBER | NC_NETCDF4, &id));
+    NetcdfWriter::ok(nc_def_grp(id, "results", &outer));
+    NetcdfWriter::ok(nc_def_grp(outer, "fine", &inner));
+    for (const int group : {outer, inner}) { // the outer one has a coarser grid of the same names
+        std::array<int, 4> dimensions{};
+        for (std::size_t i = 0; i < 4; ++i) {
+            const std::size_t length = i == 0 ? 2 : group == outer ? 3 : 4;
+            const std::string name = i == 0 ? "time" : std::string(1, "tzyx"[i]);
+            int axis = 0;
+            NetcdfWriter::ok(nc_def_dim(group, name.c_str(), length, &dimensions.at(i)));
+            NetcdfWriter::ok(
+                nc_def_var(group, name.c_str(), NC_DOUBLE, 1, &dimensions.at(i), &axis));
+            std::vector<double> nodes;
+            for (std::size_t n = 0; n < length; ++n)
+                nodes.push_back(group == outer ? 7.0 + static_cast<double>(n)
+                                               : 0.5 * static_cast<double>(n));
+            NetcdfWriter::ok(nc_put_var_double(group, axis, nodes.data()));
+        }
+        int variable = 0;
+        for (const char* const name : {"u", "v", "w"})
+            NetcdfWriter::ok(
+                nc_def_var(group, group == outer ? (std::string("mean_") + name).c_str() : name,
+                           NC_DOUBLE, 4, dimensions.data(), &variable));
+    }
+    NetcdfWriter::ok(nc_close(id));
+    const auto source = open_source(folder_ / "g.nc");
+    ASSERT_TRUE(source.has_value()) << source.error().message;
+    EXPECT_EQ(chosen(source), "u, v, w");
+    EXPECT_EQ((*source)->description().times, (std::vector<double>{0, 0.5}));
+    const auto read = (*source)->read(1, {});
+    EXPECT_EQ(read->blocks[0]->GetBounds()[5], 1.5);
+}
+
 TEST_F(NetcdfVelocity, OfFilesOfOneTimeEachHasTheTimesThatTheyState) {
     for (const auto& [name, dimensions, attribute, value] :
          std::vector<std::tuple<std::string, Names, std::string, std::string>>{

@@ -1,6 +1,7 @@
 #include "core/base/disk.hpp"
 #include "importer/assembly/same_mesh.hpp"
 #include "importer/base/notes.hpp"
+#include "importer/fields/velocity_choice.hpp"
 #include "importer/sources/blocks/block_roles.hpp"
 #include "importer/sources/blocks/fluid_blocks.hpp"
 #include "importer/sources/blocks/vtk_fields.hpp"
@@ -155,15 +156,23 @@ class VtkFilesSource final : public Source {
         if (!all)
             return std::nullopt;
         std::vector<FieldInfo> out;
+        const auto is_listed = [&](const FieldInfo& field) {
+            return std::ranges::any_of(out, [&](const FieldInfo& other) {
+                return other.name == field.name && other.source == field.source;
+            });
+        };
+        const auto& known = description_.fields;
+        const bool with_velocity = choose_velocity(known, velocity_).has_value();
         for (const auto& leaf : all->leaves) {
+            // Most often the first of many has them all.
+            if (with_velocity && std::ranges::all_of(known, is_listed))
+                break;
             const auto here =
                 is_xml(leaf.path) ? xml_file_fields(leaf) : core::Result<std::vector<FieldInfo>>();
             if (!here || !is_xml(leaf.path))
                 return std::nullopt;
             for (const auto& field : *here)
-                if (std::ranges::none_of(out, [&](const FieldInfo& other) {
-                        return other.name == field.name && other.source == field.source;
-                    }))
+                if (!is_listed(field))
                     out.push_back(field);
         }
         return out;
