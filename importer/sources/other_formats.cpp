@@ -37,6 +37,8 @@ constexpr std::string_view by_fluent = "in Fluent: File, Export, Solution Data a
                                        "Export for each time-step";
 constexpr std::string_view by_star =
     "in STAR-CCM+: File, Export as EnSight Gold or CGNS, with the velocity, at each time-step";
+constexpr std::string_view by_meshio =
+    "convert it, with the velocity, by meshio: meshio convert flow.msh flow.vtu";
 constexpr std::string_view of_a_surface = "give the results in the volume, with a velocity";
 
 // What the first bytes alone tell, and are of no format that is read.
@@ -62,10 +64,8 @@ constexpr auto by_first_bytes = std::to_array<Row>({
     {"MATLAB 5"sv, "", "", "MATLAB's variables", as_values},
     {"\x93NUMPY"sv, "", "", "an array of NumPy", as_values},
     {"NRRD"sv, "", "", "an image in NRRD", as_values},
-    {"$MeshFormat"sv, "", "", "Gmsh's",
-     "export it from Gmsh as .vtk, or convert it with meshio (meshio convert flow.msh flow.vtu)"},
-    {"$PostFormat"sv, "", "", "Gmsh's",
-     "export it from Gmsh as .vtk, or convert it with meshio (meshio convert flow.msh flow.vtu)"},
+    {"$MeshFormat"sv, "", "", "Gmsh's", by_meshio},
+    {"$PostFormat"sv, "", "", "Gmsh's", by_meshio},
     {"#std"sv, "", "", "a field of Nek5000",
      "open the .nek5000 file beside it in ParaView and save it there as .vtu "
      "with all time-steps"},
@@ -120,7 +120,8 @@ constexpr auto by_all = std::to_array<Row>({
      "metres"},
     {"", "", ".nek5000", "of Nek5000", by_paraview},
     {"", "", ".msh", "a mesh of Gmsh or Fluent",
-     "export the results: from Gmsh as .vtk; from Fluent as EnSight Case Gold"},
+     "give the results: of Gmsh by meshio convert flow.msh flow.vtu, of Fluent as EnSight Case "
+     "Gold"},
     {"", "", ".pvsm .pvcc", "a state of ParaView, which names data and holds none", by_paraview},
     {"", "", ".vdf .vdc .vs3 .vapor", "of VAPOR",
      "give the files that it was made from, or write NetCDF over x, y and z in metres"},
