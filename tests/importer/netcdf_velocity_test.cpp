@@ -228,11 +228,12 @@ TEST_F(NetcdfVelocity, OfOneArrayHasItsComponentsAlongAnAxis) {
     const Names runs{"member", "z", "y", "x"};
     EXPECT_EQ(chosen(open({{{"velocity", "", 1.0, "m s-1", "", runs}}})), "velocity");
     // Three runs of u are no vector.
-    expect_failure(open({{{"u", "", 1.0, "m s-1", "", runs},
-                          {"v", "", 1.0, "m s-1", "", runs},
-                          {"w", "", 1.0, "m s-1", "", runs}}}),
-                   Error::Code::Unsupported,
+    const auto three = open({{{"u", "", 1.0, "m s-1", "", runs},
+                              {"v", "", 1.0, "m s-1", "", runs},
+                              {"w", "", 1.0, "m s-1", "", runs}}});
+    expect_failure(three, Error::Code::Unsupported,
                    "has no variable over x, y and z alone: w is over member, z, y and x");
+    EXPECT_TRUE(three.error().hint.starts_with("if member has the components"));
 }
 
 TEST_F(NetcdfVelocity, OnFacesIsSaidToBeStaggeredWhateverItIsCalled) {

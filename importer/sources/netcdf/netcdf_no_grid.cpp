@@ -130,14 +130,16 @@ Error why_no_grid(const NetcdfFile& file) {
         return unsupported("is not three-dimensional: " + most->name + " is a plane of values",
                            "extrude it by two cells or more first");
     if (most != nullptr && dimensions == 4)
-        for (const int dimension : most->dimensions)
-            if (const auto& [name, length] = file.dimensions()[static_cast<std::size_t>(dimension)];
-                length == 3)
+        for (const int dimension : most->dimensions) {
+            const auto& [name, length] = file.dimensions()[static_cast<std::size_t>(dimension)];
+            const auto kind = axis_kind(file, dimension);
+            if (length == 3 && kind && *kind == AxisKind::Unknown)
                 return unsupported("has no variable over x, y and z alone: " +
                                        place_of(file, *most),
                                    "if " + name +
                                        " has the components of a velocity, call it component; "
                                        "else write one of them to a file of its own");
+        }
     return unsupported(
         "has no variable over x, y and z" + (most == nullptr ? "" : ": " + place_of(file, *most)),
         "name the dimensions x, y, z, or write a variable along each of them that has its "
