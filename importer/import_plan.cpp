@@ -104,6 +104,14 @@ std::string ImportPlan::step_name(std::size_t index) const {
     return step + " of " + source->description().name;
 }
 
+namespace {
+
+std::size_t place_of(std::size_t step, const std::vector<std::size_t>& steps) {
+    return static_cast<std::size_t>(std::ranges::find(steps, step) - steps.begin());
+}
+
+} // namespace
+
 core::Result<ImportPlan> make_plan(const ImportRequest& request, const UnclearVelocity& unclear) {
     return open_source(request.source, request.taken).and_then([&](std::unique_ptr<Source> source) {
         return plan_of(std::move(source), request, unclear);
@@ -157,8 +165,9 @@ core::Result<ImportPlan> plan_of(std::unique_ptr<Source> source,
         if (!choice)
             return core::fail(
                 choice.error().code,
-                (settled->none && plan.steps.size() > 1 ? "no time-step has a velocity: " : "") +
-                    plan.step_name(0) + ": " + choice.error().message,
+                (settled->none && plan.steps.size() > 1 ? "no time-step has the velocity: " : "") +
+                    plan.step_name(place_of(plan.described, plan.steps)) + ": " +
+                    choice.error().message,
                 choice.error().hint);
         plan.choice = std::move(*choice);
     } while (drops_its_mask(plan, wish));

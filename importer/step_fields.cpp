@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <utility>
 
 namespace wakesurf::importer {
 
@@ -30,26 +31,41 @@ Velocity velocity_among(const Fields& fields,
     return velocity->doubt.empty() ? Velocity::Clear : Velocity::Doubtful;
 }
 
+struct Found {
+    std::optional<std::size_t> step; ///< the first with a velocity
+    bool all_read = true;            ///< no time-step that was looked at for it is damaged
+};
+
 // Describes the source by its first time-step with a velocity, but one whose name is clear goes before others;
-// returns none if there is none, or if a time-step before it cannot be read.
-core::Result<std::optional<std::size_t>>
+// by the first of all if there is none, or if a time-step before it cannot be read.
+core::Result<Found>
 describe_by_first(Source& source, const std::vector<std::size_t>& steps, const std::string& wish) {
     const auto& now = source.description();
-    for (const auto least : {Velocity::Clear, Velocity::Doubtful})
+    Found out;
+    bool again = true;
+    for (const auto least : {Velocity::Clear, Velocity::Doubtful}) {
+        if (!std::exchange(again, false))
+            break;
         for (const std::size_t step : steps) {
             const auto listed = source.fields_at(step);
-            if (listed && velocity_among(*listed, wish, now.velocities) < least)
+            const auto told = velocity_among(listed.value_or(Fields()), wish, now.velocities);
+            again = again || told == Velocity::Doubtful;
+            if (listed && told < least)
                 continue;
             auto described = source.describe_by(step);
             if (!described && step == steps.front())
                 return tl::unexpected(described.error());
+            out.all_read = described.has_value();
             if (!described)
                 break;
             const auto found = velocity_among(now.fields, wish, now.velocities);
-            if (found >= least || (!listed && found != Velocity::None))
-                return step;
+            if (found >= least || (!listed && found != Velocity::None)) {
+                out.step = step;
+                return out;
+            }
         }
-    return source.describe_by(steps.front()).map([] { return std::optional<std::size_t>(); });
+    }
+    return source.describe_by(steps.front()).map([&] { return out; });
 }
 
 std::string listed_times(const std::vector<std::size_t>& steps, const std::vector<double>& times) {
@@ -83,8 +99,14 @@ core::Result<StepFields> settle_fields(Source& source,
     if (!first)
         return tl::unexpected(first.error());
     const auto& now = source.description();
-    StepFields out{steps, first->value_or(steps.front()), !first->has_value(), now.fields, {}};
-    if (out.none)
+    StepFields out{
+        steps, first->step.value_or(steps.front()), !first->step && first->all_read, {}, {}};
+    // What is refused is told of a time-step that has another velocity, if there is one.
+    if (out.none && !wish.empty())
+        if (const auto other = describe_by_first(source, steps, {}); other)
+            out.described = other->step.value_or(steps.front());
+    out.fields = now.fields;
+    if (!first->step)
         return out;
     const auto velocity = possible_velocity(now.fields, wish, now.velocities);
     const auto lacks_velocity = [&](const Fields& fields) {
@@ -95,10 +117,10 @@ core::Result<StepFields> settle_fields(Source& source,
     out.steps.clear();
     std::map<std::string, std::vector<std::size_t>> bare; // by the velocity that they have instead
     std::set<std::string> not_everywhere;
-    const auto of_first = source.fields_at(**first);
+    const auto of_first = source.fields_at(*first->step);
     for (const std::size_t step : steps) {
-        const auto listed = step == **first ? std::nullopt : source.fields_at(step);
-        if (listed ? lacks_velocity(*listed) : step < **first) {
+        const auto listed = step == *first->step ? std::nullopt : source.fields_at(step);
+        if (listed ? lacks_velocity(*listed) : step < *first->step) {
             const auto other = choose_velocity(listed.value_or(Fields()), {}, now.velocities);
             bare[other ? other->name : ""].push_back(step);
             continue;

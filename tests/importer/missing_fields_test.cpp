@@ -198,10 +198,16 @@ TEST_F(BareSteps, OfCgnsFilesBeforeTheFirstVelocityAreLeftOut) {
 
 TEST_F(BareSteps, AloneAreRefusedWithWhatThereIs) {
     const auto none = make_plan({write_series({"", "", ""})});
-    expect_failure(none, core::Error::Code::NotFound,
-                   "no time-step has a velocity: r_0.vti (time-step 0): there is no vector field; "
-                   "there is p (1 component, point)");
+    expect_failure(
+        none, core::Error::Code::NotFound,
+        "no time-step has the velocity: r_0.vti (time-step 0): there is no vector field; "
+        "there is p (1 component, point)");
     write_series({"", "U"});
+    ImportRequest other{folder_ / "r.pvd"};
+    other.taken.velocity = "V";
+    expect_failure(make_plan(other), core::Error::Code::NotFound,
+                   "no time-step has the velocity: r_1.vti (time-step 1): there is no field V; "
+                   "there is U (3 components, point)");
     ImportRequest alone{folder_ / "r_0.vti"};
     alone.taken.alone = true;
     expect_failure(make_plan(alone), core::Error::Code::NotFound,
