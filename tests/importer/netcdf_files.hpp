@@ -67,6 +67,10 @@ class NetcdfWriter {
         ok(nc_put_vara_double(id_, variable, start.data(), count.data(), values.data()));
     }
 
+    void text_values(int variable, const std::string& values) {
+        ok(nc_put_var_text(id_, variable, values.c_str()));
+    }
+
     void put(int variable, const std::vector<double>& values) {
         put(variable, {0}, {values.size()}, values);
     }

@@ -372,26 +372,41 @@ TEST_F(NetcdfVelocity, OfFilesOfOneTimeEachHasTheTimesThatTheyState) {
     }
 }
 
-TEST_F(NetcdfVelocity, OfFilesWithoutATimeVariableHasTheTimesOfTheirAttribute) {
-    const auto write = [&](int number, bool attribute) {
-        NetcdfWriter out(folder_ / ("o_" + std::to_string(number) + ".nc"));
-        for (const char* axis : {"z", "y", "x", "text"})
-            out.dimension(axis, 3);
-        for (const char* part : {"u", "v", "w"})
-            out.variable(part, NC_DOUBLE, {"z", "y", "x"});
-        if (attribute)
-            out.number(NC_GLOBAL, "time", NC_DOUBLE, 0.25 * number);
-        else
-            out.variable("Times", NC_CHAR, {"text"});
-    };
-    for (const int number : {3, 4})
-        write(number, true);
-    EXPECT_EQ((*open_source(folder_ / "o_3.nc"))->description().times,
-              (std::vector<double>{0.75, 1}));
-    for (const int number : {3, 4})
-        write(number, false);
-    EXPECT_EQ((*open_source(folder_ / "o_3.nc"))->description().time_note,
-              "the times are text (Times), which is not read: 0, 1, 2, ... are used");
+TEST_F(NetcdfVelocity, OfFilesWithoutATimeCoordinateHasTheirDatesOrAttributes) {
+    enum class Kind { Number, Date, Text };
+    for (const Kind kind : {Kind::Number, Kind::Date, Kind::Text}) {
+        for (const int number : {3, 4}) {
+            NetcdfWriter out(folder_ / ("o_" + std::to_string(number) + ".nc"));
+            for (const char* axis : {"z", "y", "x"})
+                out.dimension(axis, 3);
+            out.dimension("one", 1);
+            out.dimension("length", 19);
+            const std::string date = "2020-01-01_00:00:0" + std::to_string(number);
+            for (const char* part : {"u", "v", "w"})
+                out.variable(part, NC_DOUBLE, {"z", "y", "x"});
+            const int times = out.variable("Times", NC_CHAR, {"one", "length"});
+            if (kind == Kind::Number)
+                out.number(NC_GLOBAL, "time", NC_DOUBLE, 0.25 * number);
+            if (kind == Kind::Date)
+                out.text(NC_GLOBAL, "time_coverage_start",
+                         "2020-01-01T00:00:0" + std::to_string(number) + "Z");
+            out.end();
+            if (kind == Kind::Text)
+                out.text_values(times, date);
+        }
+        const auto source = open_source(folder_ / "o_3.nc");
+        ASSERT_TRUE(source.has_value()) << source.error().message;
+        const auto& [times, note] =
+            std::tie((*source)->description().times, (*source)->description().note);
+        EXPECT_EQ(times, kind == Kind::Number ? (std::vector<double>{0.75, 1})
+                                              : (std::vector<double>{0, 1}));
+        EXPECT_NE(note.find(kind == Kind::Number ? "times are the attribute time"
+                            : kind == Kind::Date ? "times are seconds since 2020-01-01 00:00:03, "
+                                                   "from the dates in time_coverage_start"
+                                                 : "from the dates in Times"),
+                  std::string::npos)
+            << note;
+    }
 }
 
 TEST_F(NetcdfVelocity, OfAnotherMeshThanAGridIsRefusedWithTheReason) {

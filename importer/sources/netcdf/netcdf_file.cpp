@@ -279,6 +279,34 @@ std::vector<double> NetcdfFile::numbers(const NetcdfVariable& variable,
     return out;
 }
 
+std::vector<std::string> NetcdfFile::texts(const NetcdfVariable& variable) const {
+    constexpr std::size_t most = 1'000'000;
+    std::size_t total = 1;
+    std::size_t length = 1;
+    for (const int dimension : variable.dimensions) {
+        length = dimensions_[static_cast<std::size_t>(dimension)].length;
+        if (length == 0 || total > most / length)
+            return {};
+        total *= length;
+    }
+    std::vector<std::string> out;
+    if (variable.type == NC_CHAR) {
+        std::string all(total, '\0');
+        if (nc_get_var_text(variable.group, variable.id, all.data()) != NC_NOERR)
+            return {};
+        for (std::size_t i = 0; i < total; i += length)
+            out.emplace_back(all.substr(i, length).c_str());
+    } else if (variable.type == NC_STRING) {
+        std::vector<char*> all(total, nullptr);
+        if (nc_get_var_string(variable.group, variable.id, all.data()) != NC_NOERR)
+            return {};
+        for (const char* const each : all)
+            out.emplace_back(each == nullptr ? "" : each);
+        nc_free_string(all.size(), all.data());
+    }
+    return out;
+}
+
 core::Result<std::vector<double>> NetcdfFile::read(const NetcdfVariable& variable,
                                                    const std::vector<std::size_t>& start,
                                                    const std::vector<std::size_t>& count) const {

@@ -66,6 +66,10 @@ class NetcdfFile {
                                            const std::vector<std::size_t>& start,
                                            const std::vector<std::size_t>& count) const;
 
+    /// Returns the texts of a variable of text, of one dimension or more: the last of characters counts within
+    /// each. Empty if they cannot be read, or are more than a million characters.
+    std::vector<std::string> texts(const NetcdfVariable& variable) const;
+
     /// Returns all values of a variable.
     core::Result<std::vector<double>> read(const NetcdfVariable& variable) const;
 

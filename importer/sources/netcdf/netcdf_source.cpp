@@ -1,5 +1,4 @@
 #include "core/dataset/uniform_grid.hpp"
-#include "importer/base/lower_case.hpp"
 #include "importer/base/notes.hpp"
 #include "importer/fields/velocity_choice.hpp"
 #include "importer/sources/blocks/fluid_blocks.hpp"
@@ -167,9 +166,6 @@ class NetcdfSource final : public SeriesSource<std::size_t> {
                      std::to_string(without_grid_.size()) + " files are left out like these");
         if (auto settled = settle_steps(times); !settled)
             return settled;
-        if (!text_time_.empty() && !description_.places.empty())
-            description_.time_note =
-                "the times are text (" + text_time_ + "), which is not read: 0, 1, 2, ... are used";
         source_note_ = description_.note;
         return describe_by(0);
     }
@@ -223,20 +219,17 @@ class NetcdfSource final : public SeriesSource<std::size_t> {
         const auto* variable = grid->time ? coordinates_of(*file, *grid->time) : nullptr;
         if (variable == nullptr && length == 1)
             variable = time_of_all(*file);
-        if (variable == nullptr) {
-            for (const auto& each : file->variables())
-                if (const auto name = lower_case(each.name);
-                    !has_numbers(each) && (name == "time" || name == "times"))
-                    text_time_ = each.name;
+        auto other = variable == nullptr ? read_other_times(*file, length, reference_)
+                                         : std::optional<NetcdfTimes>();
+        if (variable == nullptr && !other) {
             for (std::size_t i = 0; i < length; ++i)
                 add_step(*file, entry, i, std::nullopt, times);
-            if (length == 1) {
+            if (length == 1)
                 times.back().number = series_.entries[entry].number;
-                times.back().time = time_attribute(*file);
-            }
             return {};
         }
-        auto read = read_times(*file, *variable, reference_, series_.entries.size() > 1);
+        auto read = other ? core::Result<NetcdfTimes>(std::move(*other))
+                          : read_times(*file, *variable, reference_, series_.entries.size() > 1);
         if (!read)
             return tl::unexpected(read.error());
         for (std::size_t i = 0; i < length; ++i) {
@@ -250,15 +243,6 @@ class NetcdfSource final : public SeriesSource<std::size_t> {
             add_note(description_.note, read->note);
         }
         return {};
-    }
-
-    // Returns the time that the file has as an attribute of its own.
-    static std::optional<double> time_attribute(const NetcdfFile& file) {
-        for (const char* const name : {"time", "Time", "TIME", "simulation_time"})
-            if (const auto value = file.numbers(file.whole(), name);
-                value.size() == 1 && std::isfinite(value.front()))
-                return value.front();
-        return std::nullopt;
     }
 
     static std::string step_name(const NetcdfFile& file, std::size_t step) {
@@ -353,7 +337,6 @@ class NetcdfSource final : public SeriesSource<std::size_t> {
     /// The point in time that times are counted from.
     std::string reference_;
     std::optional<std::string> time_unit_;
-    std::string text_time_; ///< the variable with times that are no numbers
 };
 
 } // namespace

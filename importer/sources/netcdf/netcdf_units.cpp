@@ -1,5 +1,6 @@
 #include "importer/sources/netcdf/netcdf_units.hpp"
 
+#include "importer/base/lower_case.hpp"
 #include "importer/base/notes.hpp"
 #include "importer/fields/physical_units.hpp"
 
@@ -95,6 +96,61 @@ core::Result<NetcdfTimes> read_times(const NetcdfFile& file,
         out.note = "times are in " + text;
     else if (factor)
         out.note = "times were converted from " + unit + " to seconds" + from;
+    return out;
+}
+
+namespace {
+
+// Makes "2020-01-01 00:00:00" of "2020-01-01_00:00:00" and "2020-01-01T00:00:00Z", as UDUNITS reads it.
+std::string usual_date(std::string text) {
+    for (char& c : text)
+        if (c == '_' || c == 'T')
+            c = ' ';
+    std::erase(text, 'Z');
+    return text;
+}
+
+bool is_date(const std::string& text) {
+    return seconds_between(usual_date(text), usual_date(text)).has_value();
+}
+
+// Returns the dates of the time-steps, as the file writes them, and where they are.
+std::pair<std::vector<std::string>, std::string> dates_of(const NetcdfFile& file,
+                                                          std::size_t steps) {
+    for (const auto& variable : file.variables())
+        if (const auto name = lower_case(last_of_path(variable.name));
+            !has_numbers(variable) && (name == "time" || name == "times"))
+            if (auto texts = file.texts(variable);
+                texts.size() == steps && std::ranges::all_of(texts, is_date))
+                return {std::move(texts), variable.name};
+    for (const char* const name : {"time", "Time", "start_time", "time_coverage_start"})
+        if (auto text = file.text(file.whole(), name); steps == 1 && is_date(text))
+            return {{std::move(text)}, name};
+    return {};
+}
+
+} // namespace
+
+std::optional<NetcdfTimes>
+read_other_times(const NetcdfFile& file, std::size_t steps, const std::string& reference) {
+    for (const char* const name : {"time", "Time", "TIME", "simulation_time"})
+        if (auto value = file.numbers(file.whole(), name);
+            steps == 1 && value.size() == 1 && std::isfinite(value.front()))
+            return NetcdfTimes{std::move(value), "", "",
+                               std::string("times are the attribute ") + name};
+    if (!check_units_known())
+        return std::nullopt;
+    const auto [dates, where] = dates_of(file, steps);
+    if (dates.empty())
+        return std::nullopt;
+    NetcdfTimes out{{}, reference.empty() ? usual_date(dates.front()) : reference, "s", {}};
+    for (const auto& date : dates) {
+        const auto seconds = seconds_between(out.reference, usual_date(date));
+        if (!seconds || !std::isfinite(*seconds))
+            return std::nullopt;
+        out.seconds.push_back(*seconds);
+    }
+    out.note = "times are seconds since " + out.reference + ", from the dates in " + where;
     return out;
 }
 

@@ -23,6 +23,12 @@ core::Result<NetcdfTimes> read_times(const NetcdfFile& file,
                                      const std::string& reference,
                                      bool several);
 
+/// Reads the times of a file without a time coordinate: dates in a variable of text; of one time-step also an
+/// attribute of the file. Seconds, of dates since `reference` or, if that is empty, the first. None if there are
+/// none of as many time-steps.
+std::optional<NetcdfTimes>
+read_other_times(const NetcdfFile& file, std::size_t steps, const std::string& reference);
+
 struct NetcdfUnit {
     double factor = 1.0;
     std::string unit; ///< of the values once multiplied
