@@ -35,9 +35,9 @@ bool is_exodus(const std::filesystem::path& path);
 /// Error: NotFound, Io, Corrupt, Unsupported, OverLimit.
 Opened open_exodus(const std::filesystem::path& path, const command::SourceOptions& wish = {});
 
-/// Tells NetCDF-CF files by their extension, .nc, .nc4 or .cdf: on Cartesian grids, each variable a field of
-/// one component, so u, v and w are three; one file of several time-steps, or numbered files of one or more
-/// each.
+/// Tells NetCDF-CF files by their extension, .nc, .nc4 or .cdf (open_source also by what they hold): on
+/// Cartesian grids, each variable a field of one component, so u, v and w are three, or of three along an axis
+/// of its own; one file of several time-steps, or numbered files of one or more each.
 bool is_netcdf(const std::filesystem::path& path);
 
 /// Makes one block: an image where the nodes are evenly spaced (to a millionth of the spacing, or to what
@@ -79,8 +79,7 @@ bool is_vtk_files(const std::filesystem::path& path);
 
 /// Makes blocks of all parts of a time-step, but for flat ones: those are walls where their name holds
 /// "wall", or where their velocity is exactly zero at the first, the last and the time-step read; other
-/// patches are left out. Blocks without the velocity, beside blocks with it, are solids. Other fields that a
-/// time-step lacks are left out, with a note.
+/// patches are left out. Blocks without the velocity, beside blocks with it, are solids.
 /// Error: as open_source.
 Opened open_vtk_files(const std::filesystem::path& path, const command::SourceOptions& wish = {});
 
