@@ -156,14 +156,12 @@ core::Result<std::unique_ptr<Source>> open_source(const fs::path& path,
         if (size && *size == 0 && !is_openfoam(path)) // a .foam only marks its folder
             return core::fail(Error::Code::Corrupt, name + " is empty");
     }
-    if (format == nullptr || is_plot3d(path) || lower_extension(path) == ".hdf") {
+    if (format == nullptr || is_plot3d(path) || lower_extension(path) == ".hdf")
         if (const auto held = held_format(path))
             return open_held(*held, path, wish);
-    } else if (const auto other = other_format(path, true)) {
-        return tl::unexpected(*other);
-    }
-    if (format == nullptr)
-        if (const auto other = other_format(path))
+    // Plot3D's files begin with any bytes.
+    if (!is_plot3d(path))
+        if (const auto other = other_format(path, format != nullptr))
             return tl::unexpected(*other);
     if (format == nullptr)
         return core::fail(Error::Code::Unsupported, name + " is of a format that cannot be read",

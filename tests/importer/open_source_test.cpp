@@ -82,6 +82,7 @@ TEST_F(OpenSource, SaysWhatAFileOfAnotherFormatIsAndWhatToDo) {
              {"mesh.msh", "$MeshFormat\n4.1 0 8\n", "Gmsh", "meshio"},
              {"mesh.stl", "solid body\nfacet normal 0 0 1\n", "a surface", "in the volume"},
              {"flow.h4", "\x0e\x03\x13\x01"s, "HDF4", "NetCDF"},
+             {"flow.hdf", "\x0e\x03\x13\x01"s, "HDF4", "NetCDF"},
              {"flow.vdf", "<VDF>", "VAPOR", "NetCDF"},
              {"view.pvsm", "<ParaView>\n", "a state of ParaView", "Save Data"},
              {"flow.zip", "PK\x03\x04", "a zip archive", "unpack"},
@@ -115,7 +116,8 @@ TEST_F(OpenSource, SaysWhatAFileOfAnotherFormatIsAndWhatToDo) {
 
 TEST_F(OpenSource, KnowsNetcdfAndCgnsByWhatTheyHoldWhateverTheyAreCalled) {
     for (const int format : {0, NC_64BIT_OFFSET, NC_64BIT_DATA, NC_NETCDF4})
-        for (const char* const name : {"wrfout_d01_2020-01-01_00_00_00", "flow.dat", "flow.x"}) {
+        for (const char* const name :
+             {"wrfout_d01_2020-01-01_00_00_00", "flow.dat", "flow.x", "flow.hdf"}) {
             Flow flow;
             flow.format = format;
             fs::create_directory(folder_ / "run");
