@@ -325,7 +325,7 @@ class VtkFilesSource final : public Source {
         }
         if (blocks.empty() && !plane_) { // all parts are flat: of a plane flow
             plane_ = true;
-            return describe();
+            return describe(step);
         }
         BlockRoles roles = block_roles(blocks, velocity_);
         Blocks fluid;
