@@ -248,15 +248,65 @@ TEST_F(NetcdfSource, RefusesWhatIsNotAGridInSpace) {
     flow.units["z"] = "hPa";
     expect_failure(open_source(write(flow)), Error::Code::Unsupported, "z is a pressure");
     flow = {};
-    flow.order = {"time", "y", "x"};
-    expect_failure(open_source(write(flow)), Error::Code::Unsupported,
-                   "flow.nc is not three-dimensional: w is a plane");
-    flow = {};
-    flow.axes["z"] = {1};
-    expect_failure(open_source(write(flow)), Error::Code::Unsupported, "has 1 nodes along z");
-    flow = {};
     flow.axes["y"] = {0, 1, 3, 2, 4};
     expect_failure(open_source(write(flow)), Error::Code::Corrupt, "neither increase nor decrease");
+}
+
+TEST_F(NetcdfSource, GivesAPlaneAThicknessWithOrWithoutItsThirdDimension) {
+    for (const bool uneven : {false, true})
+        for (const Names& order :
+             {Names{"time", "y", "x"}, Names{"x", "time", "y"}, Names{"time", "z", "y", "x"}}) {
+            {
+                NetcdfWriter out(folder_ / "plane.nc");
+                out.dimension("time", 2);
+                out.dimension("x", 4);
+                out.dimension("y", 3);
+                out.dimension("z", 1);
+                const int x = out.variable("x", NC_DOUBLE, {"x"});
+                const int u = out.variable("u", NC_DOUBLE, order);
+                const int v = out.variable("v", NC_DOUBLE, order);
+                out.end();
+                out.put(x,
+                        uneven ? std::vector<double>{0, 1, 3, 6} : std::vector<double>{0, 1, 2, 3});
+                std::map<std::string, std::size_t> length{
+                    {"time", 2}, {"x", 4}, {"y", 3}, {"z", 1}};
+                std::vector<std::size_t> count;
+                std::vector<std::size_t> start;
+                for (const auto& name : order) {
+                    count.push_back(length[name]);
+                    start.push_back(0);
+                }
+                for (const int variable : {u, v}) {
+                    std::vector<double> values;
+                    for (std::size_t n = 0; n < 24; ++n) {
+                        std::map<std::string, std::size_t> at;
+                        std::size_t rest = n;
+                        for (std::size_t d = order.size(); d-- > 0; rest /= count[d])
+                            at[order[d]] = rest % count[d];
+                        values.push_back(
+                            static_cast<double>(100 * at["time"] + 10 * at["y"] + at["x"]) +
+                            (variable == v ? 0.5 : 0.0));
+                    }
+                    out.put(variable, start, count, values);
+                }
+            }
+            const auto source = open_source(folder_ / "plane.nc");
+            ASSERT_TRUE(source.has_value()) << source.error().message;
+            const auto step = (*source)->read(1, (*source)->description().fields);
+            ASSERT_TRUE(step.has_value()) << step.error().message;
+            vtkDataSet& slab = *step->blocks.front();
+            ASSERT_EQ(slab.GetNumberOfPoints(), 24);
+            for (vtkIdType i = 0; i < 24; ++i) {
+                const auto value = [&](const char* name) {
+                    return slab.GetPointData()->GetArray(name)->GetTuple1(i);
+                };
+                EXPECT_EQ(value("u"), static_cast<double>(100 + 10 * (i / 4 % 3) + i % 4));
+                EXPECT_EQ(value("v"), value("u") + 0.5);
+                EXPECT_EQ(value("w"), 0.0);
+            }
+            EXPECT_LT(slab.GetBounds()[4], 0.0);
+            EXPECT_GT(slab.GetBounds()[5], 0.0);
+        }
 }
 
 TEST_F(NetcdfSource, RefusesStaggeredAndCurvilinearGrids) {

@@ -154,24 +154,13 @@ void add_third_component(vtkDataSetAttributes& arrays, const Vec3& normal) {
         if (vtkDataArray* const array = arrays.GetArray(a);
             array != nullptr && array->GetName() != nullptr && array->GetNumberOfComponents() == 1)
             scalars.push_back({array->GetName(), 1, core::FieldInfo::Source::Point, {}, {}});
-    const auto there = scalars;
-    for (const auto& scalar : there)
-        for (std::size_t place = 0; place < scalar.name.size(); ++place) {
-            const std::string third = third_of(scalar.name, place, static_cast<int>(across));
-            if (arrays.HasArray(third.c_str()) != 0)
-                continue;
-            auto with = there;
-            with.push_back({third, 1, core::FieldInfo::Source::Point, {}, {}});
-            const auto before = store::velocity_components(there, core::FieldInfo::Source::Point);
-            const auto found = store::velocity_components(with, core::FieldInfo::Source::Point);
-            if (found.size() <= before.size())
-                continue;
-            const auto zero = vtkSmartPointer<vtkFloatArray>::New();
-            zero->SetName(third.c_str());
-            zero->SetNumberOfTuples(arrays.GetArray(scalar.name.c_str())->GetNumberOfTuples());
-            zero->Fill(0.0);
-            arrays.AddArray(zero);
-        }
+    for (const auto& name : third_components(scalars, static_cast<int>(across))) {
+        const auto zero = vtkSmartPointer<vtkFloatArray>::New();
+        zero->SetName(name.c_str());
+        zero->SetNumberOfTuples(arrays.GetArray(scalars.front().name.c_str())->GetNumberOfTuples());
+        zero->Fill(0.0);
+        arrays.AddArray(zero);
+    }
 }
 
 std::optional<int> thin_axis(const std::array<int, 3>& nodes) {
@@ -304,6 +293,23 @@ vtkSmartPointer<vtkDataSet> slab_of_cells(vtkDataSet& data, const Plane& plane) 
 }
 
 } // namespace
+
+std::vector<std::string> third_components(const std::vector<core::FieldInfo>& scalars, int across) {
+    std::vector<std::string> out;
+    const auto before = store::velocity_components(scalars, core::FieldInfo::Source::Point).size();
+    for (const auto& scalar : scalars)
+        for (std::size_t place = 0; place < scalar.name.size(); ++place) {
+            const std::string third = third_of(scalar.name, place, across);
+            const auto there = [&](const core::FieldInfo& field) { return field.name == third; };
+            if (std::ranges::any_of(scalars, there) || std::ranges::find(out, third) != out.end())
+                continue;
+            auto with = scalars;
+            with.push_back({third, 1, core::FieldInfo::Source::Point, {}, {}});
+            if (store::velocity_components(with, core::FieldInfo::Source::Point).size() > before)
+                out.push_back(third);
+        }
+    return out;
+}
 
 std::optional<vtkSmartPointer<vtkDataSet>> slab_of(vtkDataSet& data) {
     if (data.GetNumberOfCells() == 0)

@@ -2,10 +2,14 @@
 // evenly on both sides of the plane and is as thick as the cells are wide, in the mean.
 #pragma once
 
+#include "core/dataset/dataset_info.hpp"
+
 #include <vtkDataSet.h>
 #include <vtkSmartPointer.h>
 
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace wakesurf::importer {
 
@@ -14,5 +18,9 @@ namespace wakesurf::importer {
 /// sides. A vector of two components in a plane of coordinates gets its third, which is zero; so does a velocity
 /// of two scalars that are called like components of one. REQUIRES: the data set is sound.
 std::optional<vtkSmartPointer<vtkDataSet>> slab_of(vtkDataSet& plane);
+
+/// Returns the names of the components across a plane of coordinates, where two scalars have the names of the others:
+/// w for u and v. @param across  the axis
+std::vector<std::string> third_components(const std::vector<core::FieldInfo>& scalars, int across);
 
 } // namespace wakesurf::importer

@@ -3,6 +3,7 @@
 #include "importer/base/lower_case.hpp"
 #include "importer/base/notes.hpp"
 #include "importer/fields/physical_units.hpp"
+#include "importer/sources/blocks/plane_slab.hpp"
 #include "importer/sources/netcdf/netcdf_no_grid.hpp"
 #include "importer/sources/netcdf/netcdf_velocity.hpp"
 #include "store/velocity_names.hpp"
@@ -25,6 +26,12 @@ struct Candidate {
     Triple dimensions{-1, -1, -1};
     std::optional<int> time;
     std::vector<NetcdfGridVariable> variables;
+
+    /// Returns the axis that a plane lacks; -1 in space.
+    int across() const {
+        const auto none = std::ranges::find(dimensions, -1);
+        return none == dimensions.end() ? -1 : static_cast<int>(none - dimensions.begin());
+    }
 };
 
 // A dimension of 3 may also be one of three runs, so it counts by its name or by the variable's.
@@ -50,6 +57,10 @@ class GridSearch {
         for (const auto& variable : file_.variables())
             if (auto looked = look_at(variable); !looked)
                 return tl::unexpected(looked.error());
+        const auto with_velocity = [this](const auto& one) { return has_velocity(one.second); };
+        if (std::ranges::none_of(candidates_, with_velocity) &&
+            std::ranges::any_of(planes_, with_velocity))
+            candidates_ = std::move(planes_);
         if (candidates_.empty())
             return tl::unexpected(why_no_grid(file_));
         const auto rank = [this](const auto& one) {
@@ -82,6 +93,9 @@ class GridSearch {
                 {name, components ? 3 : 1, core::FieldInfo::Source::Point, {0.0, 0.0}, {}});
             names.push_back(name);
         }
+        if (const int across = candidate.across(); across >= 0)
+            for (const auto& third : third_components(fields, across))
+                fields.push_back({third, 1, core::FieldInfo::Source::Point, {0.0, 0.0}, {}});
         const auto chosen = choose_velocity(fields, wish_, stated_velocities(file_, names));
         return chosen || chosen.error().code == Error::Code::InvalidArgument;
     }
@@ -111,9 +125,10 @@ class GridSearch {
             else
                 here.dimensions[axis] = dimension;
         }
-        if (std::ranges::find(here.dimensions, -1) != here.dimensions.end())
+        if (std::ranges::count(here.dimensions, -1) > 1)
             return {};
-        auto& found = candidates_[here.dimensions];
+        auto& found = (here.across() < 0 ? candidates_ : planes_)[here.dimensions];
+        found.dimensions = here.dimensions;
         if (found.time && here.time && found.time != here.time)
             return core::fail(Error::Code::Unsupported,
                               file_.name() + " has two times: that of " + variable.name +
@@ -127,6 +142,7 @@ class GridSearch {
     const NetcdfFile& file_;
     const std::string& wish_;
     std::map<Triple, Candidate> candidates_;
+    std::map<Triple, Candidate> planes_; ///< grids with two axes
 };
 
 // Converts lengths to metres; `units` of an axis keeps what the file said. Error: Unsupported (an axis that
@@ -135,6 +151,8 @@ core::Result<void> convert_axes(const NetcdfFile& file, NetcdfGrid& grid) {
     if (auto known = check_units_known(); !known)
         return known;
     for (auto& axis : grid.axes) {
+        if (axis.dimension < 0)
+            continue;
         const auto factor = factor_to_si(axis.units, Quantity::Length);
         const bool angle = axis.units.starts_with("rad") || axis.units.starts_with("arc");
         if (!factor && is_unit(axis.units) && (angle || !is_plain_number(axis.units)))
@@ -167,14 +185,13 @@ core::Result<NetcdfGrid> find_grid(const NetcdfFile& file, const std::string& ve
     if (!grid)
         return grid;
     for (std::size_t i = 0; i < 3; ++i) {
+        if (grid->axes[i].dimension < 0) {
+            grid->axes[i].nodes = {0.0};
+            continue;
+        }
         auto axis = read_axis(file, grid->axes[i].dimension);
         if (!axis)
             return tl::unexpected(axis.error());
-        if (axis->nodes.size() < 3)
-            return core::fail(Error::Code::Unsupported,
-                              file.name() + " is not three-dimensional: it has " +
-                                  std::to_string(axis->nodes.size()) + " nodes along " + "xyz"[i],
-                              "extrude it by two cells or more first");
         grid->axes[i] = std::move(*axis);
     }
     if (auto converted = convert_axes(file, *grid); !converted)

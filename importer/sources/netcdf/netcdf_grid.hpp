@@ -11,15 +11,15 @@ struct NetcdfGridVariable {
 };
 
 struct NetcdfGrid {
-    std::array<NetcdfAxis, 3> axes; ///< x, y, z
+    std::array<NetcdfAxis, 3> axes; ///< x, y, z; of a plane one has no dimension, which is -1
     std::optional<int> time;        ///< dimension
-    /// The variables on this grid: each has its three dimensions, each once, in any order. At least one.
+    /// The variables on this grid: each has the dimensions of the axes, each once, in any order. At least one.
     std::vector<NetcdfGridVariable> variables;
     std::string note; ///< what else there is
 };
 
 /// Returns the grid of the variables, of several that which has `velocity` or, if that is empty, one; in metres if the file states a unit of length. Error: Unsupported
-/// (two-dimensional data, velocities on staggered grids, curvilinear or spherical coordinates, axes that are
+/// (velocities on staggered grids, curvilinear or spherical coordinates, axes that are
 /// no lengths), Corrupt, Io.
 core::Result<NetcdfGrid> find_grid(const NetcdfFile& file, const std::string& velocity);
 

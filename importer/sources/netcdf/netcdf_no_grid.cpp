@@ -127,8 +127,9 @@ Error why_no_grid(const NetcdfFile& file) {
             dimensions = here;
         }
     if (dimensions == 2)
-        return unsupported("is not three-dimensional: " + most->name + " is a plane of values",
-                           "extrude it by two cells or more first");
+        return unsupported("has no velocity: " + most->name + " is a plane of values",
+                           "write both components in the plane, u and v, or name them with "
+                           "standard names");
     if (most != nullptr && dimensions == 4)
         for (const int dimension : most->dimensions) {
             const auto& [name, length] = file.dimensions()[static_cast<std::size_t>(dimension)];

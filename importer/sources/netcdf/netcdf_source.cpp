@@ -2,6 +2,7 @@
 #include "importer/base/notes.hpp"
 #include "importer/fields/velocity_choice.hpp"
 #include "importer/sources/blocks/fluid_blocks.hpp"
+#include "importer/sources/blocks/plane_slab.hpp"
 #include "importer/sources/files/file_names.hpp"
 #include "importer/sources/files/formats.hpp"
 #include "importer/sources/netcdf/netcdf_grid.hpp"
@@ -32,6 +33,8 @@ vtkSmartPointer<vtkDataSet> make_grid(const NetcdfFile& file, const NetcdfGrid& 
     for (std::size_t i = 0; i < 3; ++i) {
         const auto& axis = grid.axes[i];
         dimensions[i] = static_cast<int>(axis.nodes.size());
+        if (axis.nodes.size() < 2)
+            continue;
         const auto* variable =
             file.variable(file.dimensions()[static_cast<std::size_t>(axis.dimension)].name);
         even = even && core::is_even(axis.nodes, variable != nullptr && variable->type == NC_FLOAT);
@@ -44,7 +47,9 @@ vtkSmartPointer<vtkDataSet> make_grid(const NetcdfFile& file, const NetcdfGrid& 
         for (std::size_t i = 0; i < 3; ++i) {
             const auto& nodes = grid.axes[i].nodes;
             origin[i] = nodes.front();
-            spacing[i] = (nodes.back() - nodes.front()) / static_cast<double>(nodes.size() - 1);
+            spacing[i] = nodes.size() < 2 ? 1.0
+                                          : (nodes.back() - nodes.front()) /
+                                                static_cast<double>(nodes.size() - 1);
         }
         image->SetOrigin(origin.data());
         image->SetSpacing(spacing.data());
@@ -189,11 +194,17 @@ class NetcdfSource final : public SeriesSource<std::size_t> {
         if (grid->time && time >= file->dimensions()[static_cast<std::size_t>(*grid->time)].length)
             return core::fail(Error::Code::Corrupt,
                               file->name() + " has lost its time-step " + std::to_string(time));
-        SourceStep out{{make_grid(*file, *grid)}, {}, {}};
-        for (const auto& field : fields)
-            if (auto added = add_field(*out.blocks.front(), *file, *grid, field.name, time); !added)
+        const auto block = make_grid(*file, *grid);
+        for (const auto& field : fields) {
+            if (std::ranges::find(third_, field.name) != third_.end())
+                continue; // of a plane, which is not in the file
+            if (auto added = add_field(*block, *file, *grid, field.name, time); !added)
                 return tl::unexpected(added.error());
-        return out;
+        }
+        const auto sound = fluid_part(*block, file->name());
+        if (!sound)
+            return tl::unexpected(sound.error());
+        return SourceStep{{*sound}, {}, {}};
     }
 
   private:
@@ -281,6 +292,9 @@ class NetcdfSource final : public SeriesSource<std::size_t> {
         if (!grid)
             return tl::unexpected(grid.error());
         for (std::size_t i = 0; i < 3; ++i)
+            if (grid->axes[i].nodes.size() == 1)
+                third_ = third_components(fields_of(*grid), static_cast<int>(i));
+        for (std::size_t i = 0; i < 3; ++i)
             if (grid->axes[i].numbered)
                 add_note(description_.note, std::string("the file has no coordinates along ") +
                                                 "xyz"[i] + ": node numbers are used");
@@ -291,7 +305,8 @@ class NetcdfSource final : public SeriesSource<std::size_t> {
         described_ = step;
         description_.fields = common_fields(described->blocks);
         for (auto& field : description_.fields)
-            field.unit = unit_of(*file, *file->variable(field.name)).unit;
+            if (const auto* variable = file->variable(field.name))
+                field.unit = unit_of(*file, *variable).unit;
         add_note(description_.note, note_on_units(*file, *grid, velocity_names(), time_unit_));
         note_directions(*file, *grid);
         const auto velocity = velocity_names();
@@ -333,6 +348,7 @@ class NetcdfSource final : public SeriesSource<std::size_t> {
     std::map<std::size_t, std::vector<FieldInfo>> fields_; ///< of each file
     std::vector<Error> without_grid_;                      ///< why files are left out
     std::optional<std::size_t> described_;                 ///< the time-step
+    std::vector<std::string> third_;                       ///< components that a plane lacks
     std::string source_note_;                              ///< without what that time-step shows
     /// The point in time that times are counted from.
     std::string reference_;
