@@ -4,8 +4,8 @@
 #include "core/dataset/rectilinear_grid.hpp"
 #include "core/dataset/uniform_grid.hpp"
 #include "importer/assembly/mesh_assembly.hpp"
-#include "importer/assembly/slab_mark.hpp"
 #include "importer/base/notes.hpp"
+#include "importer/base/slab_mark.hpp"
 #include "store/store_grid.hpp"
 
 #include <vtkCellData.h>

@@ -10,7 +10,7 @@ What wakesurf reads and writes. `wakesurf info FILE` shows what was understood o
 ## What is read
 
 Velocity may be a vector, three fields with the names of components, or momentum over density. Data are converted once, and sampled on their own
-grid: uniform, rectilinear, curvilinear or unstructured. What is two-dimensional, moves its mesh or has curved cells is refused with the
+grid: uniform, rectilinear, curvilinear or unstructured. Planes are given a thickness. What moves its mesh or has curved cells is refused with the
 reason.
 
 """

@@ -1,6 +1,6 @@
 #include "importer/sources/blocks/plane_slab.hpp"
 
-#include "importer/assembly/slab_mark.hpp"
+#include "importer/base/slab_mark.hpp"
 #include "store/velocity_names.hpp"
 
 #include <vtkCellArray.h>
