@@ -198,7 +198,9 @@ Result<SceneSuggestion> suggest_scene(const Flow& flow,
             return tl::unexpected(ring.error());
         out.why = "The rake is a ring round the axis, half-way through what flows there.";
     }
-    const double long_enough = usual_time(choice);
+    // Never so short that two times are one number, however fast a simulation that diverged is.
+    const double least = 1e-9 * std::max(std::abs(shown), times.back() - times.front());
+    const double long_enough = std::max(usual_time(choice), least);
     const Vec3 sweep = choice.sweep;
     out.surfaces.push_back(surface_of(SurfaceKind::Stream, shown, shown + long_enough,
                                       separation_of(flow, choice, long_enough), sweep));
