@@ -24,6 +24,7 @@
 #include <fstream>
 #include <string>
 #include <thread>
+#include <utility>
 
 namespace wakesurf::importer {
 
@@ -91,6 +92,14 @@ bool same_size(const store::StoredGrid& a, const store::StoredGrid& b) {
            a.dimensions == b.dimensions;
 }
 
+// Its files stay known: once they change, the series may go on.
+void end_before(std::size_t step, store::StoreManifest& manifest) {
+    manifest.layout.times.resize(step);
+    manifest.info.times.resize(step);
+    manifest.info.steady = step == 1;
+    manifest.source.steps.resize(step + 1);
+}
+
 class Conversion {
   public:
     Conversion(const ImportRequest& request,
@@ -100,7 +109,7 @@ class Conversion {
         : request_(request), plan_(plan), writer_(writer), show_(show) {}
 
     core::Result<void> run(std::optional<EarlierImport> earlier) {
-        auto reading = read_first_step(plan_, !earlier);
+        auto reading = read_first_step(plan_, !earlier, torn_);
         if (!reading)
             return tl::unexpected(reading.error());
         reading_ = std::move(*reading);
@@ -129,7 +138,20 @@ class Conversion {
         fixed_files_missing_ = !earlier;
         done_before_ = plan_.times.size() - todo_.size();
         begun_ = std::chrono::steady_clock::now();
+        if (request_.growing && done_before_ > 0) // these can be used, whatever comes
+            show_({"import", done_before_, plan_.times.size(), {}, {}});
         auto converted = convert_all();
+        if (!converted && torn_ && !std::exchange(begun_again_, true)) {
+            todo_.clear();
+            written_ = 0;
+            ranged_ = false;
+            return run(std::nullopt);
+        }
+        if (!converted && ends_there(converted.error())) {
+            remove_unfinished();
+            end_there(converted.error());
+            converted = {};
+        }
         if (!converted) {
             remove_unfinished();
             if (written_ > 0 || earlier)
@@ -146,6 +168,21 @@ class Conversion {
     }
 
   private:
+    // Says whether the series ends before the time-step that could not be converted: what was before is whole then.
+    bool ends_there(const Error& why) const {
+        return !request_.growing && done() > 0 && written_ < todo_.size() &&
+               done() == todo_[written_] && ends_series(why);
+    }
+
+    void end_there(const Error& why) {
+        const std::size_t steps = done();
+        plan_.end_note = note_on_end(plan_.times[steps], why);
+        add_note(described_, plan_.end_note);
+        plan_.times.resize(steps);
+        end_before(steps, manifest_);
+        show_({"import", steps, steps, file_of(steps - 1), plan_.end_note});
+    }
+
     core::Result<void> note_rounding() {
         const auto velocity = velocity_of(plan_, reading_.first, 0, reading_.step);
         if (!velocity)
@@ -275,6 +312,10 @@ class Conversion {
     }
 
     core::Result<void> commit(std::size_t index, const StepRecord& record) {
+        if (record.tears && !torn_) {
+            torn_ = true; // the mesh must be another one, by all time-steps
+            return core::fail(Error::Code::Unsupported, "pieces of the mesh come apart");
+        }
         include_record(index, record);
         // With its range the store can be opened from the first time-step on.
         if (index == 0)
@@ -316,32 +357,40 @@ class Conversion {
     FirstStepReading reading_;
     store::StoreManifest manifest_;
     bool fixed_files_missing_ = false;
-    bool ranged_ = false;   ///< the manifest's ranges are of stored values
-    std::string described_; ///< the note, without what converting the time-steps shows
+    bool torn_ = false;        ///< points that were one node must not be
+    bool begun_again_ = false; ///< for that reason
+    bool ranged_ = false;      ///< the manifest's ranges are of stored values
+    std::string described_;    ///< the note, without what converting the time-steps shows
     std::vector<std::size_t> todo_;
     std::size_t done_before_ = 0;
     std::size_t written_ = 0; ///< of todo_, in order
     std::chrono::steady_clock::time_point begun_;
 };
 
-// Returns the first time-step, of a few, at which an import would end: checking all would cost as much as the
-// import.
-std::string what_ends_an_import(const ImportPlan& plan, const FirstStep& first) {
+// Describes where an import would end, by a few time-steps: checking all would cost as much as the import.
+void note_what_ends_an_import(const ImportPlan& plan,
+                              const FirstStep& first,
+                              store::StoreManifest& manifest) {
     const std::size_t last = plan.times.size() - 1;
     for (const std::size_t index : {std::size_t{1}, last}) {
         if (index > last || index == 0)
             continue;
-        const auto step = plan.read(index);
+        auto step = plan.read(index);
         const auto sound =
-            step ? check_mesh_of(plan, first, index, *step) : tl::unexpected(step.error());
+            step ? take_mesh_of(plan, first, index, *step) : tl::unexpected(step.error());
+        if (!sound && ends_series(sound.error())) {
+            end_before(index, manifest);
+            return add_note(manifest.info.note, note_on_end(plan.times[index], sound.error()));
+        }
         if (!sound)
-            return "an import will end before time " + time_text(plan.times[index]) + ": " +
-                   sound.error().message +
-                   (sound.error().hint.empty() ? "" : " (" + sound.error().hint + ")");
+            return add_note(
+                manifest.info.note,
+                "an import will end before time " + time_text(plan.times[index]) + ": " +
+                    sound.error().message +
+                    (sound.error().hint.empty() ? "" : " (" + sound.error().hint + ")"));
         if (index == last)
             break;
     }
-    return {};
 }
 
 bool up_to_date(const EarlierImport& earlier) {
@@ -372,7 +421,7 @@ core::Result<core::DatasetInfo> describe_source(const ImportRequest& request) {
     if (speed.empty())
         add_note(note, "no velocity of the first time-step is a number (in single precision)");
     reading->step = {}; // before others are read
-    add_note(note, what_ends_an_import(*plan, reading->first));
+    note_what_ends_an_import(*plan, reading->first, *manifest);
     return manifest->info;
 }
 
@@ -392,15 +441,19 @@ core::Result<void> convert(const ImportRequest& request,
     if (!writer)
         return tl::unexpected(writer.error());
     auto earlier = earlier_import(*writer, *plan);
-    const std::size_t total = plan->times.size();
+    const auto done = [&](const std::string& note) {
+        show({"done", plan->times.size(), plan->times.size(), {}, note});
+    };
     if (earlier && up_to_date(*earlier)) {
-        show({"done", total, total, {}, "the store is up to date"});
+        std::string note = "the store is up to date";
+        add_note(note, plan->end_note);
+        done(note);
         return {};
     }
     if (auto converted = Conversion(request, *plan, *writer, show).run(std::move(earlier));
         !converted)
         return converted;
-    show({"done", total, total, {}, {}});
+    done({});
     return {};
 }
 

@@ -1,8 +1,13 @@
 #include "importer/first_step.hpp"
 
+#include "importer/assembly/node_values.hpp"
 #include "importer/assembly/same_mesh.hpp"
 #include "importer/assembly/wall_assembly.hpp"
 #include "importer/base/notes.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <span>
 
 namespace wakesurf::importer {
 
@@ -10,27 +15,56 @@ using core::Error;
 
 namespace {
 
-// Cell values averaged to a wall's nodes are not zero there even where the flow is at rest.
-bool shows_rest(const ImportPlan& plan) {
+// Cell values averaged to a wall's nodes are not zero there even where the flow is at rest, and have no jumps.
+bool is_of_points(const ImportPlan& plan) {
     return plan.choice.velocity.arrays.front().source == core::FieldInfo::Source::Point;
 }
 
+// Hands out the velocities at all points of the first two time-steps and the last, or of all; those that cannot
+// be read are reported when the import reaches them.
+core::Result<void> look_at(const ImportPlan& plan,
+                           FirstStepReading& reading,
+                           bool all,
+                           const std::function<void(std::span<const float>)>& look) {
+    const auto first = point_values(reading.step.blocks, plan.choice.velocity);
+    if (!first)
+        return tl::unexpected(first.error());
+    look(*first);
+    const std::size_t end = plan.times.size();
+    for (std::size_t index = 1; index < end; ++index) {
+        if (!all && index > 1 && index + 1 < end)
+            continue;
+        auto step = plan.read(index);
+        if (!step || !take_mesh_of(plan, reading.first, index, *step))
+            continue;
+        if (const auto values = point_values(step->blocks, plan.choice.velocity))
+            look(*values);
+        if (index + 1 == end)
+            reading.last = std::move(*step);
+    }
+    return {};
+}
+
 core::Result<void> find_faces_at_rest(const ImportPlan& plan, FirstStepReading& reading) {
-    if (!std::holds_alternative<core::CellMesh>(reading.first.assembly.grid) || !shows_rest(plan))
+    if (!std::holds_alternative<core::CellMesh>(reading.first.assembly.grid) || !is_of_points(plan))
         return {};
     const auto first = velocity_of(plan, reading.first, 0, reading.step);
     if (!first)
         return tl::unexpected(first.error());
     auto last = first;
-    if (const std::size_t index = plan.times.size() - 1; index > 0) {
-        auto step = plan.read(index);
-        // A last time-step that cannot be read is reported when the import reaches it.
-        if (step && check_mesh_of(plan, reading.first, index, *step)) {
-            last = velocity_of(plan, reading.first, index, *step);
+    // One that cannot be read is reported when the import reaches it; the last that can is the one before it.
+    const std::size_t end = plan.times.size();
+    for (std::size_t index = end - 1; index > 0 && index + 2 >= end; --index) {
+        auto step = index + 1 == end && reading.last
+                        ? core::Result<SourceStep>(std::move(*reading.last))
+                        : plan.read(index);
+        if (!step || !take_mesh_of(plan, reading.first, index, *step))
+            continue;
+        if (auto velocity = velocity_of(plan, reading.first, index, *step))
+            last = std::move(velocity);
+        if (index + 1 == end)
             reading.last = std::move(*step);
-        }
-        if (!last)
-            last = first;
+        break;
     }
     add_still_walls(reading.first.assembly, *first, *last);
     return {};
@@ -38,7 +72,8 @@ core::Result<void> find_faces_at_rest(const ImportPlan& plan, FirstStepReading& 
 
 } // namespace
 
-core::Result<FirstStepReading> read_first_step(const ImportPlan& plan, bool with_last) {
+core::Result<FirstStepReading>
+read_first_step(const ImportPlan& plan, bool with_last, bool with_all) {
     auto step = plan.read(0);
     if (!step)
         return tl::unexpected(step.error());
@@ -55,14 +90,18 @@ core::Result<FirstStepReading> read_first_step(const ImportPlan& plan, bool with
                     [](const ChosenScalar& scalar) {
                         return scalar.field.source == core::FieldInfo::Source::Cell;
                     });
-    auto assembly =
-        assemble_grid(reading.step.blocks, {first.mask.solid, of_cells}).map_error(about);
+    first.blocks = without_values(reading.step.blocks);
+    AssemblyRequest request{first.mask.solid, of_cells};
+    if (is_of_points(plan))
+        request.velocities = [&](const auto& look) {
+            return look_at(plan, reading, with_all, look);
+        };
+    auto assembly = assemble_grid(reading.step.blocks, request).map_error(about);
     if (!assembly)
         return tl::unexpected(assembly.error());
     first.assembly = std::move(*assembly);
     if (auto* mesh = std::get_if<core::CellMesh>(&first.assembly.grid))
         mesh->axis = plan.source->description().axis;
-    first.blocks = without_values(reading.step.blocks);
     Walls walls = find_walls(first.assembly, reading.step);
     if (walls.unmatched > 0)
         add_note(first.assembly.note, std::to_string(walls.unmatched) +

@@ -16,9 +16,11 @@ struct FirstStepReading {
     std::optional<SourceStep> last;
 };
 
-/// Reads the first time-step. Error: as Source::read and assemble_grid, naming the time-step.
+/// Reads the first time-step; where pieces of the mesh meet also the second and the last, or all: velocities that jump there
+/// keep them apart. Error: as Source::read and assemble_grid, naming the time-step.
 /// @param with_last  reads the last time-step as well: boundary faces at rest at both are walls. Without it
 /// they are not.
-core::Result<FirstStepReading> read_first_step(const ImportPlan& plan, bool with_last);
+core::Result<FirstStepReading>
+read_first_step(const ImportPlan& plan, bool with_last, bool with_all = false);
 
 } // namespace wakesurf::importer

@@ -61,19 +61,36 @@ core::Result<Times> times_of(const SourceDescription& source, const command::Sou
     return out;
 }
 
-core::Result<store::StoreSource> files_of(const Source& source,
-                                          const std::vector<std::size_t>& steps) {
+// Takes the time-steps of `steps` up to the first that cannot be read, but its files as well: they may be whole
+// later.
+core::Result<void> take_steps(const std::vector<double>& times,
+                              const std::vector<std::size_t>& steps,
+                              bool growing,
+                              ImportPlan& plan) {
+    const Source& source = *plan.source;
     auto shared = source.shared_files();
     if (!shared)
         return tl::unexpected(shared.error());
-    store::StoreSource out{std::move(*shared), {}, {}};
+    plan.made_from.files = std::move(*shared);
     for (const std::size_t step : steps) {
         auto files = source.files(step);
-        if (!files)
-            return tl::unexpected(files.error());
-        out.steps.push_back(std::move(*files));
+        const auto known = source.description().unreadable.find(step);
+        const bool unreadable = !growing && known != source.description().unreadable.end();
+        if (files)
+            plan.made_from.steps.push_back(std::move(*files));
+        if (files && !unreadable) {
+            plan.steps.push_back(step);
+            plan.times.push_back(times[step]);
+            continue;
+        }
+        const Error& why = unreadable ? known->second : files.error();
+        const bool gone = why.code == Error::Code::NotFound; // a piece, as of a run that was killed
+        if (plan.steps.empty() || (!gone && !ends_series(why)))
+            return tl::unexpected(why);
+        plan.end_note = note_on_end(times[step], why);
+        break;
     }
-    return out;
+    return {};
 }
 
 // Returns true if a mask of 0 and 1 at first has other values at the last time-step: it is a fraction. A
@@ -112,6 +129,11 @@ std::size_t place_of(std::size_t step, const std::vector<std::size_t>& steps) {
 
 } // namespace
 
+std::string note_on_end(double time, const Error& why) {
+    return "the data end before time " + time_text(time) + ": " + why.message +
+           (why.hint.empty() ? "" : " (" + why.hint + ")");
+}
+
 core::Result<ImportPlan> make_plan(const ImportRequest& request, const UnclearVelocity& unclear) {
     return open_source(request.source, request.taken).and_then([&](std::unique_ptr<Source> source) {
         return plan_of(std::move(source), request, unclear);
@@ -134,24 +156,19 @@ core::Result<ImportPlan> plan_of(std::unique_ptr<Source> source,
     auto settled = settle_fields(*source, *steps, times->values, request.taken.velocity);
     if (!settled)
         return tl::unexpected(settled.error());
-    auto files = files_of(*source, settled->steps);
-    if (!files)
-        return tl::unexpected(files.error());
     ImportPlan plan;
-    plan.steps = std::move(settled->steps);
+    plan.source = std::move(source);
     plan.described = settled->described;
     plan.fields = std::move(settled->fields);
-    plan.made_from = std::move(*files);
+    if (auto taken = take_steps(times->values, settled->steps, request.growing, plan); !taken)
+        return tl::unexpected(taken.error());
     plan.made_from.selection = request.selection;
     plan.precision = request.precision;
     plan.placement = request.placement;
     plan.jobs = request.jobs;
     plan.memory = request.memory;
-    for (const std::size_t step : plan.steps)
-        plan.times.push_back(times->values[step]);
     plan.time_note = std::move(times->note);
     add_note(plan.time_note, settled->note);
-    plan.source = std::move(source);
     const auto& fields = plan.fields;
     const auto& stated = plan.source->description().velocities;
     FieldWish wish{request.fields, request.taken.velocity, {}, stated};

@@ -21,6 +21,9 @@ struct ImportRequest {
     std::filesystem::path source;
     std::vector<std::string> fields;
     std::vector<TimeSelection> times; ///< ranges; none: all
+    /// A server follows the source: a time-step that cannot be read may be whole soon. Its time is kept, and the
+    /// import ends there with an error; else the data end before it.
+    bool growing = false;
     command::SourceOptions taken;
     core::Precision precision = core::Precision::Single;
     store::StepPlacement placement = store::StepPlacement::Auto;
@@ -38,12 +41,13 @@ struct ImportPlan {
     std::vector<double> times;
     std::string time_note; ///< where they come from, if that is not plain, and which are left out
     std::vector<core::FieldInfo> fields; ///< of the source, those that all time-steps have
+    std::string end_note; ///< why the data end before the last time-step asked for; else empty
     FieldChoice choice;
     core::Precision precision = core::Precision::Single;
     store::StepPlacement placement = store::StepPlacement::Auto;
     std::size_t jobs = 0;
-    std::uint64_t memory = 0; ///< as ImportRequest
-    store::StoreSource made_from;
+    std::uint64_t memory = 0;     ///< as ImportRequest
+    store::StoreSource made_from; ///< also of the time-step that the data end before
 
     /// Returns a name for messages: "flow_3.vti (time-step 3)".
     std::string step_name(std::size_t index) const;
@@ -61,6 +65,9 @@ using UnclearVelocity = std::function<void(std::vector<std::string>)>;
 /// states its times.
 core::Result<ImportPlan> make_plan(const ImportRequest& request,
                                    const UnclearVelocity& unclear = {});
+
+/// Returns the note on data that end before `time`.
+std::string note_on_end(double time, const core::Error& why);
 
 /// Plans the import of a source that is open, and fails like make_plan.
 core::Result<ImportPlan> plan_of(std::unique_ptr<Source> source,

@@ -49,11 +49,11 @@ bool same_but_for_steps(const store::StoreManifest& before, const ImportPlan& pl
            store::goes_on(plan.placement, before.layout.brick_cells) &&
            before.layout.scalars == stored_scalars(plan) &&
            before.info.velocity == plan.choice.velocity_name &&
-           before.source.steps.size() == before.layout.times.size();
+           before.source.steps.size() >= before.layout.times.size();
 }
 
 bool same_step(const store::StoreManifest& before, const ImportPlan& plan, std::size_t index) {
-    return index < before.source.steps.size() && index < plan.times.size() &&
+    return index < before.layout.times.size() && index < plan.times.size() &&
            before.source.steps[index] == plan.made_from.steps[index] &&
            before.layout.times[index] == plan.times[index];
 }
@@ -67,7 +67,7 @@ std::optional<EarlierImport> earlier_import(const store::StoreWriter& writer,
         return std::nullopt;
     const std::size_t columns = before->layout.columns();
     const std::size_t steps = std::max(before->layout.times.size(), plan.times.size());
-    bool same = true;
+    bool same = before->source.steps == plan.made_from.steps;
     for (std::size_t i = 0; i < steps; ++i) {
         const bool matches = same_step(*before, plan, i);
         same = same && matches;

@@ -212,6 +212,10 @@ int main(int argc, char** argv) {
                  "show on standard error what the file libraries print");
     app.add_option("--parent", wish.parent, "end when this process, which started it, ends")
         ->group("");
+    app.add_flag(
+           "--growing", wish.request.growing,
+           "keep the time of a time-step that cannot be read yet, and end there with an error")
+        ->group("");
     auto* describe = app.add_flag("--describe", describe_only,
                                   "print a description of SOURCE as JSON; write nothing");
     app.add_flag_callback("--man-page",

@@ -3,6 +3,7 @@
 #include "core/base/half.hpp"
 #include "core/base/vec3.hpp"
 #include "importer/assembly/node_values.hpp"
+#include "importer/assembly/reordered_mesh.hpp"
 #include "importer/assembly/same_mesh.hpp"
 #include "store/value_writing.hpp"
 
@@ -131,13 +132,15 @@ Range value_range(std::span<const float> values) {
     return range;
 }
 
-core::Result<void> check_mesh_of(const ImportPlan& plan,
-                                 const FirstStep& first,
-                                 std::size_t index,
-                                 const SourceStep& step) {
-    if (!same_mesh(first.blocks, step.blocks))
-        return differs(plan, index, "mesh",
-                       "all time-steps must share one mesh: a moving mesh cannot be read");
+core::Result<void>
+take_mesh_of(const ImportPlan& plan, const FirstStep& first, std::size_t index, SourceStep& step) {
+    if (!same_mesh(first.blocks, step.blocks)) {
+        auto ordered = values_on(first.blocks, step.blocks);
+        if (!ordered)
+            return differs(plan, index, "mesh",
+                           "all time-steps must share one mesh: a moving mesh cannot be read");
+        step.blocks = std::move(*ordered);
+    }
     auto mask = read_mask(step.blocks, plan.choice);
     if (!mask)
         return tl::unexpected(about_step(plan, index, mask.error()));
@@ -176,6 +179,9 @@ core::Result<StepRecord> write_step(const ImportPlan& plan,
         if (!velocity)
             return tl::unexpected(velocity.error());
         record.speed = speed_range(*velocity, first.mask.fluid);
+        if (!first.assembly.meeting.empty())
+            if (const auto all = point_values(step.blocks, plan.choice.velocity))
+                record.tears = first.assembly.meeting.tears(*all);
         auto written = writing.write(plan.choice.velocity_name, *velocity);
         if (!written)
             return tl::unexpected(written.error());
@@ -200,10 +206,10 @@ core::Result<StepRecord> convert_step(const ImportPlan& plan,
     try {
         if (read != nullptr)
             return write_step(plan, first, index, *read, layout, writer);
-        const auto step = plan.read(index);
+        auto step = plan.read(index);
         if (!step)
             return tl::unexpected(step.error());
-        if (auto same = check_mesh_of(plan, first, index, *step); !same)
+        if (auto same = take_mesh_of(plan, first, index, *step); !same)
             return tl::unexpected(same.error());
         return write_step(plan, first, index, *step, layout, writer);
     } catch (const std::bad_alloc&) {

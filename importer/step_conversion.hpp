@@ -30,6 +30,7 @@ struct StepRecord {
     std::vector<std::uint32_t> checksums; ///< velocity, then the scalars
     Range speed;
     std::vector<Range> scalars;
+    bool tears = false; ///< velocities jump at points that are one node, see MeetingPoints
 };
 
 /// Holds the mesh and the mask of the first time-step, which all others must have.
@@ -41,11 +42,10 @@ struct FirstStep {
     std::vector<std::uint32_t> still;
 };
 
-/// Returns Unsupported, naming both time-steps, if the mesh or the mask differs from the first.
-core::Result<void> check_mesh_of(const ImportPlan& plan,
-                                 const FirstStep& first,
-                                 std::size_t index,
-                                 const SourceStep& step);
+/// Brings a time-step whose mesh is that of the first in another order, or in other pieces, into its order.
+/// Returns Unsupported, naming both time-steps, if the mesh or the mask is another one.
+core::Result<void>
+take_mesh_of(const ImportPlan& plan, const FirstStep& first, std::size_t index, SourceStep& step);
 
 core::Result<std::vector<float>> velocity_of(const ImportPlan& plan,
                                              const FirstStep& first,
@@ -62,7 +62,7 @@ core::Result<StepRecord> write_step(const ImportPlan& plan,
                                     const store::StoreLayout& layout,
                                     store::StoreWriter& writer);
 
-/// Reads and writes a time-step. Error: also as Source::read and check_mesh_of.
+/// Reads and writes a time-step. Error: also as Source::read and take_mesh_of.
 /// @param read  the time-step, checked, if it was read already; else null
 core::Result<StepRecord> convert_step(const ImportPlan& plan,
                                       const FirstStep& first,

@@ -58,6 +58,7 @@ std::vector<double> numbers_of(const StepRecord& record) {
     for (const Range& range : record.scalars)
         out.insert(out.end(), {range.lo, range.hi});
     out.insert(out.end(), record.checksums.begin(), record.checksums.end());
+    out.push_back(record.tears ? 1.0 : 0.0);
     return out;
 }
 
@@ -67,8 +68,9 @@ StepRecord record_of(const std::vector<double>& numbers) {
     record.speed = {numbers.at(0), numbers.at(1)};
     for (std::size_t i = 1; i < columns; ++i)
         record.scalars.push_back({numbers.at(2 * i), numbers.at(2 * i + 1)});
-    for (std::size_t i = 2 * columns; i < numbers.size(); ++i)
+    for (std::size_t i = 2 * columns; i + 1 < numbers.size(); ++i)
         record.checksums.push_back(static_cast<std::uint32_t>(numbers[i]));
+    record.tears = numbers.back() != 0.0;
     return record;
 }
 

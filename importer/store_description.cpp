@@ -89,6 +89,7 @@ core::Result<store::StoreManifest> describe_store(const ImportPlan& plan,
     info.obstacle = layout.mask || layout.walls;
     info.bytes_per_step = store::step_file_size(info.points, 3, core::Precision::Single);
     add_note(info.note, plan.time_note);
+    add_note(info.note, plan.end_note);
     add_note(info.note, source.note);
     add_note(info.note, assembly.note);
     add_note(info.note, plan.choice.note);

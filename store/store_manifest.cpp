@@ -53,7 +53,7 @@ core::Result<void> check_agreement(const StoreManifest& manifest) {
     const core::DatasetInfo& info = manifest.info;
     if (info.times != layout.times)
         return disagree("times");
-    if (!manifest.source.steps.empty() && manifest.source.steps.size() != layout.times.size())
+    if (!manifest.source.steps.empty() && manifest.source.steps.size() < layout.times.size())
         return disagree("times and files");
     const auto& uniform = layout.grid.uniform;
     const bool is_uniform = layout.grid.kind == core::GridKind::Uniform;

@@ -47,6 +47,27 @@ std::optional<CellShape> shape_of(int type) {
     }
 }
 
+// Returns the type of the cell with straight edges that a cell of any order is if it has its corners only;
+// else `type`.
+int straight_type(int type, vtkIdType nodes) {
+    switch (type) {
+    case VTK_LAGRANGE_TETRAHEDRON:
+    case VTK_BEZIER_TETRAHEDRON:
+        return nodes == 4 ? VTK_TETRA : type;
+    case VTK_LAGRANGE_PYRAMID:
+    case VTK_BEZIER_PYRAMID:
+        return nodes == 5 ? VTK_PYRAMID : type;
+    case VTK_LAGRANGE_WEDGE:
+    case VTK_BEZIER_WEDGE:
+        return nodes == 6 ? VTK_WEDGE : type;
+    case VTK_LAGRANGE_HEXAHEDRON:
+    case VTK_BEZIER_HEXAHEDRON:
+        return nodes == 8 ? VTK_HEXAHEDRON : type;
+    default:
+        return type;
+    }
+}
+
 bool is_flat(int type) {
     switch (type) {
     case VTK_EMPTY_CELL:
@@ -70,6 +91,9 @@ bool is_flat(int type) {
     case VTK_LAGRANGE_CURVE:
     case VTK_LAGRANGE_TRIANGLE:
     case VTK_LAGRANGE_QUADRILATERAL:
+    case VTK_BEZIER_CURVE:
+    case VTK_BEZIER_TRIANGLE:
+    case VTK_BEZIER_QUADRILATERAL:
         return true;
     default:
         return false;
@@ -95,6 +119,19 @@ tl::unexpected<Error> damaged(std::size_t index, const char* what) {
 }
 
 } // namespace
+
+std::vector<std::vector<std::uint32_t>> faces_of(const BlockCell& cell) {
+    if (cell.form == Form::Polyhedron)
+        return cell.faces;
+    std::vector<std::vector<std::uint32_t>> faces;
+    for (std::size_t f = 0; cell.form == Form::Standard && f < core::face_count(cell.shape); ++f) {
+        const core::CellFace corners = core::face(cell.shape, f);
+        faces.emplace_back();
+        for (std::size_t i = 0; i < corners.count; ++i)
+            faces.back().push_back(cell.point[corners.node[i]]);
+    }
+    return faces;
+}
 
 BlockCells::BlockCells(vtkDataSet& data)
     : grid_(vtkUnstructuredGrid::SafeDownCast(&data)),
@@ -160,13 +197,17 @@ void BlockCells::read_structured(std::size_t index, BlockCell& cell) const {
 core::Result<void> BlockCells::read_unstructured(std::size_t index, BlockCell& cell) {
     const int type = grid_->GetCellType(static_cast<vtkIdType>(index));
     if (shape_of(type))
-        return read_standard(index, cell);
+        return read_standard(index, type, cell);
     if (type == VTK_POLYHEDRON)
         return read_polyhedron(index, cell);
     if (type == VTK_PENTAGONAL_PRISM || type == VTK_HEXAGONAL_PRISM)
         return read_prism(index, cell);
     if (is_flat(type))
         return {};
+    if (const int straight =
+            straight_type(type, grid_->GetCells()->GetCellSize(static_cast<vtkIdType>(index)));
+        straight != type && grid_->GetPointData()->GetRationalWeights() == nullptr)
+        return read_standard(index, straight, cell);
     const char* name = vtkCellTypes::GetClassNameFromTypeId(type);
     return core::fail(Error::Code::Unsupported,
                       "cell " + std::to_string(index) + " is a " +
@@ -175,8 +216,7 @@ core::Result<void> BlockCells::read_unstructured(std::size_t index, BlockCell& c
                       "write the mesh with linear cells or polyhedra");
 }
 
-core::Result<void> BlockCells::read_standard(std::size_t index, BlockCell& cell) {
-    const int type = grid_->GetCellType(static_cast<vtkIdType>(index));
+core::Result<void> BlockCells::read_standard(std::size_t index, int type, BlockCell& cell) {
     cell.shape = *shape_of(type);
     vtkIdType count = 0;
     const vtkIdType* ids = nullptr;

@@ -25,6 +25,24 @@ struct BlockCell {
     std::vector<std::vector<std::uint32_t>> faces; ///< of Polyhedron, at least 4
 };
 
+/// Returns the faces of a cell; none of None.
+std::vector<std::vector<std::uint32_t>> faces_of(const BlockCell& cell);
+
+/// Calls visit(p, q) for the ends of every edge, once or more often.
+template <class Visit>
+void visit_edges(const BlockCell& cell, const Visit& visit) {
+    for (std::size_t f = 0;
+         cell.form == BlockCell::Form::Standard && f < core::face_count(cell.shape); ++f) {
+        const core::CellFace corners = core::face(cell.shape, f);
+        for (std::size_t i = 0; i < corners.count; ++i)
+            visit(cell.point[corners.node[i]], cell.point[corners.node[(i + 1) % corners.count]]);
+    }
+    if (cell.form == BlockCell::Form::Polyhedron)
+        for (const auto& face : cell.faces)
+            for (std::size_t i = 0; i < face.size(); ++i)
+                visit(face[i], face[(i + 1) % face.size()]);
+}
+
 /// Reads the cells of one data set, by their index. Not thread-safe.
 class BlockCells {
   public:
@@ -46,7 +64,7 @@ class BlockCells {
     bool touches_hidden_point(const BlockCell& cell) const;
     void read_structured(std::size_t index, BlockCell& cell) const;
     core::Result<void> read_unstructured(std::size_t index, BlockCell& cell);
-    core::Result<void> read_standard(std::size_t index, BlockCell& cell);
+    core::Result<void> read_standard(std::size_t index, int type, BlockCell& cell);
     core::Result<void> read_polyhedron(std::size_t index, BlockCell& cell);
     core::Result<void> read_prism(std::size_t index, BlockCell& cell);
 

@@ -77,7 +77,8 @@ class MeshAssembly {
             return core::over_limit(most, "has more than 2^32 points");
         if (auto marked = mark_used(); !marked)
             return tl::unexpected(marked.error());
-        number_nodes();
+        if (auto numbered = number_nodes(); !numbered)
+            return tl::unexpected(numbered.error());
         if (auto built = build_cells(); !built)
             return tl::unexpected(built.error());
         if (mesh_.cells.empty())
@@ -164,18 +165,7 @@ class MeshAssembly {
                     if (const double length = glm::length(at(p) - at(q)); length > 0.0)
                         shortest = std::min(shortest, length);
                 };
-                const std::size_t faces =
-                    cell.form == Form::Standard ? core::face_count(cell.shape) : 0;
-                for (std::size_t f = 0; f < faces; ++f) {
-                    const core::CellFace corners = core::face(cell.shape, f);
-                    for (std::size_t i = 0; i < corners.count; ++i)
-                        look(cell.point[corners.node[i]],
-                             cell.point[corners.node[(i + 1) % corners.count]]);
-                }
-                if (cell.form == Form::Polyhedron)
-                    for (const auto& face : cell.faces)
-                        for (std::size_t i = 0; i < face.size(); ++i)
-                            look(face[i], face[(i + 1) % face.size()]);
+                visit_edges(cell, look);
                 const auto reach = static_cast<float>(part_of_edge * shortest);
                 visit_points(cell, [&](std::uint32_t p) {
                     auto& here = points_.reach[points_.first[b] + p];
@@ -183,20 +173,6 @@ class MeshAssembly {
                 });
             }));
         }
-    }
-
-    static std::vector<Polygon> faces_of(const BlockCell& cell) {
-        if (cell.form == Form::Polyhedron)
-            return cell.faces;
-        std::vector<Polygon> faces;
-        for (std::size_t f = 0; cell.form == Form::Standard && f < core::face_count(cell.shape);
-             ++f) {
-            const core::CellFace corners = core::face(cell.shape, f);
-            faces.emplace_back();
-            for (std::size_t i = 0; i < corners.count; ++i)
-                faces.back().push_back(cell.point[corners.node[i]]);
-        }
-        return faces;
     }
 
     std::vector<FacePoints> faces_at(const std::vector<bool>& marked) {
@@ -222,7 +198,7 @@ class MeshAssembly {
         return found;
     }
 
-    void number_nodes() {
+    core::Result<void> number_nodes() {
         Vec3 lo(HUGE_VAL);
         Vec3 hi(-HUGE_VAL);
         for (std::size_t i = 0; i < points_.at.size(); ++i)
@@ -236,9 +212,12 @@ class MeshAssembly {
             const double slack = same_place * std::max({size.x, size.y, size.z});
             find_reach(slack);
             same = merge_points(points_, [&](const auto& marked) { return faces_at(marked); });
+            if (request_.velocities)
+                if (auto looked = keep_apart(same); !looked)
+                    return looked;
             note_joined(same, slack);
         }
-        shared_.clear();
+        std::vector<std::uint32_t> number; // of the points of each node
         for (std::size_t b = 0; b < cells_.size(); ++b) {
             auto& nodes = out_.blocks.emplace_back().node_of_point;
             nodes.assign(points_.first[b + 1] - points_.first[b], no_node);
@@ -249,7 +228,9 @@ class MeshAssembly {
                 if (first == i) {
                     nodes[i - points_.first[b]] = static_cast<std::uint32_t>(mesh_.points.size());
                     mesh_.points.push_back(points_.at[i]);
-                    shared_.push_back(false);
+                    number.push_back(1);
+                    if (!place_.empty())
+                        out_.place.push_back(place_[i]);
                     continue;
                 }
                 const auto owner = static_cast<std::size_t>(
@@ -258,11 +239,61 @@ class MeshAssembly {
                 const std::uint32_t node =
                     out_.blocks[owner].node_of_point[first - points_.first[owner]];
                 nodes[i - points_.first[b]] = node;
-                shared_[node] = true;
+                out_.further.push_back({static_cast<std::uint32_t>(b),
+                                        static_cast<std::uint32_t>(i - points_.first[b]), node,
+                                        ++number[node]});
             }
         }
+        for (const std::uint32_t points : number)
+            shared_.push_back(points > 1);
         out_.source_nodes = mesh_.points.size();
         points_ = {};
+        place_ = {};
+        return {};
+    }
+
+    // Takes the points out of their nodes whose velocities jump.
+    core::Result<void> keep_apart(std::vector<std::uint32_t>& same) {
+        std::vector<std::uint32_t> cells(points_.pieces, 0);
+        const auto each_cell = [&](const auto& visit) {
+            for (std::size_t b = 0; b < cells_.size(); ++b) // read without an error before
+                static_cast<void>(
+                    visit_cells(b, [&](const BlockCell& cell, std::size_t, bool is_solid) {
+                        if (!is_solid && cell.form != Form::None)
+                            visit(cell, static_cast<std::uint32_t>(points_.first[b]));
+                    }));
+        };
+        each_cell([&](const BlockCell& cell, std::uint32_t first) {
+            const auto corner =
+                cell.form == Form::Standard ? cell.point.front() : cell.faces.front().front();
+            ++cells[points_.piece[first + corner]];
+        });
+        MeetingPoints meeting(same, points_.piece, cells);
+        if (meeting.empty())
+            return {};
+        each_cell([&](const BlockCell& cell, std::uint32_t first) {
+            visit_edges(cell, [&](std::uint32_t p, std::uint32_t q) {
+                meeting.add_edge(first + p, first + q);
+            });
+        });
+        auto looked = request_.velocities(
+            [&](std::span<const float> velocity) { meeting.look_at(velocity); });
+        if (!looked)
+            return looked;
+        DisjointSets nodes(same.size());
+        meeting.join(nodes);
+        auto place = same;
+        for (std::uint32_t i = 0; i < same.size(); ++i)
+            same[i] = nodes.lowest(i);
+        for (std::size_t i = 0; i < same.size(); ++i)
+            apart_ += same[i] != place[i] ? 1 : 0;
+        joined_by_ = meeting.largest(same, true);
+        apart_by_ = meeting.largest(same, false);
+        meeting.keep_joined(same);
+        out_.meeting = std::move(meeting);
+        if (apart_ > 0)
+            place_ = std::move(place);
+        return {};
     }
 
     // Notes points that differ, or are of one block: files leave it to their reader to join either.
@@ -382,6 +413,13 @@ class MeshAssembly {
             add(counted(joined_, "point was joined", "points were joined") +
                 " with others at the same place, no farther than " +
                 length_text(joined_within_, 2) + " and a tenth of the shortest edge there");
+        if (joined_by_ > 0.0)
+            add("where points are one node, their velocities differ by up to " +
+                length_text(joined_by_, 2) + ": the mean is taken");
+        if (apart_ > 0)
+            add(counted(apart_, "point stays", "points stay") +
+                " apart from others at the same place, where the velocity jumps by up to " +
+                length_text(apart_by_, 2) + ": no particle crosses there");
         if (flat_ > 0)
             add(counted(flat_, "cell without volume was left out",
                         "cells without volume were left out"));
@@ -408,6 +446,10 @@ class MeshAssembly {
     bool single_ = false; ///< coordinates are stored in 32 bits
     std::size_t joined_ = 0;
     double joined_within_ = 0.0;
+    double joined_by_ = 0.0; ///< velocities of one node differ
+    std::size_t apart_ = 0;  ///< points that are no node of others at their place
+    double apart_by_ = 0.0;
+    std::vector<std::uint32_t> place_; ///< the lowest point there; empty if none stays apart
     std::size_t flat_ = 0;
     std::size_t twice_ = 0;
     std::size_t cut_ = 0;

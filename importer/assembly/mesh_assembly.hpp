@@ -6,11 +6,13 @@
 #include "core/dataset/cell_neighbours.hpp"
 #include "core/dataset/grid.hpp"
 #include "importer/assembly/added_nodes.hpp"
+#include "importer/assembly/meeting_points.hpp"
 
 #include <vtkDataSet.h>
 #include <vtkSmartPointer.h>
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -33,6 +35,12 @@ struct BlockNodes {
     std::vector<std::uint32_t> cell_nodes;
 };
 
+/// A point of a node that has one before, in an earlier block or in this one.
+struct FurtherPoint {
+    std::uint32_t block, point, node;
+    std::uint32_t number; ///< of the node's points so far, with this one
+};
+
 struct GridAssembly {
     core::Grid grid;
     /// Is true of a mesh of cells that is made of structured blocks only.
@@ -43,6 +51,12 @@ struct GridAssembly {
     std::size_t source_nodes = 0;
     /// Is empty unless the grid is a mesh of cells: the points of other grids are their nodes.
     std::vector<BlockNodes> blocks;
+    /// Lists the points that are a node which has a point before them: the values at a node are their mean.
+    std::vector<FurtherPoint> further;
+    /// The points of several pieces that are one node, as far as velocities were looked at.
+    MeetingPoints meeting;
+    /// Numbers the place of each node of the source; empty unless pieces that meet stay apart.
+    std::vector<std::uint32_t> place;
     AddedNodes added;
     /// The direction across a plane that was given a thickness.
     std::optional<core::Vec3> across{};
@@ -50,12 +64,19 @@ struct GridAssembly {
     std::string note;
 };
 
+/// Hands out the velocities at the points of all blocks, one block after the other, at one time-step after the
+/// other.
+using EachVelocity =
+    std::function<core::Result<void>(const std::function<void(std::span<const float>)>& look)>;
+
 struct AssemblyRequest {
     /// Holds by block which cells are solid; an empty block has none. They are left out, and the faces they
     /// leave are walls.
     std::vector<std::vector<bool>> solid;
     /// Asks for BlockNodes::first and cell_nodes, which cell data need.
     bool cell_nodes = true;
+    /// Is asked where pieces meet: those whose velocities jump there stay apart. Without it none does.
+    EachVelocity velocities{};
 };
 
 /// Returns a mesh that is connected (core/dataset/cell_neighbours.hpp). Fails as assemble_grid does.

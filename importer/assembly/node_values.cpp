@@ -134,7 +134,7 @@ class NodeValues {
             if (!copied)
                 return copied;
         }
-        return {};
+        return add_further(blocks);
     }
 
     // Copies the commonest kind of field, one array of floats, in one pass. Returns false for any other kind.
@@ -168,9 +168,34 @@ class NodeValues {
             return;
         }
         const auto& nodes = assembly_.blocks[block].node_of_point;
-        for (std::size_t i = 0; i < nodes.size(); ++i)
+        for (std::size_t i = nodes.size(); i-- > 0;) // the first point's values stay
             if (nodes[i] != no_node)
                 visit(i, std::size_t{nodes[i]});
+    }
+
+    // Makes values the means of those of all points of a node that have one.
+    core::Result<void> add_further(BlockList blocks) {
+        const auto& all = assembly_.further; // block by block
+        for (auto begin = all.begin(); begin != all.end();) {
+            const std::uint32_t block = begin->block;
+            const auto end =
+                std::find_if(begin, all.end(), [&](const auto& p) { return p.block != block; });
+            auto added =
+                visit_components(*blocks[block], field_, [&](std::size_t c, const auto& value) {
+                    for (auto at = begin; at != end; ++at) {
+                        float& mean = out_[width_ * at->node + c];
+                        const float here = stored(value(at->point));
+                        if (std::isnan(mean))
+                            mean = here;
+                        else if (!std::isnan(here))
+                            mean = static_cast<float>(mean + (double{here} - mean) / at->number);
+                    }
+                });
+            if (!added)
+                return added;
+            begin = end;
+        }
+        return {};
     }
 
     // Averages one component at a time: sums are double, in the order of the cells.
@@ -265,6 +290,26 @@ class NodeValues {
 };
 
 } // namespace
+
+core::Result<std::vector<float>> point_values(BlockList blocks, const FieldParts& field) {
+    std::size_t points = 0;
+    for (const auto& block : blocks)
+        points += static_cast<std::size_t>(block->GetNumberOfPoints());
+    const auto width = static_cast<std::size_t>(field.components);
+    std::vector<float> out(width * points);
+    std::size_t first = 0;
+    for (const auto& block : blocks) {
+        const auto count = static_cast<std::size_t>(block->GetNumberOfPoints());
+        auto taken = visit_components(*block, field, [&](std::size_t c, const auto& value) {
+            for (std::size_t i = 0; i < count; ++i)
+                out[width * (first + i) + c] = stored(value(i));
+        });
+        if (!taken)
+            return tl::unexpected(taken.error());
+        first += count;
+    }
+    return out;
+}
 
 core::Result<std::vector<float>> node_values(const GridAssembly& assembly,
                                              BlockList blocks,

@@ -13,10 +13,14 @@
 
 namespace wakesurf::importer {
 
+/// Returns the point data of all blocks interleaved, one block after the other. What is not finite, or not in
+/// single precision, is NaN. Error: as node_values.
+core::Result<std::vector<float>> point_values(BlockList blocks, const FieldParts& field);
+
 /// Returns values interleaved, in node order. Point data stay as they are. Cell data are averaged with equal
 /// weights over the cells round a node of the whole mesh, each counted once, before polyhedra are cut: within
-/// a block that is what vtkCellDataToPointData returns. Where blocks meet, a node has the point value of the
-/// first. Nodes in `still` (of the source) are 0; added nodes have the weighted mean of their parts. What is
+/// a block that is what vtkCellDataToPointData returns. A node of several points has the mean of their point
+/// values. Nodes in `still` (of the source) are 0; added nodes have the weighted mean of their parts. What is
 /// not finite, or not in single precision, is NaN. Error, to be read after the file's name: NotFound,
 /// Corrupt.
 core::Result<std::vector<float>> node_values(const GridAssembly& assembly,

@@ -270,6 +270,24 @@ void add_polygons(vtkPolyData& data, Triangles& triangles) {
     }
 }
 
+// Makes walls of the faces that lie at the same places as others of other nodes.
+void wall_off_pieces(GridAssembly& assembly, const std::vector<BoundaryFace>& boundary) {
+    auto& mesh = std::get<CellMesh>(assembly.grid);
+    std::map<Polygon, std::vector<std::pair<BoundaryFace, Polygon>>> at_places;
+    for (const auto& at : boundary) {
+        Polygon nodes = source_polygon(assembly, mesh.cells[at.cell], at.face);
+        Polygon places = nodes;
+        for (auto& node : places)
+            node = assembly.place[node];
+        at_places[sorted_set(std::move(places))].emplace_back(at, std::move(nodes));
+    }
+    for (const auto& [places, faces] : at_places)
+        for (const auto& [at, nodes] : faces)
+            if (std::any_of(faces.begin(), faces.end(),
+                            [&own = nodes](const auto& other) { return other.second != own; }))
+                mesh.cells[at.cell].beyond[at.face] = core::beyond_wall;
+}
+
 } // namespace
 
 Walls find_walls(GridAssembly& assembly, const SourceStep& step) {
@@ -298,6 +316,8 @@ Walls find_walls(GridAssembly& assembly, const SourceStep& step) {
     }
     found.still = sorted_set(std::move(found.still));
     found.unmatched = polygons.size() - matched.size();
+    if (!assembly.place.empty())
+        wall_off_pieces(assembly, boundary);
     wall_off_holes(*mesh, boundary);
     return found;
 }

@@ -16,7 +16,8 @@ struct Walls {
     std::size_t unmatched = 0; ///< faces the reader gave that are no boundary face of the mesh
 };
 
-/// Makes boundary faces walls: first those that the reader names, then the boundaries of holes in the domain.
+/// Makes boundary faces walls: first those that the reader names, then those between pieces that stay apart, and
+/// the boundaries of holes in the domain.
 /// Faces of other grids are never walls.
 Walls find_walls(GridAssembly& assembly, const SourceStep& step);
 

@@ -14,6 +14,7 @@
 
 #include <array>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -52,6 +53,9 @@ struct SourceDescription {
     std::string length_unit{};
     /// The unit of times; empty if the files do not state it.
     std::string time_unit{};
+    /// Why time-steps cannot be read, by their index: those of which that is known already. A file cut off is
+    /// one.
+    std::map<std::size_t, core::Error> unreadable{};
 };
 
 /// Holds faces at which the fluid ends.
@@ -92,7 +96,7 @@ class Source {
 
     /// Returns the fields of one time-step; none if only reading it whole would tell, or if all time-steps have
     /// the same.
-    virtual std::optional<std::vector<core::FieldInfo>> fields_at(std::size_t) const {
+    virtual std::optional<std::vector<core::FieldInfo>> fields_at(std::size_t) {
         return std::nullopt;
     }
 
@@ -103,6 +107,11 @@ class Source {
   protected:
     SourceDescription description_;
 };
+
+/// Says whether an error is that the files of a time-step are cut off or damaged: a series ends before it then.
+inline bool ends_series(const core::Error& error) {
+    return error.code == core::Error::Code::Corrupt;
+}
 
 /// Makes the reader of a format and opens it: it looks at the first time-step. Fails as its `open` does.
 template <class Reader, class... Arguments>

@@ -6,6 +6,10 @@
 #include <vtkOutputWindow.h>
 #include <vtkSmartPointer.h>
 
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
 namespace wakesurf::importer {
 
 namespace {
@@ -19,20 +23,27 @@ class FirstMessage final : public vtkOutputWindow {
     }
 
     void DisplayText(const char* text) override {
-        if (first.empty() && text != nullptr)
+        const auto is_expected = [text](const std::string& words) {
+            return std::string_view(text).find(words) != std::string_view::npos;
+        };
+        if (first.empty() && text != nullptr &&
+            std::none_of(expected.begin(), expected.end(), is_expected))
             first = text;
     }
 
     void DisplayDebugText(const char*) override {}
 
+    std::vector<std::string> expected;
     std::string first;
 };
 
 } // namespace
 
-VtkMessages::VtkMessages() {
+VtkMessages::VtkMessages(std::vector<std::string> expected) {
     vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // a second way out besides the window
-    vtkOutputWindow::SetInstance(vtkSmartPointer<FirstMessage>::New());
+    const auto window = vtkSmartPointer<FirstMessage>::New();
+    window->expected = std::move(expected);
+    vtkOutputWindow::SetInstance(window);
 }
 
 VtkMessages::~VtkMessages() {

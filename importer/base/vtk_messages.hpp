@@ -4,13 +4,15 @@
 #include "core/base/result.hpp"
 
 #include <string>
+#include <vector>
 
 namespace wakesurf::importer {
 
 /// Keeps VTK from printing while it lives; only one may live at a time.
 class VtkMessages {
   public:
-    VtkMessages();
+    /// @param expected  words of messages that are no fault
+    explicit VtkMessages(std::vector<std::string> expected = {});
     ~VtkMessages();
     VtkMessages(const VtkMessages&) = delete;
     VtkMessages& operator=(const VtkMessages&) = delete;

@@ -103,15 +103,15 @@ core::Result<std::shared_ptr<const core::StepsInMemory>> steps_of(std::vector<Pi
     auto plan = plan_of(std::move(source), request);
     if (!plan)
         return tl::unexpected(plan.error());
-    auto reading = read_first_step(*plan, true);
+    auto reading = read_first_step(*plan, true, true);
     if (!reading)
         return tl::unexpected(reading.error());
     std::vector<std::vector<float>> velocities;
     for (std::size_t i = 0; i < plan->times.size(); ++i) {
-        const auto step = plan->read(i);
+        auto step = plan->read(i);
         if (!step)
             return tl::unexpected(step.error());
-        if (auto same = check_mesh_of(*plan, reading->first, i, *step); !same)
+        if (auto same = take_mesh_of(*plan, reading->first, i, *step); !same)
             return tl::unexpected(same.error());
         auto values = velocity_of(*plan, reading->first, i, *step);
         if (!values)

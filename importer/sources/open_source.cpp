@@ -35,14 +35,14 @@ bool lists_others(const fs::path& path) {
 }
 
 // Ranks files that are parts of others when those are there: pieces of .pvtu, blocks of .vtm, Plot3D
-// solutions.
+// solutions, restarts and further pieces of Exodus.
 int rank(const fs::path& path) {
     const auto extension = lower_extension(path);
     if (lists_others(path))
         return 0;
     if (extension == ".vtm" || extension == ".vtmb" || extension.starts_with(".pvt"))
         return 1;
-    return extension == ".q" ? 3 : 2;
+    return extension == ".q" || continues_exodus(path) ? 3 : 2;
 }
 
 core::Result<std::vector<fs::path>> files_in(const fs::path& folder) {

@@ -420,6 +420,16 @@ TEST_F(EnsightSource, RefusesWhatItCannotRead) {
         "each with a file number");
 }
 
+TEST_F(EnsightSource, TakesFileNamesInQuotesWithBlanksInThem) {
+    std::istringstream in(
+        "FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: 1\t\"a mesh.geo\" change_coords_only\n"
+        "VARIABLE\nvector per node: 1\tU\t\"a U.*\"\t\nTIME\ntime set: 1\n"
+        "number of steps: 1\ntime values: 0\n");
+    const auto found = parse_ensight_case(in, folder_.path(), "flow.case").value();
+    EXPECT_EQ(found.file_at(found.geometry, 0)->name, "a mesh.geo");
+    EXPECT_EQ(found.file_at(found.variables.front().file, 0)->name, "a U.0");
+}
+
 TEST_F(EnsightSource, TakesTheFilesThatARestartListsLast) {
     const auto opened = [&](const std::string& rest) {
         std::istringstream in("FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: g\nVARIABLE\n"

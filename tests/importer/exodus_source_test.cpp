@@ -232,6 +232,68 @@ TEST_F(ExodusSource, TakesTheStepThatARestartWroteLast) {
     }
 }
 
+TEST_F(ExodusSource, GoesOnInTheFilesOfItsRestarts) {
+    const auto restart = folder_ / "flow.exo-s002";
+    fs::copy_file(file(), restart);
+    for (const int step : {3, 2, 1})
+        put_time(restart, step, 3.0 + step - 0.5); // 3.5, 4.5, 5.5
+    for (const auto& named : {file(), restart}) {
+        const auto source = open_exodus(named).value();
+        EXPECT_EQ(source->description().name, "flow");
+        EXPECT_EQ(source->description().times, (std::vector<double>{0, 0.25, 3, 3.5, 4.5, 5.5}));
+        EXPECT_TRUE(source->shared_files()->empty());
+        EXPECT_EQ(source->files(4)->front().name, "flow.exo-s002");
+        for (const std::size_t step : {4u, 2u, 3u, 0u, 5u, 1u}) {
+            const auto read = source->read(step, source->description().fields);
+            ASSERT_TRUE(read.has_value()) << read.error().message;
+            expect_values(*read, step % 3);
+        }
+        command::SourceOptions alone;
+        alone.alone = true;
+        EXPECT_EQ(open_exodus(named, alone).value()->description().times.size(), 3u);
+    }
+    fs::copy_file(restart, folder_ / "flow.exo-s004");
+    fs::resize_file(folder_ / "flow.exo-s004", fs::file_size(restart) / 2);
+    const auto cut = open_exodus(file()).value();
+    EXPECT_EQ(cut->description().times.size(), 7u);
+    EXPECT_EQ(cut->description().unreadable.begin()->first, 6u);
+    EXPECT_EQ(
+        cut->description().note.find("no file of flow.exo between flow.exo-s002 and flow.exo-s004"),
+        0u)
+        << cut->description().note;
+    fs::resize_file(file(), fs::file_size(file()) / 2);
+    EXPECT_FALSE(open_exodus(restart).has_value()) << "the first is cut";
+}
+
+TEST_F(ExodusSource, JoinsThePiecesOfAParallelRun) {
+    for (const char* const piece : {"run.e.3.0", "run.e.3.1", "run.e.3.2"})
+        fs::copy_file(file(), folder_ / piece);
+    for (const char* const piece : {"run.e.3.0", "run.e.3.2"}) {
+        ASSERT_TRUE(is_exodus(folder_ / piece));
+        const auto source = open_exodus(folder_ / piece).value();
+        EXPECT_EQ(source->description().name, "run");
+        EXPECT_EQ(source->description().times, times);
+        const auto read = source->read(1, source->description().fields);
+        ASSERT_TRUE(read.has_value()) << read.error().message;
+        EXPECT_EQ(read->blocks.size(), 3u * 2);
+        EXPECT_EQ(source->shared_files()->size(), 3u);
+    }
+    EXPECT_FALSE(continues_exodus(folder_ / "run.e.3.0"));
+    EXPECT_TRUE(continues_exodus(folder_ / "run.e.3.1"));
+    put_time(folder_ / "run.e.3.1", 3, 3.5);
+    EXPECT_EQ(open_exodus(folder_ / "run.e.3.0").error().message,
+              "run.e.3.1 has other times than run.e.3.0");
+    fs::remove(folder_ / "run.e.3.1");
+    const auto refused = open_exodus(folder_ / "run.e.3.0");
+    ASSERT_FALSE(refused.has_value());
+    EXPECT_EQ(refused.error().message, "run.e.3.0 is one of 3 pieces, and run.e.3.1 is not there");
+    EXPECT_EQ(refused.error().hint, "copy all pieces, or join them with epu");
+    fs::copy_file(file(), folder_ / "wide.e.12.03");
+    EXPECT_EQ(open_exodus(folder_ / "wide.e.12.03").error().message,
+              "wide.e.12.03 is one of 12 pieces, and wide.e.12.00 is not there");
+    EXPECT_FALSE(is_exodus(folder_ / "run.e.3.1")) << "it is no NetCDF file";
+}
+
 TEST_F(ExodusSource, AFileCutOffFailsAtOnceOrWhenItIsRead) {
     const std::string whole = read_file(file());
     const auto source = open_exodus(file()).value();

@@ -252,6 +252,38 @@ TEST(GridAssembly, ReadsAVoxelAsTheHexahedronItIs) {
     EXPECT_NEAR(volume(mesh_of(assemble({block}))), 1.0, 1e-14);
 }
 
+TEST(GridAssembly, ReadsCellsOfAnyOrderThatHaveTheirCornersOnlyAsWhatTheyAre) {
+    const auto corners = brick({0, 0, 0}, 1.0, {1, 1, 1});
+    const std::vector<vtkIdType> hexahedron{0, 1, 3, 2, 4, 5, 7, 6};
+
+    const struct {
+        std::vector<int> types;
+        std::vector<vtkIdType> points;
+        double volume;
+    } cells[]{{{VTK_LAGRANGE_HEXAHEDRON, VTK_BEZIER_HEXAHEDRON}, hexahedron, 1.0},
+              {{VTK_LAGRANGE_WEDGE, VTK_BEZIER_WEDGE}, {0, 1, 2, 4, 5, 6}, 0.5},
+              {{VTK_LAGRANGE_PYRAMID, VTK_BEZIER_PYRAMID}, {0, 1, 3, 2, 4}, 1.0 / 3.0},
+              {{VTK_LAGRANGE_TETRAHEDRON, VTK_BEZIER_TETRAHEDRON}, {0, 1, 2, 4}, 1.0 / 6.0}};
+
+    for (const auto& cell : cells)
+        for (const int type : cell.types) {
+            auto block = empty_block();
+            block->SetPoints(corners->GetPoints());
+            add_cell(*block, type, cell.points);
+            add_cell(*block, VTK_LAGRANGE_QUADRILATERAL, {0, 1, 3, 2});
+            add_cell(*block, VTK_BEZIER_TRIANGLE, {0, 1, 2});
+            EXPECT_NEAR(volume(mesh_of(assemble({block}))), cell.volume, 1e-14) << type;
+        }
+    auto weighted = empty_block();
+    weighted->SetPoints(corners->GetPoints());
+    add_cell(*weighted, VTK_BEZIER_HEXAHEDRON, hexahedron);
+    auto weights = vtkSmartPointer<vtkDoubleArray>::New();
+    weights->SetNumberOfValues(8);
+    weights->Fill(1.0);
+    weighted->GetPointData()->SetRationalWeights(weights);
+    EXPECT_FALSE(assemble_grid(Pointers{weighted}).has_value()) << "its values are no polynomials";
+}
+
 TEST(GridAssembly, RefusesWhatWouldHaveToBeApproximatedAndPlanes) {
     auto curved = empty_block();
     std::vector<vtkIdType> points;

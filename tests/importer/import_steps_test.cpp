@@ -93,25 +93,68 @@ TEST_F(ImportSteps, AreAllConvertedAgainWhenAnOldOneHasChanged) {
     EXPECT_EQ(velocity(1)[0], 2.0f);
 }
 
-TEST_F(ImportSteps, BeforeOneThatCannotBeReadCanBeUsed) {
+TEST_F(ImportSteps, EndBeforeOneThatIsCutOffAndGoOnOnceItIsWhole) {
     put_series(6);
     const std::string whole = read_file(folder_ / "step3.vti");
-    put("step3.vti", whole.substr(0, whole.size() / 2));
-    const auto outcome = run("s.pvd");
-    EXPECT_EQ(outcome.status, 1);
-    EXPECT_NE(outcome.errors.find("step3.vti"), std::string::npos) << outcome.errors;
-    EXPECT_FALSE(manifest().complete);
-    EXPECT_EQ(manifest().layout.times.size(), 6u);
-    EXPECT_TRUE(reader()->ready(2));
-    EXPECT_FALSE(reader()->ready(3));
-    EXPECT_EQ(velocity(2)[0], 2.0f);
-    EXPECT_FALSE(fs::exists(store() / "velocity_000004.f32"));
-    // Once it is whole, the import goes on there.
+    // With its end missing it is found when the source is opened, with numbers missing when it is converted.
+    const std::string torn = whole.substr(0, whole.size() / 2);
+    std::string short_of_numbers = whole;
+    short_of_numbers.erase(whole.find("</DataArray>") - 50, 40);
+    for (const std::string& cut : {torn, short_of_numbers}) {
+        put("step3.vti", cut);
+        for (int time = 0; time < 2; ++time) {
+            const auto outcome = run("s.pvd");
+            EXPECT_EQ(outcome.status, 0) << outcome.errors;
+            const auto note = manifest().info.note;
+            EXPECT_NE(note.find("the data end before time 3: step3.vti"), std::string::npos)
+                << note;
+            EXPECT_NE(outcome.lines.back().find("done"), std::string::npos);
+        }
+        EXPECT_TRUE(manifest().complete);
+        EXPECT_EQ(manifest().layout.times, (std::vector<double>{0, 1, 2}));
+        EXPECT_EQ(manifest().source.steps.size(), 4u) << "its files are watched";
+        EXPECT_EQ(velocity(2)[0], 2.0f);
+        EXPECT_FALSE(fs::exists(store() / "velocity_000003.f32"));
+        const auto info =
+            describe_with_import_process({folder_ / "s.pvd", {}, {}, {}, importer_program()})
+                .value();
+        EXPECT_EQ(info.times.size(), cut == torn ? 3u : 6u) << "only some are read beforehand";
+    }
     put("step3.vti", whole);
     const auto kept = identity("velocity_000002.f32");
     ASSERT_EQ(run("s.pvd").status, 0);
     EXPECT_TRUE(reader()->ready(5));
     EXPECT_EQ(identity("velocity_000002.f32"), kept);
+    EXPECT_EQ(manifest().info.note.find("the data end"), std::string::npos) << manifest().info.note;
+    put("step0.vti", torn);
+    EXPECT_EQ(run("s.pvd").status, 1);
+}
+
+// Two blocks that share a face; their velocities jump there at the third of five time-steps alone.
+TEST_F(ImportSteps, WithAJumpBetweenPiecesAtOneOfThemKeepThePiecesApartAtAll) {
+    std::vector<std::pair<std::string, std::string>> entries;
+    for (int step = 0; step < 5; ++step) {
+        const std::string number = std::to_string(step);
+        std::string blocks = "<VTKFile type=\"vtkMultiBlockDataSet\"><vtkMultiBlockDataSet>";
+        for (int side = 0; side < 2; ++side) {
+            const std::string name = "b" + number + std::to_string(side) + ".vti";
+            VtiText block;
+            const double along = step == 2 && side == 1 ? -1.0 : 1.0;
+            block.points = vti_array("U", 3, block.point_count(),
+                                     [&](std::size_t i) { return i % 3 == 0 ? along : 0.0; });
+            block.origin = side == 0 ? "0 0 0" : std::to_string(2 * side) + " 0 0";
+            put(name, block.text());
+            blocks += "<DataSet index=\"" + std::to_string(side) + "\" file=\"" + name + "\"/>";
+        }
+        put("b" + number + ".vtm", blocks + "</vtkMultiBlockDataSet></VTKFile>");
+        entries.emplace_back(number, "b" + number + ".vtm");
+    }
+    put("s.pvd", pvd_text(entries));
+    const auto outcome = run("s.pvd");
+    ASSERT_EQ(outcome.status, 0) << outcome.errors;
+    EXPECT_NE(manifest().info.note.find("apart from others at the same place"), std::string::npos)
+        << manifest().info.note;
+    EXPECT_EQ(manifest().info.points, 2 * sample_vti().point_count());
 }
 
 TEST_F(ImportSteps, OfAnotherMeshAreRefusedByName) {

@@ -56,9 +56,9 @@ TEST_F(InfoNotes, SayThatATimeStepCannotBeReadAndTimesLeavesItOut) {
         write_step(step);
     const std::string whole = read_file(folder_ / "s_1.vtu");
     put("s_1.vtu", whole.substr(0, whole.size() / 2));
-    EXPECT_NE(info("s_0.vtu").note.find("an import will end before time 1: s_1.vtu"),
-              std::string::npos)
+    EXPECT_NE(info("s_0.vtu").note.find("the data end before time 1: s_1.vtu"), std::string::npos)
         << info("s_0.vtu").note;
+    EXPECT_EQ(info("s_0.vtu").times, std::vector<double>{0});
     ASSERT_EQ(run("s_0.vtu", {"--times", "0:0.5,1.5:9"}).status, 0);
     EXPECT_EQ(manifest().layout.times, (std::vector<double>{0, 2, 3, 4}));
     EXPECT_EQ(run("s_0.vtu", {"--times", "0:1,"}).status, 2);

@@ -207,6 +207,24 @@ TEST_F(NetcdfSource, JoinsNumberedFiles) {
     EXPECT_EQ((*source)->files(3)->front().name, "part_1.nc");
 }
 
+TEST_F(NetcdfSource, KnowsWhichOfItsFilesIsCutOff) {
+    for (int i = 0; i < 3; ++i) {
+        Flow flow;
+        flow.times = {2.0 * i, 2.0 * i + 1};
+        write_flow(folder_ / ("part_" + std::to_string(i) + ".nc"), flow);
+    }
+    const auto last = folder_ / "part_2.nc";
+    std::filesystem::resize_file(last, std::filesystem::file_size(last) / 2);
+    const auto source = open_source(last).value();
+    EXPECT_EQ(source->description().times, (std::vector<double>{0, 1, 2, 3, 4}));
+    ASSERT_EQ(source->description().unreadable.size(), 1u);
+    EXPECT_EQ(source->description().unreadable.at(4).message.find("part_2.nc"), 0u);
+    EXPECT_TRUE(source->read(3, components()).has_value());
+    const auto first = folder_ / "part_0.nc";
+    std::filesystem::resize_file(first, std::filesystem::file_size(first) / 2);
+    EXPECT_FALSE(open_source(last).has_value());
+}
+
 TEST_F(NetcdfSource, TakesWhatARestartWroteLast) {
     for (const double first : {0.0, 1.0}) { // 0, 1 and 1, 2
         Flow flow;

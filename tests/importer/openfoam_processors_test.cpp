@@ -75,6 +75,64 @@ TEST_F(Processors, LeaveOutTimesThatNotAllOfThemHave) {
     }
 }
 
+FoamMesh empty_mesh(FoamMesh part) {
+    part.points.clear();
+    part.faces.clear();
+    part.cells.clear();
+    std::erase_if(part.patches, [](const auto& patch) { return patch.type == "processor"; });
+    for (auto& patch : part.patches)
+        patch.size = patch.start = 0;
+    return part;
+}
+
+TEST_F(Processors, WithoutCellsOfARegionHaveThoseOfTheOthers) {
+    const auto mesh = foam_block_mesh({});
+    const auto parts = decompose(mesh);
+    for (int i = 0; i < 2; ++i) {
+        const auto place = at("processor" + std::to_string(i));
+        const auto metal = i == 0 ? parts[0] : empty_mesh(parts[0]);
+        write_foam_mesh(place / "constant" / "air", parts[static_cast<std::size_t>(i)]);
+        write_foam_mesh(place / "constant" / "metal", metal);
+        for (int step = 0; step < 3; ++step) {
+            const auto time = place / time_names[static_cast<std::size_t>(step)];
+            for (const auto& field : {velocity(parts[static_cast<std::size_t>(i)], step),
+                                      pressure(parts[static_cast<std::size_t>(i)], step)})
+                write_foam_field(time / "air", parts[static_cast<std::size_t>(i)], field);
+            write_foam_field(time / "metal", metal, pressure(metal, step));
+        }
+    }
+    write_file(at("cavity.foam"), "");
+    const auto source = open();
+    for (const std::size_t i : {0u, 2u, 1u}) {
+        const auto step = source->read(i, source->description().fields);
+        ASSERT_TRUE(step.has_value()) << step.error().message;
+        expect_values(*step, static_cast<int>(i), mesh.cells.size());
+        EXPECT_FALSE(step->solids.empty());
+    }
+}
+
+// As decomposePar leaves them where the method fills fewer processors than there are.
+TEST_F(Processors, WithoutCellsAreReadAsNothing) {
+    const auto mesh = foam_block_mesh({});
+    for (const bool binary : {false, true}) {
+        const auto parts = decompose(mesh);
+        put(empty_mesh(parts[0]), binary, "processor0");
+        put(parts[0], binary, "processor1");
+        put(empty_mesh(parts[0]), binary, "processor2");
+        put(parts[1], binary, "processor3");
+        const auto source = open();
+        EXPECT_EQ(source->description().times.size(), 3u);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto step = source->read(i, source->description().fields);
+            ASSERT_TRUE(step.has_value()) << step.error().message;
+            expect_values(*step, static_cast<int>(i), mesh.cells.size());
+        }
+    }
+    for (int part = 0; part < 4; ++part)
+        put(empty_mesh(decompose(mesh)[0]), false, "processor" + std::to_string(part));
+    EXPECT_EQ(open_openfoam(at("")).error().message, "the mesh of cavity has no cells");
+}
+
 TEST_F(Processors, AreRefusedWithoutATimeInCommon) {
     for (const auto& part : decompose(foam_block_mesh({})))
         put(part, false, "processor" + std::to_string(part.part));

@@ -80,6 +80,11 @@ class CgnsSource final : public SeriesSource<std::optional<double>> {
         CgnsSurvey first;
         for (std::size_t i = 0; i < series_.entries.size(); ++i) {
             const auto survey = survey_cgns(listed(i));
+            if (!survey && i > 0 && ends_series(survey.error())) {
+                steps_.push_back({i, std::nullopt});
+                times.push_back({listed(i).name, std::nullopt, survey.error()});
+                continue;
+            }
             if (!survey)
                 return tl::unexpected(survey.error());
             if (i == 0)
@@ -88,7 +93,8 @@ class CgnsSource final : public SeriesSource<std::optional<double>> {
                 return rising;
             if (survey->times.empty()) {
                 steps_.push_back({i, std::nullopt});
-                times.push_back({listed(i).name, std::nullopt, false, series_.entries[i].number});
+                times.push_back(
+                    {listed(i).name, std::nullopt, std::nullopt, series_.entries[i].number});
             }
             for (std::size_t t = 0; t < survey->times.size(); ++t) {
                 steps_.push_back({i, survey->times[t]});

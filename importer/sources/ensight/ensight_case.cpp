@@ -9,9 +9,8 @@
 #include <cmath>
 #include <cstdint>
 #include <fstream>
-#include <iterator>
 #include <map>
-#include <sstream>
+#include <string_view>
 
 namespace wakesurf::importer {
 
@@ -28,9 +27,20 @@ bool number(const std::string& word, T& out) {
     return at == end && error == std::errc();
 }
 
+// Returns words, without the quotes round those that hold blanks.
 std::vector<std::string> words_of(const std::string& text) {
-    std::istringstream in(text);
-    return {std::istream_iterator<std::string>(in), {}};
+    constexpr std::string_view blanks = " \t\r\n\v\f";
+    std::vector<std::string> out;
+    for (auto at = text.find_first_not_of(blanks); at < text.size();
+         at = text.find_first_not_of(blanks, at)) {
+        const bool quoted = text[at] == '"' && text.find('"', at + 1) != std::string::npos;
+        const auto end =
+            std::min(quoted ? text.find('"', at + 1) : text.find_first_of(blanks, at), text.size());
+        const auto begin = quoted ? at + 1 : at;
+        out.push_back(text.substr(begin, end - begin));
+        at = quoted ? end + 1 : end;
+    }
+    return out;
 }
 
 struct Line {
@@ -174,8 +184,6 @@ core::Result<EnsightFile> file_of(const Line& line, std::size_t names, const std
         return core::fail(Error::Code::Unsupported,
                           name + " keeps several time-steps in one file, which cannot be read",
                           "write one file per time-step");
-    if (out.pattern.size() > 1 && out.pattern.front() == '"' && out.pattern.back() == '"')
-        out.pattern = out.pattern.substr(1, out.pattern.size() - 2);
     return out;
 }
 

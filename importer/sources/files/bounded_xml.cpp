@@ -1,5 +1,8 @@
 #include "importer/sources/files/bounded_xml.hpp"
 
+#include <algorithm>
+#include <vector>
+
 namespace wakesurf::importer {
 
 namespace {
@@ -36,6 +39,43 @@ class BoundedParser final : public vtkXMLDataParser {
 };
 
 } // namespace
+
+std::optional<std::string> closed_xml(std::string_view text) {
+    std::vector<std::string_view> open;
+    std::size_t whole = 0; // behind the last whole tag
+    for (auto at = text.find('<'); at != std::string_view::npos; at = text.find('<', whole)) {
+        const auto tag = text.substr(at);
+        const bool comment = tag.starts_with("<!--");
+        if (comment || tag.starts_with("<?")) {
+            const auto end = tag.find(comment ? "-->" : "?>");
+            if (end == std::string_view::npos)
+                break;
+            whole = at + end + 2;
+            continue;
+        }
+        char quote = 0;
+        std::size_t end = 1;
+        for (; end < tag.size() && (quote != 0 || tag[end] != '>'); ++end)
+            if (quote != 0 ? tag[end] == quote : tag[end] == '"' || tag[end] == '\'')
+                quote = quote != 0 ? '\0' : tag[end];
+        if (end >= tag.size())
+            break;
+        whole = at + end + 1;
+        if (tag[1] == '/') {
+            if (open.empty())
+                return std::nullopt;
+            open.pop_back();
+        } else if (tag[1] != '!' && tag[end - 1] != '/') {
+            open.push_back(tag.substr(1, std::min(end, tag.find_first_of(" \t\r\n")) - 1));
+        }
+    }
+    if (open.empty())
+        return std::nullopt;
+    std::string out(text.substr(0, whole));
+    for (; !open.empty(); open.pop_back())
+        out += "</" + std::string(open.back()) + ">";
+    return out;
+}
 
 core::Result<vtkSmartPointer<vtkXMLDataParser>> parse_xml(std::istream& in,
                                                           const std::string& file) {

@@ -9,7 +9,9 @@
 #include <vtkXMLDataParser.h>
 
 #include <istream>
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace wakesurf::importer {
 
@@ -17,6 +19,10 @@ namespace wakesurf::importer {
 /// parser keeps the stream. Error: Corrupt (elements nested too deeply). REQUIRES: a VtkMessages lives.
 core::Result<vtkSmartPointer<vtkXMLDataParser>> parse_xml(std::istream& in,
                                                           const std::string& file);
+
+/// Returns the text of a file that was cut off, or is still written, up to its last whole tag and with the
+/// elements closed that are open there; empty if none is.
+std::optional<std::string> closed_xml(std::string_view text);
 
 /// Returns an attribute of an element as VTK hands it out; empty if it is missing.
 inline std::string xml_attribute(vtkXMLDataElement& element, const char* name) {

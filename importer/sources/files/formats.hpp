@@ -26,8 +26,11 @@ bool is_ensight(const std::filesystem::path& path);
 Opened open_ensight(const std::filesystem::path& path, const command::SourceOptions& wish = {});
 
 /// Tells Exodus II files, read through vtkExodusIIReader: all element blocks, all times, values at nodes and
-/// elements.
+/// elements; one file, the pieces of one (run.e.2.0), and those that continue it (run.e-s002).
 bool is_exodus(const std::filesystem::path& path);
+
+/// Says whether an Exodus II file belongs to one before it, by its name: it is a restart, or a further piece.
+bool continues_exodus(const std::filesystem::path& path);
 
 /// Makes blocks of the element blocks of three dimensions, solids of those without the velocity, and walls of
 /// side sets and flat blocks called wall. Displacements are not applied: the mesh stands still. Values are

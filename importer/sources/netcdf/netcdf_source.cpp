@@ -159,8 +159,12 @@ class NetcdfSource final : public SeriesSource<std::size_t> {
         description_.reader = "netCDF library (" + series_.kind + ")";
         std::vector<TimedEntry> times;
         for (std::size_t i = 0; i < series_.entries.size(); ++i)
-            if (auto added = add_steps(i, times); !added)
-                return added;
+            if (auto added = add_steps(i, times); !added) {
+                if (i == 0 || !ends_series(added.error()))
+                    return added;
+                steps_.push_back({i, 0});
+                times.push_back({listed(i).name, std::nullopt, added.error()});
+            }
         if (times.empty())
             return tl::unexpected(without_grid_.front());
         constexpr std::size_t most = 3;
@@ -175,8 +179,10 @@ class NetcdfSource final : public SeriesSource<std::size_t> {
         return describe_by(0);
     }
 
-    std::optional<std::vector<FieldInfo>> fields_at(std::size_t step) const override {
-        return fields_.size() > 1 ? std::optional(fields_.at(steps_[step].file)) : std::nullopt;
+    std::optional<std::vector<FieldInfo>> fields_at(std::size_t step) override {
+        const auto here = fields_.find(steps_[step].file); // none of a file that cannot be read
+        return fields_.size() > 1 && here != fields_.end() ? std::optional(here->second)
+                                                           : std::nullopt;
     }
 
     core::Result<void> describe_by(std::size_t step) override {

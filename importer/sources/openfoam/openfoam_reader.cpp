@@ -183,6 +183,15 @@ values_on(const FoamValues& values, const std::string& patch, const FoamRegion& 
     return {};
 }
 
+// Says whether no cell owns a face: decomposePar leaves such meshes where there are more processors than it
+// fills.
+bool has_no_cells(const fs::path& mesh) {
+    const auto file = foam_file(mesh / "owner");
+    const File in(file ? ::gzopen(file->c_str(), "rb") : nullptr, ::gzclose);
+    const auto head = in ? head_of(in.get()) : std::nullopt;
+    return head && head->count == 0;
+}
+
 // Gives faces of a patch that states no value one that is no number, so that they are no wall at rest.
 core::Result<void> add_array(const Leaf& leaf,
                              const FoamRegion& region,
@@ -227,6 +236,25 @@ std::string region_of(const Leaf& leaf) {
 OpenfoamReader::OpenfoamReader(const FoamCase& found, std::string part)
     : found_(found), part_(std::move(part)) {}
 
+bool OpenfoamReader::has_cells() const {
+    return std::any_of(found_.regions.begin(), found_.regions.end(), [&](const FoamRegion& region) {
+        return !has_no_cells(
+            (found_.folder / found_.mesh_file(part_, region.name, "owner")).parent_path());
+    });
+}
+
+// A part may have no cells in one region and some in others, which VTK hands out nonetheless.
+std::vector<std::string> OpenfoamReader::expected_messages() const {
+    const bool empty =
+        std::any_of(found_.regions.begin(), found_.regions.end(), [&](const FoamRegion& region) {
+            return has_no_cells(
+                (found_.folder / found_.mesh_file(part_, region.name, "owner")).parent_path());
+        });
+    return empty ? std::vector<std::string>{"The mesh contains no cells",
+                                            "returned failure for request"}
+                 : std::vector<std::string>();
+}
+
 // VTK ignores missing fields.
 core::Result<void> OpenfoamReader::check_files(const FoamTime& time,
                                                const std::vector<FieldInfo>& fields) const {
@@ -258,7 +286,7 @@ core::Result<void> OpenfoamReader::open(const std::string& what) {
         if (auto sound = check_foam_cells(found_.folder / mesh, mesh.string()); !sound)
             return sound;
     }
-    const VtkMessages messages;
+    const VtkMessages messages(expected_messages());
     reader_ = vtkSmartPointer<vtkOpenFOAMReader>::New();
     reader_->SetFileName((found_.folder / part_ / "case.foam").c_str()); // only its folder counts
     reader_->CreateCellToPointOff();
@@ -337,7 +365,7 @@ core::Result<std::vector<Leaf>> OpenfoamReader::read(const FoamTime& time,
         if (reader_ == nullptr)
             if (auto opened = open(what); !opened)
                 return give_up(opened.error());
-        const VtkMessages messages;
+        const VtkMessages messages(expected_messages());
         reader_->UpdateTimeStep(time.value); // SetTimeValue and Update give the first one again
         if (auto clean = messages.verdict(what); !clean)
             return give_up(clean.error());

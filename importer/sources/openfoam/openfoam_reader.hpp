@@ -22,6 +22,9 @@ class OpenfoamReader {
     /// REQUIRES: `found` outlives this.
     OpenfoamReader(const FoamCase& found, std::string part);
 
+    /// Says whether the part has a cell in any region, as far as its files say.
+    bool has_cells() const;
+
     /// Returns VTK's output, copied shallowly, so that reading on does not change it: paths end in
     /// "internalMesh", or in "boundary" and a patch's name, behind the name of the region if it has one.
     /// After an error nothing is kept. Error: NotFound, Corrupt, OverLimit.
@@ -32,6 +35,7 @@ class OpenfoamReader {
     core::Result<void> check_files(const FoamTime& time,
                                    const std::vector<core::FieldInfo>& fields) const;
     core::Result<void> open(const std::string& what);
+    std::vector<std::string> expected_messages() const;
     void choose_patches();
     core::Result<void> add_values(const FoamTime& time,
                                   const std::vector<core::FieldInfo>& fields,

@@ -65,7 +65,8 @@ class OpenfoamSource final : public Source {
   public:
     explicit OpenfoamSource(FoamCase found) : found_(std::move(found)) {
         for (const auto& part : found_.parts)
-            readers_.emplace_back(found_, part);
+            if (OpenfoamReader reader(found_, part); reader.has_cells())
+                readers_.push_back(std::move(reader));
         description_.name = found_.name;
         description_.reader = "vtkOpenFOAMReader (OpenFOAM" +
                               (found_.parts.size() > 1 || !found_.parts.front().empty()

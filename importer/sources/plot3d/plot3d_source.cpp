@@ -187,22 +187,28 @@ class Plot3dSource final : public Source {
 
     core::Result<void> find_times() {
         std::vector<TimedEntry> entries;
-        std::vector<double> headers;
+        std::vector<double> headers; // of the solutions that can be read
         for (const auto& step : files_.steps) {
             const auto layout = grid_layout(step.grid);
-            if (!layout)
-                return tl::unexpected(layout.error());
-            const auto header = check_solution(step.solution, *layout);
-            if (!header)
-                return tl::unexpected(header.error());
-            headers.push_back(header->back());
-            header_ = headers.size() == 1 ? *header : header_;
+            using Header = decltype(check_solution(step.solution, *layout));
+            const auto header = layout ? check_solution(step.solution, *layout)
+                                       : Header(tl::unexpected(layout.error()));
             entries.push_back({step.solution.name, step.time});
+            if (header) {
+                headers.push_back(header->back());
+                header_ = headers.size() == 1 ? *header : header_;
+            } else if (entries.size() > 1 && ends_series(header.error())) {
+                entries.back().unreadable = header.error();
+            } else {
+                return tl::unexpected(header.error());
+            }
         }
         const bool listed = files_.steps.front().time.has_value();
         const bool stated = !listed && are_times(headers);
-        for (std::size_t i = 0; stated && i < headers.size(); ++i)
-            entries[i].time = headers[i];
+        auto next = headers.begin();
+        for (auto& entry : entries)
+            if (stated && !entry.unreadable)
+                entry.time = *next++;
         return describe_times(std::move(entries), description_).map([&](const auto& order) {
             if (!listed && !stated)
                 description_.time_note =

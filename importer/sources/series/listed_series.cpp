@@ -14,6 +14,8 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <iterator>
+#include <sstream>
 #include <string_view>
 
 namespace wakesurf::importer {
@@ -72,10 +74,28 @@ core::Result<DataSetElement> read_element(vtkXMLDataElement& element,
     return out;
 }
 
-core::Result<std::vector<DataSetElement>> read_elements(const std::filesystem::path& file) {
+std::string text_of(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::string note_on_cut(const std::string& name, std::size_t steps) {
+    return name +
+           " is not whole, as while a solver writes it or after it was killed: of its time-steps " +
+           (steps == 1 ? "the first is" : "the first " + std::to_string(steps) + " are") + " read";
+}
+
+struct Elements {
+    std::vector<DataSetElement> all;
+    bool cut = false; ///< the file ends before they do
+};
+
+core::Result<Elements> read_elements(const std::filesystem::path& file) {
     const std::string name = file.filename().string();
     const VtkMessages messages;
-    std::ifstream in(file, std::ios::binary);
+    std::string text = text_of(file);
+    const auto closed = closed_xml(text);
+    std::istringstream in(closed ? *closed : std::move(text));
     const auto parsed = parse_xml(in, name);
     if (!parsed)
         return tl::unexpected(parsed.error());
@@ -85,7 +105,8 @@ core::Result<std::vector<DataSetElement>> read_elements(const std::filesystem::p
     auto* collection = root ? root->FindNestedElementWithName("Collection") : nullptr;
     if (collection == nullptr)
         return core::fail(Error::Code::Corrupt, name + " is not a .pvd: it has no Collection");
-    std::vector<DataSetElement> out;
+    Elements read{{}, closed.has_value()};
+    auto& out = read.all;
     for (int i = 0; i < collection->GetNumberOfNestedElements(); ++i) {
         auto* nested = collection->GetNestedElement(i);
         if (std::strcmp(nested->GetName(), "DataSet") != 0)
@@ -98,7 +119,7 @@ core::Result<std::vector<DataSetElement>> read_elements(const std::filesystem::p
     }
     if (out.empty())
         return core::fail(Error::Code::Corrupt, name + " names no files");
-    return out;
+    return read;
 }
 
 core::Result<void> sort_by_time(std::vector<DataSetElement>& elements, const std::string& pvd) {
@@ -144,6 +165,25 @@ SeriesEntry entry_of(Group& group, std::vector<std::string>& left_out) {
     return out;
 }
 
+// Returns the JSON of a list of objects that ends too early, up to its last whole one.
+std::string closed_list(const std::string& text) {
+    std::size_t depth = 0;
+    std::size_t whole = 0;
+    bool quoted = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (quoted && c == '\\')
+            ++i;
+        else if (c == '"')
+            quoted = !quoted;
+        else if (!quoted && (c == '{' || c == '['))
+            ++depth;
+        else if (!quoted && (c == '}' || c == ']') && depth > 0 && --depth == 2)
+            whole = i + 1;
+    }
+    return text.substr(0, whole) + "]}";
+}
+
 std::vector<Group> by_times(std::vector<DataSetElement> elements) {
     std::vector<Group> out;
     for (auto& element : elements) {
@@ -158,10 +198,13 @@ std::vector<Group> by_times(std::vector<DataSetElement> elements) {
 
 core::Result<FileSeries> read_json_series(const std::filesystem::path& file) {
     const std::string name = file.filename().string();
-    std::ifstream in(file, std::ios::binary);
-    if (!in)
+    if (!std::ifstream(file))
         return core::fail(Error::Code::Io, "cannot open " + name);
-    const json root = json::parse(in, nullptr, false);
+    const std::string text = text_of(file);
+    json root = json::parse(text, nullptr, false);
+    const bool cut = root.is_discarded();
+    if (cut)
+        root = json::parse(closed_list(text), nullptr, false);
     const auto files = root.is_object() ? root.find("files") : root.end();
     if (!root.is_object() || files == root.end() || !files->is_array())
         return core::fail(Error::Code::Corrupt,
@@ -179,6 +222,8 @@ core::Result<FileSeries> read_json_series(const std::filesystem::path& file) {
     }
     if (series.entries.empty())
         return core::fail(Error::Code::Corrupt, name + " names no files");
+    if (cut)
+        series.note = note_on_cut(name, series.entries.size());
     return series;
 }
 
@@ -187,10 +232,19 @@ core::Result<FileSeries> read_pvd_series(const std::filesystem::path& file) {
     auto elements = read_elements(file);
     if (!elements)
         return tl::unexpected(elements.error());
-    if (auto sorted = sort_by_time(*elements, name); !sorted)
+    if (auto sorted = sort_by_time(elements->all, name); !sorted)
         return tl::unexpected(sorted.error());
     FileSeries series{file.stem().string(), "pvd", {file}, {}};
-    auto times = by_times(std::move(*elements));
+    auto times = by_times(std::move(elements->all));
+    if (elements->cut) { // which parts its last time-step has is not known
+        const auto last =
+            std::max_element(times.begin(), times.end(), [](const Group& a, const Group& b) {
+                return a.back().place < b.back().place;
+            });
+        if (last->size() < times.front().size())
+            times.erase(last);
+        series.note = note_on_cut(name, times.size());
+    }
     if (are_parts_without_numbers(times))
         return core::fail(Error::Code::Corrupt,
                           name + " gives " + times.front()[0].file.name + " and " +
@@ -199,16 +253,6 @@ core::Result<FileSeries> read_pvd_series(const std::filesystem::path& file) {
                           "give the parts of a time-step different part numbers");
     for (auto& group : times)
         series.entries.push_back(entry_of(group, series.left_out));
-    const auto odd = std::find_if(series.entries.begin(), series.entries.end(), [&](const auto& e) {
-        return e.parts.size() != series.entries.front().parts.size();
-    });
-    if (odd != series.entries.end())
-        return core::fail(Error::Code::Unsupported,
-                          name + " has " + std::to_string(odd->parts.size()) + " parts at time " +
-                              time_text(odd->time.value_or(0.0)) + " but " +
-                              std::to_string(series.entries.front().parts.size()) +
-                              " at the first time",
-                          "every time-step must have the same parts");
     return series;
 }
 

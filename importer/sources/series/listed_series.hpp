@@ -38,16 +38,20 @@ struct FileSeries {
     std::vector<SeriesEntry> entries;
     /// The names of files of parts that the list names again for the same time.
     std::vector<std::string> left_out{};
+    /// Says that the list was cut off; else empty.
+    std::string note{};
 };
 
 /// Reads JSON with a time for each file:
 /// {"file-series-version": "1.0", "files": [{"name": "flow_0.vtm", "time": 0.5}, ...]}. Entries stay in the
-/// order of the file. Error: Io, Corrupt (not JSON, no files, a time that is not a finite number).
+/// order of the file. Of a list that was cut off, or is still written, those count that are whole. Error: Io,
+/// Corrupt (not JSON, no files, a time that is not a finite number).
 core::Result<FileSeries> read_json_series(const std::filesystem::path& file);
 
 /// Reads a small XML file with a time for each file; several files of one time are parts of that time-step.
-/// Entries come in order of time, parts in the order of the file. Error: Corrupt (not XML, no DataSet, times
-/// that are no numbers, one part twice at one time), Unsupported (time-steps of different numbers of parts).
+/// Entries come in order of time, parts in the order of the file. Of a list that was cut off, or is still
+/// written, the time-steps count that are whole. Error: Corrupt (not XML, no DataSet, times
+/// that are no numbers, one part twice at one time).
 core::Result<FileSeries> read_pvd_series(const std::filesystem::path& file);
 
 } // namespace wakesurf::importer

@@ -136,7 +136,10 @@ core::Result<SeriesTimes> settle_times(std::vector<TimedEntry> entries) {
 
 core::Result<std::vector<std::size_t>> describe_times(std::vector<TimedEntry> entries,
                                                       SourceDescription& description) {
-    return settle_times(std::move(entries)).map([&](SeriesTimes settled) {
+    return settle_times(entries).map([&](SeriesTimes settled) {
+        for (std::size_t i = 0; i < settled.order.size(); ++i)
+            if (const auto& why = entries[settled.order[i]].unreadable)
+                description.unreadable.emplace(i, *why);
         description.times = std::move(settled.times);
         description.time_note = std::move(settled.note);
         description.places = std::move(settled.places);

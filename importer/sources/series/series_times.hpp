@@ -19,8 +19,8 @@ struct StatedTime {
 struct TimedEntry {
     std::string name; ///< its name in messages
     std::optional<double> time;
-    /// True if its time is unknown: one is made up between its neighbours'.
-    bool unreadable = false;
+    /// Why it cannot be read, if so: its time is unknown, and one is made up between its neighbours'.
+    std::optional<core::Error> unreadable{};
     std::optional<double> number{}; ///< in the name of its file
     std::optional<double> cycle{};
     bool in_title = false; ///< as in StatedTime
@@ -49,7 +49,7 @@ std::vector<double> places_of(const std::vector<TimedEntry>& entries);
 /// may be replaced by --dt. Error: Corrupt, naming two entries, if only some have a time.
 core::Result<SeriesTimes> settle_times(std::vector<TimedEntry> entries);
 
-/// Writes times, places and note, as settle_times returns them, into `description`. Returns the entry of each
+/// Writes times, places, note and what cannot be read, as settle_times returns them, into `description`. Returns the entry of each
 /// time. Error: as settle_times.
 core::Result<std::vector<std::size_t>> describe_times(std::vector<TimedEntry> entries,
                                                       SourceDescription& description);

@@ -17,9 +17,9 @@ namespace {
 
 constexpr int deepest = 16;
 
-core::Result<XmlHeader> header_of(const ListedFile& file) {
+core::Result<XmlHeader> header_of(const ListedFile& file, bool of_blocks) {
     const VtkMessages messages;
-    auto header = read_xml_header(file);
+    auto header = read_xml_header(file, of_blocks);
     if (auto clean = messages.verdict(file.name); !clean)
         return tl::unexpected(clean.error());
     return header;
@@ -58,9 +58,11 @@ class Expansion {
 
   private:
     core::Result<void> add_blocks_of(const ListedFile& file, int depth) {
-        const auto header = header_of(file);
+        const auto header = header_of(file, true);
         if (!header)
             return tl::unexpected(header.error());
+        if (header->cut)
+            out.cut = file.name;
         if (header->type != "vtkMultiBlockDataSet")
             return core::fail(Error::Code::Corrupt, file.name + " is not a multi-block file");
         return add_elements(*header->primary, file, file.block, depth);
@@ -93,7 +95,7 @@ class Expansion {
     // Pieces of unstructured files are leaves; VTK puts the pieces of structured ones together.
     core::Result<void>
     add_pieces_of(const ListedFile& file, const std::string& extension, int depth) {
-        const auto header = header_of(file);
+        const auto header = header_of(file, false);
         if (!header)
             return tl::unexpected(header.error());
         const bool apart = extension == ".pvtu" || extension == ".pvtp";

@@ -10,6 +10,8 @@ struct CompositeFile {
     std::vector<ListedFile> files;
     /// The files that are read, in order; `block` is their position among the blocks.
     std::vector<ListedFile> leaves;
+    /// Names a .vtm that ends before its elements do: what it lists may not be all.
+    std::string cut{};
 };
 
 /// Decides by the extension: .vtm, .vtmb, .pvtu and the like.

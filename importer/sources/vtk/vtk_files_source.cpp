@@ -80,6 +80,8 @@ core::Result<StatedTime> vtk_file_time(const ListedFile& file) {
 CompositeFile& append(CompositeFile& whole, CompositeFile part) {
     std::move(part.files.begin(), part.files.end(), std::back_inserter(whole.files));
     std::move(part.leaves.begin(), part.leaves.end(), std::back_inserter(whole.leaves));
+    if (!part.cut.empty())
+        whole.cut = std::move(part.cut);
     return whole;
 }
 
@@ -151,10 +153,15 @@ class VtkFilesSource final : public Source {
     }
 
     // Returns nothing of legacy files and VTKHDF: only reading them whole would tell.
-    std::optional<std::vector<FieldInfo>> fields_at(std::size_t step) const override {
+    std::optional<std::vector<FieldInfo>> fields_at(std::size_t step) override {
+        const auto unreadable = [&](const Error& why) {
+            if (ends_series(why) || why.code == Error::Code::NotFound)
+                description_.unreadable.emplace(step, why);
+            return std::nullopt;
+        };
         const auto all = expand_step(step);
         if (!all)
-            return std::nullopt;
+            return unreadable(all.error());
         std::vector<FieldInfo> out;
         const auto is_listed = [&](const FieldInfo& field) {
             return std::ranges::any_of(out, [&](const FieldInfo& other) {
@@ -169,7 +176,9 @@ class VtkFilesSource final : public Source {
                 break;
             const auto here =
                 is_xml(leaf.path) ? xml_file_fields(leaf) : core::Result<std::vector<FieldInfo>>();
-            if (!here || !is_xml(leaf.path))
+            if (!here)
+                return unreadable(here.error());
+            if (!is_xml(leaf.path))
                 return std::nullopt;
             for (const auto& field : *here)
                 if (!is_listed(field))
@@ -222,6 +231,10 @@ class VtkFilesSource final : public Source {
         }
         if (all.leaves.empty())
             return core::fail(Error::Code::Corrupt, entry_name(step) + " names no files");
+        if (!all.cut.empty() && step > 0 && all.leaves.size() < leaves_)
+            return core::fail(Error::Code::Corrupt, all.cut + " ends too early: it lists " +
+                                                        std::to_string(all.leaves.size()) + " of " +
+                                                        std::to_string(leaves_) + " files");
         return all;
     }
 
@@ -230,7 +243,10 @@ class VtkFilesSource final : public Source {
         for (const auto& entry : series_.entries)
             for (const auto& part : entry.parts) {
                 const auto size = disk.size(part.path);
-                if (!size && !series_.index.empty() && size.error().code == Error::Code::NotFound)
+                const bool gone = !size && size.error().code == Error::Code::NotFound;
+                if (gone && !series_.note.empty() && &entry != &series_.entries.front())
+                    continue; // the run was killed before it was written: the data end there
+                if (gone && !series_.index.empty())
                     return core::fail(Error::Code::NotFound,
                                       series_.index.front().filename().string() + " names " +
                                           part.name + ", which does not exist");
@@ -249,25 +265,25 @@ class VtkFilesSource final : public Source {
     core::Result<void> find_times() {
         std::vector<TimedEntry> entries;
         for (std::size_t step = 0; step < series_.entries.size(); ++step) {
-            entries.push_back({entry_name(step), series_.entries[step].time, false,
+            entries.push_back({entry_name(step), series_.entries[step].time, std::nullopt,
                                series_.entries[step].number});
             if (series_.entries.front().time)
                 continue;
             auto own = own_time(step);
-            // A file that cannot be read is reported when the import reaches it: the time-steps before it can
-            // be read.
-            entries.back().unreadable = !own && step > 0;
             if (!own && step == 0)
                 return tl::unexpected(own.error());
-            if (own) {
-                entries.back().time = own->time;
-                entries.back().cycle = own->cycle;
-                entries.back().in_title = own->in_title;
+            if (!own) {
+                entries.back().unreadable = own.error();
+                continue;
             }
+            entries.back().time = own->time;
+            entries.back().cycle = own->cycle;
+            entries.back().in_title = own->in_title;
         }
         return describe_times(std::move(entries), description_).map([&](const auto& order) {
             keep_in_order(series_.entries, order);
             add_note(description_.time_note, written_again(series_.left_out));
+            add_note(description_.time_note, series_.note);
         });
     }
 
@@ -299,6 +315,10 @@ class VtkFilesSource final : public Source {
         described_.clear();
         solids_.clear();
         description_.note.clear();
+        leaves_ = all->leaves.size();
+        if (!all->cut.empty())
+            add_note(description_.note, all->cut + " ends too early: the files that it lists, " +
+                                            std::to_string(leaves_) + ", are read");
         const auto before = fingerprint(all->files);
         if (before)
             described_from_ = *before;
@@ -352,7 +372,7 @@ class VtkFilesSource final : public Source {
     // Identifies a leaf at every time-step: by the name of its block, else by its index.
     static std::string place_of(const CompositeFile& all, std::size_t leaf) {
         const auto& block = all.leaves[leaf].block;
-        return block.empty() ? "#" + std::to_string(leaf) : block;
+        return block.empty() ? std::string("#").append(std::to_string(leaf)) : block;
     }
 
     core::Result<void> add_wall(const CompositeFile& all,
@@ -410,6 +430,7 @@ class VtkFilesSource final : public Source {
     std::map<std::string, bool> still_;
     std::size_t described_step_ = 0;
     std::map<std::size_t, VtkFile> described_; ///< by leaf, of that time-step
+    std::size_t leaves_ = 0;                   ///< of that time-step
     std::vector<store::SourceFile> described_from_;
     std::map<std::string, vtkSmartPointer<vtkDataSet>> sound_; ///< meshes by place, without values
 };

@@ -3,6 +3,7 @@
 #include "importer/base/process_memory.hpp"
 #include "importer/base/vtk_messages.hpp"
 #include "importer/sources/files/bounded_xml.hpp"
+#include "importer/sources/files/file_names.hpp"
 #include "importer/sources/series/file_series.hpp"
 #include "importer/sources/vtk/xml_header.hpp"
 #include "importer/sources/vtk/xml_time.hpp"
@@ -251,7 +252,7 @@ vtkSmartPointer<vtkXMLReader> reader_of(const std::string& type) {
 
 core::Result<XmlHeader> checked_header(const ListedFile& file) {
     const VtkMessages messages;
-    auto header = read_xml_header(file);
+    auto header = read_xml_header(file, lower_extension(file.path).starts_with(".vtm"));
     if (auto clean = messages.verdict(file.name); !clean)
         return tl::unexpected(clean.error());
     if (!header)
@@ -320,8 +321,11 @@ core::Result<VtkFile> read_xml_file(const ListedFile& file, const WantedArrays& 
 }
 
 core::Result<StatedTime> xml_file_time(const ListedFile& file) {
-    if (const auto header = checked_header(file); !header)
+    const auto header = checked_header(file);
+    if (!header)
         return tl::unexpected(header.error());
+    if (header->cut)
+        return StatedTime(); // it stands at the end
     const VtkMessages messages;
     auto time = xml_time(file);
     if (auto clean = messages.verdict(file.name); !clean)

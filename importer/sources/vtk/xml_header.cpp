@@ -9,6 +9,9 @@
 #include <cmath>
 #include <cstdint>
 #include <fstream>
+#include <iterator>
+#include <optional>
+#include <sstream>
 #include <string_view>
 
 namespace wakesurf::importer {
@@ -32,6 +35,13 @@ core::Result<void> check_ending(const ListedFile& file) {
     if (tail.find("</VTKFile>") == std::string::npos)
         return core::fail(Error::Code::Corrupt, file.name + " is truncated or not a VTK XML file");
     return {};
+}
+
+// Returns the text with its elements closed where it ends behind a tag.
+std::optional<std::string> closed_behind_tag(std::istream& in) {
+    const std::string text(std::istreambuf_iterator<char>(in), {});
+    const auto last = text.find_last_not_of(" \t\r\n");
+    return last != std::string::npos && text[last] == '>' ? closed_xml(text) : std::nullopt;
 }
 
 constexpr std::uint64_t bytes_a_node = 12;                          // a velocity
@@ -146,13 +156,19 @@ core::Result<void> check_counts(vtkXMLDataElement& primary, const std::string& n
 
 } // namespace
 
-core::Result<XmlHeader> read_xml_header(const ListedFile& file) {
+core::Result<XmlHeader> read_xml_header(const ListedFile& file, bool listing) {
     made_progress();
-    if (auto whole = check_ending(file); !whole)
-        return tl::unexpected(whole.error());
     XmlHeader header;
     std::ifstream in(file.path, std::ios::binary);
-    const auto parsed = parse_xml(in, file.name);
+    std::istringstream closed;
+    if (auto whole = check_ending(file); !whole) {
+        const auto text = listing ? closed_behind_tag(in) : std::nullopt;
+        if (!text)
+            return tl::unexpected(whole.error());
+        closed.str(*text);
+        header.cut = true;
+    }
+    const auto parsed = parse_xml(header.cut ? static_cast<std::istream&>(closed) : in, file.name);
     if (!parsed)
         return tl::unexpected(parsed.error());
     vtkXMLDataParser* parser = *parsed;

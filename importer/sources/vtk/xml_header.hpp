@@ -17,11 +17,12 @@ struct XmlHeader {
     vtkSmartPointer<vtkXMLDataElement> root; ///< owns `primary`
     vtkXMLDataElement* primary = nullptr;    ///< the element named as the type
     std::int64_t appended = 0;               ///< where offsets into appended data count from
+    bool cut = false;                        ///< the file ends behind a tag, before its elements do
 };
 
 /// Parses all but appended data. REQUIRES: a VtkMessages lives. Error: Io, Corrupt (empty, cut off, not XML,
-/// not VTK's).
-core::Result<XmlHeader> read_xml_header(const ListedFile& file);
+/// not VTK's). @param listing  the file only lists others: one that is cut off behind a tag is read as well
+core::Result<XmlHeader> read_xml_header(const ListedFile& file, bool listing = false);
 
 /// Checks that Origin, Spacing and Direction are numbers if they are given; pieces cover the extent exactly
 /// (VTK leaves other nodes uninitialized); piece sizes are numbers; there is one time-step. Error: Corrupt,

@@ -303,6 +303,7 @@ core::Result<void> DatasetCatalogue::import_within(Entry& entry,
         memory->bytes() > 0 ? std::max(memory->bytes(), smallest_import) : 0; // 0: its own bound
     ImportCommand command{entry.argument.path, folder, {}, {}, options_.importer, {}, 0, most};
     command.taken = entry.taken_now();
+    command.growing = true;
     return run_import_process(command, listener, stop);
 }
 

@@ -107,6 +107,8 @@ std::vector<std::string> arguments_of(const ImportCommand& command) {
         arguments.push_back("--jobs=" + std::to_string(command.jobs));
     if (command.memory > 0)
         arguments.push_back("--memory=" + std::to_string(command.memory));
+    if (command.growing)
+        arguments.emplace_back("--growing");
     for (auto& argument : arguments_of(command.taken))
         arguments.push_back(std::move(argument));
     return arguments;

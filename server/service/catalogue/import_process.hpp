@@ -26,6 +26,8 @@ struct ImportCommand {
     std::uint64_t memory = 0;        ///< --memory, of all its processes; 0: its own bound
     command::SourceOptions taken{};  ///< --dt, --start, --confined
     std::string layout{};            ///< --layout; empty: auto
+    /// A server follows the source: a time-step that cannot be read yet is an error, and its time is kept.
+    bool growing = false;
 };
 
 /// Runs an import to its end in the calling thread, which calls `listener` for every step. When `stop` fires

@@ -255,6 +255,13 @@ TEST(DatasetCatalogue, TakesATimeStepThatIsStillBeingWrittenOnceItIsWhole) {
     EXPECT_FALSE(partly.error->hint.empty());
     EXPECT_NE(partly.error->message.find("u_1.vti"), std::string::npos) << partly.error->message;
     EXPECT_TRUE(bench.catalogue->find("u_0").value()->cache->acquire(0).has_value());
+    Bench later({folder / "u_0.vti"}, folder / "stores");
+    later.wait_until("u_0", [](const DatasetStatus& status) { return status.error.has_value(); });
+    Bench again({folder / "u_0.vti"}, folder / "stores");
+    const auto still = again.wait_until(
+        "u_0", [](const DatasetStatus& status) { return status.error.has_value(); });
+    EXPECT_EQ(still.state, DatasetState::Incomplete) << "though nothing was converted";
+    EXPECT_EQ(still.steps_ready, 1u);
     write_file(folder / "u_1.vti", whole);
     const auto complete = bench.wait_until("u_0", [](const DatasetStatus& status) {
         return !status.error && status.steps_ready == 2;
@@ -267,7 +274,8 @@ TEST(DatasetCatalogue, AStoreWithoutItsLastTimeStepsIsIncompleteAndSaysWhatToDo)
     const TemporaryFolder folder;
     write_file(folder / "u_0.vti", sample_vti(0.0).text());
     write_file(folder / "u_1.vti", "nonsense");
-    const ImportCommand import{folder / "u_0.vti", folder / "store", {}, {}, importer_program()};
+    ImportCommand import{folder / "u_0.vti", folder / "store", {}, {}, importer_program()};
+    import.growing = true;
     ASSERT_FALSE(run_import_process(import, [](const store::ImportProgress&) {}));
     Bench bench({folder / "store"});
     const auto status = bench.wait_until_settled("store");
