@@ -328,9 +328,12 @@ std::optional<RakeChoice> at_rotation(const Flow& flow,
         choice.way = 0.75 * std::max({extent.x, extent.y, extent.z});
         choice.why = "across the place where the flow turns most";
     }
-    // Where a sheet is rolled up more often, it is long, and its layers hide each other.
+    // Where a sheet is rolled up more often, it is long, and its layers hide each other. In a plane that the flow goes
+    // through they lie beside each other.
     const double turns = survey.through() ? most_turns_through : most_turns;
-    choice.way = std::min(choice.way, choice.speed * turns * turn);
+    const Vec3 sides = extent / std::max({extent.x, extent.y, extent.z});
+    if (!survey.through() || std::min({sides.x, sides.y, sides.z}) > too_thin * too_thin)
+        choice.way = std::min(choice.way, choice.speed * turns * turn);
     const double half = 0.5 * usual_length * extent[span];
     for (const int k : {0, 1, 2})
         at[k] = inside(domain, k, at[k]);

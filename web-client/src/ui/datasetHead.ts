@@ -30,6 +30,7 @@ export class DatasetHead extends ModelElement<DatasetHeadModel> {
         }
         p {
             margin: 2px 0 0;
+            overflow-wrap: anywhere; /* names of folders have no blanks */
         }
     `;
 

@@ -28,6 +28,11 @@ describe('what colours show, in words', () => {
         expect(titleOf('vorticity', '', speedUnit)).toBe(`|Vorticity| (${unit})`);
     });
 
+    it('takes the time from the speed where times count the iterations of a solver', () => {
+        expect(titleOf('vorticity', 'iterations', 'm/s')).toBe('|Vorticity| (1/s)');
+        expect(titleOf('vorticity', 'iterations')).toBe('|Vorticity|');
+    });
+
     it('makes up no unit', () => {
         for (const unit of ['', 'knots', '-', 'm/', 'm^2']) expect(titleOf('vorticity', '', unit)).toBe('|Vorticity|');
         expect(titleOf('speed', 's', 'm/s')).toBe('Speed (m/s)');

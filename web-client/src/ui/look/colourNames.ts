@@ -85,6 +85,12 @@ function timeIn(speedUnit: string): string {
     return /(?:\/\s*([^\s/]+)|[\s.·*]([A-Za-zµ]+)\s*(?:\^?-1|⁻¹))\s*$/.exec(speedUnit)?.slice(1).find(Boolean) ?? '';
 }
 
+/** The unit of how long particles are followed: where times count a solver's iterations, that of the velocity. */
+export function unitOfDuration(units: Units, dataset: DatasetDescription | null): string {
+    const velocity = dataset?.fields.find(({ name }) => name === dataset.velocity);
+    return units.time === '' || units.time === 'iterations' ? timeIn(velocity?.unit ?? '') : units.time;
+}
+
 /** With the unit that follows from that of time, where that is known. */
 function withRate(name: string, time: string, before: string, after = ''): string {
     return time === '' ? name : `${name} (${before}${time}${after})`;
@@ -98,7 +104,7 @@ export function colourTitle(
     units: Units = noUnits,
 ): string {
     const velocity = dataset?.fields.find(({ name }) => name === dataset.velocity);
-    const time = units.time || timeIn(velocity?.unit ?? '');
+    const time = unitOfDuration(units, dataset);
     if (source === 's') return 'Position on the rake';
     if (source === 'age') return ageName(kind);
     if (scalar === deformation) return 'Stretching (log₂ of area)';

@@ -27,6 +27,7 @@ import './releasePanel.ts';
 import './timeEnds.ts';
 import { type Choice, selectRow, sliderRow, vectorFields } from '../base/rows.ts';
 import { ModelElement } from '../base/signalElement.ts';
+import { unitOfDuration } from '../look/colourNames.ts';
 
 /** Separation as a multiple of the finest spacing of the dataset's grid. */
 const separations = [
@@ -168,7 +169,7 @@ export class SurfacePanel extends ModelElement<SurfaceModel> {
         const step = longest / lengthSteps;
         return html`
                 ${sliderRow({
-                    ...{ id: 'length', words: 'Integration time', value: shown, shown: this.time(shown) },
+                    ...{ id: 'length', words: 'Integration time', value: shown, shown: this.duration(shown) },
                     ...{ low: step, high: longest, step },
                     change: (length) => edits.changeSurface({ length }),
                 })}
@@ -264,6 +265,11 @@ export class SurfacePanel extends ModelElement<SurfaceModel> {
                     : nothing
             }
         </div>`;
+    }
+
+    private duration(value: number): string {
+        const { state, view } = this.model;
+        return withUnit(shortNumber(value), unitOfDuration(view.units.value, state.dataset.value));
     }
 
     private time(value: number): string {
