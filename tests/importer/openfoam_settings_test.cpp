@@ -86,6 +86,8 @@ TEST_F(OpenfoamSettings, CallsTheTimesOfASteadySolverIterations) {
     EXPECT_EQ(unit("steadyState"), "iterations");
     EXPECT_EQ(unit("localEuler"), "iterations");
     EXPECT_EQ(unit("Euler; // steadyState"), "s");
+    EXPECT_EQ(unit("Euler; ddt(k) steadyState"), "s");
+    EXPECT_EQ(unit("none; ddt(U) bounded steadyState"), "iterations");
 }
 
 TEST_F(OpenfoamSettings, MakesDegreesOfTheCrankSeconds) {

@@ -71,7 +71,13 @@ bool times_are_iterations(const fs::path& folder, const std::vector<std::string>
         auto words = foam_words(folder / "system" / region / "fvSchemes");
         if (words.empty())
             words = foam_words(folder / "system" / "fvSchemes");
-        const auto [begin, end] = block_of(words, "ddtSchemes");
+        auto [begin, end] = block_of(words, "ddtSchemes");
+        // What a default says counts, unless it is none: turbulence may be steady in a flow that is not.
+        if (const auto usual = std::find(begin, end, "default");
+            usual != end && usual + 1 != end && usual[1] != "none") {
+            begin = usual;
+            end = std::find(begin, end, ";");
+        }
         return std::find_first_of(begin, end, without_time.begin(), without_time.end()) != end;
     });
 }
