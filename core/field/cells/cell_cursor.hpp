@@ -70,9 +70,9 @@ class CellCursor {
         return std::abs(by.x) <= most.x && std::abs(by.y) <= most.y && std::abs(by.z) <= most.z;
     }
 
-    /// Says whether a point is no farther out than rounding: along any axis, as sides may be parallel to none.
+    /// Says whether a point is no farther out than rounding.
     bool beside(const Vec3& off) const {
-        return glm::length(off) <= glm::length(domain_->rounding);
+        return within(off, domain_->rounding) || glm::length(off) <= domain_->rounding_across;
     }
 
     template <class Usable>
