@@ -33,7 +33,7 @@ struct SourceFile {
 
 /// The source of a store: equal sources give equal stores, so an import of one need not be repeated.
 struct StoreSource {
-    std::vector<SourceFile> files;              ///< what all time-steps share
+    std::vector<SourceFile> files; ///< what all time-steps share
     /// Of each time-step; behind them those of one that cannot be read, before which the store ends.
     std::vector<std::vector<SourceFile>> steps;
     /// The --fields and --times of an import, where empty means everything; flow, grid and times of a

@@ -111,8 +111,7 @@ void write_foam_field(const std::filesystem::path& folder,
                       const FoamField& field,
                       bool binary) {
     std::filesystem::create_directories(folder);
-    const bool vector =
-        field.values.empty() ? field.name == "U" : field.values.front().size() == 3;
+    const bool vector = field.values.empty() ? field.name == "U" : field.values.front().size() == 3;
     std::string out = header(vector ? "volVectorField" : "volScalarField", field.name, binary) +
                       "dimensions      " + field.dimensions +
                       ";\n\ninternalField   nonuniform List<" + (vector ? "vector" : "scalar") +

@@ -13,6 +13,7 @@
 #include <vtkIdList.h>
 #include <vtkImageData.h>
 #include <vtkPointData.h>
+#include <vtkPointSet.h>
 #include <vtkPoints.h>
 #include <vtkRectilinearGrid.h>
 #include <vtkStructuredGrid.h>
@@ -64,8 +65,24 @@ struct Plane {
     double thickness = 0.0;
 };
 
-// Error: nothing, if the points are not in a plane, to a millionth of their extent.
+// Returns nothing if the points are not in a plane, to a millionth of their extent.
 std::optional<Plane> plane_of(vtkDataSet& data) {
+    if (vtkPointSet::SafeDownCast(&data) == nullptr) { // an image or rectilinear grid: along axes
+        std::array<double, 6> box{};
+        data.GetBounds(box.data());
+        Plane out{Vec3(0.0), 0.0};
+        double area = 1.0;
+        for (int k = 0; k < 3; ++k) {
+            const auto low = static_cast<std::size_t>(2 * k);
+            const double side = box[low + 1] - box[low];
+            if (side > 0.0)
+                area *= side;
+            else
+                out.normal[k] = 1.0;
+        }
+        out.thickness = std::sqrt(area / static_cast<double>(data.GetNumberOfCells()));
+        return glm::length(out.normal) == 1.0 ? std::optional(out) : std::nullopt;
+    }
     Vec3 normal(0.0);
     double area = 0.0;
     const auto nodes = vtkSmartPointer<vtkIdList>::New();
