@@ -101,7 +101,7 @@ class Places {
     std::size_t slot_of(const Vec3& p) const {
         std::uint64_t hash = 0;
         for (int axis = 0; axis < 3; ++axis)
-            hash = mixed(hash + std::bit_cast<std::uint64_t>(p[axis]));
+            hash = mixed(hash + std::bit_cast<std::uint64_t>(p[axis] + 0.0)); // -0 is 0
         std::size_t slot = hash & (slots_.size() - 1);
         while (slots_[slot] != no_node && !(at_[slots_[slot]] == p))
             slot = (slot + 1) & (slots_.size() - 1);
@@ -143,8 +143,13 @@ class Matching {
             const auto hash = hash_of(step_.of(i), [&](auto p) { return place_[p]; });
             auto at = std::lower_bound(known.begin(), known.end(), std::pair(hash, 0u));
             bool found = false;
-            for (; at != known.end() && at->first == hash; ++at)
+            constexpr int most_alike =
+                64; // of a file that repeats one cell, all with all take for ever
+            for (int alike = 0; at != known.end() && at->first == hash; ++at) {
                 found = match(at->second, i) || found;
+                if (++alike > most_alike)
+                    return std::nullopt;
+            }
             if (!found)
                 return std::nullopt;
         }
