@@ -128,8 +128,8 @@ struct BrickCache::State {
         return step;
     }
 
-    /// Forgets unused steps: the empty ones, and all bricks of the least recently used one if there are too
-    /// many.
+    /// Forgets unused steps: the empty ones, and as long as there are too many the least recently used one with
+    /// all its bricks, but none of which a brick is on its way.
     void forget_steps() {
         const auto held = [](const Step& step) { return step.table.use_count() > 1; };
         const auto erase_empty = [&] {
@@ -138,21 +138,23 @@ struct BrickCache::State {
             });
         };
         erase_empty();
-        if (steps.size() <= most_tables)
-            return;
-        const BrickTable* oldest = nullptr;
-        std::uint64_t earliest = asks;
-        for (const auto& [index, step] : steps)
-            if (step.asked != 0 && step.asked < earliest && !held(step)) {
-                oldest = step.table.get();
-                earliest = step.asked;
-            }
-        retired.next_epoch();
-        for (std::size_t i = 0; oldest != nullptr && i < slots.size(); ++i)
-            if (slots[i].table == oldest && !slots[i].loading)
-                leave(i);
-        retired.reclaim(free);
-        erase_empty();
+        while (steps.size() > most_tables) {
+            const BrickTable* oldest = nullptr;
+            std::uint64_t earliest = asks + 1;
+            for (const auto& [index, step] : steps)
+                if (step.asked != 0 && step.asked < earliest && step.loading == 0 && !held(step)) {
+                    oldest = step.table.get();
+                    earliest = step.asked;
+                }
+            if (oldest == nullptr)
+                return;
+            retired.next_epoch();
+            for (std::size_t i = 0; i < slots.size(); ++i)
+                if (slots[i].table == oldest)
+                    leave(i);
+            retired.reclaim(free);
+            erase_empty();
+        }
     }
 
     static StepName name_of(const BrickTable& table) { return {table.step(), table.field()}; }

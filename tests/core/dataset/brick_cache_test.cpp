@@ -238,6 +238,20 @@ TEST(BrickCache, ReadsAheadWithoutTakingRoomFromWhatIsInUse) {
     EXPECT_EQ(bench.cache.held()[1].resident, 0u);
 }
 
+TEST(BrickCache, StaysWithinItsBudgetWhileTheOldestTimeStepIsStillBeingRead) {
+    Bench bench;
+    bench.source.patient = true;
+    bench.cache.prefetch(names(0, 0, 2));
+    for (std::size_t step = 1; step <= 14; ++step) {
+        bench.cache.prefetch(names(step, 0, 10));
+        bench.source.answer_some(10, 100);
+        EXPECT_LE(bench.cache.status().bytes, bench.cache.status().budget) << step;
+    }
+    EXPECT_EQ(bench.source.on_their_way(0), 2u);
+    bench.source.answer();
+    EXPECT_NE(bench.cache.table(0)->at(0), nullptr);
+}
+
 TEST(BrickCache, CountsWhatItHoldsOfEachTimeStepWhateverIsDone) {
     constexpr std::size_t steps = 4;
     for (unsigned seed = 0; seed < 20; ++seed) {
