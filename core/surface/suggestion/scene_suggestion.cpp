@@ -182,6 +182,8 @@ Result<SceneSuggestion> suggest_scene(const Flow& flow,
         }
     if (!survey)
         return tl::unexpected(survey.error());
+    if (at_rest(*survey))
+        shown = times.back(); // and at all others: of no time is more to see
     const bool moves = series.steady || times.size() > 1;
     const std::optional<double> available =
         series.steady || times.size() < 2 ? std::nullopt : std::optional(shown - times.front());

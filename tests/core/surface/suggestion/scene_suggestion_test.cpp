@@ -418,7 +418,10 @@ TEST(SceneSuggestion, SaysThatTheFlowIsAtRest) {
         grid, times(3, 1.0), [](const Vec3&, double) { return Vec3(0.0); });
     const auto flow =
         make_stored_flow(std::make_shared<TimeStepCache>(source, TimeStepCache::Options{}));
-    EXPECT_TRUE(holds(suggested(*flow, {times(3, 1.0), false, 1000}).why, "at rest"));
+    const auto unsteady = suggested(*flow, {times(3, 1.0), false, 1000});
+    EXPECT_TRUE(holds(unsteady.why, "at rest"));
+    for (const SurfaceParameters& each : unsteady.surfaces)
+        EXPECT_LT(each.from, each.to);
 }
 
 TEST(SceneSuggestion, CostsOneTimeStep) {
