@@ -10,6 +10,8 @@ namespace wakesurf::command {
 
 namespace {
 
+constexpr unsigned most_periods = 1000;
+
 // Returns the shortest text that reads back as `value`.
 std::string number_text(double value) {
     std::array<char, 40> text{};
@@ -31,6 +33,23 @@ CLI::Validator finite(bool positive) {
         positive ? "POSITIVE" : "NUMBER");
 }
 
+// Reads PERIODS or PERIODS:LENGTH.
+std::optional<Loop> loop_of(std::string_view text) {
+    Loop loop;
+    const char* const end = text.data() + text.size();
+    auto read = std::from_chars(text.data(), end, loop.periods);
+    if (read.ec != std::errc() || loop.periods < 2 || loop.periods > most_periods)
+        return std::nullopt;
+    if (read.ptr == end)
+        return loop;
+    if (*read.ptr != ':')
+        return std::nullopt;
+    read = std::from_chars(read.ptr + 1, end, loop.period.emplace());
+    const bool sound = read.ec == std::errc() && read.ptr == end && std::isfinite(*loop.period) &&
+                       *loop.period > 0.0;
+    return sound ? std::optional(loop) : std::nullopt;
+}
+
 } // namespace
 
 void add_source_options(CLI::App& command, SourceOptions& options) {
@@ -45,6 +64,19 @@ void add_source_options(CLI::App& command, SourceOptions& options) {
         ->check(finite(true));
     command.add_option("--start", options.start, "Time of the first of such files (default: 0)")
         ->check(finite(false));
+    command
+        .add_option_function<std::string>(
+            "--loop",
+            [&options](const std::string& text) {
+                options.loop = loop_of(text);
+                if (!options.loop)
+                    throw CLI::ValidationError(
+                        "--loop", "'" + text + "' is not PERIODS or PERIODS:LENGTH, with 2 to " +
+                                      std::to_string(most_periods) + " periods");
+            },
+            "The stored times are one period, which is repeated: PERIODS, or PERIODS:LENGTH "
+            "(default length: by whether the last time-step is the first again)")
+        ->option_text("PERIODS[:LENGTH]");
     command.add_flag("--confined", options.confined,
                      "Refuse files that DATASET names outside of its folder: for data of people "
                      "you do not trust");
@@ -60,6 +92,9 @@ std::vector<std::string> arguments_of(const SourceOptions& options) {
         out.push_back("--dt=" + number_text(*options.dt));
     if (options.start)
         out.push_back("--start=" + number_text(*options.start));
+    if (options.loop)
+        out.push_back("--loop=" + std::to_string(options.loop->periods) +
+                      (options.loop->period ? ":" + number_text(*options.loop->period) : ""));
     if (options.confined)
         out.emplace_back("--confined");
     return out;

@@ -12,9 +12,17 @@ class App;
 
 namespace wakesurf::command {
 
+/// Says that the stored times are one period of a flow that repeats.
+struct Loop {
+    unsigned periods = 0; ///< how often it runs
+    std::optional<double>
+        period{}; ///< how long it is; none: by the values of its first and last time-step
+};
+
 struct SourceOptions {
     std::optional<double> dt;    ///< from one numbered file to the next; 1 if only `start` is given
     std::optional<double> start; ///< of the first; 0 if only `dt` is given
+    std::optional<Loop> loop;
     std::string velocity;  ///< a vector's name, or three scalars' with commas; empty: by its name
     bool alone = false;    ///< a file with a number in its name without the series it belongs to
     bool confined = false; ///< files that it names outside of its own folder are refused
@@ -22,7 +30,7 @@ struct SourceOptions {
     bool times() const { return dt || start; }
 };
 
-/// Declares --velocity, --alone, --dt, --start and --confined.
+/// Declares --velocity, --alone, --dt, --start, --loop and --confined.
 void add_source_options(CLI::App& command, SourceOptions& options);
 
 /// Returns the options as arguments that add_source_options reads back exactly.

@@ -170,8 +170,8 @@ class Conversion {
   private:
     // Says whether the series ends before the time-step that could not be converted: what was before is whole then.
     bool ends_there(const Error& why) const {
-        return !request_.growing && done() > 0 && written_ < todo_.size() &&
-               done() == todo_[written_] && ends_series(why);
+        return !request_.growing && plan_.period_steps == 0 && done() > 0 &&
+               written_ < todo_.size() && done() == todo_[written_] && ends_series(why);
     }
 
     void end_there(const Error& why) {
@@ -275,7 +275,10 @@ class Conversion {
     // Converts all time-steps: this process has read the first already; the others go to workers.
     core::Result<void> convert_all() {
         const bool first_here = !todo_.empty() && todo_.front() == 0;
-        const auto others = std::span(todo_).subspan(first_here ? 1 : 0);
+        const auto first_repeated = plan_.period_steps == 0
+                                        ? todo_.end()
+                                        : std::ranges::lower_bound(todo_, plan_.period_steps);
+        const auto others = std::span(todo_.begin(), first_repeated).subspan(first_here ? 1 : 0);
         StepWork work;
         work.name = [&](std::size_t index) { return plan_.step_name(index); };
         work.convert = [&](std::size_t index) {
@@ -300,7 +303,35 @@ class Conversion {
             };
         else
             reading_.step = {};
-        return convert_steps(others, worker_count(plan_, manifest_.info.points), work);
+        auto converted = convert_steps(others, worker_count(plan_, manifest_.info.points), work);
+        for (auto index = first_repeated; converted && index != todo_.end(); ++index)
+            converted = repeat_step(*index);
+        return converted;
+    }
+
+    // Makes a time-step of the files of the first period: as links, so that they take no room, where the file
+    // system has them.
+    core::Result<void> repeat_step(std::size_t index) {
+        const std::size_t first = index % plan_.period_steps;
+        const auto& layout = manifest_.layout;
+        for (std::size_t column = 0; column < layout.columns(); ++column) {
+            const auto from = store::step_files(layout, column, first);
+            const auto to = store::step_files(layout, column, index);
+            for (std::size_t i = 0; i < from.size(); ++i)
+                if (auto linked = writer_.repeat(from[i].name, to[i].name); !linked)
+                    return linked;
+        }
+        const auto& without = manifest_.without_velocity;
+        if (std::ranges::find(without, first) != without.end())
+            manifest_.without_velocity.push_back(index);
+        const auto checksums = writer_.finished_step(first, layout.columns());
+        if (!checksums)
+            return core::fail(Error::Code::Io, "the first period is not in the store any more");
+        if (auto finished = writer_.finish_step(index, *checksums); !finished)
+            return finished;
+        ++written_;
+        show_({"import", done(), plan_.times.size(), file_of(index), {}, 0.0, remaining()});
+        return {};
     }
 
     core::Result<void> open_again() {

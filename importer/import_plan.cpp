@@ -4,6 +4,7 @@
 #include "importer/base/notes.hpp"
 #include "importer/base/progress_marks.hpp"
 #include "importer/fields/velocity_choice.hpp"
+#include "importer/repeated_period.hpp"
 #include "importer/sources/open_source.hpp"
 #include "importer/sources/series/series_times.hpp"
 #include "importer/step_fields.hpp"
@@ -191,6 +192,9 @@ core::Result<ImportPlan> plan_of(std::unique_ptr<Source> source,
     if (first_phase)
         plan.choice.why =
             "the velocity of the first phase; its cell values are averaged to the points";
+    if (request.taken.loop)
+        if (auto repeated = repeat_period(*request.taken.loop, plan); !repeated)
+            return tl::unexpected(repeated.error());
     progress_marks().surveyed = true;
     return plan;
 }

@@ -39,6 +39,7 @@ struct ImportPlan {
     std::vector<std::size_t> steps; ///< of the source, in order
     std::size_t described = 0;      ///< the step of the source that it is described by
     std::vector<double> times;
+    std::size_t period_steps = 0; ///< after which the time-steps repeat; 0: they do not
     std::string time_note; ///< where they come from, if that is not plain, and which are left out
     std::vector<core::FieldInfo> fields; ///< of the source, those that all time-steps have
     std::string end_note; ///< why the data end before the last time-step asked for; else empty

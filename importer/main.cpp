@@ -14,6 +14,7 @@
 #include "importer/conversion.hpp"
 #include "importer/level_message.hpp"
 #include "importer/level_sets.hpp"
+#include "importer/rake_file.hpp"
 #include "importer/sources/files/named_path.hpp"
 #include "importer/step_workers.hpp"
 #include "protocol/api/base/json_text.hpp"
@@ -42,7 +43,8 @@ struct Wish {
     importer::ImportBounds bounds;
     std::string store; ///< empty: describe the source only
     bool show_libraries = false;
-    int parent = 0; ///< ends with this process; 0: with none
+    std::string rake; ///< "line" or "points": print those of the source, a rake's file; else empty
+    int parent = 0;   ///< ends with this process; 0: with none
 };
 
 std::string name_of(const std::filesystem::path& source) {
@@ -70,7 +72,18 @@ int failed(std::FILE* stream, const Wish& wish, core::Error error) {
                                                                                                : 1;
 }
 
+int print_rake(const Wish& wish, const importer::OwnOutput& out) {
+    const auto points = importer::read_rake_file(wish.request.source, wish.rake == "points");
+    if (!points)
+        return failed(out.errors, wish, points.error());
+    for (const auto& p : *points)
+        std::fprintf(out.results, "%.17g,%.17g,%.17g\n", p.x, p.y, p.z);
+    return 0;
+}
+
 int run(const Wish& wish, const importer::OwnOutput& out) {
+    if (!wish.rake.empty())
+        return print_rake(wish, out);
     if (wish.store.empty()) {
         auto info = importer::describe_source(wish.request);
         if (!info)
@@ -218,6 +231,9 @@ int main(int argc, char** argv) {
         ->group("");
     auto* describe = app.add_flag("--describe", describe_only,
                                   "print a description of SOURCE as JSON; write nothing");
+    auto* rake = app.add_option("--rake", wish.rake, "print the points of a rake in a file")
+                     ->check(CLI::IsMember({"line", "points"}))
+                     ->group("");
     app.add_flag_callback("--man-page",
                           [&app] {
                               throw CLI::CallForVersion(
@@ -227,7 +243,7 @@ int main(int argc, char** argv) {
         ->group(""); // for who makes packages
     try {
         app.parse(argc, argv);
-        if (folder->count() == describe->count())
+        if (folder->count() + describe->count() + rake->count() != 1)
             throw CLI::ValidationError("STORE_DIR", "give a folder, or --describe");
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : 2;

@@ -14,6 +14,7 @@
 #include <atomic>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -243,6 +244,24 @@ StoreWriter::write_in_place(const std::string& name,
                           .map([] { return 0; });
                   })
         .map([](int) {});
+}
+
+core::Result<void> StoreWriter::repeat(const std::string& name, const std::string& again) {
+    std::error_code none;
+    fs::remove(folder_ / again, none);
+    if (::link((folder_ / name).c_str(), (folder_ / again).c_str()) == 0)
+        return {};
+    std::ifstream in(folder_ / name, std::ios::binary);
+    std::vector<char> piece(std::size_t{1} << 20);
+    return write(again,
+                 [&]() -> core::Result<std::span<const std::byte>> {
+                     in.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+                     if (in.bad() || !in.is_open())
+                         return tl::unexpected(failure("cannot read " + name).value());
+                     return std::as_bytes(
+                         std::span(piece).first(static_cast<std::size_t>(in.gcount())));
+                 })
+        .map([](std::uint32_t) {});
 }
 
 core::Result<void> StoreWriter::finish_step(std::size_t index,

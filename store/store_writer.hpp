@@ -49,6 +49,9 @@ class StoreWriter {
                    std::uint64_t size,
                    const std::function<core::Result<void>(const PutBytes&)>& fill);
 
+    /// Gives a file that is written a second name; copies it where the file system has no links. Error: Io.
+    core::Result<void> repeat(const std::string& name, const std::string& again);
+
     /// Makes time-step `index` ready, all files of which are written: readers see that by its checksums, one
     /// a stored field. REQUIRES: the time-steps before it are ready. Error: Io.
     core::Result<void> finish_step(std::size_t index, std::span<const std::uint32_t> checksums);

@@ -1,4 +1,4 @@
-// A rake on the command line: "x,y,z x,y,z ...".
+// A rake on the command line: "x,y,z x,y,z ...", or a file of its points.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -10,8 +10,9 @@
 
 namespace wakesurf::server {
 
-/// Parses a rake. Error: InvalidArgument, naming the option and the wrong point, or the points that a rake of
-/// that kind has.
+/// Parses a rake. A word with the extension of a file names one, which the importer reads. Error:
+/// InvalidArgument, naming the option and the wrong point, or the points that a rake of that kind has; that of
+/// read_rake_with_import_process.
 /// @param kind  a word of rake.set; empty: two points make a line, more a polyline
 core::Result<core::Rake> parse_rake(std::string_view text,
                                     std::uint32_t seeds,

@@ -368,8 +368,8 @@ void add_surface_options(CLI::App& command, SurfaceOptions& options) {
         ->required();
     command.add_option(
         "--rake", options.rake,
-        "\"x,y,z x,y,z ...\": a line, or a polyline (default: chosen by the data, with "
-        "the times and the separation)");
+        "\"x,y,z x,y,z ...\": a line, or a polyline; or a file of its points: .csv, .txt, .vtp, "
+        ".vtk or .obj (default: chosen by the data, with the times and the separation)");
     command.add_option(
         "--rake-kind", options.rake_kind,
         "What the points of --rake are: line: 2; polyline and points: 2 or more; circle: the "

@@ -90,6 +90,10 @@ core::Result<void> check_source_options(const DatasetArgument& argument,
                           std::string(options.dt ? "--dt" : "--start") +
                               " is for numbered files that state no times; " + what,
                           "leave it out, or import the files with it");
+    if (options.loop)
+        return core::fail(Error::Code::InvalidArgument,
+                          "--loop repeats the times of files; " + what,
+                          "leave it out, or import the files with it");
     if (!options.velocity.empty())
         return core::fail(Error::Code::InvalidArgument,
                           "--velocity chooses among the fields of files; " + what +
@@ -116,9 +120,10 @@ fs::path store_folder(const fs::path& root,
                       const DatasetArgument& source,
                       const command::SourceOptions& options) {
     std::uint64_t hash = 0xcbf29ce484222325u; // FNV-1a
-    const std::string chosen =
-        (options.velocity.empty() ? "" : "\n--velocity=" + options.velocity) +
-        (options.alone ? "\n--alone" : "");
+    std::string chosen;
+    for (const std::string& option : arguments_of(options))
+        if (option.starts_with("--velocity") || option == "--alone" || option.starts_with("--loop"))
+            chosen += "\n" + option;
     for (const char c : source.path.string() + chosen)
         hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
     std::string digits;

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -181,17 +182,18 @@ judge(const ImportCommand& command, const ChildOutcome& outcome, const std::stop
     return tl::unexpected(error_of(command, outcome.exit_status, own_words(outcome.errors)));
 }
 
+/// @param instead  what is done with the source instead of writing a store; else empty
 core::Result<void> run(const ImportCommand& command,
-                       bool describe,
+                       const std::string& instead,
                        const std::function<void(std::string_view)>& line,
                        const std::stop_token& stop) {
     auto arguments = arguments_of(command);
     arguments.push_back("--parent=" + std::to_string(::getpid()));
-    if (describe)
-        arguments.emplace_back("--describe");
+    if (!instead.empty())
+        arguments.push_back(instead);
     arguments.emplace_back("--"); // a path that begins with a dash is still a path
     arguments.push_back(command.source.string());
-    if (!describe)
+    if (instead.empty())
         arguments.push_back(command.store.string());
     return run_child(program_of(command), arguments, address_space(), line, stop)
         .and_then([&](const ChildOutcome& outcome) { return judge(command, outcome, stop); });
@@ -207,7 +209,7 @@ run_import_process(const ImportCommand& command,
         if (const auto progress = store::parse_progress_line(text))
             listener(*progress);
     };
-    return run(command, false, line, stop);
+    return run(command, {}, line, stop);
 }
 
 core::Result<core::DatasetInfo> describe_with_import_process(const ImportCommand& command,
@@ -218,10 +220,29 @@ core::Result<core::DatasetInfo> describe_with_import_process(const ImportCommand
         if (text.size() <= limits.bytes) // more is refused below
             text.append(part).append("\n");
     };
-    if (auto described = run(command, true, line, stop); !described)
+    if (auto described = run(command, "--describe", line, stop); !described)
         return tl::unexpected(described.error());
     return protocol::parse_json(text, limits).and_then([](const nlohmann::json& value) {
         return protocol::parse_dataset_info(value);
+    });
+}
+
+core::Result<std::vector<core::Vec3>>
+read_rake_with_import_process(const std::filesystem::path& file, bool separate) {
+    std::vector<core::Vec3> points;
+    const auto line = [&](std::string_view text) {
+        std::array<double, 3> xyz{};
+        for (double& each : xyz) {
+            const auto read = std::from_chars(text.data(), text.data() + text.size(), each);
+            text.remove_prefix(static_cast<std::size_t>(read.ptr - text.data()));
+            text.remove_prefix(text.starts_with(','));
+        }
+        points.emplace_back(xyz[0], xyz[1], xyz[2]);
+    };
+    ImportCommand command;
+    command.source = file;
+    return run(command, separate ? "--rake=points" : "--rake=line", line, {}).map([&] {
+        return std::move(points);
     });
 }
 

@@ -43,4 +43,9 @@ run_import_process(const ImportCommand& command,
 core::Result<core::DatasetInfo> describe_with_import_process(const ImportCommand& command,
                                                              std::stop_token stop = {});
 
+/// Reads the points of a rake from a file of a table or a line (importer/rake_file.hpp). Error: the importer's
+/// own sentence. @param separate  they need not lie on one line
+core::Result<std::vector<core::Vec3>>
+read_rake_with_import_process(const std::filesystem::path& file, bool separate);
+
 } // namespace wakesurf::server
