@@ -77,6 +77,15 @@ void add_source_options(CLI::App& command, SourceOptions& options) {
             "The stored times are one period, which is repeated: PERIODS, or PERIODS:LENGTH "
             "(default length: by whether the last time-step is the first again)")
         ->option_text("PERIODS[:LENGTH]");
+    command
+        .add_option_function<std::string>(
+            "--mask",
+            [&options](const std::string& use) { options.mask = use == "body" ? "" : use; },
+            "What a scalar called mask, solid or the like marks: body: a solid that stays; gap: at "
+            "each time, where there is no fluid, for bodies that move; scalar: nothing (default: "
+            "body)")
+        ->check(CLI::IsMember({"body", "gap", "scalar"}))
+        ->option_text("body|gap|scalar");
     command.add_flag("--confined", options.confined,
                      "Refuse files that DATASET names outside of its folder: for data of people "
                      "you do not trust");
@@ -95,6 +104,8 @@ std::vector<std::string> arguments_of(const SourceOptions& options) {
     if (options.loop)
         out.push_back("--loop=" + std::to_string(options.loop->periods) +
                       (options.loop->period ? ":" + number_text(*options.loop->period) : ""));
+    if (!options.mask.empty())
+        out.push_back("--mask=" + options.mask);
     if (options.confined)
         out.emplace_back("--confined");
     return out;

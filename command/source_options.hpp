@@ -24,13 +24,14 @@ struct SourceOptions {
     std::optional<double> start; ///< of the first; 0 if only `dt` is given
     std::optional<Loop> loop;
     std::string velocity;  ///< a vector's name, or three scalars' with commas; empty: by its name
+    std::string mask;      ///< gap or scalar; empty: a mask marks a body that stays
     bool alone = false;    ///< a file with a number in its name without the series it belongs to
     bool confined = false; ///< files that it names outside of its own folder are refused
 
     bool times() const { return dt || start; }
 };
 
-/// Declares --velocity, --alone, --dt, --start, --loop and --confined.
+/// Declares --velocity, --alone, --dt, --start, --loop, --mask and --confined.
 void add_source_options(CLI::App& command, SourceOptions& options);
 
 /// Returns the options as arguments that add_source_options reads back exactly.

@@ -94,6 +94,12 @@ core::Result<void> take_steps(const std::vector<double>& times,
     return {};
 }
 
+MaskUse mask_use(const command::SourceOptions& taken) {
+    return taken.mask == "gap"      ? MaskUse::Gap
+           : taken.mask == "scalar" ? MaskUse::Scalar
+                                    : MaskUse::Body;
+}
+
 // Returns true if a mask of 0 and 1 at first has other values at the last time-step: it is a fraction. A
 // time-step that cannot be read is reported when the import reaches it.
 bool drops_its_mask(const ImportPlan& plan, FieldWish& wish) {
@@ -120,6 +126,15 @@ std::string ImportPlan::step_name(std::size_t index) const {
     if (!files.empty())
         return files.front().name + " (" + step + ")";
     return step + " of " + source->description().name;
+}
+
+core::Result<SourceStep> ImportPlan::read(std::size_t index) const {
+    auto step = source->read(steps[index], choice.arrays());
+    if (!step)
+        return step;
+    return leave_body_out(step->blocks, choice)
+        .map([&] { return std::move(*step); })
+        .map_error([&](Error error) { return about_step(*this, index, std::move(error)); });
 }
 
 namespace {
@@ -172,7 +187,7 @@ core::Result<ImportPlan> plan_of(std::unique_ptr<Source> source,
     add_note(plan.time_note, settled->note);
     const auto& fields = plan.fields;
     const auto& stated = plan.source->description().velocities;
-    FieldWish wish{request.fields, request.taken.velocity, {}, stated};
+    FieldWish wish{request.fields, request.taken.velocity, {}, stated, mask_use(request.taken)};
     const bool first_phase = wish.velocity.empty() && !plan.source->description().velocity.empty();
     if (first_phase)
         wish.velocity = plan.source->description().velocity;

@@ -53,9 +53,7 @@ struct ImportPlan {
     /// Returns a name for messages: "flow_3.vti (time-step 3)".
     std::string step_name(std::size_t index) const;
 
-    core::Result<SourceStep> read(std::size_t index) const {
-        return source->read(steps[index], choice.arrays());
-    }
+    core::Result<SourceStep> read(std::size_t index) const;
 };
 
 /// Receives the velocities to choose from (velocity_candidates), if the choice is not clear.

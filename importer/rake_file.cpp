@@ -166,18 +166,18 @@ core::Result<vtkSmartPointer<vtkPolyData>> read_obj(const ListedFile& file) {
         const auto words = words_of(row, blanks);
         if (words.empty() || (words[0] != "v" && words[0] != "l" && words[0] != "f"))
             continue;
-        std::vector<vtkIdType> places;
+        std::vector<vtkIdType> named;
         std::vector<double> numbers;
         bool broken = false;
         for (const auto& word : std::span(words).subspan(1)) {
             if (const auto value = words[0] == "v" ? number_of(word) : std::nullopt)
                 numbers.push_back(*value);
             else if (const auto place = place_of(word, points->GetNumberOfPoints()))
-                places.push_back(*place);
+                named.push_back(*place);
             else
                 broken = true;
         }
-        if (broken || (words[0] == "v" ? numbers.size() < 3 : places.size() < 2))
+        if (broken || (words[0] == "v" ? numbers.size() < 3 : named.size() < 2))
             return core::fail(Error::Code::Corrupt, file.name + " has no " +
                                                         (words[0] == "v" ? "point" : "line") +
                                                         " in row " + std::to_string(number));
@@ -185,7 +185,7 @@ core::Result<vtkSmartPointer<vtkPolyData>> read_obj(const ListedFile& file) {
             points->InsertNextPoint(numbers.data());
         else
             (words[0] == "l" ? lines : faces)
-                ->InsertNextCell(static_cast<vtkIdType>(places.size()), places.data());
+                ->InsertNextCell(static_cast<vtkIdType>(named.size()), named.data());
     }
     auto data = vtkSmartPointer<vtkPolyData>::New();
     data->SetPoints(points);

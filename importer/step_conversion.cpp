@@ -145,7 +145,10 @@ take_mesh_of(const ImportPlan& plan, const FirstStep& first, std::size_t index, 
     if (!mask)
         return tl::unexpected(about_step(plan, index, mask.error()));
     if (*mask != first.mask)
-        return differs(plan, index, "mask", "moving obstacles cannot be read");
+        return differs(
+            plan, index, "mask",
+            "a body that moves can be left out at each time, by --mask gap, or its mask taken "
+            "for a scalar, by --mask scalar");
     return {};
 }
 

@@ -6,9 +6,13 @@
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
 #include <vtkPointData.h>
 
 #include <algorithm>
+#include <limits>
 #include <string>
 
 namespace wakesurf::importer {
@@ -18,17 +22,21 @@ using core::FieldInfo;
 
 namespace {
 
-vtkDataArray* mask_array(vtkDataSet& block, const FieldInfo& field) {
+vtkDataSetAttributes& attributes_of(vtkDataSet& block, const FieldInfo& field) {
     return field.source == FieldInfo::Source::Point
-               ? block.GetPointData()->GetArray(field.name.c_str())
-               : block.GetCellData()->GetArray(field.name.c_str());
+               ? static_cast<vtkDataSetAttributes&>(*block.GetPointData())
+               : static_cast<vtkDataSetAttributes&>(*block.GetCellData());
+}
+
+vtkDataArray* values_of(vtkDataSet& block, const FieldInfo& field) {
+    return attributes_of(block, field).GetArray(field.name.c_str());
 }
 
 // Returns for each point or cell whether it is solid.
 core::Result<std::vector<bool>> read_array(vtkDataSet& block, const FieldChoice& choice) {
     const FieldInfo& mask = *choice.mask;
     const bool of_points = mask.source == FieldInfo::Source::Point;
-    vtkDataArray* const array = mask_array(block, mask);
+    vtkDataArray* const array = values_of(block, mask);
     const vtkIdType wanted = of_points ? block.GetNumberOfPoints() : block.GetNumberOfCells();
     if (array == nullptr || array->GetNumberOfTuples() != wanted)
         return core::fail(Error::Code::NotFound, "has no whole field " + mask.name);
@@ -73,6 +81,34 @@ core::Result<std::vector<bool>> solid_cells(vtkDataSet& block,
     return solid;
 }
 
+std::vector<bool> points_of(vtkDataSet& block, const std::vector<bool>& solid_cells) {
+    std::vector<bool> solid(static_cast<std::size_t>(block.GetNumberOfPoints()), false);
+    vtkNew<vtkIdList> points;
+    for (std::size_t cell = 0; cell < solid_cells.size(); ++cell) {
+        if (!solid_cells[cell])
+            continue;
+        block.GetCellPoints(static_cast<vtkIdType>(cell), points);
+        for (const vtkIdType point : *points)
+            solid[static_cast<std::size_t>(point)] = true;
+    }
+    return solid;
+}
+
+// Gives the block an array without values where it is solid, in the place of a field's.
+void take_away(vtkDataSet& block, const FieldInfo& field, const std::vector<bool>& solid) {
+    vtkDataArray* const array = values_of(block, field);
+    if (array == nullptr || array->GetNumberOfTuples() != static_cast<vtkIdType>(solid.size()))
+        return; // whoever reads its values says so
+    vtkNew<vtkDoubleArray> without;
+    without->DeepCopy(array);
+    without->SetName(field.name.c_str());
+    for (std::size_t i = 0; i < solid.size(); ++i)
+        for (int c = 0; solid[i] && c < without->GetNumberOfComponents(); ++c)
+            without->SetComponent(static_cast<vtkIdType>(i), c,
+                                  std::numeric_limits<double>::quiet_NaN());
+    attributes_of(block, field).AddArray(without);
+}
+
 core::Result<std::vector<std::uint8_t>> fluid_nodes(BlockList blocks, const FieldChoice& choice) {
     auto assembly = assemble_grid(blocks);
     if (!assembly)
@@ -90,7 +126,7 @@ core::Result<std::vector<std::uint8_t>> fluid_nodes(BlockList blocks, const Fiel
 
 bool is_zero_or_one(BlockList blocks, const FieldInfo& field) {
     return std::all_of(blocks.begin(), blocks.end(), [&](const auto& block) {
-        vtkDataArray* const array = mask_array(*block, field);
+        vtkDataArray* const array = values_of(*block, field);
         for (vtkIdType i = 0; array != nullptr && i < array->GetNumberOfTuples(); ++i)
             if (const double value = array->GetComponent(i, 0); value != 0.0 && value != 1.0)
                 return false;
@@ -100,7 +136,7 @@ bool is_zero_or_one(BlockList blocks, const FieldInfo& field) {
 
 core::Result<ObstacleMask> read_mask(BlockList blocks, const FieldChoice& choice) {
     ObstacleMask mask;
-    if (!choice.mask)
+    if (!choice.mask || choice.mask_use == MaskUse::Gap)
         return mask;
     const bool grid = is_grid(blocks);
     for (const auto& block : blocks) {
@@ -118,6 +154,27 @@ core::Result<ObstacleMask> read_mask(BlockList blocks, const FieldChoice& choice
         mask.fluid = std::move(fluid);
         return std::move(mask);
     });
+}
+
+core::Result<void> leave_body_out(std::vector<vtkSmartPointer<vtkDataSet>>& blocks,
+                                  const FieldChoice& choice) {
+    if (!choice.mask || choice.mask_use != MaskUse::Gap)
+        return {};
+    for (auto& block : blocks) {
+        auto copy = vtkSmartPointer<vtkDataSet>::Take(block->NewInstance());
+        copy->ShallowCopy(block);
+        block = copy;
+        auto solid = read_array(*block, choice);
+        const auto source = choice.velocity.arrays.front().source;
+        if (solid && source != choice.mask->source)
+            solid = source == FieldInfo::Source::Point ? points_of(*block, *solid)
+                                                       : solid_cells(*block, *solid);
+        if (!solid)
+            return tl::unexpected(solid.error());
+        for (const FieldInfo& field : choice.velocity.arrays)
+            take_away(*block, field, *solid);
+    }
+    return {};
 }
 
 } // namespace wakesurf::importer

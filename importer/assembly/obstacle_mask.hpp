@@ -27,4 +27,9 @@ bool is_zero_or_one(BlockList blocks, const core::FieldInfo& field);
 /// to be read after the file's name: Corrupt (values other than 0 and 1), NotFound.
 core::Result<ObstacleMask> read_mask(BlockList blocks, const FieldChoice& choice);
 
+/// Takes the velocity away where a mask that is used for gaps marks a body: at its points, those of its cells, and
+/// in cells. Does nothing for other uses. The blocks are changed for copies. Error: as read_mask.
+core::Result<void> leave_body_out(std::vector<vtkSmartPointer<vtkDataSet>>& blocks,
+                                  const FieldChoice& choice);
+
 } // namespace wakesurf::importer

@@ -28,9 +28,10 @@ bool called_one_of(const FieldInfo& field, const Names& names) {
     return std::find(names.begin(), names.end(), lower_case(field.name)) != names.end();
 }
 
-bool is_mask(const FieldInfo& field, const std::vector<std::string>& no_masks) {
-    return field.components == 1 &&
-           std::find(no_masks.begin(), no_masks.end(), field.name) == no_masks.end() &&
+bool is_mask(const FieldInfo& field, const FieldWish& wish) {
+    return field.components == 1 && wish.mask_use != MaskUse::Scalar &&
+           std::find(wish.no_masks.begin(), wish.no_masks.end(), field.name) ==
+               wish.no_masks.end() &&
            (called_one_of(field, fluid_names) || called_one_of(field, solid_names));
 }
 
@@ -98,7 +99,7 @@ std::string stored_name(const FieldInfo& field) {
 // Returns the scalars of points before those of cells.
 std::vector<FieldInfo> possible_scalars(const std::vector<FieldInfo>& fields,
                                         const FieldParts& velocity,
-                                        const std::vector<std::string>& no_masks) {
+                                        const FieldWish& wish) {
     std::vector<FieldInfo> out;
     for (const auto source : {FieldInfo::Source::Point, FieldInfo::Source::Cell})
         for (const auto& field : fields) {
@@ -106,7 +107,7 @@ std::vector<FieldInfo> possible_scalars(const std::vector<FieldInfo>& fields,
             const bool vector = field.components == 3 && !contains(velocity.arrays, field) &&
                                 field.name != velocity.arrays.front().name;
             if (field.source == source && (field.components == 1 || vector) &&
-                !is_mask(field, no_masks) && !component)
+                !is_mask(field, wish) && !component)
                 out.push_back(field);
         }
     return out;
@@ -131,7 +132,7 @@ void choose_scalars(const std::vector<FieldInfo>& fields,
                     const FieldWish& wish,
                     FieldChoice& choice) {
     const auto& wanted = wish.kept;
-    const auto found = possible_scalars(fields, choice.velocity, wish.no_masks);
+    const auto found = possible_scalars(fields, choice.velocity, wish);
     std::vector<FieldInfo> named;
     std::copy_if(found.begin(), found.end(), std::back_inserter(named),
                  [&](const FieldInfo& field) {
@@ -211,8 +212,12 @@ core::Result<FieldChoice> choose_fields(const std::vector<FieldInfo>& fields,
     choice.why = std::move(velocity->why);
     for (const auto source : {FieldInfo::Source::Cell, FieldInfo::Source::Point})
         for (const auto& field : fields)
-            if (is_mask(field, wish.no_masks) && field.source == source)
+            if (is_mask(field, wish) && field.source == source)
                 choice.mask = field;
+    choice.mask_use = wish.mask_use;
+    if (choice.mask && choice.mask_use == MaskUse::Gap)
+        add_note(choice.note, "where " + choice.mask->name +
+                                  " marks a body at a time there is no fluid then: --mask gap");
     choice.mask_marks_solid = choice.mask && called_one_of(*choice.mask, solid_names);
     choose_scalars(fields, wish, choice);
     note_what_is_left_out(fields, choice);

@@ -23,12 +23,20 @@ struct ChosenScalar {
     core::FieldInfo info() const;
 };
 
+/// What an array with the name of a mask marks: --mask.
+enum class MaskUse {
+    Body,  ///< a solid that stays where it is
+    Gap,   ///< at each time, where there is no fluid
+    Scalar ///< nothing
+};
+
 struct FieldWish {
     std::vector<std::string> kept; ///< --fields: beside the velocity; none: all
     std::string velocity;          ///< --velocity; empty: by its name
     /// The arrays with the name of a mask that hold other values than 0 and 1.
     std::vector<std::string> no_masks{};
     std::vector<StatedComponents> stated{}; ///< as SourceDescription has them
+    MaskUse mask_use = MaskUse::Body;
 };
 
 struct FieldChoice {
@@ -36,9 +44,10 @@ struct FieldChoice {
     std::string velocity_name; ///< for people: U; u, v, w; Momentum / Density
     std::string why;
     std::vector<ChosenScalar> scalars;
-    std::optional<core::FieldInfo> mask;
-    bool mask_marks_solid = false; ///< 1 means solid instead of fluid
-    std::string note;              ///< what is left out or stored as its magnitude; may be empty
+    std::optional<core::FieldInfo> mask; ///< unless its use is Scalar
+    bool mask_marks_solid = false;       ///< 1 means solid instead of fluid
+    MaskUse mask_use = MaskUse::Body;    ///< Body or Gap
+    std::string note; ///< what is left out or stored as its magnitude; may be empty
 
     /// Returns every array that has to be read, each once.
     std::vector<core::FieldInfo> arrays() const;

@@ -90,9 +90,11 @@ core::Result<void> check_source_options(const DatasetArgument& argument,
                           std::string(options.dt ? "--dt" : "--start") +
                               " is for numbered files that state no times; " + what,
                           "leave it out, or import the files with it");
-    if (options.loop)
+    if (options.loop || !options.mask.empty())
         return core::fail(Error::Code::InvalidArgument,
-                          "--loop repeats the times of files; " + what,
+                          (options.loop ? "--loop is for the times of files; "
+                                        : "--mask is for the fields of files; ") +
+                              what,
                           "leave it out, or import the files with it");
     if (!options.velocity.empty())
         return core::fail(Error::Code::InvalidArgument,
@@ -122,7 +124,7 @@ fs::path store_folder(const fs::path& root,
     std::uint64_t hash = 0xcbf29ce484222325u; // FNV-1a
     std::string chosen;
     for (const std::string& option : arguments_of(options))
-        if (option.starts_with("--velocity") || option == "--alone" || option.starts_with("--loop"))
+        if (!option.starts_with("--dt") && !option.starts_with("--start") && option != "--confined")
             chosen += "\n" + option;
     for (const char c : source.path.string() + chosen)
         hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
