@@ -117,6 +117,8 @@ struct CubicSampler {
 
     PointStatus status(const Vec3& p) const { return linear.status(p); }
 
+    bool stands_still() const { return linear.stands_still(); }
+
     bool at_wall(const Vec3& p) const { return linear.at_wall(p); }
 
     double cell_speed(const Vec3& p, double t) const { return linear.cell_speed(p, t); }

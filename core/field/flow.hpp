@@ -37,8 +37,15 @@ class Flow {
     /// Times at which the flow is known; nothing for closed forms, which are known at all times.
     virtual std::optional<std::array<double, 2>> time_range() const = 0;
 
+    /// Times at which particles can be followed: those at which the flow is known, or any, if that is only one: it
+    /// is the result of a steady solver, and the flow stands still.
+    std::optional<std::array<double, 2>> time_bounds() const {
+        const auto range = time_range();
+        return range && (*range)[0] < (*range)[1] ? range : std::nullopt;
+    }
+
     /// Returns the first stored time after `time`, or before it where `sign` is negative; nothing where there is
-    /// none. Between two of them the linear field at a place changes at a constant rate.
+    /// none, and where the flow stands still. Between two of them the linear field at a place changes at a constant rate.
     virtual std::optional<double> next_stored_time(double /*time*/, double /*sign*/) const {
         return std::nullopt;
     }

@@ -189,6 +189,9 @@ struct GridSampler {
         return fluid < 0.5 ? PointStatus::InObstacle : PointStatus::Inside;
     }
 
+    /// Implements FieldOfTimeSteps.
+    bool stands_still() const { return !velocity1; }
+
     /// Implements FieldWithWalls::at_wall. The wall lies between solid nodes and those next to them; where
     /// the data hold the fluid at the latter, a particle gets no farther.
     bool at_wall(const Vec3& p) const {

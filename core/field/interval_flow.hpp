@@ -40,6 +40,8 @@ class IntervalFlow final : public Flow {
 
     std::optional<double> next_stored_time(double time, double sign) const override {
         const std::vector<double>& times = source_.times();
+        if (stands_still())
+            return std::nullopt;
         if (sign > 0.0) {
             const auto next = std::upper_bound(times.begin(), times.end(), time);
             return next == times.end() ? std::nullopt : std::optional(*next);
@@ -61,7 +63,7 @@ class IntervalFlow final : public Flow {
                             std::stop_token stop) const override {
         if (curves.empty())
             return TraceCost{};
-        if (!options.frozen)
+        if (!options.frozen && !stands_still())
             return trace_intervals(curves, options, upstream(curves) ? -1 : +1, stop);
         const double release = curves.front().release;
         const auto start = clock_->now();
@@ -376,10 +378,13 @@ class IntervalFlow final : public Flow {
         return std::min(index, times.size() < 2 ? 0 : times.size() - 2);
     }
 
-    static Intervals::Needs needs(bool both, bool smoothly) {
-        return !both      ? Intervals::Needs::First
-               : smoothly ? Intervals::Needs::Four
-                          : Intervals::Needs::Both;
+    /// True of one stored time.
+    bool stands_still() const { return source_.times().size() < 2; }
+
+    Intervals::Needs needs(bool both, bool smoothly) const {
+        return !both || stands_still() ? Intervals::Needs::First
+               : smoothly              ? Intervals::Needs::Four
+                                       : Intervals::Needs::Both;
     }
 
     /// Returns the time-steps of a field frozen at `time`: one if the time is a stored one, else those round

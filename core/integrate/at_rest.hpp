@@ -35,12 +35,21 @@ concept SteadyField = requires {
     requires F::steady();
 };
 
+template <class F>
+concept FieldOfTimeSteps = requires(const F& field) {
+    /// True of one time-step alone: the field stands still.
+    { field.stands_still() } -> std::same_as<bool>;
+};
+
 /// Returns whether a particle at rest ends, rather than wait. Closed forms have no cells: their walls always hold.
 /// @param speed  of the particle, less than what counts as moving, or not a number
 template <class Field>
 bool ends_at_rest(const Field& field, const Vec3& p, double t, double speed, bool frozen) {
     if (frozen || SteadyField<Field> || !(speed >= 0.0))
         return true;
+    if constexpr (FieldOfTimeSteps<Field>)
+        if (field.stands_still())
+            return true;
     if constexpr (FieldWithWalls<Field>) {
         if (!field.at_wall(p))
             return false;

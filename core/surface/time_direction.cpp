@@ -87,7 +87,7 @@ Result<void> check_direction(const SurfaceParameters& p) {
 }
 
 std::optional<double> data_end(const Flow& flow, const SurfaceParameters& p) {
-    const auto range = flow.time_range();
+    const auto range = flow.time_bounds();
     if (p.kind != SurfaceKind::Path || direction_of(p) != Direction::Both || !range)
         return std::nullopt;
     const double first = (*range)[0];

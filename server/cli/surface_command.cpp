@@ -250,6 +250,33 @@ core::Result<void> choose_field_time(SurfaceRequest& request,
     return {};
 }
 
+/// Says that one stored time is a flow that stands still, and chooses how long particles are followed if that is
+/// open: as long as the surface of a suggested rake would be.
+core::Result<void> let_it_stand_still(SurfaceRequest& request,
+                                      const LoadedDataset& dataset,
+                                      const std::stop_token& stop) {
+    const auto& times = dataset.info.times;
+    const core::SurfaceKind kind = request.parameters.kind;
+    if (dataset.store == nullptr || times.size() != 1 || kind == core::SurfaceKind::Stream ||
+        kind == core::SurfaceKind::Level)
+        return {};
+    tell(stderr, "wakesurf: the data have one time, {:g}: the flow is taken to stand still\n",
+         times.front());
+    if (request.to)
+        return {};
+    const auto scene = suggest_for(dataset.info, *dataset.flow, dataset.store.get(), stop);
+    if (!scene)
+        return tl::unexpected(scene.error());
+    const auto same = std::ranges::find(scene->surfaces, kind, &core::SurfaceParameters::kind);
+    if (same == scene->surfaces.end())
+        return {};
+    const bool backward = request.parameters.direction == core::Direction::Backward;
+    const double long_enough = same->to - same->from;
+    request.to = request.from.value_or(times.front()) + (backward ? -long_enough : long_enough);
+    tell(stderr, "wakesurf: without --to: {:g}, long enough for a usual rake\n", *request.to);
+    return {};
+}
+
 /// Completes the options from the data, and makes the checks that need the data.
 core::Result<core::SurfacePlan> planned(SurfaceRequest request,
                                         const SurfaceOptions& options,
@@ -260,13 +287,17 @@ core::Result<core::SurfacePlan> planned(SurfaceRequest request,
             return tl::unexpected(begun.error());
     if (auto chosen = choose_field_time(request, dataset, stop); !chosen)
         return tl::unexpected(chosen.error());
+    if (auto still = let_it_stand_still(request, dataset, stop); !still)
+        return tl::unexpected(still.error());
     choose_times(request, dataset.info.times);
-    if (dataset.info.time_unit == core::iterations &&
+    if (dataset.info.time_unit == core::iterations && dataset.info.times.size() > 1 &&
         request.parameters.kind != core::SurfaceKind::Stream)
         tell(stderr,
              "wakesurf: the times are iterations of a steady solver: a {} surface through "
-             "them means nothing; --kind stream shows the result\n",
-             protocol::name(request.parameters.kind));
+             "them means nothing; --kind stream shows the result, and so do the others once "
+             "wakesurf import --times {:g}:{:g} has made a store of it alone\n",
+             protocol::name(request.parameters.kind), dataset.info.times.back(),
+             dataset.info.times.back());
     auto plan = core::plan_surface(dataset.flow, request.rake, std::move(request.parameters));
     if (!plan)
         return tl::unexpected(plan.error());

@@ -65,6 +65,9 @@ struct CellSampler {
 
     PointStatus status(const Vec3& p) const;
 
+    /// Implements FieldOfTimeSteps.
+    bool stands_still() const { return velocity1 == nullptr; }
+
     bool at_wall(const Vec3& p) const;
 
     double cell_speed(const Vec3& p, double t) const;
@@ -175,6 +178,8 @@ class CellSamplerCursor {
         const Vec3 off = place_.on_side() - in_mesh;
         return off == Vec3(0.0) ? p : p + meridian_.back(off);
     }
+
+    bool stands_still() const { return field_.stands_still(); }
 
     /// Implements FieldWithWalls::at_wall, also at the edge or the corner of a wall, in a cell that only
     /// touches it there.

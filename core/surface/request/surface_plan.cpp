@@ -25,14 +25,9 @@ steps_per_curve(const Rake& rake, double length, double separation, std::uint64_
 
 /// All but the `to` of a stream surface lie in the times of the data.
 Result<void> check_times(const Flow& flow, const SurfaceParameters& p) {
-    const auto range = flow.time_range();
+    const auto range = flow.time_bounds();
     if (!range)
         return {};
-    if ((*range)[0] == (*range)[1] && p.kind != SurfaceKind::Stream && p.kind != SurfaceKind::Level)
-        return fail(Error::Code::OutOfTime,
-                    "the data have one time, " + time_text((*range)[0]) +
-                        ": particles cannot be followed through it in time",
-                    "choose `kind` stream, which follows them in the field of that time");
     const auto inside = [&](const char* name, double time) -> Result<void> {
         if (within_rounding(time, (*range)[0], (*range)[1]))
             return {};

@@ -75,7 +75,7 @@ probe(const OpenDataset& dataset, const ProbeRequest& asked, const std::stop_tok
     ProbeRequest request = asked;
     for (core::Vec3& point : request.points)
         point = core::onto_faces(point, dataset.flow->domain());
-    if (const auto range = dataset.flow->time_range();
+    if (const auto range = dataset.flow->time_bounds();
         range && !core::within_rounding(request.time, (*range)[0], (*range)[1]))
         return fail(Error::Code::OutOfTime,
                     fmt::format("time {} is outside the data's {} to {}", request.time, (*range)[0],
