@@ -4,6 +4,7 @@
 #include "importer/base/notes.hpp"
 #include "importer/base/progress_marks.hpp"
 #include "importer/fields/velocity_choice.hpp"
+#include "importer/sources/blocks/plane_slab.hpp"
 #include "importer/sources/open_source.hpp"
 #include "importer/sources/series/series_times.hpp"
 #include "importer/step_fields.hpp"
@@ -262,6 +263,14 @@ core::Result<void> repeat_period(const command::Loop& loop, ImportPlan& plan) {
 std::string note_on_end(double time, const Error& why) {
     return "the data end before time " + time_text(time) + ": " + why.message +
            (why.hint.empty() ? "" : " (" + why.hint + ")");
+}
+
+core::Result<SourceStep> ImportPlan::read(std::size_t index) const {
+    auto step = source->read(steps[index], choice.arrays());
+    if (step)
+        if (auto even = even_slabs(step->blocks); !even)
+            return tl::unexpected(about_step(*this, index, even.error()));
+    return step;
 }
 
 core::Result<ImportPlan> make_plan(const ImportRequest& request, const UnclearVelocity& unclear) {

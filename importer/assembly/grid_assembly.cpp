@@ -130,11 +130,11 @@ bool is_grid(BlockList blocks) {
 }
 
 core::Result<GridAssembly> assemble_grid(BlockList blocks, const AssemblyRequest& request) {
-    const auto across = blocks.empty() ? std::nullopt : across_slab(*blocks.front());
-    if (!across)
+    const auto marked = blocks.empty() ? std::nullopt : marked_slab(*blocks.front());
+    if (!marked)
         return assemble_blocks(blocks, request);
     return assemble_blocks(blocks, request).map([&](GridAssembly&& slab) {
-        slab.across = across;
+        slab.across = marked->across;
         add_note(slab.note,
                  "a plane flow: its cells are given a thickness, and nothing moves across");
         return std::move(slab);

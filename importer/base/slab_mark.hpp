@@ -13,23 +13,30 @@
 
 namespace wakesurf::importer {
 
-inline constexpr const char* across_slab_name = "wakesurf: across the slab";
+inline constexpr const char* slab_name = "wakesurf: slab";
 
-/// Marks a block. @param across  of length 1
-inline void mark_slab(vtkDataSet& block, const core::Vec3& across) {
+struct Slab {
+    core::Vec3 across{0.0}; ///< the plane, of length 1
+    double place = 0.0;     ///< of the plane, along that
+    double thickness = 0.0;
+};
+
+inline void mark_slab(vtkDataSet& block, const Slab& slab) {
     const auto mark = vtkSmartPointer<vtkDoubleArray>::New();
-    mark->SetName(across_slab_name);
-    for (int k = 0; k < 3; ++k)
-        mark->InsertNextValue(across[k]);
+    mark->SetName(slab_name);
+    for (const double number :
+         {slab.across.x, slab.across.y, slab.across.z, slab.place, slab.thickness})
+        mark->InsertNextValue(number);
     block.GetFieldData()->AddArray(mark);
 }
 
-/// Returns the direction across a marked block; nothing of any other.
-inline std::optional<core::Vec3> across_slab(vtkDataSet& block) {
-    vtkDataArray* const mark = block.GetFieldData()->GetArray(across_slab_name);
-    if (mark == nullptr || mark->GetNumberOfTuples() != 3)
+/// Returns what a block is marked as; nothing of any other.
+inline std::optional<Slab> marked_slab(vtkDataSet& block) {
+    vtkDataArray* const mark = block.GetFieldData()->GetArray(slab_name);
+    if (mark == nullptr || mark->GetNumberOfValues() != 5)
         return std::nullopt;
-    return core::Vec3(mark->GetTuple1(0), mark->GetTuple1(1), mark->GetTuple1(2));
+    const auto number = [&](vtkIdType i) { return mark->GetTuple1(i); };
+    return Slab{{number(0), number(1), number(2)}, number(3), number(4)};
 }
 
 } // namespace wakesurf::importer

@@ -1,6 +1,7 @@
 #include "importer/sources/blocks/fluid_blocks.hpp"
 
 #include "core/base/result.hpp"
+#include "importer/base/slab_mark.hpp"
 #include "importer/sources/blocks/plane_slab.hpp"
 #include "importer/sources/blocks/vtk_fields.hpp"
 
@@ -276,39 +277,39 @@ std::optional<std::array<int, 3>> dimensions_of(vtkDataSet& data) {
     return out;
 }
 
-// Returns the ids of the three-dimensional cells.
-vtkSmartPointer<vtkIdList> solid_cells(vtkUnstructuredGrid& grid) {
-    auto ids = vtkSmartPointer<vtkIdList>::New();
+// Returns the cells of a dimension, the grid itself if it has no others; null if it has none. REQUIRES: check_mesh.
+vtkSmartPointer<vtkUnstructuredGrid> cells_of(vtkUnstructuredGrid& grid, int dimension) {
+    const unsigned char* types = grid.GetCellTypesArray()->GetPointer(0);
+    const auto ids = vtkSmartPointer<vtkIdList>::New();
     for (vtkIdType i = 0; i < grid.GetNumberOfCells(); ++i)
-        if (cell_dimension(grid.GetCellType(i)) == 3)
+        if (cell_dimension(types[i]) == dimension)
             ids->InsertNextId(i);
-    return ids;
+    if (ids->GetNumberOfIds() == 0)
+        return nullptr;
+    if (ids->GetNumberOfIds() == grid.GetNumberOfCells())
+        return &grid;
+    auto extract = vtkSmartPointer<vtkExtractCells>::New();
+    extract->SetInputData(&grid);
+    extract->SetCellList(ids);
+    extract->Update();
+    return extract->GetOutput();
 }
 
 core::Result<vtkSmartPointer<vtkDataSet>> solid_cells_of(vtkUnstructuredGrid& grid,
                                                          const std::string& file) {
     if (auto sound = check_mesh(grid, file); !sound)
         return tl::unexpected(sound.error());
-    const unsigned char* types = grid.GetCellTypesArray()->GetPointer(0);
-    const auto solid = [](unsigned char type) { return cell_dimension(type) == 3; };
-    const auto count = std::count_if(types, types + grid.GetNumberOfCells(), solid);
-    if (count == grid.GetNumberOfCells())
-        return vtkSmartPointer<vtkDataSet>(&grid);
-    if (count == 0) {
-        if (auto slab = slab_of(grid))
+    if (const auto solid = cells_of(grid, 3))
+        return vtkSmartPointer<vtkDataSet>(solid);
+    // Meshes of a plane often have its edges and corners as cells too.
+    if (const auto flat = cells_of(grid, 2))
+        if (auto slab = slab_of(*flat))
             return std::move(*slab);
-        return core::fail(
-            Error::Code::Unsupported,
-            file + " has no cells in space, and its flat ones do not lie in one plane, or "
-                   "are curved",
-            "write the cells between the surfaces as well");
-    }
-    const auto ids = solid_cells(grid);
-    auto extract = vtkSmartPointer<vtkExtractCells>::New();
-    extract->SetInputData(&grid);
-    extract->SetCellList(ids);
-    extract->Update();
-    return vtkSmartPointer<vtkDataSet>(extract->GetOutput());
+    return core::fail(Error::Code::Unsupported,
+                      file +
+                          " has no cells in space, and its flat ones do not lie in one plane, or "
+                          "are curved",
+                      "write the cells between the surfaces as well");
 }
 
 std::string unit_in(vtkDataSet& data, const FieldInfo& field) {
@@ -336,6 +337,7 @@ bool has_solid_cells(vtkDataSet& data) {
 }
 
 core::Result<vtkSmartPointer<vtkDataSet>> fluid_part(vtkDataSet& data, const std::string& file) {
+    data.GetFieldData()->RemoveArray(slab_name); // a file's own would be taken for slab_of's
     if (const auto dimensions = dimensions_of(data)) {
         if (auto sound = check_grid(data, file); !sound)
             return tl::unexpected(sound.error());
