@@ -256,5 +256,21 @@ TEST(PlaneSlab, IsNotMadeOfWhatIsNoPlane) {
     EXPECT_FALSE(slab_of(*curved));
 }
 
+TEST(PlaneSlab, HasTheThirdOfEachVelocityAmongAThousandScalars) {
+    std::vector<core::FieldInfo> scalars;
+    const auto add = [&](const std::string& name) {
+        scalars.push_back({name, 1, core::FieldInfo::Source::Point, {}, {}});
+    };
+    for (int i = 0; i < 1000; ++i)
+        add("velocity_xyz_123_uvw_" + std::to_string(i));
+    add("velocity_x");
+    add("velocity_z");
+    add("u");
+    EXPECT_EQ(third_components(scalars, 1), (std::vector<std::string>{"velocity_y"}));
+    EXPECT_TRUE(third_components(scalars, 2).empty());
+    add("w");
+    EXPECT_EQ(third_components(scalars, 1).size(), 2u);
+}
+
 } // namespace
 } // namespace wakesurf::importer::plane_slab_test

@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -172,13 +173,20 @@ void copy_arrays(vtkDataSetAttributes& from,
     }
 }
 
-// Returns the name of the component across the plane, if `name` is that of another one: w for u and v.
-std::string third_of(std::string name, std::size_t place, int across) {
+// Returns the names of the other component in the plane and of the one across it, if the letter of `name` at a place is
+// that of one in the plane: v and w for u.
+std::optional<std::pair<std::string, std::string>>
+others_of(const std::string& name, std::size_t place, int across) {
     constexpr std::array<std::string_view, 5> letters{"xyz", "XYZ", "uvw", "UVW", "123"};
     for (const auto three : letters)
-        if (three.find(name[place]) != std::string_view::npos)
-            name[place] = three[static_cast<std::size_t>(across)];
-    return name;
+        if (const auto own = three.find(name[place]);
+            own != std::string_view::npos && own != static_cast<std::size_t>(across)) {
+            std::pair out{name, name};
+            out.first[place] = three[3 - own - static_cast<std::size_t>(across)];
+            out.second[place] = three[static_cast<std::size_t>(across)];
+            return out;
+        }
+    return std::nullopt;
 }
 
 // Adds the third of a velocity's components, where two scalars with the names of the others are there.
@@ -364,19 +372,23 @@ void set_sides(vtkDataSet& block, const Slab& from, const Slab& to) {
 } // namespace
 
 std::vector<std::string> third_components(const std::vector<core::FieldInfo>& scalars, int across) {
-    std::vector<std::string> out;
-    const auto before = store::velocity_components(scalars, core::FieldInfo::Source::Point).size();
+    std::set<std::string> names;
     for (const auto& scalar : scalars)
-        for (std::size_t place = 0; place < scalar.name.size(); ++place) {
-            const std::string third = third_of(scalar.name, place, across);
-            const auto there = [&](const core::FieldInfo& field) { return field.name == third; };
-            if (std::ranges::any_of(scalars, there) || std::ranges::find(out, third) != out.end())
-                continue;
-            auto with = scalars;
-            with.push_back({third, 1, core::FieldInfo::Source::Point, {}, {}});
-            if (store::velocity_components(with, core::FieldInfo::Source::Point).size() > before)
-                out.push_back(third);
-        }
+        names.insert(scalar.name);
+    std::set<std::string> thirds;
+    for (const auto& name : names)
+        for (std::size_t place = 0; place < name.size(); ++place)
+            if (const auto others = others_of(name, place, across);
+                others && names.contains(others->first) && !names.contains(others->second))
+                thirds.insert(others->second);
+    auto with = scalars;
+    for (const auto& third : thirds)
+        with.push_back({third, 1, core::FieldInfo::Source::Point, {}, {}});
+    std::vector<std::string> out;
+    for (const auto& velocity : store::velocity_components(with, core::FieldInfo::Source::Point))
+        for (const auto& component : velocity)
+            if (thirds.contains(component.name))
+                out.push_back(component.name);
     return out;
 }
 
