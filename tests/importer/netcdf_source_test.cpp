@@ -422,5 +422,26 @@ TEST_F(NetcdfSource, DoesNotGiveAnEarlierStepForADamagedOne) {
     EXPECT_TRUE((*source)->read(2, components()).has_value());
 }
 
+TEST_F(NetcdfSource, OfAnAxisWithoutNodesIsRefused) {
+    for (const bool with_coordinates : {false, true}) {
+        const auto file = folder_ / (with_coordinates ? "with.nc" : "without.nc");
+        {
+            NetcdfWriter out(file);
+            out.dimension("z", 2);
+            out.dimension("y", 2);
+            out.dimension("x", NC_UNLIMITED);
+            if (with_coordinates)
+                out.variable("x", NC_DOUBLE, {"x"});
+            for (const char* name : {"u", "v", "w"})
+                out.variable(name, NC_FLOAT, {"z", "y", "x"});
+            out.end();
+        }
+        const auto source = open_source(file);
+        ASSERT_FALSE(source.has_value());
+        EXPECT_NE(source.error().message.find("no nodes along x"), std::string::npos)
+            << source.error().message;
+    }
+}
+
 } // namespace
 } // namespace wakesurf::importer::netcdf_source_test

@@ -189,6 +189,10 @@ core::Result<NetcdfGrid> find_grid(const NetcdfFile& file, const std::string& ve
             grid->axes[i].nodes = {0.0};
             continue;
         }
+        const auto& [name, length] =
+            file.dimensions()[static_cast<std::size_t>(grid->axes[i].dimension)];
+        if (length == 0)
+            return core::fail(Error::Code::Corrupt, file.name() + " has no nodes along " + name);
         auto axis = read_axis(file, grid->axes[i].dimension);
         if (!axis)
             return tl::unexpected(axis.error());
