@@ -110,5 +110,11 @@ TEST_F(OpenfoamValues, ThatAreNotThereOrOfAnotherKindAreRefusedByName) {
     EXPECT_FALSE(read_foam_values(folder_ / "none", "0/none", 3).has_value());
 }
 
+TEST_F(OpenfoamValues, BeyondAnyNumberAreInfiniteAndBelowAnyAreZero) {
+    const auto values = read(header() + "internalField uniform (1e999 -1e999 1e-999);\n");
+    ASSERT_TRUE(values.has_value()) << values.error().message;
+    EXPECT_EQ(values->inside, (Values{HUGE_VALF, -HUGE_VALF, 0.0F}));
+}
+
 } // namespace
 } // namespace wakesurf::importer::openfoam_values_test

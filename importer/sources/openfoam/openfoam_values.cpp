@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <optional>
@@ -162,6 +163,8 @@ class FoamDictionary {
                     std::from_chars(begin, text_.data() + text_.size(), number);
                 if (error == std::errc::invalid_argument)
                     return false;
+                if (error == std::errc::result_out_of_range) // from_chars leaves 0, of 1e999 too
+                    number = std::strtod(begin, nullptr);
                 at_ += static_cast<std::size_t>(end - begin);
                 out.push_back(static_cast<float>(number));
             }
