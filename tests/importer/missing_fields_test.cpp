@@ -66,6 +66,32 @@ TEST_F(MissingFields, OfOneTimeStepAreLeftOut) {
     }
 }
 
+TEST_F(MissingFields, OfPlanesAreToldAsThoseInSpaceWhateverTheVelocityLacks) {
+    const auto array = [](const std::string& name, int components) {
+        return "<DataArray type=\"Float32\" Name=\"" + name + "\" NumberOfComponents=\"" +
+               std::to_string(components) + "\" format=\"ascii\">" +
+               (components == 1 ? "1 2 3 4" : "1 2 3 4 5 6 7 8") + "</DataArray>";
+    };
+    const std::array<std::string, 2> velocities{array("u", 1) + array("v", 1), array("U", 2)};
+    for (std::size_t kind = 0; kind < velocities.size(); ++kind)
+        for (const int bare : {0, 1}) {
+            const std::string stem = "k" + std::to_string(2 * kind + bare) + "_";
+            for (int step = 0; step < 3; ++step)
+                put(stem + std::to_string(step) + ".vti",
+                    "<VTKFile type=\"ImageData\" version=\"0.1\"><ImageData WholeExtent=\"0 1 0 1 "
+                    "0 "
+                    "0\" Origin=\"0 0 0\" Spacing=\"1 1 1\"><Piece Extent=\"0 1 0 1 0 "
+                    "0\"><PointData>" +
+                        (step == bare ? array("s", 1) : array("s", 1) + velocities[kind]) +
+                        "</PointData></Piece></ImageData></VTKFile>");
+            const auto plan = make_plan({folder_ / (stem + "0.vti")});
+            ASSERT_TRUE(plan.has_value()) << plan.error().message;
+            EXPECT_EQ(plan->times.size(), 2u);
+            EXPECT_NE(plan->time_note.find("left out, as there is no "), std::string::npos)
+                << plan->time_note;
+        }
+}
+
 // Writes five time-steps of an image, of which some have no velocity, or one of another name.
 class BareSteps : public MissingFields {
   protected:

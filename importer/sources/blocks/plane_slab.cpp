@@ -392,6 +392,20 @@ std::vector<std::string> third_components(const std::vector<core::FieldInfo>& sc
     return out;
 }
 
+std::vector<core::FieldInfo> slab_fields(std::vector<core::FieldInfo> plane, int across) {
+    for (const auto source : {core::FieldInfo::Source::Point, core::FieldInfo::Source::Cell}) {
+        std::vector<core::FieldInfo> scalars;
+        for (auto& field : plane) {
+            field.components = field.components == 2 ? 3 : field.components;
+            if (field.components == 1 && field.source == source)
+                scalars.push_back({field.name, 1, core::FieldInfo::Source::Point, {}, {}});
+        }
+        for (const auto& third : third_components(scalars, across))
+            plane.push_back({third, 1, source, {}, {}});
+    }
+    return plane;
+}
+
 std::optional<vtkSmartPointer<vtkDataSet>> slab_of(vtkDataSet& data) {
     if (data.GetNumberOfCells() == 0)
         return std::nullopt;

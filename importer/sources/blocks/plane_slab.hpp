@@ -28,4 +28,7 @@ core::Result<void> even_slabs(const std::vector<vtkSmartPointer<vtkDataSet>>& bl
 /// w for u and v. @param across  the axis
 std::vector<std::string> third_components(const std::vector<core::FieldInfo>& scalars, int across);
 
+/// Returns what slab_of makes of the fields of a plane of coordinates. @param across  the axis
+std::vector<core::FieldInfo> slab_fields(std::vector<core::FieldInfo> plane, int across);
+
 } // namespace wakesurf::importer

@@ -201,9 +201,12 @@ class NetcdfSource final : public SeriesSource<std::size_t> {
             return core::fail(Error::Code::Corrupt,
                               file->name() + " has lost its time-step " + std::to_string(time));
         const auto block = make_grid(*file, *grid);
+        const auto listed_here = fields_of(*grid);
         for (const auto& field : fields) {
-            if (std::ranges::find(third_, field.name) != third_.end())
-                continue; // of a plane, which is not in the file
+            if (std::ranges::find(grid->variables, field.name, &NetcdfGridVariable::name) ==
+                    grid->variables.end() &&
+                std::ranges::find(listed_here, field.name, &FieldInfo::name) != listed_here.end())
+                continue; // the component that a plane lacks
             if (auto added = add_field(*block, *file, *grid, field.name, time); !added)
                 return tl::unexpected(added.error());
         }
@@ -279,6 +282,9 @@ class NetcdfSource final : public SeriesSource<std::size_t> {
         std::vector<FieldInfo> out;
         for (const auto& [name, components] : grid.variables)
             out.push_back({name, components ? 3 : 1, FieldInfo::Source::Point, {0.0, 0.0}, {}});
+        for (std::size_t i = 0; i < 3; ++i)
+            if (grid.axes[i].nodes.size() == 1)
+                out = slab_fields(std::move(out), static_cast<int>(i));
         return out;
     }
 
@@ -297,9 +303,6 @@ class NetcdfSource final : public SeriesSource<std::size_t> {
         const auto grid = find_grid(*file, velocity_);
         if (!grid)
             return tl::unexpected(grid.error());
-        for (std::size_t i = 0; i < 3; ++i)
-            if (grid->axes[i].nodes.size() == 1)
-                third_ = third_components(fields_of(*grid), static_cast<int>(i));
         for (std::size_t i = 0; i < 3; ++i)
             if (grid->axes[i].numbered)
                 add_note(description_.note, std::string("the file has no coordinates along ") +
@@ -354,7 +357,6 @@ class NetcdfSource final : public SeriesSource<std::size_t> {
     std::map<std::size_t, std::vector<FieldInfo>> fields_; ///< of each file
     std::vector<Error> without_grid_;                      ///< why files are left out
     std::optional<std::size_t> described_;                 ///< the time-step
-    std::vector<std::string> third_;                       ///< components that a plane lacks
     std::string source_note_;                              ///< without what that time-step shows
     /// The point in time that times are counted from.
     std::string reference_;

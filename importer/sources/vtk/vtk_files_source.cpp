@@ -1,9 +1,11 @@
 #include "core/base/disk.hpp"
 #include "importer/assembly/same_mesh.hpp"
 #include "importer/base/notes.hpp"
+#include "importer/base/slab_mark.hpp"
 #include "importer/fields/velocity_choice.hpp"
 #include "importer/sources/blocks/block_roles.hpp"
 #include "importer/sources/blocks/fluid_blocks.hpp"
+#include "importer/sources/blocks/plane_slab.hpp"
 #include "importer/sources/blocks/vtk_fields.hpp"
 #include "importer/sources/blocks/wall_patches.hpp"
 #include "importer/sources/files/file_names.hpp"
@@ -180,7 +182,7 @@ class VtkFilesSource final : public Source {
                 return unreadable(here.error());
             if (!is_xml(leaf.path))
                 return std::nullopt;
-            for (const auto& field : *here)
+            for (const auto& field : across_ ? slab_fields(*here, *across_) : *here)
                 if (!is_listed(field))
                     out.push_back(field);
         }
@@ -347,6 +349,11 @@ class VtkFilesSource final : public Source {
             plane_ = true;
             return describe(step);
         }
+        across_ = std::nullopt;
+        if (const auto slab = blocks.empty() ? std::nullopt : marked_slab(*blocks.front()))
+            for (int k = 0; k < 3; ++k)
+                if (slab->across[k] == 1.0)
+                    across_ = k;
         BlockRoles roles = block_roles(blocks, velocity_);
         Blocks fluid;
         for (std::size_t i = 0; i < blocks.size(); ++i)
@@ -426,6 +433,7 @@ class VtkFilesSource final : public Source {
     FileSeries series_;
     std::string velocity_;         ///< asked for; may be empty
     bool plane_ = false;           ///< all parts are flat
+    std::optional<int> across_;    ///< the axis, of a plane of coordinates
     std::set<std::string> solids_; ///< places of the blocks without the velocity
     std::map<std::string, bool> still_;
     std::size_t described_step_ = 0;
