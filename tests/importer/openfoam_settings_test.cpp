@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 namespace wakesurf::importer::openfoam_settings_test {
 namespace {
 
@@ -101,6 +103,12 @@ TEST_F(OpenfoamSettings, MakesDegreesOfTheCrankSeconds) {
     using Times = std::pair<std::string, double>;
     EXPECT_EQ(times("system/controlDict", "userTime\n{\n type engine;\n omega 1500 [rpm];\n}"),
               Times("s", 10.0 * (1.0 / 9000.0)));
+    for (const char* const omega : {"100 [rad/s]", "[rad/s] 100", "constant [rad/s] 100"}) {
+        const auto [unit, last] = times(
+            "system/controlDict", std::string("userTime { type engine; omega ") + omega + "; }");
+        EXPECT_EQ(unit, "s");
+        EXPECT_NEAR(last, 10.0 * std::numbers::pi / 180.0 / 100.0, 1e-12) << omega;
+    }
     EXPECT_EQ(times("system/controlDict", "userTime { type engine; }"), Times("degrees", 10.0));
     EXPECT_EQ(times("system/controlDict", "application icoFoam;"), Times("s", 10.0));
     EXPECT_EQ(times("constant/engineGeometry", "rpm rpm [0 0 -1 0 0 0 0] 3000;"),

@@ -47,10 +47,11 @@ std::optional<std::string> closed_xml(std::string_view text) {
         const auto tag = text.substr(at);
         const bool comment = tag.starts_with("<!--");
         if (comment || tag.starts_with("<?")) {
-            const auto end = tag.find(comment ? "-->" : "?>");
+            const std::string_view last = comment ? "-->" : "?>";
+            const auto end = tag.find(last);
             if (end == std::string_view::npos)
                 break;
-            whole = at + end + 2;
+            whole = at + end + last.size();
             continue;
         }
         char quote = 0;

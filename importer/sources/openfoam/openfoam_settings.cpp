@@ -36,16 +36,17 @@ std::pair<Place, Place> block_of(const Words& words, std::string_view name) {
 
 // Returns the last number of the entry `key`, and whether its unit is radians a second.
 std::optional<std::pair<double, bool>> number_of(Place begin, Place end, std::string_view key) {
-    std::optional<std::pair<double, bool>> out;
+    std::optional<double> out;
+    bool radians = false; // the unit stands behind the number, or before it
     for (auto at = std::find(begin, end, key); at != end && *at != ";"; ++at) {
         double value = 0.0;
         const char* const last = at->data() + at->size();
         if (std::from_chars(at->data(), last, value).ptr == last && std::isfinite(value))
-            out = {value, out && out->second};
-        else if (out && at->find("rad") != std::string::npos)
-            out->second = true;
+            out = value;
+        else
+            radians = radians || at->find("rad") != std::string::npos;
     }
-    return out;
+    return out ? std::optional(std::pair(*out, radians)) : std::nullopt;
 }
 
 std::optional<double> speed_of(Place begin, Place end) {
