@@ -4,7 +4,7 @@
 #include "importer/base/notes.hpp"
 #include "importer/base/progress_marks.hpp"
 #include "importer/fields/velocity_choice.hpp"
-#include "importer/sources/blocks/plane_slab.hpp"
+#include "importer/sources/blocks/even_slabs.hpp"
 #include "importer/sources/open_source.hpp"
 #include "importer/sources/series/series_times.hpp"
 #include "importer/step_fields.hpp"

@@ -1,6 +1,7 @@
 // Planes of cells that are given a thickness.
 #include "importer/assembly/grid_assembly.hpp"
 #include "importer/base/slab_mark.hpp"
+#include "importer/sources/blocks/even_slabs.hpp"
 #include "importer/sources/blocks/fluid_blocks.hpp"
 #include "importer/sources/blocks/plane_slab.hpp"
 #include "tests/importer/small_blocks.hpp"
@@ -9,8 +10,10 @@
 #include <vtkImageData.h>
 #include <vtkRectilinearGrid.h>
 #include <vtkStructuredGrid.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <cmath>
+#include <set>
 
 namespace wakesurf::importer::plane_slab_test {
 namespace {
@@ -210,6 +213,28 @@ TEST(PlaneSlab, HasOneThicknessWhateverTheOrderOfTheCells) {
         backward->InsertNextCell(forward->GetCellType(i), forward->GetCell(i)->GetPointIds());
     EXPECT_EQ(marked_slab(*slab_of(*forward).value())->thickness,
               marked_slab(*slab_of(*backward).value())->thickness);
+}
+
+TEST(PlaneSlab, HasTheThicknessOfTheWholePlaneHoweverItIsCutIntoPieces) {
+    const auto thickness = [](std::initializer_list<GridPointer> pieces) {
+        const auto blocks = slabs(pieces);
+        EXPECT_TRUE(even_slabs(blocks).has_value());
+        return marked_slab(*blocks.front())->thickness;
+    };
+    const auto with_ghosts = [](GridPointer piece, std::set<vtkIdType> ghosts) {
+        auto marks = vtkSmartPointer<vtkUnsignedCharArray>::New();
+        marks->SetName(vtkDataSetAttributes::GhostArrayName());
+        for (vtkIdType i = 0; i < piece->GetNumberOfCells(); ++i)
+            marks->InsertNextValue(ghosts.contains(i) ? vtkDataSetAttributes::DUPLICATECELL : 0);
+        piece->GetCellData()->AddArray(marks);
+        return piece;
+    };
+    const double whole = thickness({quads(0, 3, 0, 1, 3, 7)});
+    EXPECT_EQ(thickness({quads(0, 1, 0, 1, 1, 7), quads(1, 3, 0, 1, 2, 7)}), whole);
+    EXPECT_EQ(thickness({with_ghosts(quads(0, 3, 0, 10.0 / 7, 3, 10),
+                                     {21, 22, 23, 24, 25, 26, 27, 28, 29}),
+                         with_ghosts(quads(0, 3, 1, 2, 3, 1), {0, 1, 2})}),
+              whole);
 }
 
 TEST(PlaneSlab, IsMadeOfTheFlatCellsWhereEdgesAndCornersAreCellsToo) {

@@ -3,7 +3,6 @@
 #include "importer/base/slab_mark.hpp"
 #include "store/velocity_names.hpp"
 
-#include <vtkBoundingBox.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCellType.h>
@@ -62,44 +61,37 @@ void corners_of(vtkDataSet& data, vtkIdType cell, vtkIdList& nodes) {
     }
 }
 
-struct Plane {
-    Vec3 normal;
-    double place = 0.0; ///< along the normal
-    double thickness = 0.0;
-};
-
-// Rounds a thickness, so that it does not depend on the order of the cells: that may change from one time-step to the
-// next, of the same mesh.
-double rounded(double thickness) {
-    constexpr double digits = 0x1p20;
-    int power = 0;
-    const double part = std::frexp(thickness, &power);
-    return std::ldexp(std::round(part * digits) / digits, power);
+// Says whether a cell is another piece's, which has it as well.
+bool is_ghost(vtkDataSet& data, vtkIdType cell) {
+    auto* const marks = data.GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName());
+    return marks != nullptr && marks->GetNumberOfTuples() > cell &&
+           (static_cast<int>(marks->GetTuple1(cell)) & vtkDataSetAttributes::DUPLICATECELL) != 0;
 }
 
 // Returns nothing if the points are not in a plane, to a millionth of their extent.
-std::optional<Plane> plane_of(vtkDataSet& data) {
+std::optional<Slab> plane_of(vtkDataSet& data) {
     if (vtkPointSet::SafeDownCast(&data) == nullptr) { // an image or rectilinear grid: along axes
         std::array<double, 6> box{};
         data.GetBounds(box.data());
-        Plane out{Vec3(0.0)};
-        double area = 1.0;
+        Slab out;
+        out.area = 1.0;
         for (int k = 0; k < 3; ++k) {
             const auto low = static_cast<std::size_t>(2 * k);
             const double side = box[low + 1] - box[low];
             if (side > 0.0) {
-                area *= side;
+                out.area *= side;
             } else {
-                out.normal[k] = 1.0;
+                out.across[k] = 1.0;
                 out.place = box[low];
             }
         }
-        out.thickness = rounded(std::sqrt(area / static_cast<double>(data.GetNumberOfCells())));
-        return glm::length(out.normal) == 1.0 ? std::optional(out) : std::nullopt;
+        out.cells = static_cast<double>(data.GetNumberOfCells());
+        out.thickness = thickness_of(out.area, out.cells);
+        return glm::length(out.across) == 1.0 ? std::optional(out) : std::nullopt;
     }
     Vec3 normal(0.0);
-    double area = 0.0;
-    std::size_t cells = 0;
+    Slab own;
+    Slab all;
     const auto nodes = vtkSmartPointer<vtkIdList>::New();
     for (vtkIdType i = 0; i < data.GetNumberOfCells(); ++i) {
         if (data.GetCellType(i) == VTK_EMPTY_CELL) // of a structured grid, a blanked one
@@ -107,12 +99,16 @@ std::optional<Plane> plane_of(vtkDataSet& data) {
         corners_of(data, i, *nodes);
         if (nodes->GetNumberOfIds() < 3)
             return std::nullopt;
-        ++cells;
-        Vec3 one = area_of(data, *nodes);
-        area += glm::length(one);
+        const Vec3 one = area_of(data, *nodes);
+        all.area += glm::length(one);
+        all.cells += 1.0;
+        if (!is_ghost(data, i)) {
+            own.area += glm::length(one);
+            own.cells += 1.0;
+        }
         normal += glm::dot(one, normal) < 0.0 ? -one : one;
     }
-    if (!(area > 0.0) || !(glm::length(normal) > 0.0))
+    if (!(glm::length(normal) > 0.0))
         return std::nullopt;
     normal = glm::normalize(normal);
     for (int k = 0; k < 3; ++k)
@@ -133,8 +129,9 @@ std::optional<Plane> plane_of(vtkDataSet& data) {
                 return std::nullopt;
         }
     }
-    return Plane{normal, glm::dot(*first, normal),
-                 rounded(std::sqrt(area / static_cast<double>(cells)))};
+    const Slab& counted = own.area > 0.0 ? own : all;
+    return Slab{normal, glm::dot(*first, normal), thickness_of(counted.area, counted.cells),
+                own.area, own.cells};
 }
 
 // Copies arrays; point `i` of the slab has the values of `source(i)`. Vectors of two components get a third.
@@ -272,13 +269,13 @@ slab_of_rectilinear(vtkRectilinearGrid& grid, int axis, double thickness) {
 
 template <class Source>
 vtkSmartPointer<vtkPoints>
-slab_points(vtkDataSet& data, vtkIdType count, const Plane& plane, const Source& source) {
+slab_points(vtkDataSet& data, vtkIdType count, const Slab& plane, const Source& source) {
     auto out = vtkSmartPointer<vtkPoints>::New();
     out->SetDataTypeToDouble();
     out->SetNumberOfPoints(count);
     for (vtkIdType i = 0; i < count; ++i) {
         const auto [number, side] = source(i);
-        const Vec3 p = point_of(data, number) + side * 0.5 * plane.thickness * plane.normal;
+        const Vec3 p = point_of(data, number) + side * 0.5 * plane.thickness * plane.across;
         out->SetPoint(i, p.x, p.y, p.z);
     }
     return out;
@@ -318,7 +315,7 @@ void insert_prism(vtkUnstructuredGrid& out, vtkIdList& nodes, vtkIdType points) 
     out.InsertNextCell(VTK_POLYHEDRON, faces);
 }
 
-vtkSmartPointer<vtkDataSet> slab_of_cells(vtkDataSet& data, const Plane& plane) {
+vtkSmartPointer<vtkDataSet> slab_of_cells(vtkDataSet& data, const Slab& plane) {
     auto out = vtkSmartPointer<vtkUnstructuredGrid>::New();
     const vtkIdType points = data.GetNumberOfPoints();
     out->SetPoints(slab_points(data, 2 * points, plane, [points](vtkIdType i) {
@@ -328,45 +325,11 @@ vtkSmartPointer<vtkDataSet> slab_of_cells(vtkDataSet& data, const Plane& plane) 
     const auto nodes = vtkSmartPointer<vtkIdList>::New();
     for (vtkIdType i = 0; i < data.GetNumberOfCells(); ++i) {
         corners_of(data, i, *nodes);
-        if (glm::dot(area_of(data, *nodes), plane.normal) < 0.0)
+        if (glm::dot(area_of(data, *nodes), plane.across) < 0.0)
             std::reverse(nodes->begin(), nodes->end());
         insert_prism(*out, *nodes, points);
     }
     return out;
-}
-
-// Puts the sides of a slab where `to` has them. REQUIRES: both are of one plane.
-void set_sides(vtkDataSet& block, const Slab& from, const Slab& to) {
-    const auto axis =
-        static_cast<int>(std::find(&to.across[0], &to.across[0] + 3, 1.0) - &to.across[0]);
-    const double half = 0.5 * to.thickness;
-    if (auto* image = vtkImageData::SafeDownCast(&block); image != nullptr && axis < 3) {
-        std::array<double, 3> origin{};
-        std::array<double, 3> spacing{};
-        image->GetOrigin(origin.data());
-        image->GetSpacing(spacing.data());
-        origin[static_cast<std::size_t>(axis)] = to.place - half;
-        spacing[static_cast<std::size_t>(axis)] = to.thickness;
-        image->SetOrigin(origin.data());
-        image->SetSpacing(spacing.data());
-    } else if (auto* grid = vtkRectilinearGrid::SafeDownCast(&block); grid != nullptr && axis < 3) {
-        const std::array<vtkDataArray*, 3> axes{grid->GetXCoordinates(), grid->GetYCoordinates(),
-                                                grid->GetZCoordinates()};
-        auto* const sides = axes[static_cast<std::size_t>(axis)];
-        sides->SetTuple1(0, to.place - half);
-        sides->SetTuple1(1, to.place + half);
-    } else if (auto* set = vtkPointSet::SafeDownCast(&block)) {
-        for (vtkIdType i = 0; i < set->GetNumberOfPoints(); ++i) {
-            Vec3 p = point_of(block, i);
-            const double along = glm::dot(p, to.across);
-            const double side =
-                along < from.place * glm::dot(from.across, to.across) ? -half : half;
-            p += (to.place + side) * to.across - along * to.across;
-            set->GetPoints()->SetPoint(i, p.x, p.y, p.z);
-        }
-    }
-    block.Modified();
-    mark_slab(block, to);
 }
 
 } // namespace
@@ -445,50 +408,17 @@ std::optional<vtkSmartPointer<vtkDataSet>> slab_of(vtkDataSet& data) {
     }
     const vtkIdType points = data.GetNumberOfPoints();
     if (in_order)
-        copy_arrays(*data.GetPointData(), *out->GetPointData(), 2 * points, plane->normal,
+        copy_arrays(*data.GetPointData(), *out->GetPointData(), 2 * points, plane->across,
                     without_axis(nodes, *axis));
     else
-        copy_arrays(*data.GetPointData(), *out->GetPointData(), 2 * points, plane->normal,
+        copy_arrays(*data.GetPointData(), *out->GetPointData(), 2 * points, plane->across,
                     [points](vtkIdType i) { return i % points; });
-    copy_arrays(*data.GetCellData(), *out->GetCellData(), data.GetNumberOfCells(), plane->normal,
+    copy_arrays(*data.GetCellData(), *out->GetCellData(), data.GetNumberOfCells(), plane->across,
                 [](vtkIdType i) { return i; });
-    add_third_component(*out->GetPointData(), plane->normal);
-    add_third_component(*out->GetCellData(), plane->normal);
-    mark_slab(*out, {plane->normal, plane->place, plane->thickness});
+    add_third_component(*out->GetPointData(), plane->across);
+    add_third_component(*out->GetCellData(), plane->across);
+    mark_slab(*out, *plane);
     return out;
-}
-
-core::Result<void> even_slabs(const std::vector<vtkSmartPointer<vtkDataSet>>& blocks) {
-    const auto marked = static_cast<std::size_t>(std::ranges::count_if(
-        blocks, [](const auto& block) { return marked_slab(*block).has_value(); }));
-    if (marked == 0 || blocks.size() == 1)
-        return {};
-    Slab whole = marked == blocks.size() ? *marked_slab(*blocks.front()) : Slab{};
-    vtkBoundingBox box;
-    double area = 0.0;
-    double cells = 0.0;
-    for (const auto& block : blocks) {
-        box.AddBounds(block->GetBounds());
-        const Slab here = marked_slab(*block).value_or(whole);
-        const auto count = static_cast<double>(block->GetNumberOfCells());
-        area += here.thickness * here.thickness * count;
-        cells += count;
-    }
-    whole.thickness = rounded(std::sqrt(area / cells));
-    const bool one =
-        marked == blocks.size() && std::ranges::all_of(blocks, [&](const auto& block) {
-            const Slab here = *marked_slab(*block);
-            const double along = glm::dot(here.across, whole.across);
-            return glm::length(glm::cross(here.across, whole.across)) < 1e-6 &&
-                   std::abs(here.place * along - whole.place) <= 1e-6 * box.GetDiagonalLength();
-        });
-    if (!one)
-        return core::fail(core::Error::Code::Unsupported,
-                          "has flat parts that do not lie in one plane, or beside cells in space",
-                          "give the plane or the cells in space alone");
-    for (const auto& block : blocks)
-        set_sides(*block, *marked_slab(*block), whole);
-    return {};
 }
 
 } // namespace wakesurf::importer

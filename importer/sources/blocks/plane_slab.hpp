@@ -2,7 +2,6 @@
 // evenly on both sides of the plane and is as thick as the cells are wide, in the mean.
 #pragma once
 
-#include "core/base/result.hpp"
 #include "core/dataset/dataset_info.hpp"
 
 #include <vtkDataSet.h>
@@ -19,10 +18,6 @@ namespace wakesurf::importer {
 /// sides. A vector of two components in a plane of coordinates gets its third, which is zero; so does a velocity
 /// of two scalars that are called like components of one. REQUIRES: the data set is sound.
 std::optional<vtkSmartPointer<vtkDataSet>> slab_of(vtkDataSet& plane);
-
-/// Makes the slabs of one plane that several blocks lie in equally thick, so that they meet. Error: Unsupported (slabs of
-/// several planes, or beside cells in space), to be read after the name of what has the blocks.
-core::Result<void> even_slabs(const std::vector<vtkSmartPointer<vtkDataSet>>& blocks);
 
 /// Returns the names of the components across a plane of coordinates, where two scalars have the names of the others:
 /// w for u and v. @param across  the axis

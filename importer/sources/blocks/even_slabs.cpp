@@ -1,0 +1,95 @@
+#include "importer/sources/blocks/even_slabs.hpp"
+
+#include "importer/base/slab_mark.hpp"
+
+#include <vtkBoundingBox.h>
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkPointSet.h>
+#include <vtkPoints.h>
+#include <vtkRectilinearGrid.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace wakesurf::importer {
+
+using core::Vec3;
+
+namespace {
+
+// Puts the sides of a slab where `to` has them. REQUIRES: both are of one plane.
+void set_sides(vtkDataSet& block, const Slab& from, const Slab& to) {
+    const auto axis =
+        static_cast<int>(std::find(&to.across[0], &to.across[0] + 3, 1.0) - &to.across[0]);
+    const double half = 0.5 * to.thickness;
+    if (auto* image = vtkImageData::SafeDownCast(&block); image != nullptr && axis < 3) {
+        std::array<double, 3> origin{};
+        std::array<double, 3> spacing{};
+        image->GetOrigin(origin.data());
+        image->GetSpacing(spacing.data());
+        origin[static_cast<std::size_t>(axis)] = to.place - half;
+        spacing[static_cast<std::size_t>(axis)] = to.thickness;
+        image->SetOrigin(origin.data());
+        image->SetSpacing(spacing.data());
+    } else if (auto* grid = vtkRectilinearGrid::SafeDownCast(&block); grid != nullptr && axis < 3) {
+        const std::array<vtkDataArray*, 3> axes{grid->GetXCoordinates(), grid->GetYCoordinates(),
+                                                grid->GetZCoordinates()};
+        auto* const sides = axes[static_cast<std::size_t>(axis)];
+        sides->SetTuple1(0, to.place - half);
+        sides->SetTuple1(1, to.place + half);
+    } else if (auto* set = vtkPointSet::SafeDownCast(&block)) {
+        for (vtkIdType i = 0; i < set->GetNumberOfPoints(); ++i) {
+            Vec3 p;
+            block.GetPoint(i, &p[0]);
+            const double along = glm::dot(p, to.across);
+            const double side =
+                along < from.place * glm::dot(from.across, to.across) ? -half : half;
+            p += (to.place + side) * to.across - along * to.across;
+            set->GetPoints()->SetPoint(i, p.x, p.y, p.z);
+        }
+    }
+    block.Modified();
+    mark_slab(block, to);
+}
+
+} // namespace
+
+core::Result<void> even_slabs(const std::vector<vtkSmartPointer<vtkDataSet>>& blocks) {
+    std::vector<Slab> slabs;
+    vtkBoundingBox box;
+    for (const auto& block : blocks) {
+        if (const auto slab = marked_slab(*block))
+            slabs.push_back(*slab);
+        box.AddBounds(block->GetBounds());
+    }
+    if (slabs.empty() || blocks.size() == 1)
+        return {};
+    Slab whole = slabs.front();
+    const auto is_in_plane = [&](const Slab& slab) {
+        const double along = glm::dot(slab.across, whole.across);
+        return glm::length(glm::cross(slab.across, whole.across)) < 1e-6 &&
+               std::abs(slab.place * along - whole.place) <= 1e-6 * box.GetDiagonalLength();
+    };
+    if (slabs.size() != blocks.size() || !std::ranges::all_of(slabs, is_in_plane))
+        return core::fail(core::Error::Code::Unsupported,
+                          "has flat parts that do not lie in one plane, or beside cells in space",
+                          "give the plane or the cells in space alone");
+    double area = 0.0;
+    double cells = 0.0;
+    for (const Slab& slab : slabs) {
+        area += slab.area;
+        cells += slab.cells;
+    }
+    if (area > 0.0)
+        whole.thickness = thickness_of(area, cells);
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        whole.area = slabs[i].area;
+        whole.cells = slabs[i].cells;
+        set_sides(*blocks[i], slabs[i], whole);
+    }
+    return {};
+}
+
+} // namespace wakesurf::importer
