@@ -155,8 +155,7 @@ struct Beginning {
     std::string words; ///< the same in small letters
 };
 
-Beginning beginning_of(const fs::path& file) {
-    constexpr std::size_t most = 1 << 16;
+Beginning beginning_of(const fs::path& file, std::size_t most = 1 << 16) {
     std::string bytes(most, '\0');
     std::ifstream in(file, std::ios::binary);
     in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
@@ -214,19 +213,24 @@ std::optional<Held> held_format(const fs::path& file) {
     std::error_code error;
     if (!fs::is_regular_file(file, error))
         return std::nullopt;
+    // Folders may hold many files: of most these tell enough.
+    constexpr std::string_view adf = "@(#)ADF Database";
+    const std::string first = beginning_of(file, adf.size()).bytes;
+    const std::string_view bytes = first;
+    if (bytes.size() == adf.size() && bytes.substr(4) == adf.substr(4))
+        return Held::Cgns;
+    const bool hdf = bytes.starts_with("\x89HDF");
+    const bool classic = bytes.starts_with("CDF\x01"sv) || bytes.starts_with("CDF\x02"sv) ||
+                         bytes.starts_with("CDF\x05"sv);
+    if (!hdf && !classic)
+        return std::nullopt;
     const auto start = beginning_of(file);
     const auto holds = [&](std::string_view word) {
         return start.bytes.find(word) != std::string::npos;
     };
-    const std::string_view bytes = start.bytes;
-    if (bytes.substr(std::min<std::size_t>(4, bytes.size())).starts_with("ADF Database"))
-        return Held::Cgns;
-    const bool hdf = bytes.starts_with("\x89HDF");
     if (hdf && holds("CGNSLibraryVersion"))
         return Held::Cgns;
-    const bool netcdf = bytes.starts_with("CDF\x01"sv) || bytes.starts_with("CDF\x02"sv) ||
-                        bytes.starts_with("CDF\x05"sv) ||
-                        (hdf && (holds("_NCProperties") || holds("_Netcdf4")));
+    const bool netcdf = classic || holds("_NCProperties") || holds("_Netcdf4");
     return netcdf && !holds("num_el_blk") ? std::optional(Held::Netcdf) : std::nullopt;
 }
 
