@@ -88,7 +88,7 @@ TEST_F(OpenfoamValues, AreReadFromBinaryFilesOfEitherPrecisionWhateverStandsBetw
 TEST_F(OpenfoamValues, ThatAreNotThereOrOfAnotherKindAreRefusedByName) {
     const std::string rest = ";\nboundaryField\n{\n}\n";
     for (const std::string words :
-         {"uniform 1", "uniform $U", "nonuniform List<scalar> 3(1 2 3)", "nonuniform",
+         {"uniform 1", "nonuniform List<scalar> 3(1 2 3)", "nonuniform",
           "nonuniform List<vector> 3((1 2 3) (4 5 6))", "nonuniform List<vector> 99999999999999(",
           "nonuniform List<vector> 18446744073709551615((1 2 3))", "nonuniform List<vector> -1()",
           "nonuniform List<vector> 1((1 2 x))", "nonuniform List<vector> 0()"}) {
@@ -114,6 +114,21 @@ TEST_F(OpenfoamValues, BeyondAnyNumberAreInfiniteAndBelowAnyAreZero) {
     const auto values = read(header() + "internalField uniform (1e999 -1e999 1e-999);\n");
     ASSERT_TRUE(values.has_value()) << values.error().message;
     EXPECT_EQ(values->inside, (Values{HUGE_VALF, -HUGE_VALF, 0.0F}));
+}
+
+TEST_F(OpenfoamValues, ByTheNameOfOthersAreRefusedAsSuch) {
+    for (const char* const words :
+         {"uniform $U0", "$U0", "uniform ($speed 0 0)", "uniform (1 0 ${w})"}) {
+        const auto values = read(header() + "U0 (1 0 0);\ninternalField " + words + ";\n");
+        ASSERT_FALSE(values.has_value()) << words;
+        EXPECT_EQ(values.error().message,
+                  "0/U has values by the name of others ($...), which are not looked up");
+    }
+    const auto on_patch = read(header() + "internalField uniform (1 0 0);\nboundaryField\n{\n    "
+                                          "inlet { type fixedValue; value $internalField; }\n}\n");
+    EXPECT_TRUE(on_patch.has_value());
+    EXPECT_NE(read(header() + "internalField uniform (1 0").error().message.find("ends too early"),
+              std::string::npos);
 }
 
 } // namespace

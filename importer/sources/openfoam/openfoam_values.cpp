@@ -47,6 +47,9 @@ class FoamDictionary {
 
     bool of_other_machine() const { return of_other_machine_; }
 
+    /// Says whether values that are wanted are those of another entry: $U0.
+    bool has_macro() const { return has_macro_; }
+
   private:
     void pass_blanks() {
         for (std::size_t end = 0; at_ < text_.size(); at_ = std::min(end, text_.size())) {
@@ -77,8 +80,14 @@ class FoamDictionary {
         }
         if (here == "nonuniform")
             return take_list();
-        if (here == "uniform" && values() != nullptr)
+        if (here.front() == '$')
+            has_macro_ = has_macro_ || values() != nullptr;
+        if (here == "uniform" && values() != nullptr) {
+            const auto entry =
+                text_.substr(at_, std::min(text_.find(';', at_), text_.size()) - at_);
+            has_macro_ = has_macro_ || entry.find('$') != std::string_view::npos;
             return take_numbers(1, components_, *values());
+        }
         if (path_.size() == 1 && path_[0] == "FoamFile")
             take_header(here);
         if (key_.empty() &&
@@ -199,6 +208,7 @@ class FoamDictionary {
     std::string key_;               ///< the first word of this entry
     bool binary_ = false;
     bool of_other_machine_ = false;
+    bool has_macro_ = false;
     std::size_t scalar_bytes_ = 8;
     std::size_t label_bytes_ = 4;
     FoamValues out_;
@@ -215,6 +225,11 @@ read_foam_values(const std::filesystem::path& file, const std::string& name, int
         return core::fail(Error::Code::Unsupported,
                           name + " is binary, of a machine with the other order of bytes",
                           "write it as text: foamFormatConvert");
+    if (!values && dictionary.has_macro())
+        return core::fail(Error::Code::Unsupported,
+                          name +
+                              " has values by the name of others ($...), which are not looked up",
+                          "write the numbers instead: foamDictionary -expand");
     if (!values)
         return core::fail(Error::Code::Corrupt,
                           name + " ends too early or is no field of " + std::to_string(components) +
