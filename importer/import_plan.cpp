@@ -138,7 +138,8 @@ core::Result<SourceStep> ImportPlan::read(std::size_t index) const {
     auto step = source->read(steps[index], choice.arrays());
     if (!step)
         return step;
-    return leave_body_out(step->blocks, choice)
+    return even_slabs(step->blocks)
+        .and_then([&] { return leave_body_out(step->blocks, choice); })
         .map([&] { return std::move(*step); })
         .map_error([&](Error error) { return about_step(*this, index, std::move(error)); });
 }
@@ -263,14 +264,6 @@ core::Result<void> repeat_period(const command::Loop& loop, ImportPlan& plan) {
 std::string note_on_end(double time, const Error& why) {
     return "the data end before time " + time_text(time) + ": " + why.message +
            (why.hint.empty() ? "" : " (" + why.hint + ")");
-}
-
-core::Result<SourceStep> ImportPlan::read(std::size_t index) const {
-    auto step = source->read(steps[index], choice.arrays());
-    if (step)
-        if (auto even = even_slabs(step->blocks); !even)
-            return tl::unexpected(about_step(*this, index, even.error()));
-    return step;
 }
 
 core::Result<ImportPlan> make_plan(const ImportRequest& request, const UnclearVelocity& unclear) {

@@ -170,10 +170,13 @@ class Triangles {
         out.triangles.push_back({number(a), number(b), number(c)});
     }
 
-    /// Draws the faces of a thin wedge all the way round: it is stretched to one of `sectors`, and repeated.
+    /// Draws the faces of a thin wedge all the way round: it is stretched to one of `sectors`, and repeated. The walls
+    /// are for display: of many triangles there are fewer sectors.
     void revolve(const core::SymmetryAxis& axis) {
-        constexpr int sectors = 72;
-        constexpr double sector = 2.0 * std::numbers::pi / sectors;
+        constexpr std::size_t most = 4'000'000;
+        const std::size_t sectors =
+            std::clamp<std::size_t>(most / std::max<std::size_t>(out.triangles.size(), 1), 12, 72);
+        const double sector = 2.0 * std::numbers::pi / static_cast<double>(sectors);
         const Vec3 around = glm::cross(axis.direction, axis.radial);
         const auto points = std::move(out.points);
         const auto triangles = std::move(out.triangles);
@@ -191,14 +194,15 @@ class Triangles {
         }
         if (!(half > 0.0))
             return;
-        for (int k = 0; k < sectors; ++k)
+        for (std::size_t k = 0; k < sectors; ++k)
             for (const auto& triangle : triangles) {
                 std::array<Vec3, 3> corner;
                 for (std::size_t i = 0; i < 3; ++i) {
                     const auto& [along, radius, angle] = at[triangle[i]];
                     // Both sides of a sector are reckoned alike: its neighbours have the very same points.
                     const double turn =
-                        sector * (k + std::round(0.5 * (angle / half + 1.0) * 1024.0) / 1024.0);
+                        sector * (static_cast<double>(k) +
+                                  std::round(0.5 * (angle / half + 1.0) * 1024.0) / 1024.0);
                     corner[i] = axis.origin + along * axis.direction +
                                 radius * (std::cos(turn) * axis.radial + std::sin(turn) * around);
                 }

@@ -265,7 +265,7 @@ class OpenfoamSource final : public Source {
             axis.origin = core::Vec3(0.0); // but for the rounding of the points
         if (glm::dot(one.point - axis.origin, axis.radial) < 0.0)
             axis.radial = -axis.radial; // the files' normals point inward
-        axis.direction = glm::cross(axis.radial, across);
+        axis.direction = glm::normalize(glm::cross(axis.radial, across));
         description_.axis = axis;
         const double degrees =
             2.0 * std::asin(std::min(1.0, 0.5 * glm::length(inward))) * 180.0 / std::numbers::pi;

