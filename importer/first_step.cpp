@@ -6,6 +6,7 @@
 #include "importer/base/notes.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <span>
 
@@ -43,6 +44,23 @@ core::Result<void> look_at(const ImportPlan& plan,
             reading.last = std::move(*step);
     }
     return {};
+}
+
+// Says what of the velocity a slab cannot carry, beyond rounding: of a slice through a flow in space.
+std::string note_across(const core::Vec3& normal, std::span<const float> velocity) {
+    double highest = 0.0;
+    double across = 0.0;
+    for (std::size_t i = 0; i + 2 < velocity.size(); i += 3) {
+        const core::Vec3 v(velocity[i], velocity[i + 1], velocity[i + 2]);
+        if (!std::isfinite(glm::length(v)))
+            continue;
+        highest = std::max(highest, glm::length(v));
+        across = std::max(across, std::abs(glm::dot(v, normal)));
+    }
+    if (!(across > 1e-5 * highest))
+        return {};
+    return "left out: the velocity across the plane, up to " +
+           length_text(100.0 * across / highest, 2) + "% of the highest speed";
 }
 
 core::Result<void> find_faces_at_rest(const ImportPlan& plan, FirstStepReading& reading) {
@@ -100,6 +118,10 @@ read_first_step(const ImportPlan& plan, bool with_last, bool with_all) {
     if (!assembly)
         return tl::unexpected(assembly.error());
     first.assembly = std::move(*assembly);
+    if (first.assembly.across)
+        if (const auto velocity =
+                node_values(first.assembly, reading.step.blocks, plan.choice.velocity, {}))
+            add_note(first.assembly.note, note_across(*first.assembly.across, *velocity));
     if (auto* mesh = std::get_if<core::CellMesh>(&first.assembly.grid))
         mesh->axis = plan.source->description().axis;
     Walls walls = find_walls(first.assembly, reading.step);

@@ -9,6 +9,8 @@
 #include <vtkFieldData.h>
 #include <vtkSmartPointer.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -40,6 +42,16 @@ inline void mark_slab(vtkDataSet& block, const Slab& slab) {
                                 slab.thickness, slab.area, slab.cells})
         mark->InsertNextValue(number);
     block.GetFieldData()->AddArray(mark);
+}
+
+/// Returns by how much points of a plane may be off it: numbers of six digits, as text has, are rounded so.
+/// @param box  lo and hi of x, y and z
+inline double off_plane(const std::array<double, 6>& box) {
+    const double size = std::hypot(box[1] - box[0], box[3] - box[2], box[5] - box[4]);
+    double largest = 0.0;
+    for (const double side : box)
+        largest = std::max(largest, std::abs(side));
+    return std::clamp(2e-5 * largest, 1e-6 * size, 1e-3 * size);
 }
 
 /// Returns what a block is marked as; nothing of any other.

@@ -148,5 +148,27 @@ TEST_F(EnsightParts, LeaveOutAScalarWhoseFileOneTimeLacks) {
         EXPECT_TRUE((*source)->read(step, (*source)->description().fields).has_value());
 }
 
+TEST_F(EnsightParts, AreNoPlaneWhereThereAreCellsInSpaceAndFlatBlocksBesideThemAreLeftOut) {
+    EnsightText out(EnsightEncoding::Text);
+    for (const char* const line : {"a", "b", "node id off", "element id off"})
+        out.line(line);
+    put_box(out, 1, "fluid", 0);
+    out.line("part");
+    out.integers({2});
+    out.line("slice");
+    out.line("block uniform");
+    out.integers({3, 3, 1});
+    out.numbers({0, 0, 0.5});
+    out.numbers({0.5, 0.5, 0.5});
+    write_file(folder_ / "g", out.text());
+    const auto source = open_ensight(put_case("vector per node: velocity vel\n"));
+    ASSERT_TRUE(source.has_value()) << source.error().message;
+    const auto step = (*source)->read(0, (*source)->description().fields);
+    ASSERT_TRUE(step.has_value()) << step.error().message;
+    ASSERT_EQ(step->blocks.size(), 1u);
+    EXPECT_EQ(step->blocks[0]->GetNumberOfPoints(), 27);
+    EXPECT_TRUE(step->solids.empty());
+}
+
 } // namespace
 } // namespace wakesurf::importer::ensight_parts_test

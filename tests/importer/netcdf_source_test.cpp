@@ -1,4 +1,6 @@
 // NetCDF-CF files as sources, written with the netCDF library: packing, fill values, axes in every order, refusals.
+#include "importer/assembly/node_values.hpp"
+#include "importer/fields/velocity_choice.hpp"
 #include "importer/sources/open_source.hpp"
 #include "tests/importer/netcdf_files.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -325,6 +327,34 @@ TEST_F(NetcdfSource, GivesAPlaneAThicknessWithOrWithoutItsThirdDimension) {
             EXPECT_LT(slab.GetBounds()[4], 0.0);
             EXPECT_GT(slab.GetBounds()[5], 0.0);
         }
+}
+
+TEST_F(NetcdfSource, TakesThePartsOfAPlanesVelocityByTheirStandardNames) {
+    {
+        NetcdfWriter out(folder_ / "sea.nc");
+        out.dimension("time", 2);
+        out.dimension("x", 4);
+        out.dimension("y", 3);
+        const int east = out.variable("current_e", NC_DOUBLE, {"time", "y", "x"});
+        const int north = out.variable("current_n", NC_DOUBLE, {"time", "y", "x"});
+        out.text(east, "standard_name", "eastward_sea_water_velocity");
+        out.text(north, "standard_name", "northward_sea_water_velocity");
+        out.end();
+        for (const int variable : {east, north})
+            out.put(variable, {0, 0, 0}, {2, 3, 4},
+                    std::vector<double>(24, variable == east ? 1.5 : 0.5));
+    }
+    const auto source = open_source(folder_ / "sea.nc");
+    ASSERT_TRUE(source.has_value()) << source.error().message;
+    const auto& description = (*source)->description();
+    const auto velocity = choose_velocity(description.fields, "", description.velocities);
+    ASSERT_TRUE(velocity.has_value()) << velocity.error().message;
+    const auto step = (*source)->read(1, velocity->parts.arrays);
+    ASSERT_TRUE(step.has_value()) << step.error().message;
+    const auto values = point_values(step->blocks, velocity->parts);
+    ASSERT_TRUE(values.has_value());
+    for (std::size_t i = 0; i < values->size(); ++i)
+        EXPECT_EQ((*values)[i], i % 3 == 0 ? 1.5f : i % 3 == 1 ? 0.5f : 0.0f);
 }
 
 TEST_F(NetcdfSource, RefusesStaggeredAndCurvilinearGrids) {

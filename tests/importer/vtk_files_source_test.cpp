@@ -429,6 +429,7 @@ TEST_F(VtkFilesSource, KeepsTheSolidCellsOfAMixedMeshAndThickensPlanes) {
     auto flat = vtkSmartPointer<vtkUnstructuredGrid>::New();
     flat->SetPoints(sample_mesh()->GetPoints());
     flat->InsertNextCell(VTK_QUAD, 4, quad.data());
+    flat->InsertNextCell(VTK_LINE, 2, quad.data()); // as mesh generators write of the edge
     for (const auto& plane :
          {write_step("flat.vtu", *flat, 0), write_step("sheet.vti", *sample_image(4, 1, 6), 0)}) {
         const auto thick = open_source(plane);

@@ -4,6 +4,7 @@
 
 #include <vtkBoundingBox.h>
 #include <vtkDataArray.h>
+#include <vtkIdList.h>
 #include <vtkImageData.h>
 #include <vtkPointSet.h>
 #include <vtkPoints.h>
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace wakesurf::importer {
 
@@ -43,15 +45,40 @@ void set_sides(vtkDataSet& block, const Slab& from, const Slab& to) {
         for (vtkIdType i = 0; i < set->GetNumberOfPoints(); ++i) {
             Vec3 p;
             block.GetPoint(i, &p[0]);
-            const double along = glm::dot(p, to.across);
-            const double side =
-                along < from.place * glm::dot(from.across, to.across) ? -half : half;
-            p += (to.place + side) * to.across - along * to.across;
+            const bool below =
+                (glm::dot(p, from.across) < from.place) == (glm::dot(from.across, to.across) > 0.0);
+            p += (to.place + (below ? -half : half) - glm::dot(p, to.across)) * to.across;
             set->GetPoints()->SetPoint(i, p.x, p.y, p.z);
         }
     }
     block.Modified();
     mark_slab(block, to);
+}
+
+// Says whether the middle of a slab lies in the plane of another one, beyond rounding.
+bool lies_in(vtkDataSet& block, const Slab& own, const Slab& plane, double within) {
+    const auto nodes = vtkSmartPointer<vtkIdList>::New();
+    for (vtkIdType cell = 0; cell < block.GetNumberOfCells(); ++cell) {
+        block.GetCellPoints(cell, nodes);
+        for (const vtkIdType node : *nodes) { // no others: points may be left over
+            Vec3 p;
+            block.GetPoint(node, &p[0]);
+            const double side = glm::dot(p, own.across) < own.place ? -0.5 : 0.5;
+            p -= side * own.thickness * own.across;
+            if (!(std::abs(glm::dot(p, plane.across) - plane.place) <= within))
+                return false;
+        }
+    }
+    return true;
+}
+
+// The more exact of two planes: along axes, then of more cells.
+bool less_exact(const Slab& one, const Slab& other) {
+    const auto along_axis = [](const Slab& slab) {
+        return std::max({std::abs(slab.across.x), std::abs(slab.across.y),
+                         std::abs(slab.across.z)}) == 1.0;
+    };
+    return std::pair(along_axis(one), one.cells) < std::pair(along_axis(other), other.cells);
 }
 
 } // namespace
@@ -66,13 +93,13 @@ core::Result<void> even_slabs(const std::vector<vtkSmartPointer<vtkDataSet>>& bl
     }
     if (slabs.empty() || blocks.size() == 1)
         return {};
-    Slab whole = slabs.front();
-    const auto is_in_plane = [&](const Slab& slab) {
-        const double along = glm::dot(slab.across, whole.across);
-        return glm::length(glm::cross(slab.across, whole.across)) < 1e-6 &&
-               std::abs(slab.place * along - whole.place) <= 1e-6 * box.GetDiagonalLength();
-    };
-    if (slabs.size() != blocks.size() || !std::ranges::all_of(slabs, is_in_plane))
+    std::array<double, 6> bounds{};
+    box.GetBounds(bounds.data());
+    Slab whole = *std::ranges::max_element(slabs, less_exact);
+    bool one = slabs.size() == blocks.size();
+    for (std::size_t i = 0; one && i < blocks.size(); ++i)
+        one = lies_in(*blocks[i], slabs[i], whole, 2.0 * off_plane(bounds));
+    if (!one)
         return core::fail(core::Error::Code::Unsupported,
                           "has flat parts that do not lie in one plane, or beside cells in space",
                           "give the plane or the cells in space alone");

@@ -68,7 +68,7 @@ bool is_ghost(vtkDataSet& data, vtkIdType cell) {
            (static_cast<int>(marks->GetTuple1(cell)) & vtkDataSetAttributes::DUPLICATECELL) != 0;
 }
 
-// Returns nothing if the points are not in a plane, to a millionth of their extent.
+// Returns nothing if the points are not in a plane, beyond rounding.
 std::optional<Slab> plane_of(vtkDataSet& data) {
     if (vtkPointSet::SafeDownCast(&data) == nullptr) { // an image or rectilinear grid: along axes
         std::array<double, 6> box{};
@@ -118,14 +118,13 @@ std::optional<Slab> plane_of(vtkDataSet& data) {
         }
     std::array<double, 6> box{};
     data.GetBounds(box.data());
-    const double size = std::hypot(box[1] - box[0], box[3] - box[2], box[5] - box[4]);
     std::optional<Vec3> first;
     for (vtkIdType i = 0; i < data.GetNumberOfCells(); ++i) {
         corners_of(data, i, *nodes);
         for (const vtkIdType node : *nodes) { // no others: points may be left over
             const Vec3 p = point_of(data, node);
             first = first.value_or(p);
-            if (std::abs(glm::dot(p - *first, normal)) > 1e-6 * size)
+            if (std::abs(glm::dot(p - *first, normal)) > off_plane(box))
                 return std::nullopt;
         }
     }
@@ -275,7 +274,9 @@ slab_points(vtkDataSet& data, vtkIdType count, const Slab& plane, const Source& 
     out->SetNumberOfPoints(count);
     for (vtkIdType i = 0; i < count; ++i) {
         const auto [number, side] = source(i);
-        const Vec3 p = point_of(data, number) + side * 0.5 * plane.thickness * plane.across;
+        Vec3 p = point_of(data, number);
+        p +=
+            (plane.place - glm::dot(p, plane.across) + side * 0.5 * plane.thickness) * plane.across;
         out->SetPoint(i, p.x, p.y, p.z);
     }
     return out;
@@ -348,10 +349,14 @@ std::vector<std::string> third_components(const std::vector<core::FieldInfo>& sc
     for (const auto& third : thirds)
         with.push_back({third, 1, core::FieldInfo::Source::Point, {}, {}});
     std::vector<std::string> out;
-    for (const auto& velocity : store::velocity_components(with, core::FieldInfo::Source::Point))
-        for (const auto& component : velocity)
-            if (thirds.contains(component.name))
-                out.push_back(component.name);
+    const auto add = [&](const auto& vectors) {
+        for (const auto& vector : vectors)
+            for (const auto& component : vector)
+                if (thirds.contains(component.name))
+                    out.push_back(component.name);
+    };
+    add(store::velocity_components(with, core::FieldInfo::Source::Point));
+    add(store::momentum_components(with, core::FieldInfo::Source::Point));
     return out;
 }
 

@@ -16,7 +16,7 @@ namespace wakesurf::importer {
 /// Returns the slab of a structured block with one node along an axis, or of an unstructured grid of flat cells
 /// with straight edges; nothing if it has other cells or does not lie in a plane. Values are the same on both
 /// sides. A vector of two components in a plane of coordinates gets its third, which is zero; so does a velocity
-/// of two scalars that are called like components of one. REQUIRES: the data set is sound.
+/// or momentum of two scalars that are called like components of one. REQUIRES: the data set is sound.
 std::optional<vtkSmartPointer<vtkDataSet>> slab_of(vtkDataSet& plane);
 
 /// Returns the names of the components across a plane of coordinates, where two scalars have the names of the others:

@@ -53,6 +53,8 @@ struct CgnsZone {
     int file = 0;
     int base = 0;
     int zone = 0;
+    int dimension = 3; ///< of its cells
+    int space = 3;     ///< coordinates of a node
     bool structured = false;
     /// Counts nodes, then cells, along each axis; or the nodes and the cells of an unstructured zone.
     std::array<cgsize_t, 9> size{};
@@ -60,10 +62,11 @@ struct CgnsZone {
 
 constexpr std::array<cgsize_t, 3> cgns_first{1, 1, 1};
 
-/// Is true of elements in space, of any order; false of faces, edges and points. REQUIRES: not MIXED, NGON_n
-/// or NFACE_n.
-inline bool is_volume(CGNS_ENUMT(ElementType_t) type) {
+/// Is true of elements of a dimension, 2 or 3, of any order. REQUIRES: not MIXED, NGON_n or NFACE_n.
+inline bool has_dimension(CGNS_ENUMT(ElementType_t) type, int dimension) {
     const std::string_view name = cg_ElementTypeName(type);
+    if (dimension == 2)
+        return name.starts_with("TRI") || name.starts_with("QUAD");
     return name.starts_with("TETRA") || name.starts_with("PYRA") || name.starts_with("PENTA") ||
            name.starts_with("HEXA");
 }

@@ -227,7 +227,7 @@ class CgnsSource final : public SeriesSource<std::optional<double>> {
         const auto place = std::find(survey.times.begin(), survey.times.end(), time);
         const auto leaves =
             survey.cells_have_other_numbers
-                ? read_cgns_zones(listed(file),
+                ? read_cgns_zones(listed(file), survey.dimension,
                                   time ? std::optional<std::size_t>(place - survey.times.begin())
                                        : std::nullopt,
                                   wanted)
@@ -236,21 +236,22 @@ class CgnsSource final : public SeriesSource<std::optional<double>> {
             return tl::unexpected(leaves.error());
         const std::string name = step_name(step);
         std::vector<Zone> zones;
+        const auto solid = [](const Leaf& leaf) { return has_solid_cells(*leaf.data); };
+        const bool plane = std::ranges::none_of(*leaves, solid);
         for (const auto& leaf : *leaves) {
-            if (!has_solid_cells(*leaf.data))
+            if (!plane && !solid(leaf))
                 continue;
+            scale_points(*leaf.data, survey.units.coordinates);
             auto block = fluid_part(*leaf.data, name);
             if (!block)
                 return tl::unexpected(block.error());
-            scale_points(**block, survey.units.coordinates);
             std::string path;
             for (const auto& part : leaf.path)
                 path += "/" + part;
             zones.push_back({std::move(path), std::move(*block)});
         }
         if (zones.empty())
-            return core::fail(Error::Code::Unsupported, name + " holds no three-dimensional cells",
-                              "extrude it by two cells or more first");
+            return core::fail(Error::Code::Unsupported, name + " holds no cells");
         return zones;
     }
 

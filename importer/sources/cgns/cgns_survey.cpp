@@ -175,23 +175,23 @@ class Survey {
         int bases = 0;
         if (cg_nbases(id_, &bases) != CG_OK)
             return damaged();
-        bool solid = false;
+        std::vector<int> dimensions;
         for (int base = 1; base <= bases; ++base) {
             CgnsName name{};
             int cells = 0;
             int space = 0;
             if (cg_base_read(id_, base, name.data(), &cells, &space) != CG_OK)
                 return damaged();
-            solid = solid || cells == 3;
-            if (cells != 3)
-                continue;
-            if (auto looked = look_at_base(base); !looked)
-                return tl::unexpected(looked.error());
+            dimensions.push_back(cells);
         }
-        if (!solid)
+        out_.dimension = std::ranges::find(dimensions, 3) == dimensions.end() ? 2 : 3;
+        if (std::ranges::find(dimensions, out_.dimension) == dimensions.end())
             return core::fail(Error::Code::Unsupported,
-                              name_ + " is not three-dimensional: no base has cells in space",
-                              "extrude it by two cells or more first");
+                              name_ + " has no base with cells in space or in a plane");
+        for (int base = 1; base <= bases; ++base)
+            if (dimensions[static_cast<std::size_t>(base - 1)] == out_.dimension)
+                if (auto looked = look_at_base(base); !looked)
+                    return tl::unexpected(looked.error());
         auto units = read_cgns_units(id_, name_);
         if (!units)
             return tl::unexpected(units.error());
@@ -302,7 +302,8 @@ class Survey {
             return damaged();
         const bool structured = type == CGNS_ENUMV(Structured);
         std::uint64_t nodes = 1;
-        for (std::size_t i = 0; i < (structured ? 3 : 1); ++i) {
+        for (std::size_t i = 0; i < (structured ? static_cast<std::size_t>(out_.dimension) : 1);
+             ++i) {
             if (size[i] < 0)
                 return core::fail(Error::Code::Corrupt, name_ + " has a zone of negative size");
             nodes *= static_cast<std::uint64_t>(size[i]);
@@ -338,7 +339,7 @@ class Survey {
             const cgsize_t cells = size[1];
             out_.cells_have_other_numbers =
                 out_.cells_have_other_numbers ||
-                (is_volume(element) ? range[1] > cells : range[0] <= cells);
+                (has_dimension(element, out_.dimension) ? range[1] > cells : range[0] <= cells);
         }
         return {};
     }

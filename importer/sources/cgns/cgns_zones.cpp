@@ -33,6 +33,8 @@ int vtk_cell_of(CGNS_ENUMT(ElementType_t) type) {
            : type == CGNS_ENUMV(PYRA_5)  ? VTK_PYRAMID
            : type == CGNS_ENUMV(PENTA_6) ? VTK_WEDGE
            : type == CGNS_ENUMV(HEXA_8)  ? VTK_HEXAHEDRON
+           : type == CGNS_ENUMV(TRI_3)   ? VTK_TRIANGLE
+           : type == CGNS_ENUMV(QUAD_4)  ? VTK_QUAD
                                          : 0;
 }
 
@@ -53,13 +55,19 @@ class MeshReader {
     }
 
   private:
+    std::array<cgsize_t, 3> nodes_along() const {
+        return {at_.size[0], at_.size[1], at_.dimension == 3 ? at_.size[2] : 1};
+    }
+
     core::Result<vtkSmartPointer<vtkPoints>> read_points() {
-        const auto count = at_.structured ? at_.size[0] * at_.size[1] * at_.size[2] : at_.size[0];
+        const auto along = nodes_along();
+        const auto count = at_.structured ? along[0] * along[1] * along[2] : at_.size[0];
         auto points = vtkSmartPointer<vtkPoints>::New();
         points->SetDataTypeToDouble();
         points->SetNumberOfPoints(count);
+        points->GetData()->Fill(0.0);
         std::vector<double> axis(static_cast<std::size_t>(count));
-        for (int c = 0; c < 3; ++c) {
+        for (int c = 0; c < at_.space; ++c) {
             const std::string coordinate = std::string("Coordinate") + "XYZ"[c];
             if (cg_coord_read(at_.file, at_.base, at_.zone, coordinate.c_str(),
                               CGNS_ENUMV(RealDouble), cgns_first.data(), at_.size.data(),
@@ -74,8 +82,9 @@ class MeshReader {
     core::Result<vtkSmartPointer<vtkDataSet>> read_structured() {
         return read_points().map([&](const auto& points) {
             auto grid = vtkSmartPointer<vtkStructuredGrid>::New();
-            grid->SetDimensions(static_cast<int>(at_.size[0]), static_cast<int>(at_.size[1]),
-                                static_cast<int>(at_.size[2]));
+            const auto along = nodes_along();
+            grid->SetDimensions(static_cast<int>(along[0]), static_cast<int>(along[1]),
+                                static_cast<int>(along[2]));
             grid->SetPoints(points);
             return vtkSmartPointer<vtkDataSet>(grid);
         });
@@ -125,7 +134,7 @@ class MeshReader {
             cg_ElementDataSize(at_.file, at_.base, at_.zone, section, &numbers) != CG_OK)
             return cgns_damage(at_.name);
         const bool mixed = type == CGNS_ENUMV(MIXED);
-        if (!mixed && !is_volume(type))
+        if (!mixed && !has_dimension(type, at_.dimension))
             return {};
         const auto count = range[1] - range[0] + 1;
         std::vector<cgsize_t> nodes(static_cast<std::size_t>(numbers));
@@ -159,8 +168,9 @@ class MeshReader {
                               at_.name +
                                   " is damaged: it has elements of no type, or without nodes");
         std::array<vtkIdType, 8> ids{};
-        const int cell = vtk_cell_of(type);
-        if (is_volume(type) && cell == 0)
+        const bool wanted = has_dimension(type, at_.dimension);
+        const int cell = wanted ? vtk_cell_of(type) : 0;
+        if (wanted && cell == 0)
             return core::fail(Error::Code::Unsupported,
                               at_.name + " has curved cells (" + cg_ElementTypeName(type) + ")",
                               "write cells with straight edges");
@@ -288,7 +298,8 @@ class SolutionReader {
                                  bool in_cells,
                                  vtkDataSet& data) {
         const vtkIdType count = in_cells ? data.GetNumberOfCells() : data.GetNumberOfPoints();
-        const auto* const last = at_.size.data() + (in_cells ? at_.structured ? 3 : 1 : 0);
+        const auto* const last =
+            at_.size.data() + (in_cells ? at_.structured ? at_.dimension : 1 : 0);
         const auto array = vtkSmartPointer<vtkDoubleArray>::New();
         array->SetName(name.c_str());
         array->SetNumberOfComponents(static_cast<int>(components.size()));
@@ -324,6 +335,7 @@ core::Result<void> add_cgns_solutions(const CgnsZone& zone,
 } // namespace
 
 core::Result<std::vector<Leaf>> read_cgns_zones(const ListedFile& file,
+                                                int dimension,
                                                 std::optional<std::size_t> step,
                                                 const WantedArrays& wanted) {
     const CgnsFile opened(file.path);
@@ -339,8 +351,8 @@ core::Result<std::vector<Leaf>> read_cgns_zones(const ListedFile& file,
         if (cg_base_read(opened.id(), base, base_name.data(), &cells, &space) != CG_OK ||
             cg_nzones(opened.id(), base, &zones) != CG_OK)
             return cgns_damage(file.name);
-        for (int zone = 1; cells == 3 && zone <= zones; ++zone) {
-            CgnsZone at{file.name, opened.id(), base, zone};
+        for (int zone = 1; cells == dimension && zone <= zones; ++zone) {
+            CgnsZone at{file.name, opened.id(), base, zone, cells, std::min(space, 3)};
             CgnsName name{};
             CGNS_ENUMT(ZoneType_t) type{};
             if (cg_zone_read(at.file, base, zone, name.data(), at.size.data()) != CG_OK ||

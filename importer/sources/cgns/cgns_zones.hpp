@@ -13,8 +13,9 @@
 namespace wakesurf::importer {
 
 /// Returns a leaf a zone: read_cgns_mesh with add_cgns_solutions. Error: Corrupt, Unsupported.
-/// @param step  its index among the times of the file; empty if it has none
+/// @param dimension  of the cells: zones of other bases are left out. @param step  its index among the times of the file; empty if it has none
 core::Result<std::vector<Leaf>> read_cgns_zones(const ListedFile& file,
+                                                int dimension,
                                                 std::optional<std::size_t> step,
                                                 const WantedArrays& wanted);
 

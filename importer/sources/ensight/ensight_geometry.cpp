@@ -3,6 +3,7 @@
 #include "importer/base/process_memory.hpp"
 #include "importer/sources/ensight/ensight_stream.hpp"
 
+#include <vtkCell.h>
 #include <vtkCellArray.h>
 #include <vtkCellType.h>
 #include <vtkDataSet.h>
@@ -186,10 +187,41 @@ class GeometryReader {
                 return in_.damaged("part " + std::to_string(*number) + " appears twice");
         }
         out.swapped = in_.swapped();
+        choose_dimension(out);
         return out;
     }
 
   private:
+    // Flat blocks beside cells in space are left out; without those, flat cells are a plane's.
+    static void choose_dimension(EnsightGeometry& all) {
+        const auto solid = [](const EnsightSection& section) { return section.dimension == 3; };
+        all.plane = std::ranges::none_of(all.parts, [&](const auto& part) {
+            return std::ranges::any_of(part.second.sections, solid);
+        });
+        for (auto& [number, part] : all.parts) {
+            if (all.plane && part.faces != nullptr) {
+                auto flat = vtkSmartPointer<vtkUnstructuredGrid>::New();
+                flat->SetPoints(part.faces->GetPoints());
+                flat->Allocate(part.faces->GetNumberOfCells());
+                for (vtkIdType i = 0; i < part.faces->GetNumberOfCells(); ++i)
+                    flat->InsertNextCell(part.faces->GetCellType(i),
+                                         part.faces->GetCell(i)->GetPointIds());
+                part.volume = flat;
+                part.faces = nullptr;
+            }
+            for (auto& section : part.sections) {
+                if (section.dimension != 2)
+                    continue;
+                if (all.plane)
+                    section.dimension = 3;
+                else if (section.type == "block") {
+                    section.dimension = 0;
+                    part.volume = nullptr;
+                }
+            }
+        }
+    }
+
     core::Result<bool> has_numbers(const std::string& what) {
         const auto text = in_.line();
         if (!text)
@@ -211,10 +243,10 @@ class GeometryReader {
             if (!block)
                 return tl::unexpected(block.error());
             part.nodes = static_cast<std::size_t>((*block)->GetNumberOfPoints());
-            const bool solid = (*block)->GetMaxCellSize() == 8;
+            const int dimension = (*block)->GetCell(0)->GetCellDimension();
             part.sections = {
-                {"block", static_cast<std::size_t>((*block)->GetNumberOfCells()), solid ? 3 : 0}};
-            if (solid)
+                {"block", static_cast<std::size_t>((*block)->GetNumberOfCells()), dimension}};
+            if (dimension >= 2)
                 part.volume = *block;
             return part;
         }

@@ -30,6 +30,8 @@ struct EnsightGeometry {
     EnsightStream::Encoding encoding = EnsightStream::Encoding::Text;
     bool swapped = false;                     ///< the order of bytes is not this machine's
     std::map<std::size_t, EnsightPart> parts; ///< by number
+    /// No part has elements of dimension 3: those of dimension 2 take their place, in sections too.
+    bool plane = false;
 };
 
 /// Reads the parts. Points are 32 bits; blanked points of blocks carry vtkGhostType. Quadratic elements are

@@ -2,6 +2,7 @@
 #include "importer/base/notes.hpp"
 #include "importer/fields/velocity_choice.hpp"
 #include "importer/sources/blocks/block_roles.hpp"
+#include "importer/sources/blocks/fluid_blocks.hpp"
 #include "importer/sources/blocks/vtk_fields.hpp"
 #include "importer/sources/blocks/wall_patches.hpp"
 #include "importer/sources/ensight/ensight_case.hpp"
@@ -107,6 +108,8 @@ class EnsightSource final : public Source {
         }
         for (const auto& field : fields) {
             const auto* variable = found_.find(field);
+            if (variable == nullptr && std::ranges::find(third_, field.name) != third_.end())
+                continue; // of a plane, which is not in the file
             if (variable == nullptr)
                 return core::fail(Error::Code::NotFound,
                                   found_.name + " has no field " + field.name);
@@ -127,8 +130,13 @@ class EnsightSource final : public Source {
                     return tl::unexpected(whole.error());
         }
         SourceStep out;
-        for (auto& [number, block] : blocks)
-            out.blocks.push_back(block);
+        for (auto& [number, block] : blocks) {
+            auto sound = fluid_of(block);
+            if (!sound)
+                return tl::unexpected(sound.error());
+            keep_only(**sound, fields);
+            out.blocks.push_back(std::move(*sound));
+        }
         for (auto& [number, face] : faces)
             if (walls_.contains(number))
                 out.walls.push_back({face, stands_still(*face, fields)});
@@ -173,7 +181,7 @@ class EnsightSource final : public Source {
                 volumes[number] = copy_of(*part.volume);
         if (volumes.empty())
             return core::fail(Error::Code::Unsupported,
-                              geometry_file_ + " has no three-dimensional part");
+                              geometry_file_ + " has no part with cells in space or in a plane");
         const auto needed = velocity_among(found_.variables);
         std::set<std::string> partial;
         for (const auto& one : found_.variables) {
@@ -195,17 +203,32 @@ class EnsightSource final : public Source {
                     attach(*volume->second, *of_part.volume, one.field);
         }
         Blocks blocks;
-        for (const auto& [number, volume] : volumes)
-            blocks.push_back(volume);
+        for (const auto& [number, volume] : volumes) {
+            auto sound = fluid_of(volume);
+            if (!sound)
+                return tl::unexpected(sound.error());
+            blocks.push_back(std::move(*sound));
+        }
         BlockRoles roles = block_roles(blocks, velocity_);
-        auto is_fluid = roles.fluid.begin();
-        for (const auto& [number, volume] : volumes)
-            if (!*is_fluid++)
-                solids_[number] = boundary_of(*volume);
+        std::size_t place = 0;
+        for (const auto& [number, volume] : volumes) {
+            if (!roles.fluid[place])
+                solids_[number] = boundary_of(*blocks[place]);
+            ++place;
+        }
+        for (const auto& field : roles.fields)
+            if (found_.find(field) == nullptr)
+                third_.push_back(field.name);
         description_.fields = std::move(roles.fields);
         add_note(description_.note, roles.note);
         keep_described_variables(blocks, partial);
         return {};
+    }
+
+    // With the values of the part.
+    core::Result<vtkSmartPointer<vtkDataSet>>
+    fluid_of(const vtkSmartPointer<vtkDataSet>& part) const {
+        return geometry_.plane ? fluid_part(*part, geometry_file_) : part;
     }
 
     void keep_described_variables(const Blocks& volumes, const std::set<std::string>& told) {
@@ -310,6 +333,7 @@ class EnsightSource final : public Source {
     std::string velocity_; ///< asked for; may be empty
     EnsightGeometry geometry_;
     std::string geometry_file_;
+    std::vector<std::string> third_;  ///< components that a plane lacks
     std::set<std::size_t> on_blocks_; ///< parts with faces
     std::set<std::size_t> walls_;
     /// The outside of the parts without the velocity.

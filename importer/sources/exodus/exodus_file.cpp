@@ -3,6 +3,7 @@
 #include "importer/base/lower_case.hpp"
 #include "importer/base/process_memory.hpp"
 #include "importer/base/vtk_messages.hpp"
+#include "importer/sources/blocks/fluid_blocks.hpp"
 #include "importer/sources/blocks/vtk_fields.hpp"
 #include "importer/sources/blocks/wall_patches.hpp"
 #include "importer/sources/files/netcdf_size.hpp"
@@ -133,7 +134,8 @@ void ExodusFile::choose_fields(const std::vector<FieldInfo>* fields) {
     }
 }
 
-core::Result<SourceStep> ExodusFile::read(std::size_t step, const std::vector<FieldInfo>* fields) {
+core::Result<SourceStep>
+ExodusFile::read(std::size_t step, const std::vector<FieldInfo>* fields, bool plane) {
     const std::string what = step_name(step);
     if (auto complete = check_netcdf_size(file_); !complete)
         return tl::unexpected(complete.error());
@@ -147,7 +149,7 @@ core::Result<SourceStep> ExodusFile::read(std::size_t step, const std::vector<Fi
         reader_->Update();
         if (auto clean = messages.verdict(what); !clean)
             return give_up(clean.error());
-        return take(fields);
+        return take(fields, plane);
     } catch (const std::bad_alloc&) {
         return give_up({Error::Code::OverLimit, "there is not enough memory to read " + what, {}});
     }
@@ -162,7 +164,7 @@ tl::unexpected<Error> ExodusFile::give_up(Error error) {
     return tl::unexpected(std::move(error));
 }
 
-SourceStep ExodusFile::take(const std::vector<FieldInfo>* fields) const {
+core::Result<SourceStep> ExodusFile::take(const std::vector<FieldInfo>* fields, bool plane) const {
     SourceStep out;
     for (const auto& leaf : leaves_of(reader_->GetOutput())) {
         auto data = vtkSmartPointer<vtkDataSet>::Take(leaf.data->NewInstance());
@@ -170,8 +172,15 @@ SourceStep ExodusFile::take(const std::vector<FieldInfo>* fields) const {
         const bool of_elements = leaf.path.front() == "Element Blocks";
         if (data->GetNumberOfCells() == 0)
             continue; // as pieces have of blocks that lie elsewhere
-        if (leaf.path.front() == "Side Sets" ||
-            (of_elements && is_called_wall(leaf.name()) && is_flat(*data))) {
+        if (plane) {
+            if (!of_elements || !is_flat(*data))
+                continue; // an edge
+            auto slab = fluid_part(*data, file_.name);
+            if (!slab)
+                return tl::unexpected(slab.error());
+            out.blocks.push_back(std::move(*slab));
+        } else if (leaf.path.front() == "Side Sets" ||
+                   (of_elements && is_called_wall(leaf.name()) && is_flat(*data))) {
             const auto faces = faces_of(*data);
             out.walls.push_back({faces, fields != nullptr && stands_still(*faces, *fields)});
         } else if (of_elements && is_solid_shape(*data)) {

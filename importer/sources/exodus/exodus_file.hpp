@@ -29,8 +29,10 @@ class ExodusFile {
     std::vector<std::string> displacements() const;
 
     /// Returns blocks of the element blocks of three dimensions, and walls of side sets and flat blocks called
-    /// wall. @param fields  null: all
-    core::Result<SourceStep> read(std::size_t step, const std::vector<core::FieldInfo>* fields);
+    /// wall. @param fields  null: all. @param plane  returns the slabs of flat element blocks only, and their third
+    /// components without being asked
+    core::Result<SourceStep>
+    read(std::size_t step, const std::vector<core::FieldInfo>* fields, bool plane);
 
     /// Names a time-step in messages.
     std::string step_name(std::size_t step) const;
@@ -40,7 +42,7 @@ class ExodusFile {
     core::Result<void> check_sizes() const;
     void choose_fields(const std::vector<core::FieldInfo>* fields);
     tl::unexpected<core::Error> give_up(core::Error error);
-    SourceStep take(const std::vector<core::FieldInfo>* fields) const;
+    core::Result<SourceStep> take(const std::vector<core::FieldInfo>* fields, bool plane) const;
 
     NamedFile file_;
     vtkSmartPointer<vtkExodusIIReader> reader_;

@@ -53,9 +53,17 @@ class ExodusSource final : public Source {
         keep_in_order(steps_, *order);
         if (timeless)
             description_.time_note = "the file has no times";
-        const auto first = load(0, nullptr);
+        auto first = load(0, nullptr);
+        if (first && first->blocks.empty()) {
+            plane_ = true;
+            first = load(0, nullptr);
+        }
         if (!first)
             return tl::unexpected(first.error());
+        if (first->blocks.empty())
+            return core::fail(Error::Code::Unsupported,
+                              restarts_[steps_.front().restart].front().file().name +
+                                  " has no block of elements in space or in a plane");
         for (const auto& name : restarts_[steps_.front().restart].front().displacements())
             add_note(description_.note, "the displacements " + name + " are not applied");
         BlockRoles roles = block_roles(first->blocks, velocity_);
@@ -81,6 +89,9 @@ class ExodusSource final : public Source {
             return out;
         auto blocks = std::exchange(out->blocks, {});
         const auto& [restart, in_file] = steps_.at(step);
+        if (blocks.empty())
+            return core::fail(Error::Code::Corrupt, restarts_[restart].front().step_name(in_file) +
+                                                        " has no cells any more");
         for (std::size_t i = 0; i < blocks.size(); ++i) {
             if (i < solid_.size() && solid_[i]) {
                 out->solids.push_back(boundary_of(*blocks[i]));
@@ -158,16 +169,12 @@ class ExodusSource final : public Source {
                 piece.close();
         SourceStep out;
         for (auto& piece : restarts_[restart]) {
-            auto part = piece.read(in_file, fields);
+            auto part = piece.read(in_file, fields, plane_);
             if (!part)
                 return part;
             std::ranges::move(part->blocks, std::back_inserter(out.blocks));
             std::ranges::move(part->walls, std::back_inserter(out.walls));
         }
-        if (out.blocks.empty())
-            return core::fail(Error::Code::Unsupported,
-                              restarts_[restart].front().file().name +
-                                  " has no block of three-dimensional elements");
         return out;
     }
 
@@ -175,7 +182,8 @@ class ExodusSource final : public Source {
     std::vector<std::vector<ExodusFile>> restarts_; ///< the pieces of each
     std::size_t open_ = 0;                          ///< the restart whose files are open
     std::vector<Step> steps_;
-    std::vector<bool> solid_; ///< of each block of three-dimensional elements: without the velocity
+    bool plane_ = false;      ///< no element is three-dimensional
+    std::vector<bool> solid_; ///< of each block of elements: without the velocity
 };
 
 } // namespace

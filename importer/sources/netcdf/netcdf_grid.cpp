@@ -93,10 +93,12 @@ class GridSearch {
                 {name, components ? 3 : 1, core::FieldInfo::Source::Point, {0.0, 0.0}, {}});
             names.push_back(name);
         }
-        if (const int across = candidate.across(); across >= 0)
-            for (const auto& third : third_components(fields, across))
+        const int across = candidate.across();
+        const auto stated = stated_velocities(file_, names, across == 2);
+        if (across >= 0)
+            for (const auto& third : lacking_components(fields, stated, across))
                 fields.push_back({third, 1, core::FieldInfo::Source::Point, {0.0, 0.0}, {}});
-        const auto chosen = choose_velocity(fields, wish_, stated_velocities(file_, names));
+        const auto chosen = choose_velocity(fields, wish_, stated);
         return chosen || chosen.error().code == Error::Code::InvalidArgument;
     }
 
@@ -179,6 +181,17 @@ core::Result<void> convert_axes(const NetcdfFile& file, NetcdfGrid& grid) {
 }
 
 } // namespace
+
+std::vector<std::string> lacking_components(const std::vector<core::FieldInfo>& fields,
+                                            const std::vector<StatedComponents>& stated,
+                                            int across) {
+    auto out = third_components(fields, across);
+    for (const auto& parts : stated)
+        if (std::ranges::none_of(fields, [&](const auto& f) { return f.name == parts[2]; }) &&
+            std::ranges::find(out, parts[2]) == out.end())
+            out.push_back(parts[2]);
+    return out;
+}
 
 core::Result<NetcdfGrid> find_grid(const NetcdfFile& file, const std::string& velocity) {
     auto grid = GridSearch(file, velocity).run();

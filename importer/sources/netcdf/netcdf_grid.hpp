@@ -1,6 +1,8 @@
 // The grid of a NetCDF-CF file: the variables that are on common nodes, and where those are.
 #pragma once
 
+#include "core/dataset/dataset_info.hpp"
+#include "importer/fields/velocity_choice.hpp"
 #include "importer/sources/netcdf/netcdf_axes.hpp"
 
 namespace wakesurf::importer {
@@ -17,6 +19,11 @@ struct NetcdfGrid {
     std::vector<NetcdfGridVariable> variables;
     std::string note; ///< what else there is
 };
+
+/// Returns the names of components across a plane that are not among its `fields`, by names or as stated.
+std::vector<std::string> lacking_components(const std::vector<core::FieldInfo>& fields,
+                                            const std::vector<StatedComponents>& stated,
+                                            int across);
 
 /// Returns the grid of the variables, of several that which has `velocity` or, if that is empty, one; in metres if the file states a unit of length. Error: Unsupported
 /// (velocities on staggered grids, curvilinear or spherical coordinates, axes that are

@@ -50,7 +50,7 @@ std::vector<Names> velocities_of(const NetcdfFile& file) {
             plain.push_back(variable.name);
     }
     std::vector<Names> out;
-    for (const auto& parts : stated_velocities(file, names))
+    for (const auto& parts : stated_velocities(file, names, false))
         out.emplace_back(parts.begin(), parts.end());
     for (const auto& parts : store::velocity_components(fields, core::FieldInfo::Source::Point))
         out.push_back({parts[0].name, parts[1].name, parts[2].name});

@@ -2,7 +2,6 @@
 #include "importer/base/notes.hpp"
 #include "importer/fields/velocity_choice.hpp"
 #include "importer/sources/blocks/fluid_blocks.hpp"
-#include "importer/sources/blocks/plane_slab.hpp"
 #include "importer/sources/files/file_names.hpp"
 #include "importer/sources/files/formats.hpp"
 #include "importer/sources/netcdf/netcdf_grid.hpp"
@@ -201,12 +200,14 @@ class NetcdfSource final : public SeriesSource<std::size_t> {
             return core::fail(Error::Code::Corrupt,
                               file->name() + " has lost its time-step " + std::to_string(time));
         const auto block = make_grid(*file, *grid);
-        const auto listed_here = fields_of(*grid);
+        const auto listed_here = fields_of(*file, *grid);
         for (const auto& field : fields) {
             if (std::ranges::find(grid->variables, field.name, &NetcdfGridVariable::name) ==
                     grid->variables.end() &&
-                std::ranges::find(listed_here, field.name, &FieldInfo::name) != listed_here.end())
-                continue; // the component that a plane lacks
+                std::ranges::find(listed_here, field.name, &FieldInfo::name) != listed_here.end()) {
+                add_zeros(*block, field.name); // the component that a plane lacks
+                continue;
+            }
             if (auto added = add_field(*block, *file, *grid, field.name, time); !added)
                 return tl::unexpected(added.error());
         }
@@ -228,8 +229,8 @@ class NetcdfSource final : public SeriesSource<std::size_t> {
             without_grid_.push_back(grid.error());
             return {};
         }
-        fields_[entry] = fields_of(*grid);
-        for (const auto& stated : stated_velocities(*file, names_of(*grid)))
+        fields_[entry] = fields_of(*file, *grid);
+        for (const auto& stated : stated_in(*file, *grid))
             if (std::ranges::find(description_.velocities, stated) == description_.velocities.end())
                 description_.velocities.push_back(stated);
         const auto length =
@@ -278,14 +279,28 @@ class NetcdfSource final : public SeriesSource<std::size_t> {
         times.push_back({step_name(file, step), time});
     }
 
-    static std::vector<FieldInfo> fields_of(const NetcdfGrid& grid) {
+    static std::vector<FieldInfo> fields_of(const NetcdfFile& file, const NetcdfGrid& grid) {
         std::vector<FieldInfo> out;
         for (const auto& [name, components] : grid.variables)
             out.push_back({name, components ? 3 : 1, FieldInfo::Source::Point, {0.0, 0.0}, {}});
         for (std::size_t i = 0; i < 3; ++i)
             if (grid.axes[i].nodes.size() == 1)
-                out = slab_fields(std::move(out), static_cast<int>(i));
+                for (const auto& third :
+                     lacking_components(out, stated_in(file, grid), static_cast<int>(i)))
+                    out.push_back({third, 1, FieldInfo::Source::Point, {0.0, 0.0}, {}});
         return out;
+    }
+
+    static std::vector<StatedComponents> stated_in(const NetcdfFile& file, const NetcdfGrid& grid) {
+        return stated_velocities(file, names_of(grid), grid.axes[2].nodes.size() == 1);
+    }
+
+    static void add_zeros(vtkDataSet& block, const std::string& name) {
+        const auto zeros = vtkSmartPointer<vtkFloatArray>::New();
+        zeros->SetName(name.c_str());
+        zeros->SetNumberOfTuples(block.GetNumberOfPoints());
+        zeros->Fill(0.0);
+        block.GetPointData()->AddArray(zeros);
     }
 
     static std::vector<std::string> names_of(const NetcdfGrid& grid) {
@@ -308,7 +323,7 @@ class NetcdfSource final : public SeriesSource<std::size_t> {
                 add_note(description_.note, std::string("the file has no coordinates along ") +
                                                 "xyz"[i] + ": node numbers are used");
         add_note(description_.note, grid->note);
-        const auto described = read(step, fields_of(*grid));
+        const auto described = read(step, fields_of(*file, *grid));
         if (!described)
             return tl::unexpected(described.error());
         described_ = step;

@@ -88,8 +88,8 @@ void add_triples(const std::array<std::vector<std::string>, 3>& parts,
 
 } // namespace
 
-std::vector<StatedComponents> stated_velocities(const NetcdfFile& file,
-                                                const std::vector<std::string>& names) {
+std::vector<StatedComponents>
+stated_velocities(const NetcdfFile& file, const std::vector<std::string>& names, bool level) {
     struct Found {
         std::map<Way, std::array<std::vector<std::string>, 2>> level;
         std::vector<std::string> vertical;
@@ -106,7 +106,9 @@ std::vector<StatedComponents> stated_velocities(const NetcdfFile& file,
         (axis == 2 ? found.vertical : found.level[part->direction.way].at(axis)).push_back(name);
     }
     std::vector<StatedComponents> out;
-    for (auto& [fluid, found] : of_fluids)
+    for (auto& [fluid, found] : of_fluids) {
+        if (level && found.vertical.empty())
+            found.vertical.push_back(joined({"upward", fluid, "velocity"}));
         for (const Way way : {Way::Axes, Way::Compass}) {
             const std::size_t before = out.size();
             auto& [x, y] = found.level[way];
@@ -114,6 +116,7 @@ std::vector<StatedComponents> stated_velocities(const NetcdfFile& file,
             if (out.size() > before)
                 break;
         }
+    }
     return out;
 }
 

@@ -9,9 +9,9 @@ namespace wakesurf::importer {
 
 /// Returns every three of `names` whose standard names make them the components x, y and z of one fluid's
 /// velocity. Components along the axes (x_wind) go before those by the compass (eastward_wind), where a file
-/// has both.
-std::vector<StatedComponents> stated_velocities(const NetcdfFile& file,
-                                                const std::vector<std::string>& names);
+/// has both. @param level  of a plane along x and y: without a component z, its standard name stands for it
+std::vector<StatedComponents>
+stated_velocities(const NetcdfFile& file, const std::vector<std::string>& names, bool level);
 
 /// Returns true of a component that is stated to point west, south or down, by its standard name, else by its
 /// `positive` attribute or long name; and of one along a z axis that counts downwards (sea_water_z_velocity).
