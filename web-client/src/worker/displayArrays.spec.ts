@@ -165,6 +165,38 @@ describe('DisplayArrays', () => {
         expect(shown.take(mesh).scalars.map(({ name, values }) => [name, values.length])).toEqual([['unknown', mesh.vertices]]);
     });
 
+    it('goes on with what is shown, of every state, until all that is wanted is here', () => {
+        const decoder = new MeshDecoder(points, lattice, ranges.length);
+        const shown = display();
+        const names = randomUpdates(37, 30, false).flatMap(({ frames }, i) => {
+            if (i === 10) shown.show(wish(['unknown']));
+            if (i === 20) shown.rename(['unknown', 's', 't']);
+            const updates = frames.map((frame) => decoder.fold(frame)).filter((update) => update !== undefined);
+            updates.forEach((update) => shown.note(update));
+            return updates.length === 0
+                ? []
+                : [
+                      shown
+                          .take(updates.at(-1)!.mesh)
+                          .scalars.map(({ name }) => name)
+                          .join(),
+                  ];
+        });
+        expect(new Set(names.slice(0, 20))).toEqual(new Set(['speed']));
+        expect(new Set(names.slice(20))).toEqual(new Set(['unknown']));
+    });
+
+    it('takes back what was cut once no one asks for it', () => {
+        const [{ frames }] = randomUpdates(35, 1) as [ReturnType<typeof randomUpdates>[0]];
+        const decoder = new MeshDecoder(points, lattice, ranges.length);
+        const update = frames.map((frame) => decoder.fold(frame)).at(-1)!;
+        const shown = display();
+        shown.show({ attributes: ['speed'], parts: { hidden: [[0, 0]] }, trimmed: false });
+        shown.take(update.mesh);
+        expect(shown.show({ attributes: ['speed'], parts: null, trimmed: false })).toBe(true);
+        expect(shown.take(update.mesh)).toMatchObject({ parts: null, cut: { levels: new Uint8Array(0), trimmedCells: 0 } });
+    });
+
     it('finds parts only when asked, and again only when cells have changed', () => {
         const [{ frames }] = randomUpdates(35, 1) as [ReturnType<typeof randomUpdates>[0]];
         const decoder = new MeshDecoder(points, lattice, ranges.length);

@@ -55,10 +55,13 @@ export class DisplayArrays {
         const { attributes, parts, trimmed, units } = wish;
         const before = this.wish;
         this.wish = wish;
-        const known = attributes.filter((name) => this.attributes.includes(name));
+        const isThere = (name: string): boolean => this.attributes.includes(name);
+        // What is wanted may come with the next KEY: until then the picture goes on with what it has.
+        const goesOn = attributes.every(isThere) ? [] : this.shown.keys();
+        const known = [...new Set([...goesOn, ...attributes])].filter(isThere);
         const added = known.some((name) => !this.shown.has(name));
         this.shown = new Map(known.map((name) => [name, this.shown.get(name) ?? 0]));
-        const parted = parts !== null && JSON.stringify(parts) !== JSON.stringify(before.parts);
+        const parted = JSON.stringify(parts) !== JSON.stringify(before.parts);
         this.partsAsked ||= parted;
         this.cutAsked ||= parted || trimmed !== before.trimmed;
         const measured = units !== undefined && units !== before.units;

@@ -48,6 +48,24 @@ describe('SurfaceLayer', () => {
         expect([mask?.tStart, mask?.tLength]).toEqual([0, 1]);
     });
 
+    it('colours a surface by nothing but values that came with it, and says what it has none of', () => {
+        const layer = new SurfaceLayer();
+        const drawn = (): string[] => {
+            const { style, lacks } = layer.spanOf('s1')!;
+            return [style.source, style.scalar, lacks];
+        };
+        layer.set('s1', meshOf(3));
+        expect(drawn()).toEqual(['scalar', 'speed', '']);
+        layer.setStyle('s1', { ...plainStyle, scalar: 'q' });
+        expect(drawn()).toEqual(['scalar', 'speed', '']);
+        layer.set('s1', { ...meshOf(3), scalars: [{ name: 'q', fromVertex: 0, values: new Float32Array(3) }] });
+        expect(drawn()).toEqual(['scalar', 'q', '']);
+        layer.set('s1', { ...meshOf(3), scalars: [] });
+        expect(drawn()).toEqual(['constant', '', 'q']);
+        layer.setStyle('s1', { ...plainStyle, source: 'age' });
+        expect(drawn()).toEqual(['age', 'speed', '']);
+    });
+
     it('keeps release times apart that are seconds since long ago', () => {
         const layer = new SurfaceLayer();
         layer.set('s1', { ...meshOf(3), tFrom: 3.8e9 });

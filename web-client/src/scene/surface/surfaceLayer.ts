@@ -40,6 +40,8 @@ export interface SurfaceSpan {
     age: Range;
     /** Says how it is drawn now; a wish may still wait for what it shows. */
     style: SurfaceStyle;
+    /** Is what it should be coloured by, and has no values of, so that it has one colour; empty: nothing. */
+    lacks: string;
 }
 
 export class SurfaceLayer {
@@ -161,7 +163,10 @@ export class SurfaceLayer {
         const surface = this.surfaces.get(id);
         if (surface === undefined) return null;
         const { mesh, materials } = surface;
-        return { colours: materials.range, t: mesh.tRange, s: [0, 1], age: materials.ages, style: surface.style };
+        const { style } = surface;
+        const wanted = this.styleOf(id);
+        const lacks = style.source === 'constant' && wanted.source === 'scalar' ? wanted.scalar : '';
+        return { colours: materials.range, t: mesh.tRange, s: [0, 1], age: materials.ages, style, lacks };
     }
 
     /** Reveals or hides what the brush touches of the surfaces that are painted. */
@@ -228,9 +233,14 @@ export class SurfaceLayer {
         materials.setMask(mask.texture, mask.tStart - mesh.tFrom, 1 / mask.tLength);
     }
 
+    /** What is wished; it may not be drawn so yet. */
+    private styleOf(id: string): SurfaceStyle {
+        return this.styles.get(id) ?? plainStyle;
+    }
+
     private wish({ id, mesh }: DrawnSurface): void {
-        const style = this.styles.get(id) ?? plainStyle;
-        if (style.source === 'scalar') mesh.wantedScalar = style.scalar;
+        const { source, scalar } = this.styleOf(id);
+        if (source === 'scalar') mesh.wantedScalar = scalar;
     }
 
     private showPoints(surface: DrawnSurface, on: boolean): void {
@@ -251,11 +261,13 @@ export class SurfaceLayer {
 
     private restyle(surface: DrawnSurface): void {
         this.wish(surface);
-        const wanted = this.styles.get(surface.id) ?? plainStyle;
+        const wanted = this.styleOf(surface.id);
         const { mesh, materials } = surface;
+        const isHere = ({ source, scalar }: SurfaceStyle): boolean => source !== 'scalar' || mesh.scalar === scalar;
         // The colours change over when what they show is here.
-        const here = wanted.source !== 'scalar' || mesh.shownScalar === wanted.scalar;
-        surface.style = here ? wanted : { ...wanted, ...coloursOf(surface.style) };
+        const colours = [wanted, surface.style].find(isHere);
+        surface.style =
+            colours === undefined ? { ...wanted, source: 'constant', scalar: '' } : { ...wanted, ...coloursOf(colours) };
         if (surface.style.painting) this.maskOf(surface);
         materials.apply(surface.style, mesh);
         this.showPoints(surface, surface.style.points);

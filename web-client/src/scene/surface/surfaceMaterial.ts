@@ -112,6 +112,7 @@ export interface MeshFacts {
     hasStretch: boolean;
     hasFlow: boolean;
     hasUnits: boolean;
+    hasUnresolved: boolean;
 }
 
 /** Returns the lines' offset in t as the shaders have it, counted from the first. */
@@ -205,7 +206,7 @@ export class SurfaceMaterials {
         own.silhouettes.value = style.silhouettes && !style.points;
         own.angleOpacity.value = style.angleOpacity;
         own.smoke.value = style.smoke;
-        own.fixedGrid.value = style.fixedGrid;
+        own.fixedGrid.value = style.fixedGrid && facts.hasUnresolved;
         own.stretchKnown.value = facts.hasStretch;
         own.areaPerSeed.value = style.areaPerSeed;
         own.ageSpan.value = Math.max(1e-30, ages[1]);

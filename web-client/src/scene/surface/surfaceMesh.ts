@@ -42,9 +42,8 @@ const flowKinds = ['flowX', 'flowY', 'flowZ'] as const;
 
 export class SurfaceMesh {
     readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
-    /** Which attribute the surface is to be coloured by, and which one its buffer holds. */
+    /** Which attribute the surface is to be coloured by. */
     wantedScalar = 'speed';
-    shownScalar = '';
     time = 0;
     vertices = 0;
     /** Is the range of all values so far, since the buffers were last filled from the start. */
@@ -54,7 +53,12 @@ export class SurfaceMesh {
     private seenT: Range = emptyRange();
     private vertexCapacity = 0;
     private indexCapacity = 0;
+    /** Which attribute the scalars in the buffer are. */
+    private heldScalar = '';
     private readonly used = new Set<Kind>(['position', 'normal', 'seed', 'scalar']);
+    /** Says up to which vertex values came with the mesh as it is: buffers keep those of the one before, which
+     *  say nothing of it. */
+    private readonly filled = new Map<Kind, number>();
 
     constructor(material: ShaderMaterial) {
         this.mesh = new Mesh(new BufferGeometry(), material);
@@ -62,16 +66,25 @@ export class SurfaceMesh {
         this.mesh.frustumCulled = false;
     }
 
+    /** The attribute that every vertex has a scalar of; empty: there is none. */
+    get scalar(): string {
+        return this.has('scalar') ? this.heldScalar : '';
+    }
+
     get hasStretch(): boolean {
-        return this.used.has('stretch');
+        return this.has('stretch');
     }
 
     get hasFlow(): boolean {
-        return flowKinds.every((kind) => this.used.has(kind));
+        return flowKinds.every((kind) => this.has(kind));
     }
 
     get hasUnits(): boolean {
-        return this.used.has('unit');
+        return this.has('unit');
+    }
+
+    get hasUnresolved(): boolean {
+        return this.has('unresolved');
     }
 
     get tRange(): Range {
@@ -83,13 +96,17 @@ export class SurfaceMesh {
         this.reserve(vertices, 3 * triangles);
         this.time = change.time;
         this.vertices = vertices;
+        for (const [kind, upTo] of this.filled) this.filled.set(kind, Math.min(upTo, fromVertex));
         this.refill('position', positions, 3 * fromVertex);
         this.refill('normal', normals, 3 * change.fromNormal);
         this.refill('seed', seeds, 2 * fromSeed);
         this.tFrom = change.tFrom;
         this.seenT = widened(fromSeed === 0 && seeds.length > 0 ? emptyRange() : this.seenT, seeds, 2, 1);
         for (const each of change.scalars) this.takeScalar(each.name, each.values, each.fromVertex);
-        if (cut !== null) this.takeCut(cut.levels);
+        if (cut !== null) this.refill('cut', cut.levels, 0);
+        // What no one has said to be cut is drawn.
+        const said = cut?.levels.length === 0 ? 0 : (this.filled.get('cut') ?? 0);
+        if (this.used.has('cut')) this.refill('cut', new Uint8Array(vertices - said), said);
         if (change.units !== null) this.refill('unit', change.units, 0);
         if (change.unresolved !== null) this.refill('unresolved', change.unresolved, 0);
         const { geometry } = this.mesh;
@@ -120,7 +137,7 @@ export class SurfaceMesh {
         return {
             point: at('position'),
             normal: at('normal'),
-            scalar: this.attribute('scalar').getX(i),
+            scalar: this.has('scalar') ? this.attribute('scalar').getX(i) : Number.NaN,
             s: seed.getX(i),
             t: this.tFrom + seed.getY(i),
             flow: this.hasFlow ? (flowKinds.map((kind) => this.attribute(kind).getX(i)) as Vec3) : null,
@@ -135,17 +152,15 @@ export class SurfaceMesh {
         if (name === stretchName) this.refill('stretch', values, from);
         const component = flowNames.findIndex((each) => each === name);
         if (component >= 0) this.refill(flowKinds[component]!, values, from);
-        const changesOver = name === this.wantedScalar && name !== this.shownScalar && from === 0;
-        if (changesOver) this.shownScalar = name;
+        if (name === this.wantedScalar && from === 0) this.heldScalar = name;
         // What was shown before goes on until what is wanted is here.
-        if (name !== this.shownScalar) return;
+        if (name !== this.heldScalar) return;
         this.refill('scalar', values, from);
         this.scalarRange = widened(from === 0 ? emptyRange() : this.scalarRange, values, 1, 0);
     }
 
-    private takeCut(levels: Uint8Array): void {
-        if (levels.length > 0) this.refill('cut', levels, 0);
-        else if (this.used.has('cut')) this.refill('cut', new Uint8Array(this.vertices), 0);
+    private has(kind: Kind): boolean {
+        return this.filled.get(kind) === this.vertices;
     }
 
     private attribute(name: Kind): BufferAttribute {
@@ -160,6 +175,8 @@ export class SurfaceMesh {
             this.rebuild();
         }
         refill(this.attribute(name), values, from);
+        const { size } = kinds[name];
+        if (from / size <= (this.filled.get(name) ?? 0)) this.filled.set(name, (from + values.length) / size);
     }
 
     private reserve(vertices: number, indices: number): void {

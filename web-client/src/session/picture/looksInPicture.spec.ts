@@ -21,7 +21,7 @@ function bench() {
         },
         surfaces: {
             setStyle: (id: string, style: SurfaceStyle) => void styles.set(id, style),
-            spanOf: (id: string) => ({ colours: whole, t: whole, s: whole, age: whole, style: styles.get(id)! }),
+            spanOf: (id: string) => ({ colours: whole, t: whole, s: whole, age: whole, style: styles.get(id)!, lacks: '' }),
             moveTexture: () => ++texture.moved,
         },
         setClip: () => undefined,

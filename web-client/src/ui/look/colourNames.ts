@@ -98,7 +98,7 @@ function withRate(name: string, time: string, before: string, after = ''): strin
 
 /** The name and unit of what colours a surface now. */
 export function colourTitle(
-    { source, scalar }: SurfaceStyle,
+    { source, scalar }: Pick<SurfaceStyle, 'source' | 'scalar'>,
     dataset: DatasetDescription | null,
     kind: SurfaceKind | undefined,
     units: Units = noUnits,

@@ -5,6 +5,7 @@ import { colourTable, fractionOf, tableSize } from '../../scene/surface/colourMa
 import { colourTicks } from '../../scene/surface/colourTicks.ts';
 import type { SurfaceSpan } from '../../scene/surface/surfaceLayer.ts';
 import { placeNumbers, resolutionOf, shortNumber } from '../../scene/base/numbers.ts';
+import type { SurfaceStyle } from '../../scene/surface/surfaceStyle.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
@@ -36,6 +37,8 @@ interface Bar {
 
 export class ScalarBar extends ModelElement<ScalarBarModel> {
     private bars: Bar[] = [];
+    /** What surfaces have no values of, and one colour instead. */
+    private readonly lacked = new Set<string>();
 
     static override styles = css`
         :host([hidden]) {
@@ -77,6 +80,10 @@ export class ScalarBar extends ModelElement<ScalarBarModel> {
             color: var(--quiet);
             font-variant-numeric: tabular-nums;
         }
+        p {
+            margin: 4px 0;
+            white-space: nowrap;
+        }
         .ticks {
             position: relative;
             height: 18px;
@@ -95,10 +102,11 @@ export class ScalarBar extends ModelElement<ScalarBarModel> {
         void [state.displayed.value, view.looks.value, state.speedRange.value, state.valueRanges.value, view.fixedRanges.value];
         const all = this.barsShown();
         this.bars = all.slice(0, barsAtMost);
-        this.hidden = this.bars.length === 0;
+        this.hidden = this.bars.length + this.lacked.size === 0;
         const more = all.length - this.bars.length;
         return html`${this.bars.map((bar) => this.bar(bar, all.length > 1))}
-        ${more > 0 ? html`<p class="range">and ${more} more</p>` : nothing}`;
+        ${more > 0 ? html`<p class="range">and ${more} more</p>` : nothing}
+        ${[...this.lacked].map((title) => html`<p class="range lacked">${title}: no values, so one colour</p>`)}`;
     }
 
     /** One for each meaning of colours that is seen, that of the selected surface first. */
@@ -107,12 +115,17 @@ export class ScalarBar extends ModelElement<ScalarBarModel> {
         const active = state.activeSurface.value ?? '';
         const ids = [...state.surfaces.value.keys()];
         const bars = new Map<string, Bar>();
+        this.lacked.clear();
         for (const id of [active, ...ids.filter((each) => each !== active)]) {
             const record = state.surfaces.value.get(id);
             const span = scene.surfaces.spanOf(id);
-            if (record === undefined || span === null || span.style.source === 'constant') continue;
-            const { style, colours } = span;
-            const title = colourTitle(style, state.dataset.value, record.kind, view.units.value);
+            if (record === undefined || span === null) continue;
+            const { style, colours, lacks } = span;
+            const titleOf = (shown: Pick<SurfaceStyle, 'source' | 'scalar'>): string =>
+                colourTitle(shown, state.dataset.value, record.kind, view.units.value);
+            if (lacks !== '') this.lacked.add(titleOf({ source: 'scalar', scalar: lacks }));
+            if (style.source === 'constant') continue;
+            const title = titleOf(style);
             const key = JSON.stringify([title, colours, style.map, style.inverted, style.logarithmic, style.rangeOf]);
             const of = state.rakes.value.get(record.rake)?.name || record.rake;
             const held = bars.get(key);

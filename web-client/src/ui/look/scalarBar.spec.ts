@@ -1,0 +1,29 @@
+// @vitest-environment happy-dom
+import { expect, it } from 'vitest';
+import type { SurfaceSpan } from '../../scene/surface/surfaceLayer.ts';
+import { plainStyle } from '../../scene/surface/surfaceStyle.ts';
+import { PageBench } from '../../testing/pageBench.ts';
+import { ShownPanel } from '../../testing/shownPanel.ts';
+import './scalarBar.ts';
+
+async function barOf(drawn: Partial<SurfaceSpan>): Promise<ShownPanel> {
+    const span = { colours: [0, 2], t: [0, 1], s: [0, 1], age: [0, 1], style: plainStyle, lacks: '', ...drawn };
+    const bench = new PageBench();
+    return ShownPanel.of('wakesurf-scalar-bar', { ...bench, scene: { surfaces: { spanOf: () => span } } });
+}
+
+it('the scalar bar says what a surface has no values of, and has no colours for it', async () => {
+    const style = { ...plainStyle, source: 'constant' as const, scalar: '' };
+    const bar = await barOf({ style, lacks: 'q_criterion' });
+    expect(bar.all('figure')).toHaveLength(0);
+    expect(bar.text).toContain('Q, above 0: vortex: no values, so one colour');
+    expect(bar.get<HTMLElement>('wakesurf-scalar-bar').hidden).toBe(false);
+});
+
+it('the scalar bar is not there where one colour was chosen, and has colours where there are values', async () => {
+    const style = { ...plainStyle, source: 'constant' as const };
+    expect((await barOf({ style })).get<HTMLElement>('wakesurf-scalar-bar').hidden).toBe(true);
+    const bar = await barOf({});
+    expect(bar.all('figure')).toHaveLength(1);
+    expect(bar.text).not.toContain('no values');
+});
