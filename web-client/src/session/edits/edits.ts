@@ -14,7 +14,7 @@ import { RecordActions } from './recordActions.ts';
 import { Selection } from './selection.ts';
 import { SurfaceEdits } from './surfaceEdits.ts';
 import type { SurfaceIntent } from './surfaceIntent.ts';
-import { UndoHistory } from './undoHistory.ts';
+import { type TurnAlong, UndoHistory } from './undoHistory.ts';
 
 /** The server tells others of no more. */
 const mostToldPoints = limits.presencePoints;
@@ -107,9 +107,10 @@ export class Edits {
     /**
      * @param gesture the act it is part of, where that is not the control's
      * @param told what is to be said of it at the controls
+     * @param along what undo and redo turn with it
      */
-    changeSurface(change: Partial<SurfaceIntent>, gesture?: string, told: string | null = null): void {
-        this.surfaces.change(change, gesture, told);
+    changeSurface(change: Partial<SurfaceIntent>, gesture?: string, told?: string | null, along?: TurnAlong): void {
+        this.surfaces.change(change, gesture, told, along);
     }
 
     chooseRake(rake: string): void {

@@ -10,12 +10,13 @@ import { refusalWords, tellFailure } from './editFailures.ts';
 import type { Gestures } from './gestures.ts';
 import { fulfils, intentOf, settingOf, type SurfaceIntent, withSecondCurve } from './surfaceIntent.ts';
 import { adapted } from './surfaceTimes.ts';
-import type { UndoHistory } from './undoHistory.ts';
+import type { TurnAlong, UndoHistory } from './undoHistory.ts';
 
 interface SurfaceEdit {
     setting: SurfaceSetting;
     editedAt: number;
     gesture: string;
+    along: TurnAlong | null;
 }
 
 interface OneSurface {
@@ -62,8 +63,9 @@ export class SurfaceEdits {
     /**
      * @param gesture left out: the control's that changes this
      * @param remark what is to be said of it, beside what cannot be just so
+     * @param along what undo and redo turn with it, which makes it an act of its own
      */
-    change(change: Partial<SurfaceIntent>, gesture?: string, remark: string | null = null): void {
+    change(change: Partial<SurfaceIntent>, gesture?: string, remark: string | null = null, along: TurnAlong | null = null): void {
         const { state, gestures } = this.options;
         const record = state.surface.value;
         const before = this.intent.value;
@@ -87,7 +89,8 @@ export class SurfaceEdits {
         one.last = setting;
         const editedAt = performance.now();
         const what = `surface ${record.surface} ${Object.keys(change).join()}`;
-        one.window.submit({ setting, editedAt, gesture: gesture ?? gestures.slid(what, editedAt) });
+        const act = gesture ?? (along === null ? gestures.slid(what, editedAt) : gestures.begin());
+        one.window.submit({ setting, editedAt, gesture: act, along });
     }
 
     /** Takes over the active surface's record unless an edit of ours is ahead of it. */
@@ -158,14 +161,14 @@ export class SurfaceEdits {
         if (this.edited.get(surface)?.window.busy === false) this.recordsChanged();
     }
 
-    private async send(id: string, { setting, editedAt, gesture }: SurfaceEdit): Promise<void> {
+    private async send(id: string, { setting, editedAt, gesture, along }: SurfaceEdit): Promise<void> {
         const { state, worker, latency, history, requested } = this.options;
         try {
             const { surface, epoch, rev } = await worker.call('surface.set', { ...setting, gesture });
             state.problems.solved(`surface ${id}`);
             const one = this.edited.get(id);
             if (one !== undefined) one.answeredRev = rev;
-            history.noted(gesture);
+            history.noted(gesture, along);
             latency.answered(surface, epoch, editedAt);
             requested({ surface, epoch });
         } catch (error) {

@@ -1,6 +1,6 @@
 // Undo and redo as a person counts them: the server turns a whole gesture at once, and this page knows which
 // of the steps there its user has made. What it made itself, as the first rake of a session, is none of them.
-import { signal } from '@preact/signals-core';
+import { computed, signal } from '@preact/signals-core';
 import type { HistoryDepth } from '../../protocol/messages.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
@@ -8,9 +8,15 @@ import { tellFailure } from './editFailures.ts';
 
 type Way = 'undo' | 'redo';
 
+/** Turns what goes with a step and is no record, as this page's look of a surface. */
+export type TurnAlong = Readonly<Record<Way, () => void>>;
+
 export class UndoHistory {
-    readonly undoable = signal(0);
-    readonly redoable = signal(0);
+    /** Hold what goes with each step, the newest last. */
+    private readonly done = signal<readonly (TurnAlong | null)[]>([]);
+    private readonly undone = signal<readonly (TurnAlong | null)[]>([]);
+    readonly undoable = computed(() => this.done.value.length);
+    readonly redoable = computed(() => this.undone.value.length);
     /** Holds what the last step came to, for people. */
     readonly words = signal('');
     /** Grows with every turn that is asked for: what goes on by itself stops then. */
@@ -29,17 +35,17 @@ export class UndoHistory {
     }
 
     /** The server has taken an edit. */
-    noted(gesture: string): void {
-        if (gesture !== this.gesture) ++this.undoable.value;
+    noted(gesture: string, along: TurnAlong | null = null): void {
+        if (gesture !== this.gesture) this.done.value = [...this.done.value, along];
         this.gesture = gesture;
-        this.redoable.value = 0;
+        this.undone.value = [];
         this.words.value = '';
         ++this.taken.value;
     }
 
     /** Another session, or another life of the server: what was counted here is not what it would turn. */
     clear(): void {
-        this.count(0, 0);
+        this.keep([], []);
         this.words.value = '';
     }
 
@@ -59,25 +65,27 @@ export class UndoHistory {
     }
 
     private async turnOne(way: Way): Promise<void> {
-        const { undoable, redoable } = this;
-        if ((way === 'undo' ? undoable : redoable).value === 0) {
+        const [done, undone] = [this.done.value, this.undone.value];
+        const along = (way === 'undo' ? done : undone).at(-1);
+        if (along === undefined) {
             this.nothing(way);
             return;
         }
         try {
             const result = await this.worker.call(`history.${way}`, {});
             const { skipped } = result;
-            const done = 'undone' in result ? result.undone : result.redone;
-            if (skipped.length === 0 && done === null) {
-                if (way === 'undo') this.count(0, redoable.value);
-                else this.count(undoable.value, 0);
+            const turned = 'undone' in result ? result.undone : result.redone;
+            if (skipped.length === 0 && turned === null) {
+                if (way === 'undo') this.keep([], undone);
+                else this.keep(done, []);
                 this.nothing(way);
                 return;
             }
             ++this.taken.value;
-            const made = skipped.length === 0 ? 1 : 0;
-            if (way === 'undo') this.count(undoable.value - 1, redoable.value + made);
-            else this.count(undoable.value + made, redoable.value - 1);
+            const made = skipped.length === 0 ? [along] : [];
+            if (way === 'undo') this.keep(done.slice(0, -1), [...undone, ...made]);
+            else this.keep([...done, ...made], undone.slice(0, -1));
+            if (made.length > 0) along?.[way]();
             this.tell(way, skipped);
         } catch (error) {
             tellFailure(this.state, 'undo', error);
@@ -108,9 +116,9 @@ export class UndoHistory {
         return type === 'surface' ? `the surface of ${name}` : name;
     }
 
-    private count(undoable: number, redoable: number): void {
+    private keep(done: readonly (TurnAlong | null)[], undone: readonly (TurnAlong | null)[]): void {
         this.gesture = null;
-        this.undoable.value = undoable;
-        this.redoable.value = redoable;
+        this.done.value = done;
+        this.undone.value = undone;
     }
 }

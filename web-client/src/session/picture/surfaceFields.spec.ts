@@ -1,9 +1,13 @@
 import { describe, expect, it } from 'vitest';
 import { limits } from '../../protocol/generated/limits.ts';
-import { Announcements } from '../../state/announcements.ts';
+import { AppState } from '../../state/appState.ts';
+import type { SurfaceIntent } from '../edits/surfaceIntent.ts';
 import { type SurfaceLook, usualLook } from '../../state/surfaceLook.ts';
+import { ViewState } from '../../state/viewState.ts';
+import { PageBench } from '../../testing/pageBench.ts';
+import { rested } from '../../testing/shownPanel.ts';
 import { surfaceOf } from '../../testing/records.ts';
-import { askForFields, fieldsWith } from './surfaceFields.ts';
+import { changeLookWithFields, fieldsWith } from './surfaceFields.ts';
 
 const velocity = ['velocity_x', 'velocity_y', 'velocity_z'];
 const normals = ['normal_x', 'normal_y', 'normal_z'];
@@ -13,10 +17,10 @@ const byPressure: SurfaceLook = { ...usualLook, colourBy: 'field:p' };
  *  fields. */
 function asked(fields: string[], look: SurfaceLook) {
     const changes: string[][] = [];
-    const notices = new Announcements();
-    const edits = { changeSurface: (change: { fields: string[] }) => void changes.push(change.fields) };
-    askForFields({ edits, state: { notices } }, surfaceOf('s1', { fields }), look);
-    return { changes, said: notices.all.value.get('fields') ?? '' };
+    const [state, view] = [new AppState(), new ViewState()];
+    const edits = { changeSurface: (change: Partial<SurfaceIntent>) => void changes.push([...change.fields!]) };
+    changeLookWithFields({ edits, state, view }, surfaceOf('s1', { fields }), look);
+    return { changes, said: state.notices.all.value.get('fields') ?? '' };
 }
 
 describe('the fields of a surface', () => {
@@ -55,5 +59,51 @@ describe('the fields of a surface', () => {
         const { changes, said } = asked(['a', 'b', 'c', 'd', 'e'], byPressure);
         expect(changes).toEqual([['b', 'c', 'd', 'e', 'p']]);
         expect(said).toBe('A surface carries 5 fields for everybody: a is no longer sent with this one.');
+    });
+});
+
+describe('undo of what a look needs', () => {
+    const id = 'surface-1';
+    const byVortices: Partial<SurfaceLook> = { colourBy: 'q_criterion', map: 'coolToWarm', centre: 0 };
+
+    async function changed(change: Partial<SurfaceLook>): Promise<PageBench> {
+        const bench = new PageBench();
+        for (const way of ['undo', 'redo'] as const) {
+            const answer = { [`${way}ne`]: [{}], undo: 0, redo: 0, skipped: [] };
+            bench.answers[`history.${way}`] = () => answer;
+        }
+        changeLookWithFields(bench, bench.surfaces[0]!, change);
+        await rested();
+        return bench;
+    }
+
+    it.each([
+        ['the colours', byVortices],
+        ['the texture', { texture: true }],
+        ['arrows', { pieces: 'arrows' as const }],
+        ['curved cells', { curved: true }],
+    ])('takes back %s with it, and redo brings them again', async (_, change) => {
+        const bench = await changed(change);
+        const { view, edits } = bench;
+        expect(bench.asked('surface.set')).toHaveLength(1);
+        expect(view.lookOf(id)).toEqual({ ...usualLook, ...change });
+        await edits.undo();
+        expect(view.lookOf(id)).toEqual(usualLook);
+        await edits.redo();
+        expect(view.lookOf(id)).toEqual({ ...usualLook, ...change });
+    });
+
+    it('leaves colours that were chosen since', async () => {
+        const { view, edits } = await changed(byVortices);
+        view.changeLook(id, { colourBy: 'age' });
+        await edits.undo();
+        expect(view.lookOf(id).colourBy).toBe('age');
+    });
+
+    it('asks for nothing where a user may only look on', () => {
+        const bench = new PageBench();
+        bench.state.role.value = 'viewer';
+        changeLookWithFields(bench, bench.surfaces[0]!, { curved: true });
+        expect([bench.view.lookOf(id).curved, bench.calls]).toEqual([true, []]);
     });
 });

@@ -4,9 +4,12 @@ import { limits } from '../../protocol/generated/limits.ts';
 import type { SurfaceRecord } from '../../protocol/messages.ts';
 import { normalNames } from '../../mesh/meshChange.ts';
 import { flowNames } from '../../scene/surface/surfaceMesh.ts';
-import type { Announcements } from '../../state/announcements.ts';
+import type { AppState } from '../../state/appState.ts';
 import type { SurfaceLook } from '../../state/surfaceLook.ts';
-import { attributeOf, deformation, needsFlow } from './surfaceStyleOf.ts';
+import type { ViewState } from '../../state/viewState.ts';
+import type { Edits } from '../edits/edits.ts';
+import type { TurnAlong } from '../edits/undoHistory.ts';
+import { attributeOf, attributesOf, deformation, needsFlow } from './surfaceStyleOf.ts';
 
 export interface FieldsWanted {
     fields: string[];
@@ -44,16 +47,28 @@ export function fieldsWith(fields: readonly string[], look: SurfaceLook): Fields
 }
 
 export interface FieldsOptions {
-    edits: { changeSurface: (change: { fields: string[] }) => void };
-    state: { notices: Pick<Announcements, 'sayUntil' | 'solved'> };
+    edits: Pick<Edits, 'changeSurface'>;
+    state: Pick<AppState, 'notices' | 'role'>;
+    view: Pick<ViewState, 'changeLook' | 'lookOf'>;
 }
 
-/** Asks for what a look needs, where that is not there, and says what there is no room for. */
-export function askForFields({ edits, state }: FieldsOptions, record: SurfaceRecord, look: SurfaceLook): void {
+/** Changes the look of a surface, asks for what that needs and is not there, and says what there is no room
+ *  for. It is asked for everybody: who may only look has what is there. */
+export function changeLookWithFields(
+    { edits, state, view }: FieldsOptions,
+    record: SurfaceRecord,
+    change: Partial<SurfaceLook>,
+): void {
+    const { surface } = record;
+    const before = view.lookOf(surface);
+    const look = { ...before, ...change };
+    view.changeLook(surface, change);
+    const isNew = (name: string): boolean => !attributesOf(before).includes(name) && !['speed', ...record.fields].includes(name);
+    if (state.role.value === 'viewer' || !attributesOf(look).some(isNew)) return;
     const { fields, gone, missing } = fieldsWith(record.fields, look);
     const added = fields.some((name) => !record.fields.includes(name));
     // What has nothing to make room for stays.
-    if (added) edits.changeSurface({ fields });
+    if (added) edits.changeSurface({ fields }, undefined, null, turnedAlong(view, surface, before, change));
     const room = `A surface carries ${limits.fields} fields for everybody`;
     const words = [
         ...(added && gone.length > 0
@@ -66,3 +81,18 @@ export function askForFields({ edits, state }: FieldsOptions, record: SurfaceRec
 }
 
 const about = 'fields';
+
+/** Takes back a change of a look, where it has not been changed to another since, and makes it again. */
+function turnedAlong(view: FieldsOptions['view'], surface: string, before: SurfaceLook, change: Partial<SurfaceLook>): TurnAlong {
+    const needed = neededFields(before);
+    const more = neededFields({ ...before, ...change }).filter((name) => !needed.includes(name));
+    const keys = Object.keys(change) as (keyof SurfaceLook)[];
+    const old = Object.fromEntries(keys.map((key) => [key, before[key]]));
+    return {
+        undo: () => {
+            const now = neededFields(view.lookOf(surface));
+            if (more.every((name) => now.includes(name))) view.changeLook(surface, old);
+        },
+        redo: () => view.changeLook(surface, change),
+    };
+}

@@ -1,8 +1,8 @@
 // Shows what the selected surface is coloured by, with which colours, over which range.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { colourTable, tableSize } from '../../scene/surface/colourMap.ts';
-import { askForFields } from '../../session/picture/surfaceFields.ts';
-import { attributeOf, fieldOf, isLogarithmic, isSigned, knownRange } from '../../session/picture/surfaceStyleOf.ts';
+import { changeLookWithFields } from '../../session/picture/surfaceFields.ts';
+import { attributeOf, isLogarithmic, isSigned, knownRange } from '../../session/picture/surfaceStyleOf.ts';
 import { colourMaps, type SurfaceLook } from '../../state/surfaceLook.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { Edits } from '../../session/edits/edits.ts';
@@ -107,17 +107,14 @@ export class ColourPanel extends LookGroup<ColourModel> {
     }
 
     private colourBy(colourBy: string): void {
-        const { state, edits } = this.model;
         const { look: before } = this;
-        const field = fieldOf(colourBy);
-        const record = state.surface.value;
-        if (field !== null && record !== undefined && !record.fields.includes(field)) {
-            askForFields({ edits, state }, record, { ...before, colourBy });
-        }
+        const record = this.model.state.surface.value;
+        if (record === undefined) return;
         const signed = isSigned(colourBy);
         const wasSigned = before.map === 'coolToWarm' && before.centre !== null;
         const map = signed ? 'coolToWarm' : wasSigned ? 'viridis' : before.map;
-        this.change({ colourBy, range: null, log: isLogarithmic(colourBy), centre: signed ? 0 : null, map });
+        const change = { colourBy, range: null, log: isLogarithmic(colourBy), centre: signed ? 0 : null, map };
+        changeLookWithFields(this.model, record, change);
     }
 
     private waiting(id: string, look: SurfaceLook): TemplateResult | typeof nothing {

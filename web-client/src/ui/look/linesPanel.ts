@@ -2,7 +2,7 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import type { LineKind, SurfaceLook } from '../../state/surfaceLook.ts';
 import type { Edits } from '../../session/edits/edits.ts';
-import { askForFields } from '../../session/picture/surfaceFields.ts';
+import { changeLookWithFields } from '../../session/picture/surfaceFields.ts';
 import { hasFlow } from '../../session/picture/surfaceStyleOf.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
@@ -51,13 +51,9 @@ export class LinesPanel extends LookGroup<LinesModel> {
 
     /** The velocity travels with the surface from then on, for every user. */
     private textured(on: boolean): void {
-        const { state, edits } = this.model;
-        const { look } = this;
-        const record = state.surface.value;
-        if (on && record !== undefined && !hasFlow(record)) {
-            askForFields({ edits, state }, record, { ...look, texture: true });
-        }
-        this.change({ texture: on, animated: on && look.animated });
+        const record = this.model.state.surface.value;
+        const change = { texture: on, animated: on && this.look.animated };
+        if (record !== undefined) changeLookWithFields(this.model, record, change);
     }
 
     private locked({ texture }: SurfaceLook): boolean {

@@ -2,7 +2,7 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import type { PieceKind, SurfaceLook } from '../../state/surfaceLook.ts';
 import { seedLinesOf } from '../../session/out/pieceText.ts';
-import { askForFields } from '../../session/picture/surfaceFields.ts';
+import { changeLookWithFields } from '../../session/picture/surfaceFields.ts';
 import { hasFlow, pieceLengths } from '../../session/picture/surfaceStyleOf.ts';
 import type { SurfaceRecord } from '../../protocol/messages.ts';
 import type { LinesModel } from './linesPanel.ts';
@@ -51,13 +51,8 @@ export class PiecesPanel extends LookGroup<LinesModel> {
 
     /** Arrows point the way of the velocity, which travels with the surface from then on, for every user. */
     private choose(pieces: PieceKind): void {
-        const { state, edits } = this.model;
-        const { look } = this;
-        const record = state.surface.value;
-        if (pieces === 'arrows' && record !== undefined && !hasFlow(record) && state.role.value !== 'viewer') {
-            askForFields({ edits, state }, record, { ...look, pieces });
-        }
-        this.change({ pieces });
+        const record = this.model.state.surface.value;
+        if (record !== undefined) changeLookWithFields(this.model, record, { pieces });
     }
 
     private waiting({ pieces }: SurfaceLook): TemplateResult | typeof nothing {

@@ -4,7 +4,7 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { placeNumber, resolutionOf } from '../../scene/base/numbers.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { Edits } from '../../session/edits/edits.ts';
-import { askForFields } from '../../session/picture/surfaceFields.ts';
+import { changeLookWithFields } from '../../session/picture/surfaceFields.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { ageName } from './colourNames.ts';
@@ -52,11 +52,8 @@ export class WindowsPanel extends LookGroup<WindowsModel> {
     /** The normals travel with the surface from then on, for every user; who may only look has those of the
      *  picture. */
     private curved(on: boolean): void {
-        const { state, edits } = this.model;
-        const record = state.surface.value;
-        const look = { ...this.look, curved: on };
-        if (on && record !== undefined && state.role.value !== 'viewer') askForFields({ edits, state }, record, look);
-        this.change({ curved: on });
+        const record = this.model.state.surface.value;
+        if (record !== undefined) changeLookWithFields(this.model, record, { curved: on });
     }
 
     private window(name: Window, id: string, words: string, window: Span | null, whole: Span): TemplateResult {
