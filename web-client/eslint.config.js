@@ -6,6 +6,7 @@ const oneWay = [
     ['AssignmentExpression[operator="+="][right.value=1]', 'Write ++i.'],
     ['AssignmentExpression[operator="-="][right.value=1]', 'Write --i.'],
     ['ForStatement > UpdateExpression.update[prefix=false]', 'Write ++i.'],
+    ['TemplateElement[value.raw=/type="number"/]', 'Write numberField(): browsers drop the commas of other languages.'],
     ['ExpressionStatement > UpdateExpression[prefix=false]', 'Write ++i.'],
 ].map(([selector, message]) => ({ selector, message }));
 

@@ -74,7 +74,7 @@ describe('a level set', () => {
         expect(await slider.inputValue()).toBe(String(dragged.level));
 
         const typed = await edited(async () => {
-            await page.getByRole('spinbutton', { name: 'Level' }).fill('0.6');
+            await page.getByRole('textbox', { name: 'Level' }).fill('0.6');
             await page.keyboard.press('Enter');
         });
         expect(typed.level).toBe(0.6);

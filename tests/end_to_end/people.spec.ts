@@ -64,7 +64,7 @@ describe('a link made on the page', () => {
         expect((await participantsOf(host)).map(({ name }) => name)).toEqual(expect.arrayContaining(['Ada', 'guest 2']));
         // The page is still in the session: it sees what others edit.
         await guest.getByRole('tab', { name: 'Flow' }).click();
-        await guest.getByRole('spinbutton', { name: 'Start x' }).fill('-1.8');
+        await guest.getByRole('textbox', { name: 'Start x' }).fill('-1.8');
         await guest.keyboard.press('Enter');
         await host.waitForFunction(() => window.wakesurf!.rakePoints[0]![0] === -1.8);
         await finalSurface(host);

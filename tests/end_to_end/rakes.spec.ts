@@ -173,7 +173,7 @@ describe('several rakes', () => {
         const untouched = (await rakes())[at]!;
         await dragHandle(page, 0, 15, 10, 4);
         await recorded();
-        await page.getByRole('spinbutton', { name: 'Seeds' }).fill('48');
+        await page.getByRole('textbox', { name: 'Seeds' }).fill('48');
         await page.keyboard.press('Enter');
         await page.getByRole('combobox', { name: 'Accuracy' }).selectOption('exact');
         await page.getByRole('combobox', { name: 'Interpolation' }).selectOption('smooth');
@@ -356,11 +356,11 @@ describe('a rake', () => {
         for (const i of [1, 2]) expect(distance(tipped.points[0]!, tipped.points[i]!)).toBeCloseTo(radius, 9);
         expect(distance(tipped.points[2]!, smaller.points[2]!)).toBeGreaterThan(0.05);
 
-        await page.getByRole('spinbutton', { name: 'Radius' }).fill('1.5');
+        await page.getByRole('textbox', { name: 'Radius' }).fill('1.5');
         await page.keyboard.press('Enter');
         await eventually(rakes, (each) => Math.abs(distance(each[0]!.points[0]!, each[0]!.points[2]!) - 1.5) < 1e-9);
         // Out through the side wall: it stays a circle, inside.
-        await page.getByRole('spinbutton', { name: 'Centre y' }).fill('3.9');
+        await page.getByRole('textbox', { name: 'Centre y' }).fill('3.9');
         await page.keyboard.press('Enter');
         const [inside] = await eventually(rakes, (each) => each[0]!.points[0]![1] > 2);
         expect(inside!.kind).toBe('circle');

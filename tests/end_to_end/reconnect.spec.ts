@@ -50,7 +50,7 @@ describe('the connection', () => {
     it('resumes after the server was killed and started again, with the same rake', async () => {
         const page = await open(server.link);
         await finalSurface(page);
-        await page.getByRole('spinbutton', { name: 'Start x' }).fill('-2');
+        await page.getByRole('textbox', { name: 'Start x' }).fill('-2');
         await page.keyboard.press('Enter');
         await page.waitForFunction(() => (window.wakesurf?.displayed?.epoch ?? 0) > 1);
         await finalSurface(page);
@@ -94,7 +94,7 @@ describe('the connection', () => {
         expect(await ask(page, (hook) => hook.session)).toBe(session);
         expect(await ask(page, (hook) => hook.displayed)).toEqual(before);
         // It goes on from there.
-        await page.getByRole('spinbutton', { name: 'Start x' }).fill('-1.5');
+        await page.getByRole('textbox', { name: 'Start x' }).fill('-1.5');
         await page.keyboard.press('Enter');
         await page.waitForFunction((old) => (window.wakesurf?.displayed?.epoch ?? 0) > old, before?.epoch ?? 0);
         await finalSurface(page);

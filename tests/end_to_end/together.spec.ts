@@ -110,7 +110,7 @@ describe('a link for looking on', () => {
         await viewer.mouse.move(handle.x + 30, handle.y + 20, { steps: 6 });
         await viewer.mouse.up();
         for (const name of ['Start x', 'Seeds']) {
-            expect(await viewer.getByRole('spinbutton', { name }).isDisabled()).toBe(true);
+            expect(await viewer.getByRole('textbox', { name }).isDisabled()).toBe(true);
         }
         expect(await viewer.getByRole('slider', { name: 'Integration time' }).isDisabled()).toBe(true);
         expectSamePoints(await ask(viewer, (hook) => hook.rakePoints), before.points, 6);

@@ -35,7 +35,7 @@ async function places(): Promise<[Seen, Seen]> {
 }
 
 async function typed(name: string): Promise<Vec3> {
-    const values = ['x', 'y', 'z'].map((axis) => page.getByRole('spinbutton', { name: `${name} ${axis}` }).inputValue());
+    const values = ['x', 'y', 'z'].map((axis) => page.getByRole('textbox', { name: `${name} ${axis}` }).inputValue());
     return (await Promise.all(values)).map(Number) as Vec3;
 }
 
@@ -62,9 +62,9 @@ describe('the probe', () => {
         await page.mouse.move(elsewhere.x + 5, elsewhere.y);
         expect(apart(await typed('Probe'), at.point)).toBeLessThan(0.02);
         // Where nothing flows.
-        await page.getByRole('spinbutton', { name: 'Probe y' }).fill('0.1');
+        await page.getByRole('textbox', { name: 'Probe y' }).fill('0.1');
         await page.keyboard.press('Enter');
-        await page.getByRole('spinbutton', { name: 'Probe x' }).fill('0.1');
+        await page.getByRole('textbox', { name: 'Probe x' }).fill('0.1');
         await page.keyboard.press('Enter');
         expect((await sampled([0.1, 0.1, (await typed('Probe'))[2]])).inside).toEqual([false]);
         await page.getByText('There is no flow at this point').waitFor();

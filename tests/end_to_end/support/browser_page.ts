@@ -33,15 +33,18 @@ export interface PageOptions {
     colorScheme?: 'dark' | 'light';
     /** Someone who has never been here is shown the tour. */
     firstVisit?: boolean;
+    /** Of the browser, as `de-DE`. */
+    locale?: string;
 }
 
 export async function newContext(browser: Browser, options: PageOptions = {}): Promise<BrowserContext> {
-    const { width = 1000, height = 600, colorScheme = 'dark', firstVisit = false } = options;
+    const { width = 1000, height = 600, colorScheme = 'dark', firstVisit = false, locale = 'en-US' } = options;
     const context = await browser.newContext({
         viewport: { width, height },
         deviceScaleFactor: 1,
         reducedMotion: 'reduce',
         colorScheme,
+        locale,
     });
     await showFacts(context);
     // Scripts also run in the empty page before the first, which may keep nothing.

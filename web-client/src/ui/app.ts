@@ -9,6 +9,7 @@ import './panel.ts';
 import type { PanelModel } from './panel.ts';
 import './look/scalarBar.ts';
 import type { ScalarBarModel } from './look/scalarBar.ts';
+import { NumberTyped } from './base/rows.ts';
 import { SignalElement } from './base/signalElement.ts';
 import './share/noteDialog.ts';
 import type { NoteModel } from './share/noteDialog.ts';
@@ -23,7 +24,7 @@ import type { ViewButtonsModel } from './view/viewButtons.ts';
 
 /** Describes what each part of the page takes, by the name of the part. */
 export interface PageModel {
-    state: Pick<AppState, 'fatal'>;
+    state: Pick<AppState, 'fatal' | 'problems'>;
     scalarBar: ScalarBarModel;
     viewButtons: ViewButtonsModel;
     tools: ToolsModel;
@@ -268,6 +269,12 @@ export class App extends SignalElement {
         this.canvas.dispatchEvent(new PointerEvent('pointerdown', event));
     }
 
+    private numberTyped({ detail: refusal }: NumberTyped): void {
+        const { problems } = this.model.value!.state;
+        if (refusal === null) problems.solved(NumberTyped.type);
+        else problems.sayUntil('edit', NumberTyped.type, refusal);
+    }
+
     override render(): TemplateResult {
         const model = this.model.value;
         const reason = this.failure.value ?? model?.state.fatal.value ?? null;
@@ -278,7 +285,7 @@ export class App extends SignalElement {
             </main>`;
         }
         if (model === null) return html`<main></main>`;
-        return html`<div class=${model.viewButtons.view.panelFolded.value ? 'layout folded' : 'layout'}>
+        return html`<div class=${model.viewButtons.view.panelFolded.value ? 'layout folded' : 'layout'} @number-typed=${this.numberTyped}>
             <main>
                 ${this.canvas} ${this.labels}
                 <wakesurf-scalar-bar .model=${model.scalarBar} @pointerdown=${this.handOn}></wakesurf-scalar-bar>

@@ -8,6 +8,8 @@ import { withUnit } from './unitsInPicture.ts';
 type TimeState = Pick<AppState, 'dataset' | 'surfaces'>;
 type PlaceState = Pick<AppState, 'dataset'>;
 
+/** Shorter times have an exponent. */
+const mostDecimals = 6;
 const steps = new WeakMap<readonly number[], number>();
 
 /** Returns the resolution of all time-steps and surfaces; 0 where there is only one time. */
@@ -29,6 +31,15 @@ export function timeWords(state: TimeState, view: Pick<ViewState, 'units'>, time
 
 export function timeField(state: TimeState, time: number): string {
     return fieldNumber(time, timeResolution(state));
+}
+
+/** The time of a clock: four digits, more where time-steps are nearer, as many from state to state while it
+ *  runs. */
+export function clockText(state: TimeState, time: number, runs: boolean): string {
+    const decimals = -Math.ceil(Math.log10(timeResolution(state)) - 1e-9);
+    if (!Number.isFinite(time) || !(decimals <= mostDecimals)) return timeField(state, time);
+    const text = time.toFixed(Math.max(0, decimals));
+    return runs ? text : String(Number(text));
 }
 
 export function coordinateText(state: PlaceState, axis: number, value: number): string {

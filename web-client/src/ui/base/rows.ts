@@ -4,6 +4,7 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import type { Vec3 } from '../../protocol/messages.ts';
 import { fieldNumber, resolutionOf } from '../../scene/base/numbers.ts';
+import { typedNumber } from './typedNumber.ts';
 import { typedValue } from './typedValue.ts';
 
 const axes = ['x', 'y', 'z'] as const;
@@ -73,7 +74,8 @@ export function selectRow<Value extends string | number>(
 ): TemplateResult {
     const isChosen = typeof chosen === 'function' ? chosen : (value: Value): boolean => value === chosen;
     const changed = (event: Event): void => {
-        const choice = choices[(event.target as HTMLSelectElement).selectedIndex];
+        const select = event.target as HTMLSelectElement;
+        const choice = choices[select.selectedIndex];
         if (choice !== undefined) change(choice.value);
     };
     return html`<label class="row" for=${id}
@@ -98,26 +100,48 @@ export interface NumberField {
     narrow?: boolean;
     min?: number;
     max?: number;
-    step?: number;
     shown: string;
     disabled?: boolean;
-    /** Takes what was typed; `false`: it cannot be, and what was shown before is put back. */
+    /** Takes what was typed; `false`: it cannot be, which is said, and what was shown before is put back. */
     change: (value: number) => boolean | void;
 }
 
+/** Tells the page, which is around all fields, why what was typed is not taken; null: it is. */
+export class NumberTyped extends CustomEvent<string | null> {
+    static readonly type = 'number-typed';
+
+    constructor(refusal: string | null) {
+        super(NumberTyped.type, { detail: refusal, bubbles: true, composed: true });
+    }
+}
+
+/** Longer numbers are written smaller where there is little room. */
+const roomySigns = 6;
+
+/** A field of text: of fields of numbers, browsers decide what is one, each by its own language. */
 export function numberField(field: NumberField): TemplateResult {
-    const { id, label, title, narrow = false, min, max, step, shown, disabled = false, change } = field;
+    const { id, label, title, narrow = false, min = -Infinity, max = Infinity, shown, disabled = false, change } = field;
     const changed = (event: Event): void => {
         const input = event.target as HTMLInputElement;
-        if (!Number.isFinite(input.valueAsNumber) || change(input.valueAsNumber) === false) input.value = shown;
+        const typed = typedNumber(input.value);
+        // What becomes of it is shown by the next rendering.
+        input.value = shown;
+        if (typed === null) return;
+        let refusal: string | null = null;
+        if (typeof typed === 'string') refusal = typed;
+        else if (typed < min || typed > max || change(typed) === false) {
+            const low = Number.isFinite(min) ? ` from ${fieldNumber(min, 0)}` : '';
+            const high = Number.isFinite(max) ? ` to ${fieldNumber(max, 0)}` : '';
+            refusal = `${fieldNumber(typed, 0)} cannot be${low + high === '' ? '' : `, only numbers${low}${high}`}: it stays at ${shown}.`;
+        }
+        input.dispatchEvent(new NumberTyped(refusal));
     };
+    const size = shown.length > roomySigns ? 'number narrow long' : 'number narrow';
     return html`<input
         id=${id ?? nothing}
-        class=${narrow ? 'narrow' : nothing}
-        type="number"
-        min=${min ?? nothing}
-        max=${max ?? nothing}
-        step=${step ?? 'any'}
+        class=${narrow ? size : 'number'}
+        inputmode=${min >= 0 ? 'decimal' : nothing}
+        autocomplete="off"
         title=${title ?? nothing}
         aria-label=${label ?? nothing}
         .value=${typedValue(shown)}

@@ -29,7 +29,6 @@ export const sharedStyles = css`
     }
     button,
     select,
-    input[type='number'],
     input:not([type]) {
         min-height: 28px;
         padding: 3px 8px;
@@ -123,10 +122,6 @@ export const sharedStyles = css`
         padding: 3px 6px;
         text-align: right;
         font-variant-numeric: tabular-nums;
-        appearance: textfield;
-    }
-    input.narrow::-webkit-inner-spin-button {
-        appearance: none;
     }
     :focus-visible {
         outline: 2px solid var(--accent);

@@ -73,7 +73,7 @@ export class ColourPanel extends LookGroup<ColourModel> {
                 display: grid;
                 grid-template-columns: 1fr 1fr;
             }
-            .checks [type='number'] {
+            .checks .number {
                 width: 80px;
                 text-align: right;
             }

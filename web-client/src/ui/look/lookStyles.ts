@@ -10,7 +10,7 @@ export const lookStyles = css`
         min-height: 30px;
     }
     .row select,
-    .row input[type='number'] {
+    .row input.number {
         width: 168px;
     }
     .check {

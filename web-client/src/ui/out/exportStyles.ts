@@ -16,7 +16,7 @@ export const exportStyles = css`
     select {
         max-width: 210px;
     }
-    input[type='number'] {
+    input.number {
         width: 84px;
         text-align: right;
         font-variant-numeric: tabular-nums;

@@ -62,11 +62,8 @@ export class FilmExport extends ModelElement<FilmExportModel> {
             ${choice.render(figure.shownSize)}
             ${selectRow('film-fps', 'Frames per second', rates, fps.value, (rate) => (fps.value = rate))}
             ${numberRow('Length in seconds', {
-                ...{ id: 'film-seconds', min: 0.1, shown: String(seconds.value) },
-                change: (typed) => {
-                    if (typed > 0) seconds.value = Math.min(typed, framesAtMost / fps.value);
-                    return false;
-                },
+                ...{ id: 'film-seconds', min: 0.1, max: framesAtMost / fps.value, shown: String(seconds.value) },
+                change: (typed) => void (seconds.value = typed),
             })}
             ${checkRow('Time in the picture', time.value, (on) => (time.value = on))}
             <div class="row">

@@ -38,9 +38,9 @@ export class SizeChoice {
 
     private number(side: 'width' | 'height', shown: ScreenSize): TemplateResult {
         return numberField({
-            ...{ id: `${this.id}-${side}`, label: `${side === 'width' ? 'Width' : 'Height'} in pixels`, min: 16, step: 1 },
+            ...{ id: `${this.id}-${side}`, label: `${side === 'width' ? 'Width' : 'Height'} in pixels`, min: 16 },
             shown: String(this.size(shown)[side]),
-            change: (value) => void (this.typed.value = { ...this.size(shown), [side]: value }),
+            change: (value) => void (this.typed.value = { ...this.size(shown), [side]: Math.round(value) }),
         });
     }
 

@@ -18,7 +18,7 @@ import type { Edits } from '../../session/edits/edits.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { rakePanelStyles } from './rakePanelStyles.ts';
-import { checkRow, numberRow } from '../base/rows.ts';
+import { checkRow, numberField, numberRow } from '../base/rows.ts';
 import { ModelElement } from '../base/signalElement.ts';
 
 type Axis = 0 | 1 | 2;
@@ -35,8 +35,6 @@ const turnKeys: Record<string, 1 | -1> = { ArrowLeft: 1, ArrowUp: 1, ArrowRight:
 /** Are parts of the domain's diagonal; ten times as much with Shift. */
 const stepFractions = [0.002, 0.01, 0.05];
 const turnDegrees = 5;
-/** More of them are written smaller. */
-const roomySigns = 6;
 const mostSeeds = limits.seeds;
 const axes = ['x', 'y', 'z'] as const;
 const shapes: [RakeKind, string][] = [
@@ -132,8 +130,7 @@ export class RakePanel extends ModelElement<RakeModel> {
                 </select>
             </label>
             <label>Seeds
-                <input id="seeds" class="narrow" type="number" min="2" max=${mostSeeds} step="1"
-                    .value=${String(edits.seeds.value)} @change=${this.seedsChanged} />
+                ${numberField({ id: 'seeds', narrow: true, shown: String(edits.seeds.value), change: (typed) => this.seedsTyped(typed) })}
             </label>
         </div>`;
     }
@@ -143,16 +140,12 @@ export class RakePanel extends ModelElement<RakeModel> {
         return html`<div class="point" role="group" aria-label=${`${name} point`}>
             ${this.handleButton(handle, name)}
             ${axes.map((axis, k) => {
-                const text = coordinateField(this.model.state, k, at[k] ?? 0);
-                return html`<input
-                    type="number"
-                    step="any"
-                    class=${text.length > roomySigns ? 'narrow long' : 'narrow'}
-                    title=${at[k] ?? 0}
-                    aria-label=${`${name} ${axis}`}
-                    .value=${text}
-                    @change=${(event: Event) => this.numberChanged(event, handle, k as Axis)}
-                />`;
+                const value = at[k] ?? 0;
+                return numberField({
+                    ...{ label: `${name} ${axis}`, title: String(value), narrow: true },
+                    shown: coordinateField(this.model.state, k, value),
+                    change: (typed) => this.coordinateTyped(typed, handle, k as Axis),
+                });
             })}
         </div>`;
     }
@@ -195,12 +188,9 @@ export class RakePanel extends ModelElement<RakeModel> {
 
     private pointChoice(count: number): TemplateResult {
         return numberRow(`Point (1 to ${count})`, {
-            ...{ id: 'point-number', narrow: true, min: 2, max: count - 1, step: 1, shown: String(this.shownPoint.value + 1) },
+            ...{ id: 'point-number', narrow: true, min: 2, max: count - 1, shown: String(this.shownPoint.value + 1) },
             change: (typed) => {
-                const wanted = Math.round(typed) - 1;
-                const may = wanted > 0 && wanted < count - 1;
-                if (may) this.shownPoint.value = wanted;
-                return may;
+                this.shownPoint.value = Math.round(typed) - 1;
             },
         });
     }
@@ -326,20 +316,14 @@ export class RakePanel extends ModelElement<RakeModel> {
         view.tool.value = placing ? 'none' : 'place';
     }
 
-    /** Takes a typed coordinate. One that is refused, or does not fit into the domain, does not stay in the
-     *  field: no signal changes that would tell it. */
-    private numberChanged(event: Event, handle: Handle, axis: Axis): void {
+    /** Takes a typed coordinate. One that does not fit into the domain stops at its edge, in words. */
+    private coordinateTyped(typed: number, handle: Handle, axis: Axis): void {
         const { state, edits } = this.model;
-        const field = event.target as HTMLInputElement;
-        const typed = field.valueAsNumber;
         const { bounds } = state.dataset.value!;
-        if (Number.isFinite(typed)) {
-            const { shape, stoppedAt } = withCoordinate(state.rakeShape.value, handle, axis, typed, bounds);
-            edits.setShape(shape);
-            if (stoppedAt === null) state.problems.solved(numberProblems.shape);
-            else state.problems.sayUntil('edit', numberProblems.shape, this.stoppedWords(axis, typed, stoppedAt));
-        }
-        field.value = coordinateField(state, axis, this.placeOf(handle)[axis]);
+        const { shape, stoppedAt } = withCoordinate(state.rakeShape.value, handle, axis, typed, bounds);
+        edits.setShape(shape);
+        if (stoppedAt === null) state.problems.solved(numberProblems.shape);
+        else state.problems.sayUntil('edit', numberProblems.shape, this.stoppedWords(axis, typed, stoppedAt));
     }
 
     private stoppedWords(axis: Axis, typed: number, stoppedAt: number): string {
@@ -354,17 +338,15 @@ export class RakePanel extends ModelElement<RakeModel> {
         );
     }
 
-    private seedsChanged(event: Event): void {
+    private seedsTyped(typed: number): void {
         const { state, edits } = this.model;
-        const field = event.target as HTMLInputElement;
-        const seeds = Math.round(field.valueAsNumber);
+        const seeds = Math.round(typed);
         if (seeds >= 2 && seeds <= mostSeeds) {
             edits.changeRake(state.activeRake.value ?? '', { seeds });
         } else {
             const words = `A rake has 2 to ${mostSeeds} seeds. This one still has ${edits.seeds.value}.`;
             state.problems.sayUntil('edit', numberProblems.seeds, words);
         }
-        field.value = String(edits.seeds.value);
     }
 }
 

@@ -41,7 +41,7 @@ export class MeshRules extends ModelElement<MeshRulesModel> {
         .row {
             margin-top: 6px;
         }
-        input[type='number'] {
+        input.number {
             width: 9em;
         }
     `;
@@ -70,9 +70,9 @@ export class MeshRules extends ModelElement<MeshRulesModel> {
     private field({ rule, words, title, step }: (typeof rules)[number], intent: SurfaceIntent): TemplateResult {
         const [least, most] = surfaceSetRanges[rule];
         return numberRow(words, {
-            ...{ id: rule, title, min: least, max: most, step, shown: String(intent[rule]) },
+            ...{ id: rule, title, min: least, max: most, shown: String(intent[rule]) },
             change: (value) => {
-                const may = value >= least && value <= most && (step === undefined || Number.isInteger(value / step));
+                const may = step === undefined || Number.isInteger(value / step);
                 if (may) this.model.edits.changeSurface({ [rule]: value });
                 return may;
             },

@@ -3,6 +3,7 @@ import { signal } from '@preact/signals-core';
 import { beforeEach, describe, expect, it } from 'vitest';
 import type { StepHeld } from '../../protocol/messages.ts';
 import { PageBench, put } from '../../testing/pageBench.ts';
+import { displayedOf } from '../../testing/records.ts';
 import { rested, ShownPanel } from '../../testing/shownPanel.ts';
 import './timeBar.ts';
 
@@ -93,6 +94,35 @@ describe('the timeline', () => {
         bench.tell([put('clock', 'clock', { ...clock(), playing: false, time: 16 })]);
         await rested();
         expect(bar.all('button', 'Play')).toHaveLength(1);
+    });
+
+    it('shows four digits of the time that runs, always as many, and what was typed as it was typed', async () => {
+        await streak();
+        const shown = async (time: number, playing: boolean): Promise<string> => {
+            bench.tell([put('clock', 'clock', { ...clock(), playing, time })]);
+            // The picture that is there runs with the clock.
+            bench.state.displayed.value = new Map([['surface-1', displayedOf('surface-1', { epoch: surface().epoch, time })]]);
+            await rested();
+            return typed();
+        };
+        expect(await shown(13.9826059345, true)).toBe('13.98');
+        expect(await shown(9.5000000001, true)).toBe('9.50');
+        expect(await shown(13.9826059345, false)).toBe('13.98');
+        expect(await shown(9.5, false)).toBe('9.5');
+        await bar.enter('#go-to', 'Shown at time', '9,12345');
+        expect([clock().time, typed()]).toEqual([9.12345, '9.12345']);
+    });
+
+    it('keeps what is being typed while time passes, and goes on with it afterwards', async () => {
+        await streak();
+        bar.get('#go-to').focus();
+        const before = typed();
+        bench.tell([put('clock', 'clock', { ...clock(), time: 13 })]);
+        await rested();
+        expect(typed()).toBe(before);
+        bar.get('#go-to').blur();
+        await rested();
+        expect(typed()).toBe('13');
     });
 
     it('goes by time-steps with arrow keys, and by five with page keys', async () => {

@@ -1,12 +1,11 @@
 // Below the picture: when it is of, how that runs, and the timeline.
-import { html, noChange, nothing, type TemplateResult } from 'lit';
-import { live } from 'lit/directives/live.js';
+import { html, nothing, type TemplateResult } from 'lit';
 import type { SurfaceKind } from '../../protocol/messages.ts';
 import { shortNumber } from '../../scene/base/numbers.ts';
 import { timeSteps } from '../../session/out/panelSteps.ts';
 import { residentWords } from '../../session/time/stepMarks.ts';
 import { withUnit } from '../../session/picture/unitsInPicture.ts';
-import { timeField, timeWords } from '../../session/picture/writtenNumbers.ts';
+import { clockText, timeField, timeWords } from '../../session/picture/writtenNumbers.ts';
 import type { Edits } from '../../session/edits/edits.ts';
 import type { Playback } from '../../session/time/playback.ts';
 import type { AppState } from '../../state/appState.ts';
@@ -16,6 +15,7 @@ import { titleOf } from '../base/lockedWords.ts';
 import '../share/ownCopy.ts';
 import type { OwnCopyButton } from '../share/ownCopy.ts';
 import { icon } from '../base/icons.ts';
+import { numberField } from '../base/rows.ts';
 import { ModelElement } from '../base/signalElement.ts';
 import { timeBarStyles } from './timeBarStyles.ts';
 import { timeKeyOf } from './timeKeys.ts';
@@ -39,8 +39,10 @@ export interface TimeBarModel {
 }
 
 export class TimeBar extends ModelElement<TimeBarModel> {
-    /** Says whether a time is being typed, which must not be overwritten by the time that passes. */
-    private typing = false;
+    /** Is shown while a time may be being typed, which the time that passes must not overwrite. */
+    private held: string | null = null;
+    /** Is shown as it was typed. */
+    private typed = Number.NaN;
 
     static override styles = timeBarStyles;
 
@@ -61,20 +63,21 @@ export class TimeBar extends ModelElement<TimeBarModel> {
         return html`
             <div class="row">
                 ${this.buttons(locked || none)} ${this.speed(locked || none)}
-                <label for="go-to"
+                <label for="go-to" @focusin=${this.entered} @focusout=${this.left}
                     ><span class="quiet">${playback.mode.value === 'clock' ? 'shown' : 'frozen'} at</span>
-                    <input
-                        id="go-to"
-                        type="number"
-                        step="any"
-                        title=${titleOf(this.model.state, playback.mode.value === 'clock' ? 'Time of the picture' : 'The stream surface is of the flow as it is at this time')}
-                        aria-label=${playback.mode.value === 'clock' ? 'Shown at time' : 'Frozen at time'}
-                        ?disabled=${locked || none}
-                        .value=${this.typing ? noChange : live(timeField(this.model.state, playback.time.value))}
-                        @focus=${() => (this.typing = true)}
-                        @blur=${this.left}
-                        @change=${this.typed}
-                    />
+                    ${numberField({
+                        id: 'go-to',
+                        title: titleOf(
+                            this.model.state,
+                            playback.mode.value === 'clock'
+                                ? 'Time of the picture'
+                                : 'The stream surface is of the flow as it is at this time',
+                        ),
+                        label: playback.mode.value === 'clock' ? 'Shown at time' : 'Frozen at time',
+                        disabled: locked || none,
+                        shown: this.held ?? this.timeText,
+                        change: (time) => this.goTo(time),
+                    })}
                     ${this.model.view.units.value.time}
                 </label>
                 <span class="words">${this.meaning()}${this.whyNot()}</span>
@@ -91,6 +94,13 @@ export class TimeBar extends ModelElement<TimeBarModel> {
                 ></wakesurf-copy-as>
             </div>
         `;
+    }
+
+    private get timeText(): string {
+        const { playback, state } = this.model;
+        const time = playback.time.value;
+        const asTyped = playback.mode.value !== 'clock' || time === this.typed;
+        return asTyped ? timeField(state, time) : clockText(state, time, playback.playing.value);
     }
 
     private words(time: number): string {
@@ -197,14 +207,18 @@ export class TimeBar extends ModelElement<TimeBarModel> {
         else void playback.step(key === 'forward' ? 1 : -1);
     };
 
-    private typed(event: Event): void {
-        this.typing = false;
-        this.model.playback.goTo((event.target as HTMLInputElement).valueAsNumber);
-        this.requestUpdate();
+    private goTo(time: number): void {
+        this.typed = time;
+        this.model.playback.goTo(time);
+        this.left();
+    }
+
+    private entered(): void {
+        this.held = this.timeText;
     }
 
     private left(): void {
-        this.typing = false;
+        this.held = null;
         this.requestUpdate();
     }
 

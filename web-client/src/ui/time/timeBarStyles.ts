@@ -35,16 +35,12 @@ export const timeBarStyles = css`
     #speed {
         max-width: 150px;
     }
-    input[type='number'] {
+    input.number {
         field-sizing: content;
         min-width: 74px;
         max-width: 150px;
-        appearance: textfield;
         text-align: right;
         font-variant-numeric: tabular-nums;
-    }
-    input::-webkit-inner-spin-button {
-        appearance: none;
     }
     label {
         display: flex;
