@@ -11,6 +11,7 @@ import './look/scalarBar.ts';
 import type { ScalarBarModel } from './look/scalarBar.ts';
 import { NumberTyped } from './base/rows.ts';
 import { SignalElement } from './base/signalElement.ts';
+import { leaveKeys } from './base/typing.ts';
 import './share/noteDialog.ts';
 import type { NoteModel } from './share/noteDialog.ts';
 import './time/timeBar.ts';
@@ -23,6 +24,9 @@ import './view/viewButtons.ts';
 import type { ViewButtonsModel } from './view/viewButtons.ts';
 
 /** Describes what each part of the page takes, by the name of the part. */
+/** Are done with once they are pressed, other than handles of a rake, which arrow keys move. */
+const switches = 'button[aria-pressed]:not(.handle), input[type="checkbox"]';
+
 export interface PageModel {
     state: Pick<AppState, 'fatal' | 'problems'>;
     scalarBar: ScalarBarModel;
@@ -269,6 +273,12 @@ export class App extends SignalElement {
         this.canvas.dispatchEvent(new PointerEvent('pointerdown', event));
     }
 
+    private clicked(event: Event): void {
+        const [at] = event.composedPath();
+        const control = at instanceof Element ? at.closest<HTMLElement>(switches) : null;
+        if (control !== null) leaveKeys(control);
+    }
+
     private numberTyped({ detail: refusal }: NumberTyped): void {
         const { problems } = this.model.value!.state;
         if (refusal === null) problems.solved(NumberTyped.type);
@@ -285,7 +295,7 @@ export class App extends SignalElement {
             </main>`;
         }
         if (model === null) return html`<main></main>`;
-        return html`<div class=${model.viewButtons.view.panelFolded.value ? 'layout folded' : 'layout'} @number-typed=${this.numberTyped}>
+        return html`<div class=${model.viewButtons.view.panelFolded.value ? 'layout folded' : 'layout'} @number-typed=${this.numberTyped} @click=${this.clicked}>
             <main>
                 ${this.canvas} ${this.labels}
                 <wakesurf-scalar-bar .model=${model.scalarBar} @pointerdown=${this.handOn}></wakesurf-scalar-bar>

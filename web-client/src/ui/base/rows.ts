@@ -6,6 +6,7 @@ import type { Vec3 } from '../../protocol/messages.ts';
 import { fieldNumber, resolutionOf } from '../../scene/base/numbers.ts';
 import { typedNumber } from './typedNumber.ts';
 import { typedValue } from './typedValue.ts';
+import { leaveKeys } from './typing.ts';
 
 const axes = ['x', 'y', 'z'] as const;
 
@@ -76,6 +77,7 @@ export function selectRow<Value extends string | number>(
     const changed = (event: Event): void => {
         const select = event.target as HTMLSelectElement;
         const choice = choices[select.selectedIndex];
+        leaveKeys(select);
         if (choice !== undefined) change(choice.value);
     };
     return html`<label class="row" for=${id}

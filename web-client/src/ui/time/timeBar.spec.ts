@@ -125,6 +125,25 @@ describe('the timeline', () => {
         expect(typed()).toBe('13');
     });
 
+    it('leaves space alone where it would do something else, and plays where it would do nothing', async () => {
+        await streak();
+        const focused = async (markup: string): Promise<boolean> => {
+            bench.tell([put('clock', 'clock', { ...clock(), playing: false })]);
+            const host = document.createElement('div');
+            host.innerHTML = markup;
+            document.body.append(host);
+            const event = new KeyboardEvent('keydown', { key: ' ', bubbles: true, composed: true, cancelable: true });
+            host.firstElementChild!.dispatchEvent(event);
+            await rested();
+            return clock().playing;
+        };
+        expect(await focused('<input type="radio" checked>')).toBe(true);
+        expect(await focused('<button role="tab" aria-selected="true">Look</button>')).toBe(true);
+        for (const taker of ['<input type="radio">', '<button>Loop</button>', '<input type="checkbox" checked>', '<input>']) {
+            expect(await focused(taker), taker).toBe(false);
+        }
+    });
+
     it('goes by time-steps with arrow keys, and by five with page keys', async () => {
         await streak();
         for (const [key, time] of [

@@ -16,6 +16,7 @@ import '../share/ownCopy.ts';
 import type { OwnCopyButton } from '../share/ownCopy.ts';
 import { icon } from '../base/icons.ts';
 import { numberField } from '../base/rows.ts';
+import { leaveKeys } from '../base/typing.ts';
 import { ModelElement } from '../base/signalElement.ts';
 import { timeBarStyles } from './timeBarStyles.ts';
 import { timeKeyOf } from './timeKeys.ts';
@@ -223,7 +224,9 @@ export class TimeBar extends ModelElement<TimeBarModel> {
     }
 
     private speedChosen(event: Event): void {
-        void this.model.playback.setSpeed(Number((event.target as HTMLSelectElement).value));
+        const select = event.target as HTMLSelectElement;
+        leaveKeys(select);
+        void this.model.playback.setSpeed(Number(select.value));
     }
 }
 

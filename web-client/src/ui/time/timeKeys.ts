@@ -22,4 +22,6 @@ export function timeKeyOf(event: KeyboardEvent): TimeKey | null {
     return isTyping(event) ? null : timeKey(event, takes);
 }
 
-const spaceTakers = 'button, input:not([type="range"]), select, summary, a[href]';
+/** Of the radio button that is chosen, and of the tab that is open, space would change nothing. */
+const spaceTakers =
+    'button:not([aria-selected="true"]), input:not([type="range"], [type="radio"]:checked), select, summary, a[href]';
