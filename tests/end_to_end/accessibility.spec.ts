@@ -62,3 +62,27 @@ it('the page has no violation on any tab and in no dialog, in both colour scheme
     await page.getByText('Deleted', { exact: true }).waitFor();
     await expectNoFindings(page, 'trash');
 });
+
+it('the time controls come before the settings for whoever goes by keyboard, and a switch that is on is seen in high contrast', async () => {
+    const page = await stand.visit();
+    const name = (): Promise<string | null> =>
+        page.evaluate(() => {
+            let at = document.activeElement;
+            while (at?.shadowRoot?.activeElement) at = at.shadowRoot.activeElement;
+            return at?.getAttribute('aria-label') ?? null;
+        });
+    await page.getByRole('img', { name: /The surface in the flow/ }).focus();
+    let stops = 0;
+    while ((await name()) !== 'Play' && ++stops < 30) await page.keyboard.press('Tab');
+    expect(stops).toBeLessThan(30);
+    await page.emulateMedia({ forcedColors: 'active' });
+    const loop = page.getByRole('button', { name: 'Loop' });
+    const ground = (): Promise<string> => loop.evaluate((element) => getComputedStyle(element).backgroundColor);
+    await loop.click();
+    await page.mouse.move(5, 5);
+    const off = await ground();
+    await loop.click();
+    await page.mouse.move(5, 5);
+    expect(await ground()).not.toBe(off);
+    await page.context().close();
+});

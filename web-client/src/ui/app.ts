@@ -304,9 +304,9 @@ export class App extends SignalElement {
                 <wakesurf-tour .model=${model.tour}></wakesurf-tour>
                 <wakesurf-banner .model=${model.banner}></wakesurf-banner>
             </main>
+            <wakesurf-time-bar role="region" aria-label="Time of the data" .model=${model.timeBar}></wakesurf-time-bar>
             <wakesurf-panel role="complementary" aria-label="Settings" .model=${model.panel}></wakesurf-panel>
             <wakesurf-note-dialog .model=${model.note}></wakesurf-note-dialog>
-            <wakesurf-time-bar role="region" aria-label="Time of the data" .model=${model.timeBar}></wakesurf-time-bar>
         </div>`;
     }
 }

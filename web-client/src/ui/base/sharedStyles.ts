@@ -53,6 +53,15 @@ export const sharedStyles = css`
     button:enabled:hover {
         border-color: var(--accent);
     }
+    /* Where the system chooses colours, grounds and borders of the page are gone. */
+    @media (forced-colors: active) {
+        [aria-pressed='true'],
+        [aria-selected='true'] {
+            forced-color-adjust: none;
+            background: Highlight;
+            color: HighlightText;
+        }
+    }
     input[type='range'] {
         width: 100%;
         height: 24px;

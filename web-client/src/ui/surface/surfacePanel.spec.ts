@@ -59,6 +59,10 @@ describe('the kinds of surface', () => {
         expect(surface().sweep).toEqual([0, sweep![1], 0.5]);
         await choose('Path');
         expect(surface().sweep).toBeUndefined();
+        expect(panel.text).toContain('To the end of the data, 7.5 on: a stream surface follows the fluid for 20.');
+        const suggestion = bench.state.suggestion.value!;
+        bench.state.suggestion.value = { ...suggestion, surfaces: [{ ...suggestion.surfaces[0]!, to: 30 }] };
+        await rested();
         expect(panel.text).toContain('To the end of the data.');
         const slider = panel.get('#length');
         expect([slider.value, slider.max]).toEqual([String(surface().to - surface().from), slider.value]);

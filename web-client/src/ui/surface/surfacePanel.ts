@@ -100,9 +100,9 @@ export class SurfacePanel extends ModelElement<SurfaceModel> {
         .kind {
             display: flex;
             align-items: center;
-            justify-content: center;
             gap: 6px;
             min-height: 28px;
+            padding-left: 24px;
             border-radius: 6px;
             cursor: pointer;
         }
@@ -174,7 +174,7 @@ export class SurfacePanel extends ModelElement<SurfaceModel> {
                     change: (length) => edits.changeSurface({ length }),
                 })}
                 <wakesurf-time-ends .model=${this.model}></wakesurf-time-ends>
-                <p class="quiet" id="data-end" ?hidden=${!dataEnd || shown < longest * 0.999}>To the end of the data.</p>
+                <p class="quiet" id="data-end" ?hidden=${!dataEnd || shown < longest * 0.999}>To the end of the data${this.shortData(longest)}.</p>
                 <wakesurf-release .model=${this.model}></wakesurf-release>
                 ${intent.kind === 'time' ? this.secondCurve(intent) : ''}
                 ${this.separation(dataset, intent.separation)}
@@ -199,6 +199,15 @@ export class SurfacePanel extends ModelElement<SurfaceModel> {
         const usual = suggestion.value?.surfaces.find(({ kind }) => kind === intent.kind);
         const longest = Math.max(intent.length, 2 * (usual === undefined ? intent.length : usual.to - usual.from));
         return { longest, dataEnd: false };
+    }
+
+    /** Says where that is early: such a surface is small by the data, not by the flow. */
+    private shortData(left: number): string {
+        const stream = this.model.state.suggestion.value?.surfaces.find(({ kind }) => kind === 'stream');
+        const usual = stream === undefined ? 0 : stream.to - stream.from;
+        return usual > 2 * left
+            ? `, ${this.duration(left)} on: a stream surface follows the fluid for ${this.duration(usual)}`
+            : '';
     }
 
     /** Both ways, but not as long back as forward. */
