@@ -1,6 +1,7 @@
 // Colours keep their meaning: while a surface plays, for those who come later, over all surfaces of a picture, and in a film.
 import type { Browser, BrowserContext, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import type { SurfaceRecord } from '../../web-client/src/protocol/messages.ts';
 import { ask, finalSurface, newContext, openPage } from './support/browser_page.ts';
 import { bundledStore, ServerProcess } from './support/server_process.ts';
 import { closePages, testBrowser } from './support/test_browser.ts';
@@ -158,5 +159,34 @@ describe('several surfaces', () => {
         const [, second, third] = await bars();
         expect(third).toBeUndefined();
         expect(second).toMatch(/^Colours: Speed/);
+    });
+});
+
+describe('a surface whose values someone else has taken away', () => {
+    it('is drawn in one colour, whatever its mesh is replaced by, and the bar says of what there are none', async () => {
+        const mine = await openPage(context, await server.newSession());
+        await finalSurface(mine);
+        await colourBy('q_criterion', mine);
+        await mine.waitForFunction(() => !window.wakesurf!.displayed!.withheld.includes('q_criterion'));
+        await expect.poll(async () => (await bars(mine))[0]).toContain('Q, above 0: vortex');
+        const session = await ask(mine, (hook) => hook.session);
+        const state = (await server.call('session.state', { session })) as { surfaces: SurfaceRecord[] };
+        const { surface, rake, dataset, separation, to } = state.surfaces[0]!;
+        for (const change of [
+            { kind: 'stream', from: 16, to },
+            { kind: 'path', from: 8.5, to: 16 },
+        ]) {
+            const epoch = await ask(mine, (hook) => hook.displayed!.epoch);
+            await server.call('surface.set', { session, surface, rake, dataset, separation, ...change, fields: [] });
+            await mine.waitForFunction((old) => window.wakesurf!.displayed!.epoch > old, epoch);
+            await finalSurface(mine);
+            const scalars = await ask(mine, (hook) => hook.vertices(1).map(({ scalar }) => scalar));
+            expect(scalars.length).toBeGreaterThan(100);
+            expect(scalars.every(Number.isNaN)).toBe(true);
+            expect(await bars(mine)).toEqual([]);
+            const words = mine.locator('wakesurf-scalar-bar').getByText('Q, above 0: vortex: no values, so one colour');
+            expect(await words.isVisible()).toBe(true);
+        }
+        await mine.getByText('It is drawn without.').waitFor();
     });
 });
