@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <string_view>
 
 namespace wakesurf::command {
 
@@ -50,7 +51,38 @@ std::optional<Loop> loop_of(std::string_view text) {
     return sound ? std::optional(loop) : std::nullopt;
 }
 
+// Reads "x,z". Returns nothing for any other text.
+std::optional<core::PeriodicAxes> read_axes(const std::string& text) {
+    core::PeriodicAxes axes{};
+    for (std::size_t i = 0; i < text.size(); i += 2) {
+        const auto axis = std::string_view("xyz").find(text[i]);
+        const bool last = i + 1 == text.size();
+        if (axis == std::string_view::npos || axes[axis] ||
+            (!last && (text[i + 1] != ',' || i + 2 == text.size())))
+            return std::nullopt;
+        axes[axis] = true;
+    }
+    return core::any(axes) ? std::optional(axes) : std::nullopt;
+}
+
+CLI::Validator axes_of_text() {
+    return CLI::Validator(
+        [](std::string& text) {
+            return read_axes(text) ? std::string()
+                                   : "'" + text + "' is none of x, y and z, or some with commas";
+        },
+        "AXES");
+}
+
 } // namespace
+
+std::string axes_list(const core::PeriodicAxes& axes) {
+    std::string text;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        if (axes[axis])
+            text += (text.empty() ? "" : ",") + std::string(1, "xyz"[axis]);
+    return text;
+}
 
 void add_source_options(CLI::App& command, SourceOptions& options) {
     command.add_option("--velocity", options.velocity,
@@ -86,6 +118,15 @@ void add_source_options(CLI::App& command, SourceOptions& options) {
             "body)")
         ->check(CLI::IsMember({"body", "gap", "scalar"}))
         ->option_text("body|gap|scalar");
+    command
+        .add_option_function<std::string>(
+            "--periodic",
+            [&options](const std::string& text) {
+                options.periodic = read_axes(text).value_or(core::PeriodicAxes{});
+            },
+            "The flow repeats along these axes, x or x,y: what leaves the box of the data on one "
+            "side goes on from the other. Of OpenFOAM cyclic patches say it")
+        ->check(axes_of_text());
     command.add_flag("--confined", options.confined,
                      "Refuse files that DATASET names outside of its folder: for data of people "
                      "you do not trust");
@@ -106,6 +147,8 @@ std::vector<std::string> arguments_of(const SourceOptions& options) {
                       (options.loop->period ? ":" + number_text(*options.loop->period) : ""));
     if (!options.mask.empty())
         out.push_back("--mask=" + options.mask);
+    if (core::any(options.periodic))
+        out.push_back("--periodic=" + axes_list(options.periodic));
     if (options.confined)
         out.emplace_back("--confined");
     return out;

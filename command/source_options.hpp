@@ -2,6 +2,8 @@
 // state, and how far it is trusted.
 #pragma once
 
+#include "core/base/periodic_axes.hpp"
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,16 +25,20 @@ struct SourceOptions {
     std::optional<double> dt;    ///< from one numbered file to the next; 1 if only `start` is given
     std::optional<double> start; ///< of the first; 0 if only `dt` is given
     std::optional<Loop> loop;
-    std::string velocity;  ///< a vector's name, or three scalars' with commas; empty: by its name
-    std::string mask;      ///< gap or scalar; empty: a mask marks a body that stays
-    bool alone = false;    ///< a file with a number in its name without the series it belongs to
-    bool confined = false; ///< files that it names outside of its own folder are refused
+    std::string velocity; ///< a vector's name, or three scalars' with commas; empty: by its name
+    std::string mask;     ///< gap or scalar; empty: a mask marks a body that stays
+    bool alone = false;   ///< a file with a number in its name without the series it belongs to
+    core::PeriodicAxes periodic{}; ///< along these the flow repeats, besides those that files state
+    bool confined = false;         ///< files that it names outside of its own folder are refused
 
     bool times() const { return dt || start; }
 };
 
-/// Declares --velocity, --alone, --dt, --start, --loop, --mask and --confined.
+/// Declares --velocity, --alone, --dt, --start, --loop, --mask, --periodic and --confined.
 void add_source_options(CLI::App& command, SourceOptions& options);
+
+/// Returns axes as --periodic takes them: "x,z".
+std::string axes_list(const core::PeriodicAxes& axes);
 
 /// Returns the options as arguments that add_source_options reads back exactly.
 std::vector<std::string> arguments_of(const SourceOptions& options);

@@ -88,6 +88,55 @@ core::Result<void> find_faces_at_rest(const ImportPlan& plan, FirstStepReading& 
     return {};
 }
 
+// Returns the note on velocities at the points of a mesh that differ on both sides, by more than averaging would.
+std::string
+note_on_sides(const OppositeNodes& pairs, std::size_t axis, const std::vector<float>& velocity) {
+    const auto at = [&](std::size_t node) {
+        return core::Vec3(velocity[3 * node], velocity[3 * node + 1], velocity[3 * node + 2]);
+    };
+    double apart = 0.0;
+    double fastest = 0.0;
+    for (std::size_t node = 0; 3 * node < velocity.size(); ++node)
+        fastest = std::max(fastest, glm::length(at(node)));
+    for (const auto& [low, high] : pairs)
+        apart = std::max(apart, glm::length(at(high) - at(low)));
+    constexpr double little = 0.01;
+    return apart <= little * fastest
+               ? std::string()
+               : "velocities on both sides along " + std::string(1, "xyz"[axis]) +
+                     " differ by up to " + length_text(100.0 * apart / fastest, 2) +
+                     " % of the highest, and their mean is taken: if the last plane of nodes is "
+                     "not the first again, the period is too short";
+}
+
+// Finds the nodes that are one where the flow repeats. Along axes that only the files state it does not, where they
+// do not match.
+core::Result<void> find_opposite_nodes(const ImportPlan& plan, FirstStepReading& reading) {
+    GridAssembly& assembly = reading.first.assembly;
+    OppositeNodes opposite;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (!plan.demanded[axis] && !plan.source->description().periodic[axis])
+            continue;
+        auto pairs = opposite_nodes(assembly.grid, axis, assembly.source_nodes);
+        if (!pairs && plan.demanded[axis])
+            return tl::unexpected(about_step(plan, 0, pairs.error()));
+        if (!pairs) {
+            add_note(assembly.note, "particles end at the sides along " +
+                                        std::string(1, "xyz"[axis]) + ": the mesh " +
+                                        pairs.error().message);
+            continue;
+        }
+        reading.first.periodic[axis] = true;
+        if (std::holds_alternative<core::CellMesh>(assembly.grid) && is_of_points(plan))
+            if (const auto velocity =
+                    node_values(assembly, reading.step.blocks, plan.choice.velocity))
+                add_note(assembly.note, note_on_sides(*pairs, axis, *velocity));
+        opposite.insert(opposite.end(), pairs->begin(), pairs->end());
+    }
+    assembly.opposite = std::move(opposite);
+    return {};
+}
+
 } // namespace
 
 core::Result<FirstStepReading>
@@ -124,6 +173,8 @@ read_first_step(const ImportPlan& plan, bool with_last, bool with_all) {
             add_note(first.assembly.note, note_across(*first.assembly.across, *velocity));
     if (auto* mesh = std::get_if<core::CellMesh>(&first.assembly.grid))
         mesh->axis = plan.source->description().axis;
+    if (auto found = find_opposite_nodes(plan, reading); !found)
+        return tl::unexpected(found.error());
     Walls walls = find_walls(first.assembly, reading.step);
     if (walls.unmatched > 0)
         add_note(first.assembly.note, std::to_string(walls.unmatched) +

@@ -4,6 +4,7 @@
 #include "importer/base/notes.hpp"
 #include "importer/base/progress_marks.hpp"
 #include "importer/fields/velocity_choice.hpp"
+#include "importer/repeated_planes.hpp"
 #include "importer/sources/blocks/even_slabs.hpp"
 #include "importer/sources/open_source.hpp"
 #include "importer/sources/series/series_times.hpp"
@@ -323,6 +324,14 @@ core::Result<ImportPlan> plan_of(std::unique_ptr<Source> source,
     if (first_phase)
         plan.choice.why =
             "the velocity of the first phase; its cell values are averaged to the points";
+    plan.demanded = request.taken.periodic;
+    if (core::any(plan.demanded)) {
+        const auto note = add_repeated_planes(plan.source, plan.steps, plan.choice, plan.demanded,
+                                              plan.step_name(0));
+        if (!note)
+            return tl::unexpected(note.error());
+        add_note(plan.time_note, *note);
+    }
     if (request.taken.loop)
         if (auto repeated = repeat_period(*request.taken.loop, plan); !repeated)
             return tl::unexpected(repeated.error());

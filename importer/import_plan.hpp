@@ -44,6 +44,7 @@ struct ImportPlan {
     std::vector<core::FieldInfo> fields; ///< of the source, those that all time-steps have
     std::string end_note; ///< why the data end before the last time-step asked for; else empty
     FieldChoice choice;
+    core::PeriodicAxes demanded{}; ///< by --periodic: along these the flow has to repeat
     core::Precision precision = core::Precision::Single;
     store::StepPlacement placement = store::StepPlacement::Auto;
     std::size_t jobs = 0;

@@ -38,6 +38,7 @@ struct FirstStep {
     std::vector<vtkSmartPointer<vtkDataSet>> blocks; ///< without values
     ObstacleMask mask;
     GridAssembly assembly;
+    core::PeriodicAxes periodic{};
     /// The nodes whose velocity is zero: no-slip walls and solid nodes.
     std::vector<std::uint32_t> still;
 };

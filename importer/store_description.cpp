@@ -48,6 +48,7 @@ core::Result<store::StoreManifest> describe_store(const ImportPlan& plan,
     manifest.source = plan.made_from;
     auto& layout = manifest.layout;
     layout.grid = store::stored_grid(assembly.grid, assembly.curvilinear);
+    layout.grid.periodic = reading.first.periodic;
     const auto brick_cells = store::brick_cells_for(plan.placement, layout.grid);
     if (!brick_cells)
         return tl::unexpected(brick_cells.error());
@@ -86,6 +87,7 @@ core::Result<store::StoreManifest> describe_store(const ImportPlan& plan,
     store::mark_stored(layout, info);
     info.why = plan.choice.why;
     info.precision = plan.precision;
+    info.periodic = layout.grid.periodic;
     info.obstacle = layout.mask || layout.walls;
     info.bytes_per_step = store::step_file_size(info.points, 3, core::Precision::Single);
     add_note(info.note, plan.time_note);

@@ -32,6 +32,7 @@ struct StoredGrid {
     std::uint64_t points = 0;                         ///< of Curvilinear and Unstructured
     std::uint64_t cells = 0;                          ///< of Curvilinear and Unstructured
     std::optional<core::SymmetryAxis> axis{};         ///< of Unstructured: see core::CellMesh
+    core::PeriodicAxes periodic{};                    ///< where the flow goes on through the sides
 
     /// Nodes; 0 where they are too many to be counted.
     std::uint64_t nodes() const;

@@ -32,7 +32,8 @@ inline constexpr auto table_of<StoredGrid> = std::tuple(needed("kind", &StoredGr
                                                         some("dimensions", &StoredGrid::dimensions),
                                                         some("points", &StoredGrid::points),
                                                         some("cells", &StoredGrid::cells),
-                                                        some("axis", &StoredGrid::axis));
+                                                        some("axis", &StoredGrid::axis),
+                                                        some("periodic", &StoredGrid::periodic));
 
 template <>
 inline constexpr auto table_of<StoredScalar> = std::tuple(needed("name", &StoredScalar::name),

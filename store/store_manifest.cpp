@@ -61,6 +61,8 @@ core::Result<void> check_agreement(const StoreManifest& manifest) {
         info.bytes_per_step != step_file_size(layout.grid.nodes(), 3, core::Precision::Single) ||
         (is_uniform && info.dimensions != uniform.dimensions))
         return disagree("numbers of points");
+    if (info.periodic != layout.grid.periodic)
+        return disagree("periodic axes");
     if (is_uniform &&
         (info.bounds.lo != uniform.bounds().lo || info.bounds.hi != uniform.bounds().hi))
         return disagree("bounds");

@@ -46,6 +46,8 @@ class StoreReader final : public core::TimeStepSource, public core::ScalarSource
 
     const core::SolidMask& mask() const override { return mask_; }
 
+    core::PeriodicAxes periodic() const override { return layout_.grid.periodic; }
+
     const std::vector<double>& times() const override { return layout_.times; }
 
     /// Returns the layout of the files it reads.

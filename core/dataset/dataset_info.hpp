@@ -2,7 +2,7 @@
 // lives in protocol/api/dataset_json.hpp.
 #pragma once
 
-#include "core/base/box.hpp"
+#include "core/base/periodic_axes.hpp"
 
 #include <array>
 #include <cstdint>
@@ -59,6 +59,7 @@ struct DatasetInfo {
     std::string note; ///< what a user should know: cells left out, rounding; may be empty
     Precision precision = Precision::Single; ///< of the values on the disk
     bool obstacle = false;                   ///< parts of the domain are solid
+    PeriodicAxes periodic{};                 ///< where particles go on through the sides of `bounds`
     std::uint64_t bytes_per_step = 0;        ///< memory of a time-step's velocity
 
     /// The default separation distance, in units of length: the finest node spacing; for analytic flows 1/100

@@ -3,6 +3,7 @@
 
 #include "core/base/result.hpp"
 #include "core/dataset/grid.hpp"
+#include "core/base/periodic_axes.hpp"
 #include "core/dataset/solid_mask.hpp"
 #include "core/dataset/time_step.hpp"
 
@@ -25,6 +26,9 @@ class TimeStepSource {
 
     /// Empty for cell meshes, whose walls are faces.
     virtual const SolidMask& mask() const = 0;
+
+    /// Says along which axes the flow repeats; the grid's box is one period then.
+    virtual PeriodicAxes periodic() const { return {}; }
 
     /// Returns the times of all time-steps of the series, strictly increasing, whether written yet or not.
     virtual const std::vector<double>& times() const = 0;

@@ -333,6 +333,9 @@ class IntervalFlow final : public Flow {
         const auto held = interval_of(times, chosen, count, stop, smoothly);
         if (!held)
             return tl::unexpected(held.error());
+        std::vector<Vec3> brought_in;
+        if constexpr (requires { sampling_->brought_in(positions); })
+            positions = brought_in = sampling_->brought_in(positions);
         bool whole = true;
         sampling_->with_field(*held, smoothly, [&](const auto& field) {
             const auto some = [&](const auto& view, std::size_t begin, std::size_t end) {

@@ -3,6 +3,7 @@
 #include "core/field/cell_sampling.hpp"
 #include "core/field/grid_sampling.hpp"
 #include "core/field/interval_flow.hpp"
+#include "core/field/periodic_sampling.hpp"
 
 #include <variant>
 
@@ -33,6 +34,13 @@ std::unique_ptr<Flow> make_stored_flow(std::shared_ptr<TimeStepCache> cache,
     const auto flow_over = [&](const auto& grid) -> std::unique_ptr<Flow> {
         auto sampling = sampling_of(grid, source, simd);
         using Sampling = std::remove_cv_t<typename decltype(sampling)::element_type>;
+        if (any(source.periodic())) {
+            using Periodic = PeriodicSampling<Sampling>;
+            return std::make_unique<IntervalFlow<Periodic>>(
+                cache, std::move(clock),
+                std::make_unique<const Periodic>(std::move(sampling), bounds(grid),
+                                                 source.periodic()));
+        }
         return std::make_unique<IntervalFlow<Sampling>>(cache, std::move(clock),
                                                         std::move(sampling));
     };

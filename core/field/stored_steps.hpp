@@ -68,7 +68,7 @@ bool end_in_gaps(const GridSampler<Grid>& field,
         return true;
     const auto some = [&](const auto& view, std::size_t begin, std::size_t end) {
         for (Curve& curve : curves.subspan(begin, end - begin))
-            if (curve.end == CurveEnd::Running && !curve.steps.empty() &&
+            if (curve.end == CurveEnd::Running && curve.attempts > 0 &&
                 view.status(curve.last.position) == PointStatus::OutsideDomain &&
                 !take_missed(view))
                 curve.end = CurveEnd::Domain;

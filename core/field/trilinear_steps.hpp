@@ -101,7 +101,7 @@ class TrilinearSteps {
 
     PointStatus begin(const Curve& curve) {
         index_ = cell_.index_of(curve.last.position);
-        return curve.steps.empty() ? field_.status(curve.seed) : PointStatus::Inside;
+        return curve.attempts == 0 ? field_.status(curve.seed) : PointStatus::Inside;
     }
 
     StepOutcome attempt(const Curve& curve, double left, CurveStep& step) {

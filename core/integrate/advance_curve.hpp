@@ -256,7 +256,7 @@ bool advance_curve(Steps steps,
                    double until,
                    const std::stop_token& stop,
                    WaitingAt<Steps>* place = nullptr) {
-    if (curve.steps.empty() && (place == nullptr || !*place))
+    if (curve.attempts == 0 && (place == nullptr || !*place))
         curve.last = {curve.seed, 0.0, 0.0, curve.seed_tangent};
     const auto keep = [&](const CurveStep& step) {
         if (options.watch == nullptr)

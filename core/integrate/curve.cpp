@@ -77,6 +77,36 @@ CurvePoint Curve::at_time(double time) const {
                     std::clamp((time - steps[index].time) / steps[index].dt, 0.0, 1.0));
 }
 
+void Curve::cut_last_step() {
+    if (steps.empty())
+        return;
+    CurveStep& step = steps.back();
+    const double part = (last.time - step.time) / step.dt;
+    if (!(part > 1e-12)) {
+        steps.pop_back();
+        stretches.resize(std::min(stretches.size(), steps.size()));
+        return;
+    }
+    // By powers of theta, and back.
+    const auto& c = step.c;
+    const double square = part * part;
+    const glm::dvec4 first = part * (c[1] + c[2]);
+    const glm::dvec4 second = square * (c[3] + c[4] - c[2]);
+    const glm::dvec4 third = -part * square * (c[3] + 2.0 * c[4]);
+    const glm::dvec4 c4 = square * square * c[4];
+    const glm::dvec4 c3 = -third - 2.0 * c4;
+    const glm::dvec4 c2 = c3 + c4 - second;
+    step.c = {c[0], first - c2, c2, c3, c4};
+    step.dt *= part;
+    if (stretches.size() == steps.size()) {
+        StretchStep& stretch = stretches.back();
+        const StretchStep whole = stretch;
+        stretch.end = whole.at(part);
+        stretch.start_change *= part;
+        stretch.end_change = part * whole.change_at(part);
+    }
+}
+
 CurvePoint CurveReader::at_arc(double arc) {
     const std::vector<CurveStep>& steps = curve_.steps;
     if (steps.empty() || arc >= curve_.last.arc)

@@ -78,6 +78,16 @@ struct StretchStep {
         return start + theta * change +
                theta * other * (other * (start_change - change) - theta * (end_change - change));
     }
+
+    /// Returns how it changes there, by theta.
+    Vec3 change_at(double theta) const {
+        const double other = 1.0 - theta;
+        const Vec3 change = end - start;
+        const Vec3 early = start_change - change;
+        const Vec3 late = end_change - change;
+        return change + (other - theta) * (other * early - theta * late) -
+               theta * other * (early + late);
+    }
 };
 
 /// A point of a curve.
@@ -108,6 +118,10 @@ struct Curve {
 
     /// Returns the point so long after the release, 0..last.time, negative upstream. Cost: O(log steps).
     CurvePoint at_time(double time) const;
+
+    /// Cuts the last step to the part that ends where the curve does, so that another can follow; drops one that came no
+    /// farther.
+    void cut_last_step();
 };
 
 /// Takes the memory for one step more, if it is free; otherwise the curve has to wait for it.

@@ -32,7 +32,7 @@ class RungeKuttaSteps {
 
     PointStatus begin(const Curve& curve) {
         velocity_ = velocity(curve, curve.last.position, curve.release + curve.last.time);
-        return curve.steps.empty() ? field_.status(curve.seed) : PointStatus::Inside;
+        return curve.attempts == 0 ? field_.status(curve.seed) : PointStatus::Inside;
     }
 
     StepOutcome attempt(Curve& curve, double left, CurveStep& step) {

@@ -7,6 +7,7 @@
 #include "core/dataset/grid.hpp"
 #include "importer/assembly/added_nodes.hpp"
 #include "importer/assembly/meeting_points.hpp"
+#include "importer/assembly/opposite_nodes.hpp"
 
 #include <vtkDataSet.h>
 #include <vtkSmartPointer.h>
@@ -58,6 +59,8 @@ struct GridAssembly {
     /// Numbers the place of each node of the source; empty unless pieces that meet stay apart.
     std::vector<std::uint32_t> place;
     AddedNodes added;
+    /// The nodes that are one where the flow repeats: along x, then y, then z.
+    OppositeNodes opposite;
     /// The direction across a plane that was given a thickness.
     std::optional<core::Vec3> across{};
     /// Says what was left out or reordered; may be empty.

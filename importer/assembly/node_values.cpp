@@ -107,6 +107,8 @@ class NodeValues {
         const bool of_points = field_.arrays.front().source == FieldInfo::Source::Point;
         if (auto got = of_points ? copy(blocks) : average(blocks); !got)
             return tl::unexpected(got.error());
+        if (of_points)
+            join_opposite();
         for (const std::uint32_t node : still)
             std::fill_n(out_.begin() + static_cast<std::ptrdiff_t>(width_ * node), width_, 0.0f);
         if (width_ == 3)
@@ -198,9 +200,21 @@ class NodeValues {
         return {};
     }
 
+    // Nodes that are one where the flow repeats have the mean of both.
+    void join_opposite() {
+        for (const auto& [low, high] : assembly_.opposite)
+            for (std::size_t c = 0; c < width_; ++c) {
+                float& a = out_[width_ * low + c];
+                float& b = out_[width_ * high + c];
+                a = b = std::isnan(a)   ? b
+                        : std::isnan(b) ? a
+                                        : static_cast<float>(0.5 * (double{a} + double{b}));
+            }
+    }
+
     // Averages one component at a time: sums are double, in the order of the cells.
     core::Result<void> average(BlockList blocks) {
-        const std::vector<std::uint32_t> cells = cells_round_nodes();
+        std::vector<std::uint32_t> cells = cells_round_nodes();
         std::vector<std::vector<double>> sums(width_, std::vector<double>(assembly_.source_nodes));
         for (std::size_t b = 0; b < blocks.size(); ++b) {
             auto added =
@@ -213,6 +227,11 @@ class NodeValues {
                 });
             if (!added)
                 return added;
+        }
+        for (const auto& [low, high] : assembly_.opposite) { // the cells round both
+            cells[low] = cells[high] += cells[low];
+            for (auto& sum : sums)
+                sum[low] = sum[high] += sum[low];
         }
         for (std::size_t i = 0; i < assembly_.source_nodes; ++i)
             for (std::size_t c = 0; c < width_ && cells[i] > 0; ++c)

@@ -47,6 +47,8 @@ struct SourceDescription {
     std::string velocity{};
     /// The axis of an axisymmetric flow, of which the source has a wedge.
     std::optional<core::SymmetryAxis> axis{};
+    /// Along these axes the files say that the flow repeats.
+    core::PeriodicAxes periodic{};
     /// The scalars that the files state to be the components of a velocity: three names each.
     std::vector<std::array<std::string, 3>> velocities{};
     /// The unit of coordinates; empty if the files do not state it.

@@ -38,6 +38,7 @@ inline constexpr auto
                                        needed("obstacle", &DatasetInfo::obstacle),
                                        needed("bytesPerStep", &DatasetInfo::bytes_per_step),
                                        newer("finestSpacing", &DatasetInfo::finest_spacing),
+                                       some("periodic", &DatasetInfo::periodic),
                                        some("note", &DatasetInfo::note),
                                        some("lengthUnit", &DatasetInfo::length_unit),
                                        some("timeUnit", &DatasetInfo::time_unit),

@@ -16,6 +16,11 @@ Lattice lattice_over(const core::Box& domain, int bits) {
     return lattice;
 }
 
+Lattice lattice_over(const core::Box& domain, const core::PeriodicAxes& periodic) {
+    return core::any(periodic) ? lattice_over(core::repeated(domain, periodic), max_lattice_bits)
+                               : lattice_over(domain);
+}
+
 bool valid(const Lattice& lattice) {
     return core::finite(lattice.origin) && std::isfinite(lattice.step) && lattice.step > 0.0 &&
            lattice.bits >= 1 && lattice.bits <= max_lattice_bits;

@@ -2,7 +2,7 @@
 // bit. Twin: web-client/src/protocol/lattice.ts.
 #pragma once
 
-#include "core/base/box.hpp"
+#include "core/base/periodic_axes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -29,6 +29,9 @@ inline constexpr int max_lattice_bits = 20;
 /// Returns the cube of 2^bits nodes a side over a domain enlarged by 1 % of its longest side, with the same
 /// centre. A domain without extent gets a cube of side 1.
 Lattice lattice_over(const core::Box& domain, int bits = 16);
+
+/// The same over a domain that repeats: over its repetitions then, with more bits, so that the step is no longer.
+Lattice lattice_over(const core::Box& domain, const core::PeriodicAxes& periodic);
 
 /// Says whether a lattice is finite, with a positive step and 1 to max_lattice_bits bits.
 bool valid(const Lattice& lattice);

@@ -202,6 +202,8 @@ void print_text(const Described& described) {
     tell("{}\n  reader    {}\n  grid      {}\n", info.name, info.reader, grid_text(info));
     tell("  bounds    x {:g} to {:g}, y {:g} to {:g}, z {:g} to {:g}\n", lo.x, hi.x, lo.y, hi.y,
          lo.z, hi.z);
+    if (core::any(info.periodic))
+        tell("  periodic  {}\n", core::axes_text(info.periodic));
     if (!info.times.empty())
         tell("  times     {} from {:.12g} to {:.12g}{}\n", info.times.size(), info.times.front(),
              info.times.back(), info.steady ? " (steady)" : "");

@@ -77,8 +77,8 @@ core::Result<std::string> obstacle_frames(const LoadedDataset& dataset,
         for (const std::string_view name : core::velocity_component_names)
             fields.push_back(*core::vertex_component(*mesh, name));
     }
-    const auto state =
-        protocol::encode_state(*mesh, protocol::lattice_over(dataset.info.bounds), options, fields);
+    const auto state = protocol::encode_state(
+        *mesh, protocol::lattice_over(dataset.info.bounds, dataset.info.periodic), options, fields);
     if (!state)
         return tl::unexpected(state.error());
     std::string out;

@@ -1,4 +1,5 @@
 // OpenFOAM cases as people leave them: more than one mesh in a case, and which times then are read.
+#include "importer/first_step.hpp"
 #include "tests/importer/cavity_case.hpp"
 
 namespace wakesurf::importer::openfoam_meshes_test {
@@ -119,6 +120,37 @@ TEST_F(OpenfoamMeshes, WithCyclicPatchesSayHowFarApartTheyAreAndThatParticlesEnd
         EXPECT_EQ(step->walls.size(), 2u) << "of the walls alone";
         expect_values(*step, 1, mesh.cells.size());
     }
+}
+
+TEST_F(OpenfoamMeshes, RepeatBetweenCyclicPatchesOnOppositeSides) {
+    auto mesh = foam_block_mesh({});
+    for (auto& patch : mesh.patches)
+        if (patch.name == "inlet" || patch.name == "outlet") {
+            patch.type = "cyclic";
+            patch.other_patch = patch.name == "inlet" ? "outlet" : "inlet";
+        }
+    put(mesh);
+    const auto source = open();
+    EXPECT_EQ(source->description().periodic, (core::PeriodicAxes{true, false, false}));
+    EXPECT_NE(source->description().note.find(
+                  "the flow repeats along x: it goes on from one cyclic patch to another (inlet "
+                  "to outlet, "),
+              std::string::npos)
+        << source->description().note;
+    EXPECT_NE(source->description().note.find("and so do particles"), std::string::npos);
+    ImportRequest request;
+    request.source = at("cavity.foam");
+    const auto plan = make_plan(request);
+    ASSERT_TRUE(plan.has_value()) << plan.error().message;
+    const auto reading = read_first_step(*plan, false);
+    ASSERT_TRUE(reading.has_value()) << reading.error().message;
+    EXPECT_EQ(reading->first.periodic, (core::PeriodicAxes{true, false, false}));
+    const auto values = velocity_of(*plan, reading->first, 0, reading->step);
+    const auto& opposite = reading->first.assembly.opposite;
+    EXPECT_EQ(opposite.size(), 4u * 3u) << "nodes of a side";
+    for (const auto& [low, high] : opposite)
+        for (std::size_t k = 0; k < 3; ++k)
+            EXPECT_EQ((*values)[3 * low + k], (*values)[3 * high + k]);
 }
 
 TEST_F(OpenfoamMeshes, DecomposedAcrossCyclicPatchesNameThemAsWell) {

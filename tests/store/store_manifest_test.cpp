@@ -59,6 +59,18 @@ TEST(StoreManifest, ReadsBackEveryKindOfGrid) {
     }
 }
 
+TEST(StoreManifest, KeepsTheAxesAlongWhichTheFlowRepeats) {
+    auto manifest = sample_manifest();
+    EXPECT_EQ(store_manifest_text(manifest).find("periodic"), std::string::npos);
+    manifest.info.periodic = manifest.layout.grid.periodic = {true, false, true};
+    const auto back = parse_store_manifest(store_manifest_text(manifest));
+    ASSERT_TRUE(back.has_value()) << back.error().message;
+    EXPECT_EQ(back->info.periodic, manifest.info.periodic);
+    EXPECT_EQ(back->layout.grid.periodic, manifest.info.periodic);
+    manifest.info.periodic[0] = false;
+    EXPECT_FALSE(parse_store_manifest(store_manifest_text(manifest)).has_value());
+}
+
 TEST(StoreManifest, IsOfVersion3WhereTimeStepsLieInBricksAndOnlyThere) {
     auto before = sample_manifest();
     EXPECT_EQ(json::parse(store_manifest_text(before))["version"], 2);

@@ -33,6 +33,8 @@ class BrickedSource final : public core::TimeStepSource, public core::BrickSourc
 
     const core::SolidMask& mask() const override { return mask_; }
 
+    core::PeriodicAxes periodic() const override { return whole_->periodic(); }
+
     const std::vector<double>& times() const override { return whole_->times(); }
 
     bool ready(std::size_t) const override { return true; }

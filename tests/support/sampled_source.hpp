@@ -27,6 +27,8 @@ class SampledSource final : public core::TimeStepSource {
 
     const std::vector<double>& times() const override { return times_; }
 
+    core::PeriodicAxes periodic() const override { return periodic_axes; }
+
     bool ready(std::size_t) const override { return true; }
 
     std::size_t bytes_per_step() const override { return core::node_count(grid_) * 12; }
@@ -69,6 +71,7 @@ class SampledSource final : public core::TimeStepSource {
     }
 
     mutable std::atomic<int> loads{0};
+    core::PeriodicAxes periodic_axes{};
     std::atomic<std::size_t> broken{~std::size_t{0}}; ///< the time-step that cannot be read
 
   private:

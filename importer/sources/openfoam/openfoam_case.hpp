@@ -26,6 +26,7 @@ struct FoamRegion {
     /// Maps its patches that continue at another one, in any part, to the names of those; empty if the file
     /// does not say.
     std::map<std::string, std::string> cyclic{};
+    std::set<std::string> conformal{}; ///< those of the type cyclic: faces match one by one
     /// The groups of its patches. Fields written by hand have entries for groups as well.
     std::map<std::string, std::vector<std::string>> groups{};
     std::string empty{};            ///< a patch of this type that has faces, if there is one

@@ -69,6 +69,7 @@ bool is_wall(const std::string& type) {
 core::Result<void> find_patches(const FoamCase& found, FoamRegion& region) {
     region.walls.clear();
     region.cyclic.clear();
+    region.conformal.clear();
     region.groups.clear();
     region.empty.clear();
     region.wedges.clear();
@@ -91,6 +92,8 @@ core::Result<void> find_patches(const FoamCase& found, FoamRegion& region) {
                 region.wedges.insert(patch.name);
             if (patch.type.starts_with("cyclic"))
                 region.cyclic[patch.name] = patch.neighbour;
+            if (patch.type == "cyclic")
+                region.conformal.insert(patch.name);
             if (patch.type == "processorCyclic")
                 region.cyclic.try_emplace(patch.part_of);
         }

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
 
 namespace wakesurf::importer {
 
@@ -102,7 +103,7 @@ class OpenfoamSource final : public Source {
         }
         if (!first)
             return tl::unexpected(first.error());
-        add_note(description_.note, note_on_cyclic());
+        find_periodic_axes(first->blocks);
         if (auto axis = find_axis(); !axis)
             return axis;
         std::vector<FieldInfo> seen;
@@ -212,28 +213,95 @@ class OpenfoamSource final : public Source {
         return {};
     }
 
-    // Returns how far apart cyclic patches are, by the middles of their boxes: they have the same shape.
-    std::string note_on_cyclic() const {
-        std::string pairs;
+    // Returns the axis along which the flow goes on from one patch to another: they are conformal, and lie flat on opposite
+    // sides of the box of all cells, at the same place of either. Nothing for any other pair.
+    std::optional<std::size_t> axis_between(const FoamRegion& region,
+                                            const std::string& name,
+                                            const std::string& other,
+                                            const vtkBoundingBox& all) const {
+        const auto here = cyclic_.find(region.name + "/" + name);
+        const auto there = cyclic_.find(region.name + "/" + other);
+        if (here == cyclic_.end() || there == cyclic_.end() || !region.conformal.contains(name) ||
+            !region.conformal.contains(other))
+            return std::nullopt;
+        const double slack = 1e-6 * all.GetDiagonalLength();
+        const auto low = [](const vtkBoundingBox& box, int k) { return box.GetMinPoint()[k]; };
+        const auto high = [](const vtkBoundingBox& box, int k) { return box.GetMaxPoint()[k]; };
+        const auto near = [slack](double a, double b) { return std::abs(a - b) <= slack; };
+        const auto flat = [&](const vtkBoundingBox& box, int k, double at) {
+            return near(low(box, k), at) && near(high(box, k), at);
+        };
+        for (int axis = 0; axis < 3; ++axis) {
+            const vtkBoundingBox& a = here->second;
+            const vtkBoundingBox& b = there->second;
+            bool between = !near(low(all, axis), high(all, axis)) &&
+                           ((flat(a, axis, low(all, axis)) && flat(b, axis, high(all, axis))) ||
+                            (flat(b, axis, low(all, axis)) && flat(a, axis, high(all, axis))));
+            for (int k = 0; k < 3; ++k)
+                between = between && (k == axis ||
+                                      (near(low(a, k), low(b, k)) && near(high(a, k), high(b, k))));
+            if (between)
+                return static_cast<std::size_t>(axis);
+        }
+        return std::nullopt;
+    }
+
+    // Finds the axes along which the flow repeats: patches on both sides take all of those. The note says of all cyclic
+    // patches how far apart they are, by the middles of their boxes.
+    void find_periodic_axes(const std::vector<vtkSmartPointer<vtkDataSet>>& blocks) {
+        vtkBoundingBox all;
+        for (const auto& block : blocks)
+            all.AddBounds(block->GetBounds());
+        std::array<vtkBoundingBox, 3> sides; // of the patches on the lower and upper sides alike
+        std::array<std::string, 3> on;
+        std::string apart;
         for (const auto& region : found_.regions)
             for (const auto& [name, other] : region.cyclic) {
                 if (!region.fluid || (region.cyclic.contains(other) && other < name))
                     continue;
-                pairs += (pairs.empty() ? "" : ", ") + name + (other.empty() ? "" : " to " + other);
-                const auto here = cyclic_.find(region.name + "/" + name);
-                const auto there = cyclic_.find(region.name + "/" + other);
-                if (here == cyclic_.end() || there == cyclic_.end())
-                    continue;
-                std::array<double, 3> a{};
-                std::array<double, 3> b{};
-                here->second.GetCenter(a.data());
-                there->second.GetCenter(b.data());
-                pairs += ", " + length_text(std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2])) +
-                         " apart";
+                const std::string words = words_on_cyclic(region, name, other);
+                const auto axis = axis_between(region, name, other, all);
+                std::string& pairs = axis ? on[*axis] : apart;
+                pairs += (pairs.empty() ? "" : ", ") + words;
+                if (axis)
+                    sides[*axis].AddBox(cyclic_.at(region.name + "/" + name));
             }
-        return pairs.empty() ? ""
-                             : "the flow goes on from one cyclic patch to another (" + pairs +
-                                   "), particles do not: they end there";
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            if (on[axis].empty())
+                continue;
+            bool whole = true;
+            for (int k = 0; k < 3; ++k)
+                whole = whole && (k == static_cast<int>(axis) ||
+                                  sides[axis].GetLength(k) >=
+                                      all.GetLength(k) - 2e-6 * all.GetDiagonalLength());
+            if (!whole) {
+                apart += (apart.empty() ? "" : ", ") + on[axis];
+                continue;
+            }
+            description_.periodic[axis] = true;
+            add_note(description_.note, "the flow repeats along " + std::string(1, "xyz"[axis]) +
+                                            ": it goes on from one cyclic patch to another (" +
+                                            on[axis] + "), and so do particles");
+        }
+        if (!apart.empty())
+            add_note(description_.note, "the flow goes on from one cyclic patch to another (" +
+                                            apart + "), particles do not: they end there");
+    }
+
+    std::string words_on_cyclic(const FoamRegion& region,
+                                const std::string& name,
+                                const std::string& other) const {
+        const std::string pair = name + (other.empty() ? "" : " to " + other);
+        const auto here = cyclic_.find(region.name + "/" + name);
+        const auto there = cyclic_.find(region.name + "/" + other);
+        if (here == cyclic_.end() || there == cyclic_.end())
+            return pair;
+        std::array<double, 3> a{};
+        std::array<double, 3> b{};
+        here->second.GetCenter(a.data());
+        there->second.GetCenter(b.data());
+        return pair + ", " + length_text(std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2])) +
+               " apart";
     }
 
     // Finds the axis of a wedge from its two sides: they meet in it. OpenFOAM wants the plane between them to be one

@@ -96,6 +96,10 @@ core::Result<void> check_source_options(const DatasetArgument& argument,
                                         : "--mask is for the fields of files; ") +
                               what,
                           "leave it out, or import the files with it");
+    if (core::any(options.periodic))
+        return core::fail(Error::Code::InvalidArgument,
+                          "--periodic says along which axes the flow of files repeats; " + what,
+                          "leave it out, or import the files with it");
     if (!options.velocity.empty())
         return core::fail(Error::Code::InvalidArgument,
                           "--velocity chooses among the fields of files; " + what +

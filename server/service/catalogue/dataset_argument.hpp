@@ -24,7 +24,7 @@ struct DatasetArgument {
 /// which is not contacted yet. Error: NotFound, Io; as store_address().
 core::Result<DatasetArgument> resolve_dataset(const std::string& argument);
 
-/// Refuses times and velocities for anything but sources: stored and computed data have their own. Error:
+/// Refuses times, velocities and periodic axes for anything but sources: stored and computed data have their own. Error:
 /// InvalidArgument, beginning with the option.
 core::Result<void> check_source_options(const DatasetArgument& argument,
                                         const command::SourceOptions& options);
@@ -34,8 +34,8 @@ core::Result<void> check_source_options(const DatasetArgument& argument,
 std::filesystem::path default_store_root();
 
 /// Returns <root>/<name>-<16 hex digits of the canonical source path>, so that equal names do not collide.
-/// Another velocity of the same files has another folder, and so has a file without its series: a server may
-/// show one of them.
+/// Another velocity of the same files has another folder, and so have a file without its series and a flow that
+/// repeats: a server may show one of them.
 std::filesystem::path store_folder(const std::filesystem::path& root,
                                    const DatasetArgument& source,
                                    const command::SourceOptions& options = {});

@@ -24,7 +24,7 @@ struct ImportCommand {
     std::string precision{};         ///< --precision; empty: single
     std::size_t jobs = 0;            ///< --jobs; 0: one a core
     std::uint64_t memory = 0;        ///< --memory, of all its processes; 0: its own bound
-    command::SourceOptions taken{};  ///< --dt, --start, --confined
+    command::SourceOptions taken{};  ///< --dt, --start, --periodic, --confined
     std::string layout{};            ///< --layout; empty: auto
     /// A server follows the source: a time-step that cannot be read yet is an error, and its time is kept.
     bool growing = false;

@@ -64,6 +64,20 @@ TEST(Lattice, HasNoNodeForNumbersThatAreNotFinite) {
         }
 }
 
+TEST(Lattice, HoldsTheRepetitionsOfADomainWithNoLongerStep) {
+    const Lattice once = lattice_over(box);
+    EXPECT_EQ(lattice_over(box, core::PeriodicAxes{}), once);
+    for (const core::PeriodicAxes& axes :
+         {core::PeriodicAxes{true, false, false}, {false, true, true}, {true, true, true}}) {
+        const Lattice lattice = lattice_over(box, axes);
+        const core::Box all = core::repeated(box, axes);
+        EXPECT_TRUE(valid(lattice));
+        EXPECT_LE(lattice.step, once.step);
+        EXPECT_TRUE(LatticeRounding(lattice).holds(all.lo));
+        EXPECT_TRUE(LatticeRounding(lattice).holds(all.hi));
+    }
+}
+
 TEST(Lattice, IsUsableOverADomainWithoutExtentAndRefusesNonsense) {
     EXPECT_TRUE(valid(lattice_over({{1, 1, 1}, {1, 1, 1}})));
     EXPECT_FALSE(valid({{0, 0, 0}, 0.0, 16}));
