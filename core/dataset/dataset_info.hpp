@@ -59,8 +59,8 @@ struct DatasetInfo {
     std::string note; ///< what a user should know: cells left out, rounding; may be empty
     Precision precision = Precision::Single; ///< of the values on the disk
     bool obstacle = false;                   ///< parts of the domain are solid
-    PeriodicAxes periodic{};                 ///< where particles go on through the sides of `bounds`
-    std::uint64_t bytes_per_step = 0;        ///< memory of a time-step's velocity
+    PeriodicAxes periodic{};          ///< where particles go on through the sides of `bounds`
+    std::uint64_t bytes_per_step = 0; ///< memory of a time-step's velocity
 
     /// The default separation distance, in units of length: the finest node spacing; for analytic flows 1/100
     /// of the shortest side.

@@ -1,9 +1,9 @@
 // Where the cache gets its time-steps from: the store reader, or a test's own series.
 #pragma once
 
+#include "core/base/periodic_axes.hpp"
 #include "core/base/result.hpp"
 #include "core/dataset/grid.hpp"
-#include "core/base/periodic_axes.hpp"
 #include "core/dataset/solid_mask.hpp"
 #include "core/dataset/time_step.hpp"
 

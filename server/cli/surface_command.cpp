@@ -15,6 +15,7 @@
 #include "protocol/files/mesh_file.hpp"
 #include "server/cli/elapsed_line.hpp"
 #include "server/cli/failure.hpp"
+#include "server/cli/open_surface_options.hpp"
 #include "server/cli/own_words.hpp"
 #include "server/cli/stop_on_signal.hpp"
 #include "server/cli/surface_passes.hpp"
@@ -23,7 +24,6 @@
 #include "server/cli/tell.hpp"
 #include "server/cli/time_limit.hpp"
 #include "server/cli/whole_file.hpp"
-#include "server/service/catalogue/dataset_suggestion.hpp"
 #include "server/service/catalogue/open_dataset.hpp"
 #include "server/service/catalogue/surface_scalars.hpp"
 #include "server/service/metrics/process_account.hpp"
@@ -142,38 +142,6 @@ core::Result<void> write(const SurfaceOptions& options,
     return write_whole_file(options.stats, protocol::json_text(statistics, 2) + "\n");
 }
 
-/// Uses the suggestion of the data for a rake and all open options, and prints it to standard error.
-core::Result<void> begin_with_suggestion(SurfaceRequest& request,
-                                         const SurfaceOptions& options,
-                                         const LoadedDataset& dataset,
-                                         std::stop_token stop) {
-    const auto scene =
-        suggest_for(dataset.info, *dataset.flow, dataset.store.get(), std::move(stop));
-    if (!scene)
-        return tl::unexpected(scene.error());
-    core::SurfaceParameters& parameters = request.parameters;
-    request.rake = scene->rake;
-    request.rake.seeds = options.seeds;
-    std::string points;
-    for (const core::Vec3& p : scene->rake.points)
-        points += fmt::format("{}{:g},{:g},{:g}", points.empty() ? "" : " ", p.x, p.y, p.z);
-    tell(stderr, "wakesurf: without --rake: {} It is --rake \"{}\"{}\n", scene->why, points,
-         scene->rake.kind == core::Rake::Kind::Circle ? " --rake-kind circle" : "");
-    const auto same =
-        std::ranges::find(scene->surfaces, parameters.kind, &core::SurfaceParameters::kind);
-    if (same == scene->surfaces.end())
-        return {};
-    if (!request.from && !request.to && !parameters.direction) {
-        request.from = same->from;
-        request.to = same->to;
-    }
-    if (parameters.separation == 0.0)
-        parameters.separation = same->separation;
-    if (!parameters.sweep && !parameters.rake2)
-        parameters.sweep = same->sweep;
-    return {};
-}
-
 /// Prints how the result differs from the request to standard error. Error: there is nothing to see, for a
 /// reason that can be cured.
 core::Result<void> tell_statistics(const core::SurfaceStatistics& statistics, bool cut_short) {
@@ -212,92 +180,13 @@ core::Result<void> tell_statistics(const core::SurfaceStatistics& statistics, bo
     return {};
 }
 
-/// Chooses the field of a stream surface whose time is open: of a steady solver's iterations the last, else the first
-/// stored one in which the fluid moves along the rake; the very first if it moves in none. Looks at 16 at most.
-core::Result<void> choose_field_time(SurfaceRequest& request,
-                                     const LoadedDataset& dataset,
-                                     const std::stop_token& stop) {
-    constexpr std::size_t most_looks = 16;
-    const auto& times = dataset.info.times;
-    if (request.from || request.parameters.kind != core::SurfaceKind::Stream ||
-        request.parameters.direction == core::Direction::Backward || times.size() < 2)
-        return {};
-    if (dataset.info.time_unit == core::iterations) {
-        request.from = times.back();
-        tell(stderr, "wakesurf: without --from: the last iteration, {:g}\n", times.back());
-        return {};
-    }
-    const core::SeedingCurve rake(request.rake);
-    std::vector<core::Vec3> points;
-    for (int i = 0; i <= 16; ++i)
-        points.push_back(rake.at(i / 16.0));
-    std::vector<core::Vec3> velocities(points.size());
-    const std::size_t apart = (times.size() + most_looks - 1) / most_looks;
-    for (std::size_t k = 0; k < times.size(); k += apart) {
-        const std::vector<double> when(points.size(), times[k]);
-        if (auto sampled = dataset.flow->sample(points, when, velocities, stop); !sampled)
-            return sampled;
-        if (std::ranges::all_of(velocities,
-                                [](const core::Vec3& v) { return !(glm::length(v) > 0.0); }))
-            continue;
-        if (k > 0) {
-            request.from = times[k];
-            tell(stderr, "wakesurf: without --from: {:g}, because the fluid is at rest before\n",
-                 times[k]);
-        }
-        return {};
-    }
-    return {};
-}
-
-/// Says that one stored time is a flow that stands still, and chooses how long particles are followed if that is
-/// open: as long as the surface of a suggested rake would be.
-core::Result<void> let_it_stand_still(SurfaceRequest& request,
-                                      const LoadedDataset& dataset,
-                                      const std::stop_token& stop) {
-    const auto& times = dataset.info.times;
-    const core::SurfaceKind kind = request.parameters.kind;
-    if (dataset.store == nullptr || times.size() != 1 || kind == core::SurfaceKind::Stream ||
-        kind == core::SurfaceKind::Level)
-        return {};
-    tell(stderr, "wakesurf: the data have one time, {:g}: the flow is taken to stand still\n",
-         times.front());
-    if (request.to)
-        return {};
-    const auto scene = suggest_for(dataset.info, *dataset.flow, dataset.store.get(), stop);
-    if (!scene)
-        return tl::unexpected(scene.error());
-    const auto same = std::ranges::find(scene->surfaces, kind, &core::SurfaceParameters::kind);
-    if (same == scene->surfaces.end())
-        return {};
-    const bool backward = request.parameters.direction == core::Direction::Backward;
-    const double long_enough = same->to - same->from;
-    request.to = request.from.value_or(times.front()) + (backward ? -long_enough : long_enough);
-    tell(stderr, "wakesurf: without --to: {:g}, long enough for a usual rake\n", *request.to);
-    return {};
-}
-
 /// Completes the options from the data, and makes the checks that need the data.
 core::Result<core::SurfacePlan> planned(SurfaceRequest request,
                                         const SurfaceOptions& options,
                                         const LoadedDataset& dataset,
                                         const std::stop_token& stop) {
-    if (options.rake.empty() && request.parameters.kind != core::SurfaceKind::Level)
-        if (auto begun = begin_with_suggestion(request, options, dataset, stop); !begun)
-            return tl::unexpected(begun.error());
-    if (auto chosen = choose_field_time(request, dataset, stop); !chosen)
+    if (auto chosen = choose_open_options(request, options, dataset, stop); !chosen)
         return tl::unexpected(chosen.error());
-    if (auto still = let_it_stand_still(request, dataset, stop); !still)
-        return tl::unexpected(still.error());
-    choose_times(request, dataset.info.times);
-    if (dataset.info.time_unit == core::iterations && dataset.info.times.size() > 1 &&
-        request.parameters.kind != core::SurfaceKind::Stream)
-        tell(stderr,
-             "wakesurf: the times are iterations of a steady solver: a {} surface through "
-             "them means nothing; --kind stream shows the result, and so do the others once "
-             "wakesurf import --times {:g}:{:g} has made a store of it alone\n",
-             protocol::name(request.parameters.kind), dataset.info.times.back(),
-             dataset.info.times.back());
     auto plan = core::plan_surface(dataset.flow, request.rake, std::move(request.parameters));
     if (!plan)
         return tl::unexpected(plan.error());

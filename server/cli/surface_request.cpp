@@ -196,15 +196,4 @@ core::Result<SurfaceRequest> check_surface_options(const SurfaceOptions& options
     return request;
 }
 
-void choose_times(SurfaceRequest& request, const std::vector<double>& times) {
-    core::SurfaceParameters& parameters = request.parameters;
-    const bool backward = parameters.direction == core::Direction::Backward;
-    const double first = times.empty() ? 0.0 : backward ? times.back() : times.front();
-    const double last = times.empty() ? 0.0 : backward ? times.front() : times.back();
-    parameters.from = request.from.value_or(first);
-    const bool there = backward ? last < parameters.from : last > parameters.from;
-    const double usual = there ? last : parameters.from + (backward ? -10 : 10);
-    parameters.to = request.to.value_or(usual);
-}
-
 } // namespace wakesurf::server

@@ -55,8 +55,4 @@ struct SurfaceRequest {
 /// NotFound if the folder of the output does not exist.
 core::Result<SurfaceRequest> check_surface_options(const SurfaceOptions& options);
 
-/// Fills in `from` and `to` if the options leave them open: the first and last time of the data, the other
-/// way round with `--direction backward`; 10 time units from `from` if the data have no such times.
-void choose_times(SurfaceRequest& request, const std::vector<double>& times);
-
 } // namespace wakesurf::server

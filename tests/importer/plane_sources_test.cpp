@@ -341,7 +341,8 @@ TEST_F(PlaneSources, ThatAreNotOneAreRefused) {
         ASSERT_TRUE(step.has_value());
         const auto slab = even_slabs(step->blocks);
         ASSERT_FALSE(slab.has_value()) << path;
-        EXPECT_NE(slab.error().message.find("parts that do not lie in one plane"), std::string::npos)
+        EXPECT_NE(slab.error().message.find("parts that do not lie in one plane"),
+                  std::string::npos)
             << slab.error().message;
     }
 }

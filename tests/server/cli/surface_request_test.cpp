@@ -1,5 +1,6 @@
 #include "core/field/analytic_flow.hpp"
 #include "core/surface/request/surface_plan.hpp"
+#include "server/cli/open_surface_options.hpp"
 #include "server/cli/own_words.hpp"
 #include "server/cli/surface_request.hpp"
 #include "tests/support/value_of.hpp"
