@@ -326,7 +326,7 @@ void find_time_unit(FoamCase& found) {
     } else if (times_are_iterations(found.folder, fluid)) {
         found.time_unit = "iterations";
         add_note(found.note, "the times are iterations of a steady solver: the last one is the "
-                             "result, and a path through them means nothing");
+                             "result, and a path from one to the next means nothing");
     }
 }
 

@@ -34,8 +34,14 @@ def begin(session: Session, dataset: str, setting: Json) -> Surface:
 
 
 def last_time(session: Session, setting: Json) -> float:
-    """Returns the last time of the data, or the first for a surface that goes backward."""
+    """Returns the last time of the data, or the first for a surface that goes backward. A flow of one time stands still:
+    as long after it, or before it, as a suggested surface of that kind takes."""
     times = session.client.describe(setting["dataset"])["times"]
     if not times:
         raise InvalidParameters("a surface of this dataset needs `to`", -32602, "invalidParameters", "the time at which it ends")
-    return float(times[0] if setting.get("direction") == "backward" else times[-1])
+    backward = setting.get("direction") == "backward"
+    if len(times) == 1 and setting["kind"] != "level":
+        found: Any = session.client.suggest(setting["dataset"])["surfaces"]
+        length = next((each["to"] - each["from"] for each in found if each["kind"] == setting["kind"]), 1.0)
+        return float(setting.get("from", times[0]) + (-length if backward else length))
+    return float(times[0] if backward else times[-1])

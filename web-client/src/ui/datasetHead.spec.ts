@@ -3,6 +3,7 @@ import { beforeEach, describe, expect, it } from 'vitest';
 import type { DatasetEntry } from '../protocol/messages.ts';
 import { Announcements } from '../state/announcements.ts';
 import { PageBench } from '../testing/pageBench.ts';
+import { datasetOf } from '../testing/records.ts';
 import { rested, ShownPanel } from '../testing/shownPanel.ts';
 import './datasetHead.ts';
 
@@ -52,4 +53,13 @@ describe('a server with several datasets', () => {
         expect(head.all('select')).toEqual([]);
         expect(head.text).toContain('flow');
     });
+});
+
+it('says that data of one time-step are a flow that stands still', async () => {
+    bench.state.dataset.value = datasetOf({ times: [3], steady: true, points: 8 });
+    await rested();
+    expect(head.get('p.quiet').textContent).toMatch(/1 time-step: the flow stands still/);
+    bench.state.dataset.value = datasetOf({ times: [3, 4], steady: false, points: 8 });
+    await rested();
+    expect(head.get('p.quiet').textContent).not.toMatch(/still/);
 });

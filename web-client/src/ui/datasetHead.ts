@@ -42,7 +42,9 @@ export class DatasetHead extends ModelElement<DatasetHeadModel> {
                 ? nothing
                 : html`<p class="quiet">
                   ${dataset.points > 0 ? `${countWords(dataset.points)} points` : 'an analytic flow'},
-                  ${dataset.times.length} ${dataset.times.length === 1 ? 'time-step' : 'time-steps'}
+                  ${dataset.times.length} ${dataset.times.length === 1 ? 'time-step' : 'time-steps'}${
+                      dataset.steady && dataset.points > 0 ? ': the flow stands still' : ''
+                  }
               </p>`
         }`;
     }
