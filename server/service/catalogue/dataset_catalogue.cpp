@@ -2,6 +2,7 @@
 
 #include "server/service/base/private_file.hpp"
 #include "server/service/catalogue/import_process.hpp"
+#include "server/service/web/dataset_disk.hpp"
 #include "store/store_manifest.hpp"
 
 #include <algorithm>
@@ -56,13 +57,17 @@ core::Result<std::unique_ptr<DatasetCatalogue>> DatasetCatalogue::open(
             return tl::unexpected(added.error());
     const std::size_t lanes = catalogue->wanted_lanes();
     catalogue->lanes_.emplace(lanes);
-    for (std::size_t i = 0; i < lanes; ++i)
-        catalogue->importers_.emplace_back(
-            [self = catalogue.get()](const std::stop_token& stop) { self->work(stop); });
+    for (const auto kind : {Work::Import, Work::OfDisk, Work::OfWeb})
+        for (std::size_t i = 0; i < lanes; ++i)
+            catalogue->importers_.emplace_back(
+                [self = catalogue.get(), kind](const std::stop_token& stop) {
+                    self->work(kind, stop);
+                });
     return catalogue;
 }
 
 DatasetCatalogue::~DatasetCatalogue() {
+    closing_.request_stop();
     for (auto& each : importers_) // all are stopped before the first is joined
         each.request_stop();
 }
@@ -87,7 +92,9 @@ core::Result<void> DatasetCatalogue::add(const std::string& text) {
         return tl::unexpected(argument.error());
     if (auto fit = check_source_options(*argument, options_.taken); !fit)
         return fit;
-    auto entry = std::make_unique<Entry>(mutex_, options_.of_store());
+    StoreOptions store = options_.of_store();
+    store.closing = closing_.get_token();
+    auto entry = std::make_unique<Entry>(mutex_, std::move(store));
     entry->argument = std::move(*argument);
     entry->taken = options_.taken;
     if (entry->argument.kind == DatasetArgument::Kind::Source && entry->taken.velocity.empty())
@@ -134,14 +141,20 @@ std::filesystem::path DatasetCatalogue::store_folder_of(const Entry& entry) cons
     return store_folder(options_.store_root, entry.argument, entry.taken_now());
 }
 
-void DatasetCatalogue::work(const std::stop_token& stop) {
-    while (Entry* const entry = take_next(stop))
+DatasetCatalogue::Work DatasetCatalogue::work_of(const DatasetArgument& argument) {
+    if (argument.kind == DatasetArgument::Kind::Source)
+        return Work::Import;
+    return is_on_the_web(argument.path) ? Work::OfWeb : Work::OfDisk;
+}
+
+void DatasetCatalogue::work(Work kind, const std::stop_token& stop) {
+    while (Entry* const entry = take_next(kind, stop))
         attend(*entry, stop);
 }
 
 /// Waits for a dataset that no other thread handles: not checked yet, to be imported again, or with its pause
 /// over. Null at the end.
-DatasetCatalogue::Entry* DatasetCatalogue::take_next(const std::stop_token& stop) {
+DatasetCatalogue::Entry* DatasetCatalogue::take_next(Work kind, const std::stop_token& stop) {
     using Clock = std::chrono::steady_clock;
     std::unique_lock lock(mutex_);
     while (!stop.stop_requested()) {
@@ -149,7 +162,8 @@ DatasetCatalogue::Entry* DatasetCatalogue::take_next(const std::stop_token& stop
         auto next = Clock::time_point::max();
         Entry* rested = nullptr;
         for (const auto& entry : entries_) {
-            if (entry->busy || entry->argument.kind == DatasetArgument::Kind::Flow)
+            if (entry->busy || entry->argument.kind == DatasetArgument::Kind::Flow ||
+                work_of(entry->argument) != kind)
                 continue;
             const DatasetState state = entry->status.state;
             if (!entry->begun || state == DatasetState::Importing) {

@@ -75,8 +75,11 @@ class DatasetCatalogue {
     Entry* find_entry(std::string_view dataset) const;
     std::filesystem::path store_folder_of(const Entry& entry) const;
     std::size_t wanted_lanes() const;
-    void work(const std::stop_token& stop);
-    Entry* take_next(const std::stop_token& stop);
+    /// Threads each have one kind of data, so that a web server that says nothing keeps no others waiting.
+    enum class Work { Import, OfDisk, OfWeb };
+    static Work work_of(const DatasetArgument& argument);
+    void work(Work kind, const std::stop_token& stop);
+    Entry* take_next(Work kind, const std::stop_token& stop);
     void attend(Entry& entry, const std::stop_token& stop);
     void import_one(Entry& entry, const std::stop_token& stop);
     void look_at_store(Entry& entry);
@@ -89,6 +92,7 @@ class DatasetCatalogue {
     bool due(Entry& entry) const;
 
     OpenOptions options_;
+    std::stop_source closing_; ///< fired at the end, for what waits for a web server
     Listener listener_;
     /// Guards the entries, except for the part of one that a thread owns; their number is fixed.
     mutable std::mutex mutex_;

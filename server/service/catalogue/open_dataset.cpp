@@ -157,7 +157,7 @@ core::Result<LoadedDataset> open_store(const std::filesystem::path& folder,
                                        const StoreOptions& how) {
     const core::TimeStepCache::Options& options = how.cache;
     const std::size_t all = options.account ? options.account->budget() : options.budget_bytes;
-    const auto disk = open_disk(folder, scalar_bytes(all));
+    const auto disk = open_disk(folder, scalar_bytes(all), how.closing);
     if (!disk)
         return tl::unexpected(disk.error());
     auto opened = store::open_store(folder, disk->disk);

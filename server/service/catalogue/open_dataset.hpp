@@ -43,6 +43,7 @@ struct StoreOptions {
     /// The job beside the server that holds bricks, if time-steps do not fit; the store's folder is filled
     /// in.
     std::optional<RankBricks::Options> ranks{};
+    std::stop_token closing{}; ///< ends all questions to a web server
 };
 
 struct OpenOptions {

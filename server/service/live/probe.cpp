@@ -1,5 +1,6 @@
 #include "server/service/live/probe.hpp"
 
+#include "core/base/either_stop.hpp"
 #include "core/base/rounding.hpp"
 #include "core/field/sample_scalar.hpp"
 #include "server/service/base/field_names.hpp"
@@ -47,26 +48,6 @@ core::Result<ProbeField> sample_field(const OpenDataset& dataset,
             return ProbeField{name, {}, std::move(values)};
         });
 }
-
-/// Fires when one of two tokens does.
-class EitherStop {
-  public:
-    EitherStop(const std::stop_token& a, const std::stop_token& b)
-        : a_(a, Forward{source_}), b_(b, Forward{source_}) {}
-
-    std::stop_token token() const { return source_.get_token(); }
-
-  private:
-    struct Forward {
-        std::stop_source to;
-
-        void operator()() { to.request_stop(); }
-    };
-
-    std::stop_source source_;
-    std::stop_callback<Forward> a_;
-    std::stop_callback<Forward> b_;
-};
 
 } // namespace
 
@@ -117,7 +98,7 @@ void Prober::ask(OpenDataset dataset,
     compute<ProbeResult>(
         loop_, pool_, line,
         [dataset = std::move(dataset), request = std::move(request),
-         stop = std::make_shared<EitherStop>(stop_.get_token(), unwanted)] {
+         stop = std::make_shared<core::EitherStop>(stop_.get_token(), unwanted)] {
             return probe(dataset, request, stop->token());
         },
         std::move(answer));
@@ -130,7 +111,7 @@ void Prober::suggest(OpenDataset dataset,
     compute<core::SceneSuggestion>(
         loop_, pool_, line,
         [dataset = std::move(dataset),
-         stop = std::make_shared<EitherStop>(stop_.get_token(), unwanted)] {
+         stop = std::make_shared<core::EitherStop>(stop_.get_token(), unwanted)] {
             return suggest_for(dataset.info, *dataset.flow, dataset.store.get(), stop->token());
         },
         std::move(answer));

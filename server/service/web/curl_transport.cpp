@@ -17,7 +17,9 @@ namespace wakesurf::server {
 namespace {
 
 constexpr long connect_seconds = 10;
-constexpr long silent_seconds = 20; // without a byte
+// Ends an answer that comes more slowly: a server that drips would be waited for without an end.
+constexpr long slow_seconds = 20;
+constexpr long least_speed = 64 * 1024 / slow_seconds; // bytes a second
 constexpr std::size_t most_unused = std::size_t{64}
                                     << 10; // of an error's page, read to keep the connection
 
@@ -171,8 +173,8 @@ tl::expected<HttpAnswer, HttpFault> CurlTransport::perform(const HttpRequest& re
     set(CURLOPT_FOLLOWLOCATION, 0L);
     set(CURLOPT_NOSIGNAL, 1L);
     set(CURLOPT_CONNECTTIMEOUT, connect_seconds);
-    set(CURLOPT_LOW_SPEED_LIMIT, 1L);
-    set(CURLOPT_LOW_SPEED_TIME, silent_seconds);
+    set(CURLOPT_LOW_SPEED_LIMIT, least_speed);
+    set(CURLOPT_LOW_SPEED_TIME, slow_seconds);
     set(CURLOPT_USERAGENT, "wakesurf/" WAKESURF_VERSION);
     set(CURLOPT_ERRORBUFFER, static_cast<char*>(words));
     set(CURLOPT_HEADERFUNCTION, &take_header);
@@ -182,6 +184,8 @@ tl::expected<HttpAnswer, HttpFault> CurlTransport::perform(const HttpRequest& re
     set(CURLOPT_NOPROGRESS, 0L);
     set(CURLOPT_XFERINFOFUNCTION, &go_on);
     set(CURLOPT_XFERINFODATA, static_cast<void*>(&transfer));
+    if (state_->credentials.any() && request.address.starts_with("http://"))
+        set(CURLOPT_NOPROXY, "*"); // of this machine alone: a proxy would read the credentials
     if (!state_->trusted.empty())
         set(CURLOPT_CAINFO, state_->trusted.c_str());
     if (request.head)

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <stop_token>
 
 namespace wakesurf::server {
 
@@ -13,7 +14,8 @@ namespace wakesurf::server {
 bool is_on_the_web(const std::filesystem::path& folder);
 
 /// Returns the disk; opens nothing yet. Credentials are those of the environment. Error: InvalidArgument if
-/// they would be sent unencrypted.
-core::Result<std::shared_ptr<const core::Disk>> disk_of(const std::filesystem::path& folder);
+/// they would be sent unencrypted, or hold a line break. @param closing  ends all questions to a web server
+core::Result<std::shared_ptr<const core::Disk>> disk_of(const std::filesystem::path& folder,
+                                                        std::stop_token closing = {});
 
 } // namespace wakesurf::server

@@ -1,5 +1,6 @@
 #include "server/service/web/web_disk.hpp"
 
+#include "core/base/either_stop.hpp"
 #include "server/service/web/answer_checks.hpp"
 
 #include <algorithm>
@@ -42,8 +43,8 @@ pause_before(int again, const HttpRequest& request, const HttpAnswer* answer) {
 
 } // namespace
 
-WebDisk::WebDisk(std::shared_ptr<HttpTransport> transport, Pause pause)
-    : transport_(std::move(transport)), pause_(std::move(pause)) {}
+WebDisk::WebDisk(std::shared_ptr<HttpTransport> transport, Pause pause, std::stop_token closing)
+    : transport_(std::move(transport)), pause_(std::move(pause)), closing_(std::move(closing)) {}
 
 void WebDisk::wait(std::chrono::milliseconds time, const std::stop_token& stop) {
     std::mutex mutex;
@@ -54,7 +55,9 @@ void WebDisk::wait(std::chrono::milliseconds time, const std::stop_token& stop) 
 
 Result<HttpAnswer> WebDisk::ask(const HttpRequest& request,
                                 std::span<std::byte> body,
-                                const std::stop_token& stop) const {
+                                const std::stop_token& unwanted) const {
+    const core::EitherStop either(closing_, unwanted);
+    const std::stop_token stop = either.token();
     for (int tries = 1;; ++tries) {
         auto answer = transport_->perform(request, body, stop);
         if (stop.stop_requested() || (!answer && answer.error().cancelled))

@@ -33,7 +33,10 @@ class WebDisk final : public core::Disk {
     /// The largest part requested at once.
     static constexpr std::size_t most_bytes = std::size_t{16} << 20;
 
-    explicit WebDisk(std::shared_ptr<HttpTransport> transport, Pause pause = wait);
+    /// @param closing  ends all questions, whoever asked
+    explicit WebDisk(std::shared_ptr<HttpTransport> transport,
+                     Pause pause = wait,
+                     std::stop_token closing = {});
 
     core::Result<std::uint64_t> size(const std::filesystem::path& file) const override;
     core::Result<core::FileIdentity> identity(const std::filesystem::path& file) const override;
@@ -47,6 +50,8 @@ class WebDisk final : public core::Disk {
 
     /// Returns one reader a connection.
     Pace pace() const override { return {64, most_bytes}; }
+
+    static void wait(std::chrono::milliseconds time, const std::stop_token& stop);
 
   private:
     struct Known {
@@ -62,8 +67,6 @@ class WebDisk final : public core::Disk {
 
     using Bytes = std::shared_ptr<const std::vector<std::byte>>;
 
-    static void wait(std::chrono::milliseconds time, const std::stop_token& stop);
-
     core::Result<Known> known(const std::string& address, const std::stop_token& stop) const;
     core::Result<Known> look_at(const std::string& address, const std::stop_token& stop) const;
     core::Result<void> read_part(const std::string& address,
@@ -78,6 +81,7 @@ class WebDisk final : public core::Disk {
 
     std::shared_ptr<HttpTransport> transport_;
     Pause pause_;
+    std::stop_token closing_;
     mutable std::mutex mutex_; ///< guards what follows
     mutable std::map<std::string, std::shared_ptr<Object>> objects_;
     mutable std::list<std::pair<std::string, Bytes>> beginnings_; ///< of small files, newest first

@@ -7,8 +7,10 @@
 
 namespace wakesurf::server {
 
-core::Result<OpenDisk> open_disk(const std::filesystem::path& folder, std::uint64_t scalar_bytes) {
-    auto disk = disk_of(folder);
+core::Result<OpenDisk> open_disk(const std::filesystem::path& folder,
+                                 std::uint64_t scalar_bytes,
+                                 std::stop_token closing) {
+    auto disk = disk_of(folder, std::move(closing));
     if (!disk)
         return tl::unexpected(disk.error());
     if (!is_zarr(folder))

@@ -22,7 +22,9 @@ constexpr std::uint64_t scalar_bytes(std::uint64_t memory) {
 
 /// Opens the disk; reads the metadata of a Zarr. @param scalar_bytes  as ZarrDisk::open. Error: as disk_of
 /// and ZarrDisk::open.
-core::Result<OpenDisk> open_disk(const std::filesystem::path& folder, std::uint64_t scalar_bytes);
+core::Result<OpenDisk> open_disk(const std::filesystem::path& folder,
+                                 std::uint64_t scalar_bytes,
+                                 std::stop_token closing = {});
 
 /// Says whether the files are read-only and stay as they were when opened: a store on the web, or a Zarr.
 bool is_others(const std::filesystem::path& folder);

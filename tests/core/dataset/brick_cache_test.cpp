@@ -239,7 +239,7 @@ TEST(BrickCache, ReadsAheadWithoutTakingRoomFromWhatIsInUse) {
 }
 
 TEST(BrickCache, StaysWithinItsBudgetWhileTheOldestTimeStepIsStillBeingRead) {
-    Bench bench;
+    Bench bench(64);
     bench.source.patient = true;
     bench.cache.prefetch(names(0, 0, 2));
     for (std::size_t step = 1; step <= 14; ++step) {

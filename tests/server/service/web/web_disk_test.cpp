@@ -231,4 +231,17 @@ TEST_F(WebDiskTest, EndsWhereItIsStopped) {
     EXPECT_EQ(web_->asked().size(), 1u);
 }
 
+TEST_F(WebDiskTest, EndsEveryQuestionWhereItsDatasetIsClosed) {
+    std::stop_source closing;
+    const WebDisk disk(web_, WebDisk::wait, closing.get_token());
+    web_->instead([&](const HttpRequest&, std::span<std::byte>) {
+        closing.request_stop();
+        return FakeWeb::Answer(tl::unexpected(HttpFault{"the connection was reset", true}));
+    });
+    EXPECT_EQ(disk.size(file("u.f32")).error().code, Error::Code::Cancelled);
+    std::vector<std::byte> out(1);
+    EXPECT_EQ(disk.read(file("u.f32"), 0, out).error().code, Error::Code::Cancelled);
+    EXPECT_EQ(web_->asked().size(), 2u);
+}
+
 } // namespace wakesurf::server::web_disk_test

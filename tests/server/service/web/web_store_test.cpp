@@ -3,6 +3,7 @@
 #include "server/service/catalogue/child_process.hpp"
 #include "server/service/catalogue/open_dataset.hpp"
 #include "server/service/web/dataset_disk.hpp"
+#include "tests/server/service/catalogue/catalogue_bench.hpp"
 #include "tests/support/programs.hpp"
 #include "tests/support/server/nginx.hpp"
 #include "tests/support/server/scripted_web_server.hpp"
@@ -130,6 +131,23 @@ TEST_F(WebStoreTest, ASurfaceEndsWhereABrickCannotBeHadAndSaysSo) {
     const std::string& why = cut->statistics.stopped;
     EXPECT_NE(why.find("of time-step 2 (velocity_000002.f32)"), std::string::npos) << why;
     EXPECT_NE(why.find("velocity_000002.f32 has 100 bytes instead of"), std::string::npos) << why;
+}
+
+TEST_F(WebStoreTest, AServerThatSaysNothingKeepsNeitherOtherDatasetsNorTheEndWaiting) {
+    const tests::ScriptedWebServer silent([](const std::string&) {
+        tests::ScriptedWebServer::Reply reply;
+        reply.silent = true;
+        return reply;
+    });
+    std::vector<std::string> datasets;
+    for (const char* name : {"a", "b", "c", "d", "e"})
+        datasets.push_back(silent.address(name));
+    datasets.push_back(folder_ / "wake");
+    CatalogueBench bench(datasets);
+    ASSERT_TRUE(bench.catalogue) << bench.error->message;
+    bench.wait_until(
+        "wake", [](const DatasetStatus& status) { return status.state == DatasetState::Ready; });
+    bench.catalogue.reset(); // returns
 }
 
 TEST(WebStore, NoClientCanHaveTheServerAskAnotherMachine) {
