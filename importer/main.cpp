@@ -16,6 +16,7 @@
 #include "importer/level_sets.hpp"
 #include "importer/rake_file.hpp"
 #include "importer/sources/files/named_path.hpp"
+#include "importer/sources/openfoam/openfoam_scan.hpp"
 #include "importer/step_workers.hpp"
 #include "protocol/api/base/json_text.hpp"
 #include "protocol/api/dataset_json.hpp"
@@ -26,8 +27,10 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <limits>
 #include <string_view>
 #include <utility>
@@ -43,6 +46,8 @@ struct Wish {
     importer::ImportBounds bounds;
     std::string store; ///< empty: describe the source only
     bool show_libraries = false;
+    bool told_to_others = false;
+    std::vector<std::filesystem::path> secrets; ///< of the server that started this
     std::string rake; ///< "line" or "points": print those of the source, a rake's file; else empty
     int parent = 0;   ///< ends with this process; 0: with none
 };
@@ -100,7 +105,7 @@ int run(const Wish& wish, const importer::OwnOutput& out) {
             progress.note +=
                 (progress.note.empty() ? "" : "; ") +
                 std::string("this kernel has no Landlock: the process that reads the files could "
-                            "write wherever you can");
+                            "read and write wherever you can");
         if (::isatty(::fileno(out.results)) != 0)
             store::show_progress(progress, out.results);
         else
@@ -111,23 +116,57 @@ int run(const Wish& wish, const importer::OwnOutput& out) {
     return converted ? 0 : failed(out.errors, wish, converted.error());
 }
 
+// Leaves out what the source lies in: who named it has it read. A link among the data does not say that its author may
+// have what it leads to.
+std::vector<std::filesystem::path> secrets_of(const Wish& wish) {
+    const auto given = std::filesystem::absolute(wish.request.source);
+    const auto source = std::filesystem::weakly_canonical(given.parent_path()) / given.filename();
+    auto named = wish.secrets;
+    for (const char* name : {"WAKESURF_STATE", "WAKESURF_TOKEN_FILE"})
+        if (const char* value = std::getenv(name); value != nullptr && *value != '\0')
+            named.emplace_back(value);
+    std::vector<std::filesystem::path> out;
+    for (const auto& each : named) {
+        auto secret = std::filesystem::weakly_canonical(each);
+        if (std::ranges::mismatch(secret, source).in1 != secret.end())
+            out.push_back(std::move(secret));
+    }
+    return out;
+}
+
+importer::LimitedRights rights_of(const Wish& wish) {
+    importer::LimitedRights rights;
+    rights.secrets = secrets_of(wish);
+    if (!wish.store.empty())
+        rights.store = wish.store;
+    rights.sources = {wish.request.source};
+    if (wish.rake.empty())
+        rights.sources.push_back(importer::openfoam_folder(wish.request.source));
+    if (wish.rake.empty() && !wish.request.taken.confined)
+        rights.sources.emplace_back("/");
+    return rights;
+}
+
 // Runs in the watched process.
 int read_and_convert(const Wish& wish) {
     const auto out = importer::take_outputs(wish.show_libraries);
     if (!wish.request.taken.confined)
         importer::allow_paths_out_of_folder();
     store::end_on_signals({}, importer::end_step_workers);
-    importer::LimitedRights rights;
-    if (!wish.store.empty())
-        rights.store = wish.store;
-    if (auto limited = importer::limit_rights(rights); !limited)
-        return failed(out.errors, wish, limited.error());
+    if (wish.told_to_others)
+        importer::tell_library_words_to(out.errors);
     // Every time-step needs as much memory as the one before: freed memory is kept, not returned and cleared
     // again.
     ::mallopt(M_MMAP_MAX, 0);
     ::mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
     try {
-        return run(wish, out);
+        const auto rights = rights_of(wish);
+        importer::refuse_secrets(rights.secrets);
+        if (auto limited = importer::limit_rights(rights); !limited)
+            return failed(out.errors, wish, limited.error());
+        const auto readable = importer::check_readable(wish.request.source,
+                                                       name_of(wish.request.source) + " is a file");
+        return readable ? run(wish, out) : failed(out.errors, wish, readable.error());
     } catch (const std::exception& error) {
         return failed(out.errors, wish, importer::error_of(error, name_of(wish.request.source)));
     }
@@ -228,6 +267,11 @@ int main(int argc, char** argv) {
     app.add_flag(
            "--growing", wish.request.growing,
            "keep the time of a time-step that cannot be read yet, and end there with an error")
+        ->group("");
+    app.add_flag("--told-to-others", wish.told_to_others,
+                 "print what libraries say in lines of its own, not in errors")
+        ->group("");
+    app.add_option("--secret", wish.secrets, "a file or folder that is not read, whoever names it")
         ->group("");
     auto* describe = app.add_flag("--describe", describe_only,
                                   "print a description of SOURCE as JSON; write nothing");

@@ -5,6 +5,7 @@
 #include <seccomp.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -14,10 +15,12 @@
 #include <cstdint>
 #include <string>
 #include <system_error>
+#include <vector>
 
 namespace wakesurf::importer {
 
 using core::Error;
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -107,34 +110,106 @@ struct Ruleset {
 
 constexpr std::uint64_t abstract_sockets_and_signals = 3; // to processes that have more rights
 
-core::Result<void> limit_writing(const LimitedRights& rights) {
+constexpr std::uint64_t reading = LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_READ_DIR;
+constexpr std::uint64_t of_files = LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_WRITE_FILE;
+
+// What libraries look for as they go on: the tables of characters and units, and others of their own.
+constexpr std::array system_folders{"/usr", "/lib", "/lib64", "/proc", "/sys", "/dev"};
+
+bool lies_in(const fs::path& path, const fs::path& folder) {
+    return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first ==
+           folder.end();
+}
+
+fs::path real_path(const fs::path& path) {
+    std::error_code error;
+    return fs::weakly_canonical(path, error);
+}
+
+/// The files that a process may use: rules of Landlock only ever allow.
+class Rules {
+  public:
+    explicit Rules(int rules) : rules_(rules) {}
+
+    ~Rules() { ::close(rules_); }
+
+    Rules(const Rules&) = delete;
+    Rules& operator=(const Rules&) = delete;
+
+    /// Allows it for a file, or a folder and all below. What cannot be opened is left out: who needs it says so.
+    core::Result<void> allow(const fs::path& path, std::uint64_t access) {
+        const int opened = ::open(path.c_str(), O_PATH | O_CLOEXEC | O_NOFOLLOW);
+        if (opened < 0)
+            return {};
+
+        struct stat status {};
+
+        ::fstat(opened, &status);
+        const landlock_path_beneath_attr rule{S_ISDIR(status.st_mode) ? access : access & of_files,
+                                              opened};
+        const bool allowed =
+            S_ISLNK(status.st_mode) || // the rule for what it leads to counts
+            ::syscall(SYS_landlock_add_rule, rules_, LANDLOCK_RULE_PATH_BENEATH, &rule, 0) == 0;
+        const int error = errno;
+        ::close(opened);
+        return allowed ? core::Result<void>() : cannot("Landlock", error);
+    }
+
+    /// Allows reading all but the secrets. A folder that holds one may be listed, and each other entry that it
+    /// has now may be read; if it may not be listed, none of them.
+    core::Result<void> allow_reading(const fs::path& path, const std::vector<fs::path>& secrets) {
+        const auto holds = [&](const fs::path& secret) { return lies_in(secret, path); };
+        if (std::ranges::none_of(secrets, holds))
+            return allow(path, reading);
+        if (std::ranges::find(secrets, path) != secrets.end())
+            return {};
+        auto done = allow(path, LANDLOCK_ACCESS_FS_READ_DIR);
+        std::error_code error;
+        for (fs::directory_iterator entry(path, error), end; done && !error && entry != end;
+             entry.increment(error))
+            done = allow_reading(entry->path(), secrets);
+        return done;
+    }
+
+    core::Result<void> restrict_this_process() const {
+        return ::syscall(SYS_landlock_restrict_self, rules_, 0) == 0 ? core::Result<void>()
+                                                                     : cannot("Landlock", errno);
+    }
+
+  private:
+    int rules_;
+};
+
+core::Result<void> limit_files(const LimitedRights& rights) {
     const auto version =
         ::syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION);
     if (version < 0 && (errno == ENOSYS || errno == EOPNOTSUPP))
         return {}; // without Landlock in this kernel, or with it switched off
     if (version < 0)
         return cannot("Landlock", errno);
-    const Ruleset handled{writing, 0, version >= 6 ? abstract_sockets_and_signals : 0};
+    const Ruleset handled{reading | writing, 0, version >= 6 ? abstract_sockets_and_signals : 0};
     const std::size_t known = version >= 6 ? sizeof(handled) : sizeof(handled.files);
-    const auto rules = static_cast<int>(::syscall(SYS_landlock_create_ruleset, &handled, known, 0));
-    if (rules < 0)
+    const auto opened =
+        static_cast<int>(::syscall(SYS_landlock_create_ruleset, &handled, known, 0));
+    if (opened < 0)
         return cannot("Landlock", errno);
+    Rules rules(opened);
     core::Result<void> done;
     if (rights.store) {
         std::error_code told_by_the_writer;
-        std::filesystem::create_directories(*rights.store, told_by_the_writer);
-        const int opened = ::open(rights.store->c_str(), O_PATH | O_CLOEXEC);
-        const landlock_path_beneath_attr rule{writing, opened};
+        fs::create_directories(*rights.store, told_by_the_writer);
         // A store that cannot be made or opened is reported by the writer, which may then write nowhere.
-        if (opened >= 0 &&
-            ::syscall(SYS_landlock_add_rule, rules, LANDLOCK_RULE_PATH_BENEATH, &rule, 0) != 0)
-            done = cannot("Landlock", errno);
-        ::close(opened);
+        done = rules.allow(real_path(*rights.store), reading | writing);
     }
-    if (done && ::syscall(SYS_landlock_restrict_self, rules, 0) != 0)
-        done = cannot("Landlock", errno);
-    ::close(rules);
-    return done;
+    std::vector<fs::path> secrets;
+    for (const auto& secret : rights.secrets)
+        secrets.push_back(real_path(secret));
+    std::vector<fs::path> readable(system_folders.begin(), system_folders.end());
+    readable.insert(readable.end(), rights.sources.begin(), rights.sources.end());
+    for (const auto& path : readable)
+        if (done)
+            done = rules.allow_reading(real_path(path), secrets);
+    return done.and_then([&] { return rules.restrict_this_process(); });
 }
 
 } // namespace
@@ -145,7 +220,7 @@ core::Result<void> limit_rights(const LimitedRights& rights) {
         return cannot("core files", errno);
     if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0)
         return cannot("new privileges", errno);
-    return limit_writing(rights).and_then([] { return limit_system_calls(); });
+    return limit_files(rights).and_then([] { return limit_system_calls(); });
 }
 
 bool kernel_has_landlock() {

@@ -1,5 +1,7 @@
 #include "importer/base/told_words.hpp"
 
+#include "core/base/plain_text.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -11,6 +13,8 @@ namespace wakesurf::importer {
 namespace {
 
 constexpr std::string_view around_paths = " \t\n'\"`()[]{}<>,;=|";
+
+std::FILE* owners_stream = nullptr;
 
 bool separates(char c) {
     return around_paths.find(c) != std::string_view::npos;
@@ -65,6 +69,10 @@ std::string without_folders(std::string text, const std::vector<std::filesystem:
     return text;
 }
 
+void tell_library_words_to(std::FILE* own) {
+    owners_stream = own;
+}
+
 std::string sentence_of_library(std::string text) {
     // VTK says "Algorithm vtkXMLImageDataReader(0x..) returned failure for request: vtkInformation (0x..)
     // ...".
@@ -79,7 +87,12 @@ std::string sentence_of_library(std::string text) {
     constexpr std::size_t longest = 200;
     text = text.substr(0, longest);
     text.erase(text.find_last_not_of(trimmed) + 1); // npos + 1 == 0
-    return text;
+    if (owners_stream == nullptr)
+        return text;
+    std::fprintf(owners_stream, "%s%s\n", library_words_prefix.data(),
+                 core::printable_line(text).c_str());
+    std::fflush(owners_stream);
+    return {};
 }
 
 } // namespace wakesurf::importer

@@ -137,6 +137,10 @@ core::Result<void> Server::Inputs::open(const ServerOptions& options) {
     how.store_root = options.store_root;
     how.taken = options.taken;
     how.cache.account = memory.account();
+    how.secrets = options.secrets;
+    for (const auto& own : {options.state, options.key})
+        if (!own.empty())
+            how.secrets.push_back(own);
     if (!options.brick_words.empty()) {
         how.ranks.emplace();
         how.ranks->words = options.brick_words;

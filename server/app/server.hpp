@@ -32,6 +32,8 @@ struct ServerOptions {
     std::filesystem::path key;            ///< the certificate's
     std::vector<std::string> brick_words; ///< start wakesurf-bricks; empty: it is not started
     std::size_t brick_memory = 0;         ///< of each of its ranks; 0: what it needs
+    std::vector<std::filesystem::path>
+        secrets;               ///< files that no dataset may name, beside `state` and `key`
     std::filesystem::path web; ///< the built client; empty: where it was built or installed
 };
 

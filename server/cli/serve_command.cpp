@@ -246,6 +246,9 @@ core::Result<Prepared> prepare(const ServeOptions& options) {
     server.certificate = options.certificate;
     server.key = options.key;
     server.web = options.web;
+    for (const auto& own : {options.token_file, options.url_file})
+        if (!own.empty())
+            server.secrets.emplace_back(own);
     return out;
 }
 

@@ -137,5 +137,21 @@ TEST_F(LibraryWords, AreFitForOpenfoam) {
         expect_fit_of_damaged(place / "case.foam", place / name, 3);
 }
 
+// A server tells its errors to everybody with a link.
+TEST_F(LibraryWords, AreApartFromErrorsThatOthersAreTold) {
+    const auto file =
+        put("u.vtk",
+            "# vtk DataFile Version 3.0\nu\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 2 2\n"
+            "ORIGIN 0 0 0\nSPACING 1 1 1\nPOINT_DATA 8\nVECTORS U frobnicate\n1 0 0\n");
+    const auto together = import({"--describe", file});
+    ASSERT_NE(together.errors.find("frobnicate"), std::string::npos) << together.errors;
+    const auto apart = import({"--describe", file, "--told-to-others"});
+    const auto own = apart.errors.find("wakesurf-import: ");
+    ASSERT_NE(own, std::string::npos) << apart.errors;
+    EXPECT_TRUE(apart.errors.starts_with("library: ")) << apart.errors;
+    EXPECT_NE(apart.errors.substr(0, own).find("frobnicate"), std::string::npos) << apart.errors;
+    EXPECT_EQ(apart.errors.substr(own).find("frobnicate"), std::string::npos) << apart.errors;
+}
+
 } // namespace
 } // namespace wakesurf::importer::library_words_test

@@ -67,7 +67,7 @@ TEST(LimitedRights, LeaveTheStoreAsTheOnlyPlaceToWriteTo) {
     const std::string outside = folder / "new";
     const std::string source = folder / "source";
     const std::string inside = folder / "store" / "new";
-    EXPECT_EQ(limited({folder / "store"},
+    EXPECT_EQ(limited({folder / "store", {folder / "source"}},
                       [&] {
                           const bool refused =
                               ::open(outside.c_str(), O_WRONLY | O_CREAT, 0644) < 0 &&
@@ -79,6 +79,54 @@ TEST(LimitedRights, LeaveTheStoreAsTheOnlyPlaceToWriteTo) {
                           return (refused ? 0 : 1) + (allowed ? 0 : 2);
                       }),
               0);
+}
+
+// Returns whether files are readable with limited rights: 1 each that is, from the first on.
+int readable(const LimitedRights& rights, const std::vector<fs::path>& files) {
+    return limited(rights, [&] {
+        int out = 0;
+        for (std::size_t i = 0; i < files.size(); ++i)
+            out |= ::open(files[i].c_str(), O_RDONLY) >= 0 ? 1 << i : 0;
+        return out;
+    });
+}
+
+TEST(LimitedRights, LeaveTheSourceAsTheOnlyPlaceToReadFrom) {
+    if (landlock_version() < 1)
+        GTEST_SKIP() << "this kernel has no Landlock";
+    const TemporaryFolder folder;
+    fs::create_directories(folder / "source/inner");
+    fs::create_directories(folder / "other");
+    write_file(folder / "source/inner/file", "data");
+    write_file(folder / "other/file", "secret");
+    fs::create_symlink(folder / "other/file", folder / "source/link");
+    const std::vector<fs::path> files{folder / "source/inner/file", folder / "other/file",
+                                      folder / "source/link", folder / "other"};
+    EXPECT_EQ(readable({{}, {folder / "source"}}, files), 1);
+    EXPECT_EQ(readable({{}, {folder / "source/inner/file"}}, files), 1);
+    EXPECT_EQ(readable({}, files), 0);
+    EXPECT_EQ(readable({{}, {"/"}}, files), 15);
+}
+
+TEST(LimitedRights, LeaveNoSecretToRead) {
+    if (landlock_version() < 1)
+        GTEST_SKIP() << "this kernel has no Landlock";
+    const TemporaryFolder folder;
+    fs::create_directories(folder / "state");
+    fs::create_directories(folder / "stated");
+    write_file(folder / "state/token", "secret");
+    write_file(folder / "stated/file", "data");
+    write_file(folder / "file", "data");
+    fs::create_symlink(folder / "state/token", folder / "link");
+    fs::create_symlink("state", folder / "alias");
+    const std::vector<fs::path> files{folder / "file", folder / "stated/file",
+                                      folder / "state/token", folder / "link"};
+    for (const auto& secret : {folder / "state", folder / "state/token", folder / "alias"})
+        for (const auto& source : {fs::path("/"), folder.path()})
+            EXPECT_EQ(readable({{}, {source}, {secret}}, files), 3) << secret << source;
+    EXPECT_EQ(readable({folder / "state/store", {"/"}, {folder / "state"}},
+                       {folder / "state/token", folder / "state/store"}),
+              2);
 }
 
 TEST(LimitedRights, LeaveOtherFilesAsTheyAre) {
@@ -113,13 +161,19 @@ TEST(LimitedRights, LeaveProcessesOutsideAlone) {
 }
 
 // Runs the importer where a system call fails with an error, as in a container that forbids it.
-Outcome imported_where_fails(int system_call, int error, const fs::path& store) {
+// Its lines go to a file beside the store.
+Outcome imported_where_fails(int system_call,
+                             int error,
+                             const fs::path& store,
+                             const fs::path& source = bundled,
+                             const char* option = "--precision=single") {
     int ends[2];
     (void)::pipe2(ends, O_CLOEXEC);
     const pid_t child = ::fork();
     if (child == 0) {
         ::dup2(ends[1], STDERR_FILENO);
-        ::dup2(::open("/dev/null", O_WRONLY), STDOUT_FILENO);
+        ::dup2(::open((store.string() + ".lines").c_str(), O_WRONLY | O_CREAT, 0600),
+               STDOUT_FILENO);
         ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
         scmp_filter_ctx filter = ::seccomp_init(SCMP_ACT_ALLOW);
         const auto refuse = SCMP_ACT_ERRNO(static_cast<unsigned>(error));
@@ -128,8 +182,8 @@ Outcome imported_where_fails(int system_call, int error, const fs::path& store) 
             ::seccomp_rule_add(filter, refuse, SCMP_SYS(prctl), 1,
                                SCMP_A0(SCMP_CMP_EQ, PR_SET_SECCOMP));
         ::seccomp_load(filter);
-        ::execl(tests::importer_program().c_str(), "wakesurf-import", bundled.c_str(),
-                store.c_str(), nullptr);
+        ::execl(tests::importer_program().c_str(), "wakesurf-import", source.c_str(), store.c_str(),
+                option, nullptr);
         ::_exit(127);
     }
     ::close(ends[1]);
@@ -167,6 +221,25 @@ TEST(LimitedRights, DoNotNeedAKernelWithLandlock) {
         imported_where_fails(SCMP_SYS(landlock_create_ruleset), ENOSYS, folder / "store");
     EXPECT_EQ(outcome.status, 0) << outcome.errors;
     EXPECT_EQ(outcome.errors, "");
+    EXPECT_NE(read_file(folder / "store.lines")
+                  .find("this kernel has no Landlock: the process that reads the files could read "
+                        "and write wherever you can"),
+              std::string::npos);
+}
+
+TEST(LimitedRights, WithoutLandlockConfineNoFileOfHdf5) {
+    const TemporaryFolder folder;
+    for (const std::size_t before : {0, 512, 4096}) {
+        write_file(folder / "flow.cgns",
+                   std::string(before, ' ') + std::string("\x89HDF\r\n\x1a\n") + "rest");
+        const auto outcome =
+            imported_where_fails(SCMP_SYS(landlock_create_ruleset), ENOSYS, folder / "store",
+                                 folder / "flow.cgns", "--confined");
+        EXPECT_EQ(outcome.status, 1);
+        EXPECT_NE(outcome.errors.find("flow.cgns is a file, which may link to other files"),
+                  std::string::npos)
+            << outcome.errors;
+    }
 }
 
 TEST(LimitedRights, HoldWhileAnImportRuns) {

@@ -40,6 +40,27 @@ TEST(OpenfoamFile, ReadsHeadersAmongComments) {
     EXPECT_FALSE(read_foam_header(folder / "none").has_value());
 }
 
+TEST(OpenfoamFile, FindsDirectivesOutsideOfCommentsAndQuotes) {
+    const TemporaryFolder folder;
+    const auto found = [&](const std::string& text) {
+        write_file(folder / "points", text);
+        return has_directive(folder / "points");
+    };
+    const std::string head = "FoamFile\n{\n class vectorField; format ascii;\n}\n";
+    EXPECT_TRUE(found(head + "#include \"other\"\n"));
+    EXPECT_TRUE(found("#inputMode merge\n" + head));
+    EXPECT_TRUE(found("FoamFile\n{\n#include \"other\"\n}\n"));
+    EXPECT_TRUE(found(head + "2\n(\n(0 0 0)\n#include \"other\"\n)\n"));
+    EXPECT_TRUE(found(head + "1{#calc \"1\"}"));
+    EXPECT_TRUE(found(head + std::string(70000, ' ') + "/* ) */(#include \"other\")"));
+    EXPECT_FALSE(found(head + "// #include \"other\"\n/* #calc */ \"#calc\" 1((0 0 0))"));
+    EXPECT_FALSE(found(head + "a#include { type wall; } #1 # \n"));
+    const std::string binary = "FoamFile { format binary; }\n";
+    EXPECT_FALSE(found(binary + "1( #calc)"));
+    EXPECT_TRUE(found(binary + "#include \"other\" 1( )"));
+    EXPECT_FALSE(has_directive(folder / "none"));
+}
+
 TEST(OpenfoamFile, ReadsPatchesWithListsInThem) {
     const TemporaryFolder folder;
     write_file(folder / "boundary",

@@ -118,11 +118,13 @@ TEST_F(OpenfoamValues, BeyondAnyNumberAreInfiniteAndBelowAnyAreZero) {
 
 TEST_F(OpenfoamValues, ByTheNameOfOthersAreRefusedAsSuch) {
     for (const char* const words :
-         {"uniform $U0", "$U0", "uniform ($speed 0 0)", "uniform (1 0 ${w})"}) {
+         {"uniform $U0", "$U0", "uniform ($speed 0 0)", "uniform (1 0 ${w})", "#include \"values\"",
+          "nonuniform #include \"values\"", "uniform #calc \"1\""}) {
         const auto values = read(header() + "U0 (1 0 0);\ninternalField " + words + ";\n");
         ASSERT_FALSE(values.has_value()) << words;
         EXPECT_EQ(values.error().message,
-                  "0/U has values by the name of others ($...), which are not looked up");
+                  "0/U has values by the name of others ($...) or by a directive (#include, #calc "
+                  "...), which are not looked up");
     }
     const auto on_patch = read(header() + "internalField uniform (1 0 0);\nboundaryField\n{\n    "
                                           "inlet { type fixedValue; value $internalField; }\n}\n");

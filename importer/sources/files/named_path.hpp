@@ -1,11 +1,12 @@
 // The path of a file that another file names. If confined, the author of that file cannot make the importer
-// read other files of the machine: paths outside of its folder are refused.
+// read other files of the machine: paths outside of its folder are refused. Secrets are refused in any case.
 #pragma once
 
 #include "core/base/result.hpp"
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace wakesurf::importer {
 
@@ -14,14 +15,24 @@ namespace wakesurf::importer {
 /// Until this is called, paths are confined.
 void allow_paths_out_of_folder();
 
+/// Refuses what lies in these files and folders, canonical paths, for the whole process.
+void refuse_secrets(const std::vector<std::filesystem::path>& secrets);
+
 /// Returns a name for messages: of an absolute path, whose folders are private, the file's name only.
 std::string told_name(const std::string& name);
 
-/// Returns `folder` / `name`, without following links. Error, while paths are confined: Unsupported, if ..,
-/// an absolute path or a symbolic link leads out of the folder. @param named_by  the file that names it, for
+/// Error: Unsupported, if the path leads to a secret, or to a file of HDF5 while paths are confined and the kernel has
+/// no Landlock: its library follows links. @param what  begins the message: "u.pvd names v.vti"
+core::Result<void> check_readable(const std::filesystem::path& path, const std::string& what);
+
+/// Returns `folder` / `name`, without following links. Error: Unsupported, if .., an absolute path or a
+/// symbolic link leads out of the folder while paths are confined; as check_readable. @param named_by  the file that names it, for
 /// the message
 core::Result<std::filesystem::path> named_path(const std::filesystem::path& folder,
                                                const std::string& name,
                                                const std::string& named_by);
+
+/// Asks named_path for every symbolic link in a folder and below. Error: of the first that is refused.
+core::Result<void> check_links(const std::filesystem::path& folder, const std::string& named_by);
 
 } // namespace wakesurf::importer

@@ -210,6 +210,43 @@ bool written_by_hand(const fs::path& file) {
            (inside != tokens.end() && inside + 1 != tokens.end() && *(inside + 1) == "uniform");
 }
 
+bool has_directive(const fs::path& file) {
+    constexpr std::string_view ends_a_word = " \t\r\n(){};\"";
+    const auto start = foam_content(file, foam_header_bytes);
+    const bool binary =
+        start && start->substr(0, behind_header(*start)).find("binary") != std::string::npos;
+    const std::unique_ptr<gzFile_s, int (*)(gzFile)> in(::gzopen(file.c_str(), "rb"), ::gzclose);
+    std::array<char, 1 << 16> part{};
+    enum class Within { Text, Quote, Line, Block } within = Within::Text;
+    char before = ' ';
+    bool begins = false; // the last character was a # that begins a word
+    for (int got = 0;
+         in && (got = ::gzread(in.get(), part.data(), static_cast<unsigned>(part.size()))) > 0;)
+        for (const char c : std::string_view(part.data(), static_cast<std::size_t>(got))) {
+            const bool closes = (within == Within::Quote && c == '"') ||
+                                (within == Within::Line && c == '\n') ||
+                                (within == Within::Block && before == '*' && c == '/');
+            if (closes) {
+                within = Within::Text;
+                before = ' ';
+                continue;
+            }
+            if (within == Within::Text) {
+                if (begins && std::isalpha(static_cast<unsigned char>(c)) != 0)
+                    return true;
+                if (binary && c == '(')
+                    return false;
+                if (c == '"')
+                    within = Within::Quote;
+                if (before == '/' && (c == '/' || c == '*'))
+                    within = c == '/' ? Within::Line : Within::Block;
+                begins = c == '#' && ends_a_word.find(before) != std::string_view::npos;
+            }
+            before = c;
+        }
+    return false;
+}
+
 bool ends_as_written(const fs::path& file) {
     constexpr std::streamoff at_most = 4096; // of blank lines
     std::ifstream in(file, std::ios::binary | std::ios::ate);

@@ -59,6 +59,10 @@ core::Result<std::vector<FoamPatch>> read_foam_patches(const std::filesystem::pa
 /// well. Reads the first 64 KiB. False if it cannot be read.
 bool written_by_hand(const std::filesystem::path& file);
 
+/// Says whether a mesh's file has a directive (#include "file" ...), which VTK would follow, outside of comments and
+/// quotes. Of a binary one it reads up to the first list.
+bool has_directive(const std::filesystem::path& file);
+
 /// Returns false if a file ends unlike those that OpenFOAM has closed: neither with a brace nor with a
 /// comment. True for compressed files, whose end is known only after reading all, and for files that cannot
 /// be read.

@@ -121,11 +121,17 @@ void each_of_binary(gzFile in, std::int64_t count, const Label& label) {
     }
 }
 
-// Reads owner and neighbour of a polyMesh folder, plain or compressed, text or binary, piece by piece. Any
-// other form is left to VTK. Error: Corrupt, OverLimit. @param name  of the folder in messages
+// Reads the files of a polyMesh folder, plain or compressed, text or binary, piece by piece. Any other form is left
+// to VTK. Error: Corrupt, OverLimit; Unsupported for directives, which VTK would follow to any file. @param name  of the folder in messages
 core::Result<void> check_foam_cells(const fs::path& mesh, const std::string& name) {
     constexpr std::array<std::pair<const char*, std::uint64_t>, 4> lists{
         {{"points", 3 * sizeof(float)}, {"faces", 4}, {"owner", 4}, {"neighbour", 4}}};
+    for (const char* each : {"points", "faces", "owner", "neighbour", "boundary"})
+        if (const auto file = foam_file(mesh / each); file && has_directive(*file))
+            return core::fail(core::Error::Code::Unsupported,
+                              name + "/" + each +
+                                  " has a directive (#include ...), which is not followed",
+                              "write out what it stands for");
     for (const auto& [list, bytes] : lists) {
         const auto file = foam_file(mesh / list);
         const File in(file ? ::gzopen(file->c_str(), "rb") : nullptr, ::gzclose);

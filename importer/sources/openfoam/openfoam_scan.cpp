@@ -1,6 +1,7 @@
 #include "importer/sources/openfoam/openfoam_scan.hpp"
 
 #include "importer/base/notes.hpp"
+#include "importer/sources/files/named_path.hpp"
 #include "importer/sources/openfoam/openfoam_file.hpp"
 #include "importer/sources/openfoam/openfoam_times.hpp"
 
@@ -251,6 +252,8 @@ core::Result<FoamCase> scan_openfoam_case(const fs::path& path, const std::strin
     found.file = fs::is_directory(path, error) ? found.name : path.filename().string();
     if (!fs::is_directory(found.folder, error))
         return core::fail(Error::Code::NotFound, found.file + " is not there");
+    if (auto links = check_links(found.folder, found.file); !links)
+        return tl::unexpected(links.error());
     const auto processors = processors_of(found);
     if (!processors)
         return tl::unexpected(processors.error());

@@ -47,8 +47,9 @@ class FoamDictionary {
 
     bool of_other_machine() const { return of_other_machine_; }
 
-    /// Says whether values that are wanted are those of another entry: $U0.
-    bool has_macro() const { return has_macro_; }
+    /// Says whether values that are wanted may stand elsewhere: those of another entry ($U0), or by a directive
+    /// (#include "file", #calc).
+    bool is_led_elsewhere() const { return led_elsewhere_; }
 
   private:
     void pass_blanks() {
@@ -80,12 +81,13 @@ class FoamDictionary {
         }
         if (here == "nonuniform")
             return take_list();
-        if (here.front() == '$')
-            has_macro_ = has_macro_ || values() != nullptr;
+        if (here.front() == '$' || here.front() == '#')
+            led_elsewhere_ =
+                led_elsewhere_ || (key_.empty() && path_.empty()) || values() != nullptr;
         if (here == "uniform" && values() != nullptr) {
             const auto entry =
                 text_.substr(at_, std::min(text_.find(';', at_), text_.size()) - at_);
-            has_macro_ = has_macro_ || entry.find('$') != std::string_view::npos;
+            led_elsewhere_ = led_elsewhere_ || leads_elsewhere(entry);
             return take_numbers(1, components_, *values());
         }
         if (path_.size() == 1 && path_[0] == "FoamFile")
@@ -124,6 +126,7 @@ class FoamDictionary {
         pass_blanks();
         const auto type = text_.compare(at_, 5, "List<") == 0 ? word() : std::string_view();
         const auto number = word();
+        led_elsewhere_ = led_elsewhere_ || (values() != nullptr && leads_elsewhere(number));
         std::size_t count = 0;
         const char* const end = number.data() + number.size();
         if (number.empty() || std::from_chars(number.data(), end, count).ptr != end)
@@ -144,6 +147,10 @@ class FoamDictionary {
         return (binary_ ? take_bytes(count, numbers, type == "List<label>", out)
                         : take_numbers(count, numbers, out)) &&
                closes(')');
+    }
+
+    static bool leads_elsewhere(std::string_view words) {
+        return words.find_first_of("$#") != std::string_view::npos;
     }
 
     static std::size_t numbers_in(std::string_view type) {
@@ -208,7 +215,7 @@ class FoamDictionary {
     std::string key_;               ///< the first word of this entry
     bool binary_ = false;
     bool of_other_machine_ = false;
-    bool has_macro_ = false;
+    bool led_elsewhere_ = false;
     std::size_t scalar_bytes_ = 8;
     std::size_t label_bytes_ = 4;
     FoamValues out_;
@@ -225,10 +232,10 @@ read_foam_values(const std::filesystem::path& file, const std::string& name, int
         return core::fail(Error::Code::Unsupported,
                           name + " is binary, of a machine with the other order of bytes",
                           "write it as text: foamFormatConvert");
-    if (!values && dictionary.has_macro())
+    if (!values && dictionary.is_led_elsewhere())
         return core::fail(Error::Code::Unsupported,
-                          name +
-                              " has values by the name of others ($...), which are not looked up",
+                          name + " has values by the name of others ($...) or by a directive "
+                                 "(#include, #calc ...), which are not looked up",
                           "write the numbers instead: foamDictionary -expand");
     if (!values)
         return core::fail(Error::Code::Corrupt,

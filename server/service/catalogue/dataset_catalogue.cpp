@@ -318,6 +318,8 @@ core::Result<void> DatasetCatalogue::import_within(Entry& entry,
     ImportCommand command{entry.argument.path, folder, {}, {}, options_.importer, {}, 0, most};
     command.taken = entry.taken_now();
     command.growing = true;
+    command.secrets = options_.secrets;
+    command.library_words = [&entry](std::string_view words) { entry.log_library_words(words); };
     return run_import_process(command, listener, stop);
 }
 

@@ -110,6 +110,10 @@ std::vector<std::string> arguments_of(const ImportCommand& command) {
         arguments.push_back("--memory=" + std::to_string(command.memory));
     if (command.growing)
         arguments.emplace_back("--growing");
+    if (command.library_words)
+        arguments.emplace_back("--told-to-others");
+    for (const auto& secret : command.secrets)
+        arguments.push_back("--secret=" + secret.string());
     for (auto& argument : arguments_of(command.taken))
         arguments.push_back(std::move(argument));
     return arguments;
@@ -127,9 +131,8 @@ std::size_t address_space() {
 #endif
 }
 
-// Returns the importer's own sentence, without output of libraries.
-std::string own_words(const std::string& errors) {
-    constexpr std::string_view prefix = "wakesurf-import: ";
+// Returns the rest of the last line that begins with `prefix`.
+std::string last_words(const std::string& errors, std::string_view prefix) {
     std::string words;
     for (std::size_t start = 0; start < errors.size();) {
         const auto end = std::min(errors.find('\n', start), errors.size());
@@ -179,7 +182,8 @@ judge(const ImportCommand& command, const ChildOutcome& outcome, const std::stop
                                 "file; run wakesurf-import by hand to see more");
     if (outcome.exit_status == 0)
         return {};
-    return tl::unexpected(error_of(command, outcome.exit_status, own_words(outcome.errors)));
+    return tl::unexpected(
+        error_of(command, outcome.exit_status, last_words(outcome.errors, "wakesurf-import: ")));
 }
 
 /// @param instead  what is done with the source instead of writing a store; else empty
@@ -196,7 +200,12 @@ core::Result<void> run(const ImportCommand& command,
     if (instead.empty())
         arguments.push_back(command.store.string());
     return run_child(program_of(command), arguments, address_space(), line, stop)
-        .and_then([&](const ChildOutcome& outcome) { return judge(command, outcome, stop); });
+        .and_then([&](const ChildOutcome& outcome) {
+            const auto words = last_words(outcome.errors, "library: ");
+            if (command.library_words && !words.empty())
+                command.library_words(words);
+            return judge(command, outcome, stop);
+        });
 }
 
 } // namespace

@@ -11,6 +11,7 @@
 #include <functional>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace wakesurf::server {
@@ -28,6 +29,10 @@ struct ImportCommand {
     std::string layout{};            ///< --layout; empty: auto
     /// A server follows the source: a time-step that cannot be read yet is an error, and its time is kept.
     bool growing = false;
+    std::vector<std::filesystem::path> secrets{}; ///< files and folders that it may not read
+    /// Gets what libraries say, a sentence each, which may quote any file; then errors do not have it. Empty: errors
+    /// have it.
+    std::function<void(std::string_view)> library_words{};
 };
 
 /// Runs an import to its end in the calling thread, which calls `listener` for every step. When `stop` fires

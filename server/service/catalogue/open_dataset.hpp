@@ -19,6 +19,7 @@
 #include <memory>
 #include <optional>
 #include <stop_token>
+#include <vector>
 
 namespace wakesurf::server {
 
@@ -53,7 +54,8 @@ struct OpenOptions {
     std::chrono::milliseconds watch_period{2000}; ///< the poll interval for changed data
     std::size_t lanes = 4;                        ///< imports at a time
     command::SourceOptions taken{}; ///< of all sources; times are refused for other data
-    std::optional<RankBricks::Options> ranks{}; ///< as in StoreOptions
+    std::optional<RankBricks::Options> ranks{};   ///< as in StoreOptions
+    std::vector<std::filesystem::path> secrets{}; ///< what no source may name: the server's own
 
     StoreOptions of_store() const { return {cache, ranks}; }
 };

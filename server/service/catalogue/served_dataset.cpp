@@ -76,6 +76,12 @@ void ServedDataset::keep_error(const core::Error& error) {
     status.error = error;
 }
 
+void ServedDataset::log_library_words(std::string_view words) {
+    if (std::exchange(library_words_, words) != words)
+        spdlog::warn("event=library_words dataset={} message={}", log_value(status.dataset),
+                     log_value(without_paths(words)));
+}
+
 // Time-steps before the one that could not be imported stay usable.
 void ServedDataset::give_up(const std::filesystem::path& folder, const core::Error& error) {
     auto left = open ? reopened(folder) : tl::unexpected(error);

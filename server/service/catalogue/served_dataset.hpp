@@ -86,6 +86,9 @@ class ServedDataset {
     unsigned looks = 0;    ///< since
     bool compared = false; ///< the import's output has been compared with the open data
 
+    /// Logs each once, like errors. They may quote any file, so clients are not told.
+    void log_library_words(std::string_view words);
+
   private:
     void notice_replacement();
     /// REQUIRES: the lock.
@@ -93,6 +96,7 @@ class ServedDataset {
 
     std::mutex& guard_;
     StoreOptions options_;
+    std::string library_words_; ///< logged last
 };
 
 } // namespace wakesurf::server

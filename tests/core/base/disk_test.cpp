@@ -1,4 +1,5 @@
 #include "core/base/disk.hpp"
+#include "core/base/folder_disk.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -42,6 +43,37 @@ TEST(PosixDisk, RefusesFoldersAndPipesInsteadOfHanging) {
     std::array<std::byte, 1> out{};
     EXPECT_EQ(PosixDisk().read(folder / "pipe", 0, out).error().code, Error::Code::Io);
     EXPECT_EQ(PosixDisk().size(folder.path()).error().code, Error::Code::Io);
+}
+
+TEST(FolderDisk, ReadsWhatLiesBelowItAndFollowsNoLink) {
+    const TemporaryFolder folder;
+    namespace fs = std::filesystem;
+    fs::create_directories(folder / "in/deep");
+    write_file(folder / "in/deep/a", "0123");
+    write_file(folder / "out", "secret");
+    fs::create_symlink("../out", folder / "in/link");
+    fs::create_symlink(folder.path(), folder / "in/folder");
+    fs::create_directory_symlink("deep", folder / "in/inside");
+    fs::create_directory_symlink("in", folder / "root");
+    for (const auto& root : {folder / "in", folder / "root"}) {
+        const FolderDisk disk(root);
+        EXPECT_EQ(disk.size(root / "deep/a").value(), 4u);
+        EXPECT_EQ(text(disk, root / "deep/a", 1, 2), "12");
+        EXPECT_EQ(disk.identity(root / "deep/a").value(),
+                  PosixDisk().identity(root / "deep/a").value());
+        EXPECT_EQ(disk.size(root / "none").error().code, Error::Code::NotFound);
+        EXPECT_EQ(disk.size(root / "none/a").error().code, Error::Code::NotFound);
+        EXPECT_EQ(disk.size(root / "deep/a/b").error().code, Error::Code::NotFound);
+        EXPECT_EQ(disk.size(root / "deep").error().code, Error::Code::Io);
+        std::array<std::byte, 1> out{};
+        for (const auto& name : {"link", "folder/out", "inside/a", "../out", "folder"}) {
+            EXPECT_EQ(disk.size(root / name).error().code, Error::Code::Io) << name;
+            EXPECT_EQ(disk.read(root / name, 0, out).error().code, Error::Code::Io) << name;
+        }
+        EXPECT_EQ(text(disk, root / "link", 0, 1),
+                  "cannot read link: it is a link, or lies behind one, and may be anything");
+        EXPECT_EQ(disk.size(folder / "out").error().code, Error::Code::Io);
+    }
 }
 
 TEST(PosixDisk, NamesNoFolderInItsMessages) {

@@ -37,6 +37,19 @@ TEST_F(ImportProcess, TellsTheImportersSentenceAndNothingThatLibrariesPrint) {
     EXPECT_EQ(silent.error().message, "the importer failed and did not say why");
 }
 
+TEST_F(ImportProcess, TellsLibrariesWordsToWhoAsksForThemAlone) {
+    auto command = with("echo \"library: a token\" >&2; echo \"wakesurf-import: $*\" >&2; exit 1");
+    command.secrets = {"/state", "/token"};
+    std::string told;
+    command.library_words = [&](std::string_view words) { told = words; };
+    const auto error = run_import_process(command, [](const store::ImportProgress&) {}).error();
+    EXPECT_EQ(told, "a token");
+    EXPECT_EQ(error.message.find("a token"), std::string::npos) << error.message;
+    EXPECT_TRUE(
+        error.message.starts_with("--told-to-others --secret=/state --secret=/token --parent="))
+        << error.message;
+}
+
 TEST_F(ImportProcess, SaysWhatIsWrongBeforeItSaysThatTheFileMayStillBeWritten) {
     const fs::path file = folder_ / "run/10.5/U";
     fs::create_directories(file.parent_path());

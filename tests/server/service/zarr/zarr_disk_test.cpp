@@ -1,4 +1,5 @@
 // A Zarr seen as a store: its bricks hold the numbers of its chunks, and what is wrong with a chunk is said by its name.
+#include "server/service/zarr/open_disk.hpp"
 #include "server/service/zarr/zarr_disk.hpp"
 #include "store/open_store.hpp"
 #include "tests/support/read_bricks.hpp"
@@ -194,6 +195,17 @@ TEST_F(ZarrDiskTest, NothingLeadsOutOfTheFolder) {
     ASSERT_FALSE(none);
     EXPECT_EQ(none.error().code, core::Error::Code::NotFound);
     EXPECT_NE(none.error().message.find("the Zarr has no velocity"), std::string::npos);
+}
+
+TEST_F(ZarrDiskTest, NoLinkIsFollowed) {
+    std::filesystem::rename(root() / "u/0.0.0.0", folder_ / "elsewhere");
+    std::filesystem::create_symlink(folder_ / "elsewhere", root() / "u/0.0.0.0");
+    const auto opened = open_disk(root(), 1 << 20);
+    ASSERT_TRUE(opened) << opened.error().message;
+    const auto refused = store::open_store(root(), opened->disk).value().reader->load(0, {});
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().message.find("0.0.0.0: it is a link"), std::string::npos)
+        << refused.error().message;
 }
 
 TEST_F(ZarrDiskTest, AVelocityThatCannotBeReadIsNamedWithTheReasonAndNoOtherVectorTaken) {
