@@ -288,6 +288,18 @@ TEST(DatasetCatalogue, AStoreWithoutItsLastTimeStepsIsIncompleteAndSaysWhatToDo)
     EXPECT_TRUE(bench.catalogue->find("store").has_value()) << "what is there can be used";
 }
 
+// Everybody with a link may ask for the error, and a library quotes what it cannot use, of any file.
+TEST(DatasetCatalogue, TellsNoWordsOfLibraries) {
+    const TemporaryFolder folder;
+    write_file(folder / "u.vtk", "# vtk DataFile Version 3.0\nu\nASCII\nDATASET STRUCTURED_POINTS\n"
+                                 "DIMENSIONS 2 2 2\nORIGIN 0 0 0\nSPACING 1 1 1\nPOINT_DATA 8\n"
+                                 "VECTORS U frobnicate\n1 0 0\n");
+    Bench bench({folder / "u.vtk"});
+    const auto status = bench.wait_until_settled("u");
+    ASSERT_EQ(status.state, DatasetState::Failed);
+    EXPECT_EQ(status.error->message, "u.vtk is damaged or not what it says it is");
+}
+
 TEST(DatasetCatalogue, AFailedSourceThatIsImportedAgainIsUsableFromItsFirstTimeStep) {
     const TemporaryFolder folder;
     const auto source = write_slow_series(folder.path());
