@@ -6,6 +6,7 @@
 #include "tests/importer/known_flow.hpp"
 #include "tests/support/foam_files.hpp"
 
+#include <sys/stat.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkXMLImageDataWriter.h>
 #include <vtkXMLMultiBlockDataWriter.h>
@@ -97,7 +98,8 @@ TEST_F(NamedFiles, OfTheServerArePrivateInAnyCase) {
     put("case/up.pvd", pvd_text({{"0", "../scratch/s_0.vti"}}));
     expect_refusal("case/up.pvd", "up.pvd names s_0.vti, which is private to the server", {secret});
     fs::create_symlink("../scratch/s_0.vti", folder_ / "case/link_0.vti");
-    expect_refusal("case/link_0.vti", "link_0.vti is a file, which is private to the server", {secret});
+    expect_refusal("case/link_0.vti", "link_0.vti is a file, which is private to the server",
+                   {secret});
     ASSERT_EQ(::setenv("WAKESURF_STATE", (folder_ / "scratch").c_str(), 1), 0);
     expect_refusal("case/up.pvd", "which is private to the server");
     ::unsetenv("WAKESURF_STATE");
@@ -154,6 +156,23 @@ TEST_F(NamedByCases, AreNotReadForAMesh) {
         put(file, sound);
     }
     EXPECT_EQ(run("case").status, 0);
+}
+
+TEST_F(NamedByCases, AreNotReadForTheHeaderOfAnyFieldOrForSettings) {
+    ASSERT_EQ(::mkfifo((folder_ / "fifo").c_str(), 0600), 0); // whoever opens it waits
+    const std::string directive = "\n#include \"" + (folder_ / "fifo").string() + "\"\n";
+    auto header = whole_;
+    header.insert(header.find('{') + 1, directive);
+    for (const char* name : {"case/0/W", "case/1/W", "case/1/lagrangian/cloud/positions"}) {
+        fs::create_directories((folder_ / name).parent_path());
+        put(name, header);
+        expect_refusal("case", "has an #include, which is not followed", {"--survey=10"});
+        fs::remove(folder_ / name);
+    }
+    fs::create_directories(folder_ / "case/system");
+    put("case/system/controlDict", header + directive);
+    put("case/constant/polyMesh/cellZones", header);
+    EXPECT_EQ(run("case", {"--survey=10"}).status, 0);
 }
 
 TEST_F(NamedByCases, MayBeLinksOnlyForWhoTrustsThem) {

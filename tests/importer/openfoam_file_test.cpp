@@ -61,6 +61,19 @@ TEST(OpenfoamFile, FindsDirectivesOutsideOfCommentsAndQuotes) {
     EXPECT_FALSE(has_directive(folder / "none"));
 }
 
+TEST(OpenfoamFile, FindsWhatItsHeaderIncludes) {
+    const TemporaryFolder folder;
+    const auto found = [&](const std::string& text) {
+        write_file(folder / "U", text);
+        return has_include_in_header(folder / "U");
+    };
+    EXPECT_TRUE(found("FoamFile\n{\n#include \"other\"\n}\n"));
+    EXPECT_TRUE(found("#sinclude \"other\"\n"));
+    EXPECT_TRUE(found("FoamFile { format binary; (#includeIfPresent \"other\" }"));
+    EXPECT_FALSE(found("FoamFile\n{\n}\n#include \"flow\"\n"));
+    EXPECT_FALSE(found("#notes of a person\n"));
+}
+
 TEST(OpenfoamFile, ReadsPatchesWithListsInThem) {
     const TemporaryFolder folder;
     write_file(folder / "boundary",

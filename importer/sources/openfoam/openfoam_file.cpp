@@ -210,16 +210,18 @@ bool written_by_hand(const fs::path& file) {
            (inside != tokens.end() && inside + 1 != tokens.end() && *(inside + 1) == "uniform");
 }
 
-bool has_directive(const fs::path& file) {
+namespace {
+
+// Calls `directive` with each word that begins with #, outside of comments and quotes, until it returns true, and
+// returns that; and false once `ends` is true for a character.
+template <class Directive, class Ends>
+bool any_directive(const fs::path& file, const Directive& directive, const Ends& ends) {
     constexpr std::string_view ends_a_word = " \t\r\n(){};\"";
-    const auto start = foam_content(file, foam_header_bytes);
-    const bool binary =
-        start && start->substr(0, behind_header(*start)).find("binary") != std::string::npos;
     const std::unique_ptr<gzFile_s, int (*)(gzFile)> in(::gzopen(file.c_str(), "rb"), ::gzclose);
     std::array<char, 1 << 16> part{};
     enum class Within { Text, Quote, Line, Block } within = Within::Text;
     char before = ' ';
-    bool begins = false; // the last character was a # that begins a word
+    std::string word; // a # that begins one, and the letters behind it
     for (int got = 0;
          in && (got = ::gzread(in.get(), part.data(), static_cast<unsigned>(part.size()))) > 0;)
         for (const char c : std::string_view(part.data(), static_cast<std::size_t>(got))) {
@@ -232,19 +234,42 @@ bool has_directive(const fs::path& file) {
                 continue;
             }
             if (within == Within::Text) {
-                if (begins && std::isalpha(static_cast<unsigned char>(c)) != 0)
+                const bool goes_on =
+                    !word.empty() && std::isalpha(static_cast<unsigned char>(c)) != 0;
+                if (goes_on)
+                    word += c;
+                else if (word.size() > 1 && directive(word))
                     return true;
-                if (binary && c == '(')
+                if (ends(c))
                     return false;
+                if (!goes_on)
+                    word =
+                        c == '#' && ends_a_word.find(before) != std::string_view::npos ? "#" : "";
                 if (c == '"')
                     within = Within::Quote;
                 if (before == '/' && (c == '/' || c == '*'))
                     within = c == '/' ? Within::Line : Within::Block;
-                begins = c == '#' && ends_a_word.find(before) != std::string_view::npos;
             }
             before = c;
         }
     return false;
+}
+
+} // namespace
+
+bool has_directive(const fs::path& file) {
+    const auto start = foam_content(file, foam_header_bytes);
+    const bool binary =
+        start && start->substr(0, behind_header(*start)).find("binary") != std::string::npos;
+    return any_directive(
+        file, [](const std::string&) { return true; },
+        [binary](char c) { return binary && c == '('; });
+}
+
+bool has_include_in_header(const fs::path& file) {
+    return any_directive(
+        file, [](const std::string& word) { return word.find("include") != std::string::npos; },
+        [](char c) { return c == '}'; });
 }
 
 bool ends_as_written(const fs::path& file) {

@@ -63,6 +63,9 @@ bool written_by_hand(const std::filesystem::path& file);
 /// quotes. Of a binary one it reads up to the first list.
 bool has_directive(const std::filesystem::path& file);
 
+/// Says whether any file has an #include up to the end of its header.
+bool has_include_in_header(const std::filesystem::path& file);
+
 /// Returns false if a file ends unlike those that OpenFOAM has closed: neither with a brace nor with a
 /// comment. True for compressed files, whose end is known only after reading all, and for files that cannot
 /// be read.

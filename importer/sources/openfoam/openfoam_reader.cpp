@@ -285,7 +285,30 @@ core::Result<void> OpenfoamReader::check_files(const FoamTime& time,
     return {};
 }
 
+// VTK looks at the headers of all files at a time, whatever is asked for, and follows what they include.
+core::Result<void> OpenfoamReader::check_headers(const std::string& time) const {
+    constexpr auto options = fs::directory_options::follow_directory_symlink |
+                             fs::directory_options::skip_permission_denied;
+    const fs::path folder = found_.folder / part_ / time;
+    std::error_code error;
+    for (fs::recursive_directory_iterator entry(folder, options, error), end;
+         !error && entry != end; entry.increment(error))
+        if (entry->is_regular_file(error) && has_include_in_header(entry->path()))
+            return core::fail(Error::Code::Unsupported,
+                              entry->path().lexically_relative(found_.folder).string() + " of " +
+                                  found_.file + " has an #include, which is not followed",
+                              "write out what it stands for, or move the file away");
+    return {};
+}
+
 core::Result<void> OpenfoamReader::open(const std::string& what) {
+    const auto times = list_foam_times(found_.folder / part_, part_);
+    if (!times)
+        return tl::unexpected(times.error());
+    constexpr std::size_t begun_with = 2; // by VTK
+    for (std::size_t i = 0; i < std::min(begun_with, times->size()); ++i)
+        if (auto plain = check_headers((*times)[i].name); !plain)
+            return plain;
     for (const auto& region : found_.regions) {
         const auto mesh =
             std::filesystem::path(found_.mesh_file(part_, region.name, "owner")).parent_path();
@@ -368,6 +391,8 @@ core::Result<std::vector<Leaf>> OpenfoamReader::read(const FoamTime& time,
         return tl::unexpected(std::move(error));
     };
     try {
+        if (auto plain = check_headers(time.name); !plain)
+            return give_up(plain.error());
         if (reader_ == nullptr)
             if (auto opened = open(what); !opened)
                 return give_up(opened.error());

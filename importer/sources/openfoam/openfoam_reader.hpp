@@ -34,6 +34,7 @@ class OpenfoamReader {
   private:
     core::Result<void> check_files(const FoamTime& time,
                                    const std::vector<core::FieldInfo>& fields) const;
+    core::Result<void> check_headers(const std::string& time) const;
     core::Result<void> open(const std::string& what);
     std::vector<std::string> expected_messages() const;
     void choose_patches();

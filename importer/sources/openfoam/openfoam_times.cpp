@@ -33,7 +33,8 @@ bool is_time(const std::string& name, double& value) {
     return *end == '\0' && std::isfinite(value);
 }
 
-// Lists the time folders of one part, by value. Error: Corrupt where two have the same value.
+} // namespace
+
 core::Result<std::vector<FoamTime>> list_foam_times(const fs::path& folder,
                                                     const std::string& part) {
     std::vector<FoamTime> out;
@@ -55,6 +56,8 @@ core::Result<std::vector<FoamTime>> list_foam_times(const fs::path& folder,
                           "remove one of them");
     return out;
 }
+
+namespace {
 
 /// Describes a mesh that becomes another one at a time.
 struct MeshChange {

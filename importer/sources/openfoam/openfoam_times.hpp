@@ -11,6 +11,10 @@ namespace wakesurf::importer {
 /// ignores.
 std::set<std::string> foam_fields(const std::filesystem::path& folder);
 
+/// Lists the time folders of one part, by value. Error: Corrupt where two have the same value.
+core::Result<std::vector<FoamTime>> list_foam_times(const std::filesystem::path& folder,
+                                                    const std::string& part);
+
 /// Sets `times` and the fluid regions: those with a velocity, which is U, or else the vector field of most
 /// times. Times that not all processors have are left out, with a note; so is the last one if their files
 /// differ. Error: NotFound (no velocity anywhere, or at no time on all processors), Corrupt.
