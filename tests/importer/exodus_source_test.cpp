@@ -294,6 +294,17 @@ TEST_F(ExodusSource, JoinsThePiecesOfAParallelRun) {
     EXPECT_FALSE(is_exodus(folder_ / "run.e.3.1")) << "it is no NetCDF file";
 }
 
+// Paths are confined where nobody has allowed others.
+TEST_F(ExodusSource, TakesNoPieceThatIsALinkOutOfAConfinedFolder) {
+    fs::create_directories(folder_ / "run");
+    fs::copy_file(file(), folder_ / "run/run.e.2.0");
+    fs::create_symlink(file(), folder_ / "run/run.e.2.1");
+    const auto refused = open_exodus(folder_ / "run/run.e.2.0");
+    ASSERT_FALSE(refused.has_value());
+    EXPECT_EQ(refused.error().message,
+              "the run of run.e.2.0 names run.e.2.1, which lies outside of its folder");
+}
+
 TEST_F(ExodusSource, AFileCutOffFailsAtOnceOrWhenItIsRead) {
     const std::string whole = read_file(file());
     const auto source = open_exodus(file()).value();

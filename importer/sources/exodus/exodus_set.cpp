@@ -1,6 +1,7 @@
 #include "importer/sources/exodus/exodus_set.hpp"
 
 #include "importer/base/notes.hpp"
+#include "importer/sources/files/named_path.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -80,6 +81,10 @@ core::Result<ExodusSet> find_exodus_set(const fs::path& path, bool alone) {
         if (here.base != wanted.base || here.pieces != wanted.pieces ||
             (alone && here.restart != wanted.restart))
             continue;
+        if (name != path.filename().string())
+            if (auto inside = named_path(folder, name, "the run of " + path.filename().string());
+                !inside)
+                return tl::unexpected(inside.error());
         auto& [of, pieces] = restarts[here.restart];
         of = here;
         pieces.insert_or_assign(here.piece, NamedFile{folder / name, name});

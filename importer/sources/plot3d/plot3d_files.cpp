@@ -187,6 +187,15 @@ core::Result<Plot3dFiles> find_plot3d_files(const fs::path& path, bool alone) {
         return tl::unexpected(grid.error());
     Plot3dFiles out{grid->stem().string(), {}, {}};
     const auto timed = timed_by_name(*first);
+    std::vector<fs::path> beside{*grid, *first};
+    for (const auto& [time, solution] : timed)
+        beside.push_back(solution);
+    for (const auto& file : beside)
+        if (file != path)
+            if (const auto inside = named_path(path.parent_path(), file.filename().string(),
+                                               "the folder of " + path.filename().string());
+                !inside)
+                return tl::unexpected(inside.error());
     if (timed.size() > solutions->files.size() && (grid_given || !alone)) {
         for (const auto& [time, solution] : timed)
             out.steps.push_back({listed(*grid), listed(solution), time});
