@@ -216,6 +216,19 @@ TEST_F(Plot3dSource, IsNamedByItsGridOrASolutionOrAPattern) {
         expect_steps(open_source(folder_ / name), {0.5, 1.5, 9});
 }
 
+// Paths are confined where nobody has allowed others.
+TEST_F(Plot3dSource, TakesNoGridThatIsALinkOutOfAConfinedFolder) {
+    put_flow("flow", {}, {0.5, 1.5});
+    fs::create_directories(folder_ / "in");
+    for (const char* const name : {"flow_8.q", "flow_9.q"})
+        fs::rename(folder_ / name, folder_ / "in" / name);
+    fs::create_symlink(folder_ / "flow.xyz", folder_ / "in/flow.xyz");
+    const auto refused = open_source(folder_ / "in/flow_8.q");
+    ASSERT_FALSE(refused.has_value());
+    EXPECT_EQ(refused.error().message,
+              "the folder of flow_8.q names flow.xyz, which lies outside of its folder");
+}
+
 TEST_F(Plot3dSource, ReadsOneSolutionAndAListOfFiles) {
     put("one.x", grid_text({}));
     put("one.q", solution_text({}, 0, 2.5));
