@@ -83,13 +83,12 @@ Result<core::BrickBytes> parse_brick_mask(std::span<const std::byte> bytes,
     if (std::any_of(nodes.begin(), nodes.end(), [](auto node) { return node > 1; }))
         return corrupt_mask("holds values other than 0 and 1");
     core::BrickBytes mask(layout);
-    const auto order = layout.morton_order();
     for (std::size_t place = 0; place < count; ++place)
         if (states[place] == Mixed) {
-            mask.set(order[place], nodes.first(layout.nodes_per_brick()));
+            mask.set(layout.brick_on_disk(place), nodes.first(layout.nodes_per_brick()));
             nodes = nodes.subspan(layout.nodes_per_brick());
         } else {
-            mask.set(order[place], states[place]);
+            mask.set(layout.brick_on_disk(place), states[place]);
         }
     return mask;
 }

@@ -4,22 +4,13 @@
 
 #include <algorithm>
 #include <cstring>
-#include <numeric>
 #include <stdexcept>
 #include <utility>
 
 namespace wakesurf::store {
 
-std::vector<std::uint32_t> brick_places(const core::BrickLayout& layout) {
-    const auto order = layout.morton_order();
-    std::vector<std::uint32_t> places(order.size());
-    for (std::size_t place = 0; place < order.size(); ++place)
-        places[order[place]] = static_cast<std::uint32_t>(place);
-    return places;
-}
-
 BrickSlabs::BrickSlabs(const core::BrickLayout& layout, std::size_t node_bytes, Put put)
-    : layout_(layout), node_bytes_(node_bytes), put_(std::move(put)), places_(brick_places(layout)),
+    : layout_(layout), node_bytes_(node_bytes), put_(std::move(put)),
       slab_(layer_bytes() * layout.brick_nodes()[2]),
       brick_(layout.nodes_per_brick() * node_bytes) {}
 
@@ -52,21 +43,21 @@ core::Result<void> BrickSlabs::add(std::span<const std::byte> bytes) {
 
 core::Result<void> BrickSlabs::put_layer() {
     const std::size_t count = std::size_t{layout_.bricks()[0]} * layout_.bricks()[1];
-    std::vector<std::size_t> bricks(count);
-    std::iota(bricks.begin(), bricks.end(), count * layer_);
-    std::sort(bricks.begin(), bricks.end(),
-              [&](auto a, auto b) { return places_[a] < places_[b]; });
+    std::vector<std::pair<std::size_t, std::size_t>> bricks(count); // place, number
+    for (std::size_t i = 0; i < count; ++i)
+        bricks[i] = {layout_.place_on_disk(count * layer_ + i), count * layer_ + i};
+    std::sort(bricks.begin(), bricks.end());
     const std::size_t below = (std::size_t{layer_} << layout_.shift()) * layout_.dimensions()[0] *
                               layout_.dimensions()[1];
     const std::size_t row = layout_.brick_nodes()[0];
-    for (const std::size_t brick : bricks) {
+    for (const auto& [place, brick] : bricks) {
         for_rows_of(layout_, brick, [&](std::size_t to, std::size_t from, std::size_t nodes) {
             auto* const out = brick_.data() + to * node_bytes_;
             std::memcpy(out, slab_.data() + (from - below) * node_bytes_, nodes * node_bytes_);
             for (std::size_t i = nodes; i < row; ++i)
                 std::memcpy(out + i * node_bytes_, out + (nodes - 1) * node_bytes_, node_bytes_);
         });
-        if (auto put = put_(places_[brick], brick_); !put)
+        if (auto put = put_(place, brick_); !put)
             return put;
     }
     return {};

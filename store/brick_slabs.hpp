@@ -13,9 +13,6 @@
 
 namespace wakesurf::store {
 
-/// Returns the place of each brick in the order of the file, by its number.
-std::vector<std::uint32_t> brick_places(const core::BrickLayout& layout);
-
 /// Takes memory for a layer of bricks, which of a grid of nx x ny nodes has 33 of their layers, and a brick.
 /// That is 415 MB of a velocity of 1024 x 1024, 1.7 GB of 2048 x 2048, half of it in half precision.
 class BrickSlabs {
@@ -41,7 +38,6 @@ class BrickSlabs {
     core::BrickLayout layout_;
     std::size_t node_bytes_;
     Put put_;
-    std::vector<std::uint32_t> places_;
     std::uint32_t layer_ = 0; ///< of bricks, the one that is filled
     std::vector<std::byte> slab_;
     std::size_t filled_ = 0; ///< bytes of slab_

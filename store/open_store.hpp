@@ -6,7 +6,9 @@
 #include "core/dataset/dataset_info.hpp"
 #include "store/store_reader.hpp"
 
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 
 namespace wakesurf::store {
@@ -18,9 +20,11 @@ struct OpenStore {
 };
 
 /// Opens a store, whole or still being written.
-/// Error: as read_store_manifest and StoreReader::open.
+/// Error: as read_store_manifest and StoreReader::open; that of `room`.
+/// @param room  asked for opening_bytes() before they are taken; empty: all there is
 core::Result<OpenStore>
 open_store(const std::filesystem::path& folder,
-           std::shared_ptr<const core::Disk> disk = std::make_shared<core::PosixDisk>());
+           std::shared_ptr<const core::Disk> disk = std::make_shared<core::PosixDisk>(),
+           const std::function<core::Result<void>(std::uint64_t bytes)>& room = {});
 
 } // namespace wakesurf::store

@@ -23,7 +23,9 @@ constexpr double largest = 1e100;
 // The batch kernel counts a brick's nodes in float, which is exact up to 2^24: 129^3 are fewer, 257^3 are
 // more.
 constexpr std::uint32_t most_brick_cells = 128;
-constexpr std::uint64_t most_nodes = std::numeric_limits<std::int64_t>::max() / (3 * sizeof(float));
+// Bytes of several time-steps can be added up.
+constexpr std::uint64_t most_nodes =
+    std::numeric_limits<std::int64_t>::max() / (16 * 3 * sizeof(float));
 
 std::uint64_t product(const std::array<std::uint32_t, 3>& dimensions) {
     std::uint64_t nodes = 1;
@@ -88,6 +90,21 @@ std::vector<StepFile> step_files(const StoreLayout& layout, std::size_t column, 
 
 std::size_t step_file_size(std::uint64_t nodes, std::size_t components, Precision precision) {
     return static_cast<std::size_t>(nodes) * components * (precision == Precision::Half ? 2 : 4);
+}
+
+std::uint64_t opening_bytes(const StoreLayout& layout) {
+    const StoredGrid& grid = layout.grid;
+    std::uint64_t bytes = 0;
+    if (grid.kind == GridKind::Rectilinear)
+        for (const std::uint64_t nodes : grid.dimensions)
+            bytes += 2 * sizeof(double) * nodes; // as the file has them, and as the grid does
+    if (grid.kind == GridKind::Curvilinear || grid.kind == GridKind::Unstructured)
+        bytes += 2 * sizeof(core::Vec3) * grid.points + 2 * sizeof(core::MeshCell) * grid.cells;
+    if (layout.mask && layout.brick_cells == 0)
+        bytes += 2 * grid.nodes();
+    if (layout.mask && layout.brick_cells != 0)
+        bytes += (1 + sizeof(void*)) * layout.bricks().count();
+    return bytes;
 }
 
 Result<void> check_grid(const StoredGrid& grid) {

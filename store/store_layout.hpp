@@ -91,6 +91,10 @@ std::string step_file_name(std::string_view stem, std::size_t index, core::Preci
 /// Returns the bytes of such a file.
 std::size_t step_file_size(std::uint64_t nodes, std::size_t components, core::Precision precision);
 
+/// Returns the bytes that opening the store takes at most for its grid and its mask, as far as the layout tells:
+/// a few words of it can ask for more than a machine has.
+std::uint64_t opening_bytes(const StoreLayout& layout);
+
 /// Checks a layout. Error: InvalidArgument for times that do not rise, and for a grid thinner than 2 nodes,
 /// with non-finite or non-positive spacing, without points or cells, or beyond the address space; also for
 /// cells in bricks.

@@ -334,6 +334,10 @@ std::size_t StoreReader::scalar_memory() const {
     return scalars_->most() * Slab::reservation(step_file_size(nodes_, 1, Precision::Single));
 }
 
+std::size_t StoreReader::brick_memory() const {
+    return stored_bricks_ ? stored_bricks_->memory() : 0;
+}
+
 Result<WallGeometry> StoreReader::load_walls() const {
     WallGeometry walls;
     if (!layout_.walls)

@@ -100,6 +100,9 @@ class StoreReader final : public core::TimeStepSource, public core::ScalarSource
     /// Returns the bytes that scalar_values keeps at most.
     std::size_t scalar_memory() const;
 
+    /// Returns the bytes that it keeps at most to check bricks: StoredBricks::memory.
+    std::size_t brick_memory() const;
+
     /// Empty where the store has none. Error: NotFound, Io, Corrupt.
     core::Result<core::WallGeometry> load_walls() const;
 

@@ -2,7 +2,6 @@
 
 #include "core/base/crc32c.hpp"
 #include "core/base/half.hpp"
-#include "store/brick_slabs.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -19,7 +18,7 @@ using core::Result;
 
 namespace {
 
-constexpr std::size_t kept_bytes = std::size_t{64} << 20;
+constexpr std::size_t kept_bytes = std::size_t{16} << 20;
 constexpr std::size_t fewest_kept = 8;
 constexpr std::size_t bytes_known = 6; // of a brick: BrickIndex, and whether it is checked
 
@@ -29,7 +28,16 @@ StoredBricks::StoredBricks(StoreLayout layout,
                            std::shared_ptr<const core::Disk> disk,
                            Expected expected)
     : layout_(std::move(layout)), disk_(std::move(disk)), expected_(std::move(expected)),
-      bricks_(layout_.bricks()), order_(bricks_.morton_order()), places_(brick_places(bricks_)) {}
+      bricks_(layout_.bricks()) {}
+
+std::size_t StoredBricks::most_kept() const {
+    return std::max(fewest_kept, kept_bytes / (bytes_known * bricks_.count()));
+}
+
+std::size_t StoredBricks::memory() const {
+    const std::size_t files = std::min(most_kept(), steps() * columns());
+    return layout_.checked ? files * bytes_known * bricks_.count() : 0;
+}
 
 std::string StoredBricks::name_of(std::size_t column, std::size_t index, std::size_t brick) const {
     return "brick " + std::to_string(brick) + " of time-step " + std::to_string(index) + " (" +
@@ -69,9 +77,7 @@ Result<StoredBricks::KnownFile> StoredBricks::known(std::size_t column,
     const std::scoped_lock lock(mutex_);
     std::erase_if(kept_, [&](const auto& each) { return each.first == key; });
     kept_.emplace_front(key, *looked);
-    const std::size_t most =
-        std::max<std::size_t>(fewest_kept, kept_bytes / (bytes_known * bricks_.count()));
-    if (kept_.size() > most)
+    if (kept_.size() > most_kept())
         kept_.pop_back();
     return looked;
 }

@@ -26,8 +26,8 @@
 namespace wakesurf::store {
 
 /// A brick is checked against its checksum when it is read for the first time, and again when its file is
-/// another one than it was then. Memory: 8 bytes a brick, and 6 a brick of the files read last, up to 64 MiB,
-/// but of at least 8 files. Thread safety: concurrent calls are fine.
+/// another one than it was then. Memory: 6 bytes a brick of the files read last, up to 16 MiB, but of at least
+/// 8 files. Thread safety: concurrent calls are fine.
 class StoredBricks {
   public:
     /// Returns the record of a column at a time-step in checksums.u32. Error: NotFound while it is not ready,
@@ -48,10 +48,13 @@ class StoredBricks {
     std::size_t columns() const { return layout_.columns(); }
 
     /// Returns the brick's place in the order of the file.
-    std::size_t place_of(std::size_t brick) const { return places_[brick]; }
+    std::size_t place_of(std::size_t brick) const { return bricks_.place_on_disk(brick); }
 
     /// Returns the brick that lies at a place.
-    std::size_t brick_at(std::size_t place) const { return order_[place]; }
+    std::size_t brick_at(std::size_t place) const { return bricks_.brick_on_disk(place); }
+
+    /// Returns the bytes that what is known of files takes at most.
+    std::size_t memory() const;
 
     /// Returns the numbers of a brick.
     std::size_t values(std::size_t column) const {
@@ -95,6 +98,7 @@ class StoredBricks {
     core::Result<KnownFile> known(std::size_t column,
                                   std::size_t index,
                                   const std::optional<core::FileIdentity>& file) const;
+    std::size_t most_kept() const;
     KnownFile kept(const Key& key, const std::optional<core::FileIdentity>& file) const;
     core::Result<KnownFile> look_at(std::size_t column, std::size_t index) const;
     core::Result<void>
@@ -104,8 +108,6 @@ class StoredBricks {
     std::shared_ptr<const core::Disk> disk_;
     Expected expected_;
     core::BrickLayout bricks_;
-    std::vector<std::uint32_t> order_;
-    std::vector<std::uint32_t> places_;
     /// Each guards a file: one thread reads its index for all.
     mutable std::array<std::mutex, 16> looking_;
     mutable std::mutex mutex_;                          ///< guards kept_

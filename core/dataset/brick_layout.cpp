@@ -2,23 +2,9 @@
 
 #include <algorithm>
 #include <bit>
-#include <numeric>
 #include <stdexcept>
 
 namespace wakesurf::core {
-
-namespace {
-
-/// Puts two zero bits after each of the low 21 bits.
-std::uint64_t spread(std::uint64_t bits) {
-    bits = (bits | bits << 32) & 0x001f00000000ffffull;
-    bits = (bits | bits << 16) & 0x001f0000ff0000ffull;
-    bits = (bits | bits << 8) & 0x100f00f00f00f00full;
-    bits = (bits | bits << 4) & 0x10c30c30c30c30c3ull;
-    return (bits | bits << 2) & 0x1249249249249249ull;
-}
-
-} // namespace
 
 BrickLayout::BrickLayout(const std::array<std::uint32_t, 3>& dimensions, std::uint32_t cells)
     : dimensions_(dimensions), shift_(static_cast<std::uint32_t>(std::countr_zero(cells))) {
@@ -58,17 +44,51 @@ std::array<std::size_t, 3> BrickLayout::first_node(std::size_t brick) const {
             brick / bricks_[0] / bricks_[1] << shift_};
 }
 
-std::vector<std::uint32_t> BrickLayout::morton_order() const {
-    std::vector<std::uint64_t> code(count());
-    for (std::size_t brick = 0; brick < code.size(); ++brick) {
-        const auto first = first_node(brick);
-        code[brick] = spread(first[0] >> shift_) | spread(first[1] >> shift_) << 1 |
-                      spread(first[2] >> shift_) << 2;
+/// Goes down from all bricks to one by the block of each size that has it, of the eight that halve the one
+/// before. Returns the number of bricks in the blocks before those.
+/// @param chosen  `chosen(block, size, before, count)`: whether it is in the block of `count` bricks that
+///                begins at the brick `block` on each axis, if it is in none of those before
+template <class Chosen>
+std::size_t BrickLayout::descend(Chosen&& chosen) const {
+    using Block = std::array<std::size_t, 3>;
+    Block at{};
+    std::size_t before = 0;
+    const auto longest = *std::max_element(bricks_.begin(), bricks_.end());
+    for (int level = std::bit_width(longest - 1) - 1; level >= 0; --level) {
+        const std::size_t size = std::size_t{1} << level;
+        Block block{};
+        for (std::size_t which = 0; which < 8; ++which) {
+            std::size_t count = 1;
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                block[axis] = at[axis] + (which >> axis & 1) * size;
+                count *= std::min(size, bricks_[axis] -
+                                            std::min<std::size_t>(bricks_[axis], block[axis]));
+            }
+            if (chosen(block, size, before, count))
+                break;
+            before += count;
+        }
+        at = block;
     }
-    std::vector<std::uint32_t> order(code.size());
-    std::iota(order.begin(), order.end(), 0u);
-    std::sort(order.begin(), order.end(), [&](auto a, auto b) { return code[a] < code[b]; });
-    return order;
+    return before;
+}
+
+std::size_t BrickLayout::place_on_disk(std::size_t brick) const {
+    const std::array<std::size_t, 3> wanted{brick % bricks_[0], brick / bricks_[0] % bricks_[1],
+                                            brick / bricks_[0] / bricks_[1]};
+    return descend([&](const auto& block, std::size_t size, std::size_t, std::size_t) {
+        return wanted[0] < block[0] + size && wanted[1] < block[1] + size &&
+               wanted[2] < block[2] + size;
+    });
+}
+
+std::size_t BrickLayout::brick_on_disk(std::size_t place) const {
+    std::array<std::size_t, 3> at{};
+    descend([&](const auto& block, std::size_t, std::size_t before, std::size_t count) {
+        at = block;
+        return place < before + count;
+    });
+    return at[0] + bricks_[0] * (at[1] + bricks_[1] * at[2]);
 }
 
 } // namespace wakesurf::core

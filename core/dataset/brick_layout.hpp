@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 namespace wakesurf::core {
 
@@ -84,10 +83,17 @@ class BrickLayout {
     /// The grid's node that is a brick's lowest.
     std::array<std::size_t, 3> first_node(std::size_t brick) const;
 
-    /// Returns the numbers of the bricks in the order of the disk. Cost: a sort of all bricks.
-    std::vector<std::uint32_t> morton_order() const;
+    /// Returns the brick's place in the order of the disk. Counts whole blocks of bricks, down to one: no
+    /// table of all bricks, which metadata alone could make as large as they like.
+    std::size_t place_on_disk(std::size_t brick) const;
+
+    /// Returns the brick that lies at a place of the disk. REQUIRES: there are more bricks than that.
+    std::size_t brick_on_disk(std::size_t place) const;
 
   private:
+    template <class Chosen>
+    std::size_t descend(Chosen&& chosen) const;
+
     std::array<std::uint32_t, 3> dimensions_;
     std::array<std::uint32_t, 3> bricks_;
     std::array<std::uint32_t, 3> brick_nodes_;

@@ -8,7 +8,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <exception>
+#include <new>
 #include <stop_token>
+#include <string>
 
 namespace wakesurf::server {
 
@@ -40,6 +43,14 @@ import_memory(const OpenOptions& options, std::size_t nth, const std::stop_token
     if (share.grow_to(bytes, stop, patience) || stop.stop_requested())
         return share;
     return tl::unexpected(options.cache.account->refusal("importing", bytes));
+}
+
+/// What is said where opening or importing throws, as where memory runs out.
+Error thrown(const std::exception& problem) {
+    if (dynamic_cast<const std::bad_alloc*>(&problem) != nullptr)
+        return {Error::Code::OverLimit, "there is not enough memory to open the dataset",
+                "start with fewer datasets, or on a machine with more memory"};
+    return {Error::Code::Io, std::string("the dataset could not be opened: ") + problem.what(), ""};
 }
 
 } // namespace
@@ -201,14 +212,20 @@ void DatasetCatalogue::attend(Entry& entry, const std::stop_token& stop) {
     if (!entry.watch)
         entry.watch.emplace(entry.argument.path,
                             entry.argument.kind == DatasetArgument::Kind::Store);
-    if (state == DatasetState::Stopped)
-        entry.show_what_is_there(store_folder_of(entry));
-    else if (first || state == DatasetState::Importing || due(entry))
-        import_one(entry, stop);
-    else
-        looked_only = true;
-    if (!looked_only)
-        entry.look_for_families(); // one may have been made since reading began
+    try {
+        if (state == DatasetState::Stopped)
+            entry.show_what_is_there(store_folder_of(entry));
+        else if (first || state == DatasetState::Importing || due(entry))
+            import_one(entry, stop);
+        else
+            looked_only = true;
+        if (!looked_only)
+            entry.look_for_families();        // one may have been made since reading began
+    } catch (const std::exception& problem) { // the other datasets go on
+        entry.failed = true;
+        ++entry.failures;
+        entry.finish(tl::unexpected(thrown(problem)));
+    }
     const auto ended = Clock::now();
     const auto took = ended - started;
     const bool news = entry.status.values != before;

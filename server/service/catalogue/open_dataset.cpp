@@ -43,14 +43,15 @@ std::size_t more_chunks(std::size_t left) {
 }
 
 /// Counts the memory beside the velocity's time-steps: the grid, the search structures of a mesh, the solid
-/// mask by node, by cell and by round cells (CellMask); and that of sampling a scalar, which comes from the
+/// mask by node, by cell and by round cells (CellMask); the checks of bricks; and that of sampling a scalar, which comes from the
 /// memory of bricks if those are read one by one.
 std::size_t fixed_bytes(const store::StoreReader& reader, bool by_brick) {
     const auto* mesh = std::get_if<core::CellMesh>(&reader.grid());
     constexpr std::size_t locator_bytes =
         37; // a cell: core/field/cells/cell_locator.hpp, cell_walls.hpp
     return core::memory_of(reader.grid()) + (mesh ? locator_bytes * mesh->cells.size() : 0) +
-           3 * reader.mask().bytes() + (by_brick ? 0 : reader.scalar_memory());
+           3 * reader.mask().bytes() + reader.brick_memory() +
+           (by_brick ? 0 : reader.scalar_memory());
 }
 
 /// Says in words what a dataset needs besides its grid.
@@ -81,30 +82,53 @@ cache_budget(const store::StoreReader& reader, std::size_t fixed, std::size_t bu
                     up(fixed + steps)));
 }
 
-/// Takes the memory of the grid from the account, and checks that the time-steps fit into the rest.
-core::Result<std::shared_ptr<core::MemoryAccount::Share>>
-counted(const store::StoreReader& reader, std::size_t fixed, const core::MemoryAccount& account) {
-    const std::size_t steps = core::TimeStepCache::smallest_budget(reader);
-    auto share =
-        std::make_shared<core::MemoryAccount::Share>(account.open(core::MemoryUse::Meshes));
-    if (share->grow_to(fixed + steps)) {
-        share->shrink_to(fixed);
-        return share;
-    }
-    const auto up = [](std::size_t bytes) { return std::ceil(static_cast<double>(bytes) / mebi); };
+/// The error of a dataset that needs more than the account has. @param what  needs it
+core::Error
+not_free(const core::MemoryAccount& account, std::uint64_t bytes, const std::string& what) {
+    const auto up = [](std::uint64_t n) { return std::ceil(static_cast<double>(n) / mebi); };
     const std::size_t free = account.free();
     return core::over_limit(
-        account.budget(),
-        fmt::format(
-            "the dataset needs at least {:.0f} MiB of memory, {} and its grid, but of the {:.0f} "
-            "MiB of --memory only {:.0f} MiB are free",
-            up(fixed + steps), least_words(reader, steps),
-            std::floor(static_cast<double>(account.budget()) / mebi),
-            std::floor(static_cast<double>(free) / mebi)),
-        fmt::format("start with --memory {:.0f}MiB or more, or with fewer datasets",
-                    up((account.budget() - std::min(account.budget(), free) + fixed + steps +
-                        first_surface) *
-                       8 / 7))); // an eighth is reserved for small work
+               account.budget(),
+               fmt::format("the dataset needs at least {:.0f} MiB of memory, {}, but of the {:.0f} "
+                           "MiB of --memory only {:.0f} MiB are free",
+                           up(bytes), what,
+                           std::floor(static_cast<double>(account.budget()) / mebi),
+                           std::floor(static_cast<double>(free) / mebi)),
+               fmt::format("start with --memory {:.0f}MiB or more, or with fewer datasets",
+                           up((account.budget() - std::min(account.budget(), free) + bytes +
+                               first_surface) /
+                              7 * 8))) // an eighth is reserved for small work
+        .value();
+}
+
+/// Asks for the memory that opening takes, before it is taken.
+core::Result<void> room_to_open(core::MemoryAccount::Share* share,
+                                const core::TimeStepCache::Options& options,
+                                std::uint64_t bytes) {
+    if (options.account)
+        return share->grow_to(bytes)
+                   ? core::Result<void>()
+                   : tl::unexpected(not_free(*options.account, bytes, "for its grid alone"));
+    if (bytes <= options.budget_bytes)
+        return {};
+    return core::over_limit(options.budget_bytes,
+                            fmt::format("the dataset's grid alone needs {} MiB of memory, but may "
+                                        "use only {} MiB",
+                                        bytes >> 20, options.budget_bytes >> 20),
+                            "start with a larger --memory");
+}
+
+/// Takes the memory of the grid from the account, and checks that the time-steps fit into the rest.
+core::Result<void> count(core::MemoryAccount::Share& share,
+                         const store::StoreReader& reader,
+                         std::size_t fixed,
+                         const core::MemoryAccount& account) {
+    const std::size_t steps = core::TimeStepCache::smallest_budget(reader);
+    if (!share.grow_to(fixed + steps))
+        return tl::unexpected(
+            not_free(account, fixed + steps, least_words(reader, steps) + " and its grid"));
+    share.shrink_to(fixed);
+    return {};
 }
 
 } // namespace
@@ -160,20 +184,25 @@ core::Result<LoadedDataset> open_store(const std::filesystem::path& folder,
     const auto disk = open_disk(folder, scalar_bytes(all), how.closing);
     if (!disk)
         return tl::unexpected(disk.error());
-    auto opened = store::open_store(folder, disk->disk);
+    std::shared_ptr<core::MemoryAccount::Share> memory;
+    if (options.account)
+        memory = std::make_shared<core::MemoryAccount::Share>(
+            options.account->open(core::MemoryUse::Meshes));
+    auto opened = store::open_store(folder, disk->disk, [&](std::uint64_t bytes) {
+        return room_to_open(memory.get(), options, bytes);
+    });
     if (!opened)
         return tl::unexpected(opened.error());
+    if (memory)
+        memory->shrink_to(0);
     const auto& reader = opened->reader;
     const std::size_t chunk_bytes = disk->zarr ? disk->zarr->least_memory() : 0;
     core::TimeStepCache::Options cached = options;
     cached.by_brick = how_served(*reader, options, chunk_bytes).by_brick;
     const std::size_t fixed = fixed_bytes(*reader, cached.by_brick) + chunk_bytes;
-    std::shared_ptr<core::MemoryAccount::Share> memory;
     if (options.account) {
-        auto share = counted(*reader, fixed, *options.account);
-        if (!share)
-            return tl::unexpected(share.error());
-        memory = std::move(*share);
+        if (auto there = count(*memory, *reader, fixed, *options.account); !there)
+            return tl::unexpected(there.error());
         const std::size_t more = more_chunks(options.account->budget() / 4);
         if (disk->zarr &&
             memory->grow_within_free(fixed + more, core::TimeStepCache::smallest_budget(*reader) +

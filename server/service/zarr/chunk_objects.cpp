@@ -12,6 +12,8 @@ using core::Result;
 
 namespace {
 
+constexpr std::uint64_t most_objects_a_line = 4096;
+
 tl::unexpected<Error> changed() {
     return fail(Error::Code::Corrupt, "it has changed since it was read",
                 "open the dataset again once nobody writes it");
@@ -79,6 +81,12 @@ Result<std::vector<double>> ChunkObjects::read_line(const ZarrArray& array,
     if (array.chunks[0] > most)
         return fail(Error::Code::OverLimit,
                     array.name + " has chunks of " + std::to_string(array.chunks[0]) + " numbers");
+    if (array.chunks_along(0) > most_objects_a_line)
+        return core::over_limit(most_objects_a_line,
+                                array.name + " lies in " + std::to_string(array.chunks_along(0)) +
+                                    " chunks, and coordinates may lie in " +
+                                    std::to_string(most_objects_a_line),
+                                "write it in larger chunks");
     std::vector<double> out;
     for (std::uint64_t chunk = 0; out.size() < array.shape[0]; ++chunk) {
         const auto bytes = read(array, {chunk}, {});

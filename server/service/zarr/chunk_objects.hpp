@@ -30,7 +30,8 @@ class ChunkObjects {
                                               const std::vector<std::uint64_t>& at,
                                               const std::stop_token& stop) const;
 
-    /// Returns all values of an array of one axis. Error: likewise; OverLimit for more than `most`.
+    /// Returns all values of an array of one axis. Error: likewise; OverLimit for more than `most`,
+    /// and for more than 4096 objects.
     core::Result<std::vector<double>> read_line(const ZarrArray& array, std::uint64_t most) const;
 
     const core::Disk& disk() const { return *disk_; }

@@ -16,8 +16,8 @@ using core::Result;
 
 namespace {
 
-constexpr std::uint64_t most_nodes_along = std::uint64_t{1} << 24;
-constexpr std::uint64_t most_steps = std::uint64_t{1} << 22;
+constexpr std::uint64_t most_nodes_along = std::uint64_t{1} << 20;
+constexpr std::uint64_t most_steps = std::uint64_t{1} << 20;
 constexpr std::array<const char*, 3> axis_names{"x", "y", "z"};
 
 std::string lower(std::string text) {

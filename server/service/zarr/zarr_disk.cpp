@@ -57,8 +57,8 @@ ZarrDisk::ZarrDisk(ZarrDataset dataset,
                    std::unique_ptr<const ChunkObjects> objects,
                    std::uint32_t mark)
     : dataset_(std::move(dataset)), objects_(std::move(objects)),
-      layout_(dataset_.manifest.layout.bricks()), order_(layout_.morton_order()),
-      chunks_(least_memory()), threads_(objects_->disk().pace().readers) {
+      layout_(dataset_.manifest.layout.bricks()), chunks_(least_memory()),
+      threads_(objects_->disk().pace().readers) {
     const auto& manifest = dataset_.manifest;
     files_[std::string(store::manifest_file_name)] = bytes_of(store::store_manifest_text(manifest));
     const std::vector<std::uint32_t> marks(manifest.layout.times.size() * manifest.layout.columns(),
@@ -140,8 +140,8 @@ Result<void> ZarrDisk::read_bricks(const Values& values,
     const std::size_t numbers = layout_.nodes_per_brick() * components;
     std::vector<std::pair<BrickPiece, std::span<float>>> pieces;
     for (std::size_t i = 0; i * numbers < out.size(); ++i)
-        for (BrickPiece& piece :
-             pieces_of(dataset_, layout_, values.column, values.step, order_[place + i]))
+        for (BrickPiece& piece : pieces_of(dataset_, layout_, values.column, values.step,
+                                           layout_.brick_on_disk(place + i)))
             pieces.emplace_back(std::move(piece), out.subspan(i * numbers, numbers));
 
     struct Waiting {
@@ -170,7 +170,8 @@ Result<void> ZarrDisk::read_bricks(const Values& values,
     threads_.add(std::move(work));
     waiting->left.wait();
     for (std::size_t i = 0; i * numbers < out.size(); ++i)
-        repeat_last(layout_, order_[place + i], components, out.subspan(i * numbers, numbers));
+        repeat_last(layout_, layout_.brick_on_disk(place + i), components,
+                    out.subspan(i * numbers, numbers));
     return waiting->outcome;
 }
 

@@ -67,7 +67,6 @@ class ZarrDisk final : public core::Disk {
     ZarrDataset dataset_;
     std::unique_ptr<const ChunkObjects> objects_;
     core::BrickLayout layout_;
-    std::vector<std::uint32_t> order_;                    ///< bricks by their place in a file
     std::map<std::string, std::vector<std::byte>> files_; ///< all but the values
     mutable ChunkCache chunks_;
     mutable core::WorkerThreads threads_; ///< destroyed first: they use the members above

@@ -25,20 +25,53 @@ TEST(BrickLayout, CoversEveryCellOnceAndSharesTheNodesBetweenBricks) {
     }
 }
 
-TEST(BrickLayout, OrdersBricksSoThatNeighboursAreNearEachOther) {
-    EXPECT_EQ(BrickLayout({65, 65, 65}, 32).morton_order(),
-              (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5, 6, 7}));
-    EXPECT_EQ(BrickLayout({129, 65, 2}, 32).morton_order(),
-              (std::vector<std::uint32_t>{0, 1, 4, 5, 2, 3, 6, 7}));
+namespace {
+
+std::vector<std::size_t> order_of(const BrickLayout& layout) {
+    std::vector<std::size_t> bricks;
+    for (std::size_t place = 0; place < layout.count(); ++place)
+        bricks.push_back(layout.brick_on_disk(place));
+    return bricks;
 }
 
-TEST(BrickLayout, HasEachBrickOnceInThatOrder) {
-    auto order = BrickLayout({100, 37, 61}, 8).morton_order();
-    std::vector<std::uint32_t> all(order.size());
-    std::iota(all.begin(), all.end(), 0u);
-    EXPECT_NE(order, all);
-    std::sort(order.begin(), order.end());
-    EXPECT_EQ(order, all);
+/// The bits of the places on the three axes in turn, x in the lowest.
+std::uint64_t morton_code(const BrickLayout& layout, std::size_t brick) {
+    const auto first = layout.first_node(brick);
+    std::uint64_t code = 0;
+    for (std::size_t bit = 0; bit < 21; ++bit)
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            code |= (first[axis] >> layout.shift() >> bit & 1) << (3 * bit + axis);
+    return code;
+}
+
+} // namespace
+
+TEST(BrickLayout, OrdersBricksSoThatNeighboursAreNearEachOther) {
+    EXPECT_EQ(order_of(BrickLayout({65, 65, 65}, 32)),
+              (std::vector<std::size_t>{0, 1, 2, 3, 4, 5, 6, 7}));
+    EXPECT_EQ(order_of(BrickLayout({129, 65, 2}, 32)),
+              (std::vector<std::size_t>{0, 1, 4, 5, 2, 3, 6, 7}));
+}
+
+TEST(BrickLayout, HasEachBrickOnceInTheOrderOfItsMortonCodes) {
+    for (const auto& dimensions : std::vector<std::array<std::uint32_t, 3>>{
+             {2, 2, 2}, {100, 37, 61}, {9, 10, 200}, {130, 2, 17}, {65, 65, 65}, {2, 2, 90}}) {
+        const BrickLayout layout(dimensions, 8);
+        std::vector<std::size_t> sorted(layout.count());
+        std::iota(sorted.begin(), sorted.end(), std::size_t{0});
+        std::ranges::sort(sorted, {}, [&](auto brick) { return morton_code(layout, brick); });
+        EXPECT_EQ(order_of(layout), sorted) << dimensions[0];
+        for (std::size_t place = 0; place < layout.count(); ++place)
+            ASSERT_EQ(layout.place_on_disk(sorted[place]), place) << dimensions[0];
+    }
+}
+
+TEST(BrickLayout, FindsThePlaceOfABrickAmongThousandsOfMillions) {
+    const BrickLayout layout({40000, 40000, 40000});
+    EXPECT_EQ(layout.count(), std::size_t{1250} * 1250 * 1250);
+    for (std::size_t brick = 0; brick < layout.count(); brick += 19'531'259)
+        ASSERT_EQ(layout.brick_on_disk(layout.place_on_disk(brick)), brick);
+    EXPECT_EQ(layout.place_on_disk(layout.count() - 1), layout.count() - 1);
 }
 
 TEST(BrickLayout, HoldsGridsBeyondAnyMemory) {

@@ -31,19 +31,14 @@ class CatalogueBench {
                    const std::filesystem::path& importer = importer_program(),
                    std::size_t lanes = 4,
                    const command::SourceOptions& taken = {}) {
-        OpenOptions options{stores.empty() ? folder_ / "cache" : stores, {}, importer};
+        OpenOptions options{stores, {}, importer};
         options.lanes = lanes;
         options.taken = taken;
-        options.watch_period = std::chrono::milliseconds(20);
-        auto opened = DatasetCatalogue::open(arguments, options, [this](const std::string&) {
-            const std::scoped_lock lock(mutex_);
-            ++changes_;
-            changed_.notify_all();
-        });
-        if (opened)
-            catalogue = std::move(*opened);
-        else
-            error = opened.error();
+        begin(arguments, std::move(options));
+    }
+
+    CatalogueBench(const std::vector<std::string>& arguments, OpenOptions options) {
+        begin(arguments, std::move(options));
     }
 
     ~CatalogueBench() { catalogue.reset(); }
@@ -77,6 +72,21 @@ class CatalogueBench {
     std::optional<core::Error> error;
 
   private:
+    void begin(const std::vector<std::string>& arguments, OpenOptions options) {
+        if (options.store_root.empty())
+            options.store_root = folder_ / "cache";
+        options.watch_period = std::chrono::milliseconds(20);
+        auto opened = DatasetCatalogue::open(arguments, options, [this](const std::string&) {
+            const std::scoped_lock lock(mutex_);
+            ++changes_;
+            changed_.notify_all();
+        });
+        if (opened)
+            catalogue = std::move(*opened);
+        else
+            error = opened.error();
+    }
+
     TemporaryFolder folder_;
     std::mutex mutex_;
     std::condition_variable changed_;

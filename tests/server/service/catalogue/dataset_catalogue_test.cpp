@@ -1,4 +1,5 @@
 #include "core/base/disk.hpp"
+#include "store/store_generation.hpp"
 #include "store/store_manifest.hpp"
 #include "tests/server/service/catalogue/catalogue_bench.hpp"
 #include "tests/support/places.hpp"
@@ -9,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <new>
 #include <random>
 #include <set>
 #include <thread>
@@ -82,6 +84,32 @@ TEST(DatasetCatalogue, KeepsADatasetThatCannotBeImportedWithTheReason) {
     EXPECT_EQ(bench.catalogue->find("bad").error().message, bad.error->message);
     EXPECT_EQ(bench.wait_until_settled("sqcyl").state, DatasetState::Ready); // the others go on
     EXPECT_EQ(bench.catalogue->list().size(), 3u);
+}
+
+TEST(DatasetCatalogue, ADatasetWhoseOpeningThrowsFailsAloneAndIsOpenedOnceItCanBe) {
+    const TemporaryFolder folder;
+    const store::GenerateRequest small{
+        .flow = "abc", .grid = {{0, 0, 0}, {1, 1, 1}, {9, 9, 9}}, .times = {0.0}};
+    ASSERT_TRUE(
+        store::generate_store(small, folder / "small", [](const store::ImportProgress&) {}, {}));
+    const core::MemoryAccount account(std::size_t{64} << 20);
+    auto all = account.open(core::MemoryUse::Other);
+    all.set(account.budget());
+    auto asked =
+        account.on_need(core::GiveBack::TimeSteps, [](std::size_t) { throw std::bad_alloc(); });
+    OpenOptions options{folder / "cache"};
+    options.cache.account = account;
+    Bench bench({"flow:abc", folder / "small"}, options);
+    const auto failed = bench.wait_until_settled("small");
+    EXPECT_EQ(failed.state, DatasetState::Failed);
+    ASSERT_TRUE(failed.error.has_value());
+    EXPECT_EQ(failed.error->code, core::Error::Code::OverLimit);
+    EXPECT_EQ(failed.error->message, "there is not enough memory to open the dataset");
+    EXPECT_TRUE(bench.catalogue->find("abc"));
+    asked.reset();
+    all.shrink_to(0);
+    bench.wait_until("small",
+                     [](const DatasetStatus& now) { return now.state == DatasetState::Ready; });
 }
 
 TEST(DatasetCatalogue, GivesEveryDatasetAnIdOfItsOwn) {

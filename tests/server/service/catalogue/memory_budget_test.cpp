@@ -52,5 +52,49 @@ TEST(MemoryBudget, IsForTheMaskAsWell) {
     EXPECT_LE(opened->cache->status().budget, 15 * mebi - 3'000'000);
 }
 
+/// Claims so many nodes an axis, and has no values.
+void claim(const std::filesystem::path& zarr, std::uint64_t nodes) {
+    const std::string array = R"({"zarr_format": 2, "shape": [N, N, N], "chunks": [64, 64, 64],
+        "dtype": "<f4", "compressor": null, "fill_value": 0, "order": "C", "filters": null})";
+    for (const char* name : {"u", "v", "w"}) {
+        std::string text = array;
+        for (auto at = text.find('N'); at != std::string::npos; at = text.find('N'))
+            text.replace(at, 1, std::to_string(nodes));
+        std::filesystem::create_directories(zarr / name);
+        tests::write_file(zarr / name / ".zarray", text);
+    }
+    tests::write_file(zarr / ".zgroup", R"({"zarr_format": 2})");
+}
+
+TEST(MemoryBudget, RefusesAZarrWhoseMetadataAloneClaimMoreBricksThanItHoldsTablesOf) {
+    for (const std::uint64_t nodes : {12'000u, 16'384u, 40'000u}) {
+        const tests::TemporaryFolder folder;
+        claim(folder / "x.zarr", nodes);
+        const core::MemoryAccount account(256 * mebi);
+        StoreOptions options;
+        options.cache.account = account;
+        const auto refused = open_store(folder / "x.zarr", options);
+        ASSERT_FALSE(refused) << nodes;
+        EXPECT_EQ(refused.error().code, core::Error::Code::OverLimit);
+        EXPECT_TRUE(refused.error().message.starts_with("the dataset needs at least "))
+            << refused.error().message;
+        EXPECT_EQ(account.used(), 0u);
+    }
+}
+
+TEST(MemoryBudget, IsAskedForAMaskBeforeItsBytesAreRead) {
+    const tests::TemporaryFolder folder;
+    ASSERT_TRUE(generate(folder / "s", "cylinder", {0}));
+    std::filesystem::resize_file(folder / "s/mask.u8", 1); // would be told as damaged
+    const core::MemoryAccount account(mebi);
+    StoreOptions options;
+    options.cache.account = account;
+    const auto refused = open_store(folder / "s", options);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().message, "the dataset needs at least 2 MiB of memory, for its grid "
+                                       "alone, but of the 1 MiB of --memory only 1 MiB are free");
+    EXPECT_EQ(account.used(), 0u);
+}
+
 } // namespace
 } // namespace wakesurf::server::memory_budget_test

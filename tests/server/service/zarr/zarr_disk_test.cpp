@@ -228,6 +228,28 @@ TEST_F(ZarrDiskTest, AVelocityThatCannotBeReadIsNamedWithTheReasonAndNoOtherVect
     EXPECT_EQ(none.error().hint, "write it without filters");
 }
 
+TEST_F(ZarrDiskTest, CoordinatesInMoreChunksThanTheyMayLieInAreRefusedBeforeOneIsLookedFor) {
+    std::filesystem::remove_all(root());
+    put(".zgroup", R"({"zarr_format": 2})");
+    const auto array = [&](const std::string& name, const json& shape, const json& in) {
+        put(name + "/.zarray", json{{"zarr_format", 2},
+                                    {"shape", shape},
+                                    {"chunks", in},
+                                    {"dtype", "<f8"},
+                                    {"order", "C"},
+                                    {"filters", nullptr},
+                                    {"compressor", nullptr},
+                                    {"fill_value", 0}}
+                                   .dump());
+    };
+    for (const char* name : {"u", "v", "w"})
+        array(name, {2, 2, 4097}, {2, 2, 64});
+    array("x", {4097}, {1});
+    const auto opened = ZarrDisk::open(root(), std::make_shared<core::PosixDisk>(), 1 << 20);
+    ASSERT_FALSE(opened);
+    EXPECT_EQ(opened.error().message, "x lies in 4097 chunks, and coordinates may lie in 4096");
+}
+
 TEST_F(ZarrDiskTest, OneComponentAloneIsNoVelocity) {
     put("u/.zattrs", R"({"_ARRAY_DIMENSIONS": ["time", "z", "y", "x"]})");
     const auto none = ZarrDisk::open(root() / "u", std::make_shared<core::PosixDisk>(), 0);
