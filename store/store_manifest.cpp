@@ -1,8 +1,10 @@
 #include "store/store_manifest.hpp"
 
+#include "core/base/plain_text.hpp"
 #include "protocol/api/base/json_members.hpp"
 #include "protocol/api/base/json_text.hpp"
 #include "protocol/api/dataset_json.hpp"
+#include "protocol/api/generated/limits.hpp"
 #include "store/store_layout_json.hpp"
 
 #include <nlohmann/json.hpp>
@@ -42,6 +44,27 @@ namespace {
 
 constexpr std::string_view format_name = "wakesurf-store";
 constexpr protocol::JsonLimits limits{std::size_t{64} << 20, 16};
+
+// Files of others may say anything, and clients are told all of it again and again.
+constexpr std::size_t longest_note = 4096;
+constexpr std::size_t longest_name = 256;
+
+void shorten(core::DatasetInfo& info) {
+    const auto cut = [](std::string& text, std::size_t longest) {
+        if (text.size() > longest)
+            text = core::display_name(text, longest);
+    };
+    for (std::string* unit : {&info.length_unit, &info.time_unit})
+        cut(*unit, protocol::limits::unit_bytes);
+    for (std::string* text : {&info.note, &info.why})
+        cut(*text, longest_note);
+    cut(info.reader, longest_name);
+    for (core::FieldInfo& field : info.fields)
+        cut(field.unit, protocol::limits::unit_bytes);
+    std::erase_if(info.fields, [&](const core::FieldInfo& field) { // a name cut short names another
+        return field.name.size() > longest_name && field.name != info.velocity;
+    });
+}
 
 core::Result<void> check_agreement(const StoreManifest& manifest) {
     const StoreLayout& layout = manifest.layout;
@@ -88,6 +111,7 @@ core::Result<StoreManifest> parse(const json& value) {
         if (wrong != nullptr)
             return tl::unexpected(*wrong);
     manifest->info = std::move(*info);
+    shorten(manifest->info);
     manifest->layout = std::move(*layout);
     if (members.has("bricks") != (version == brick_format_version))
         members.fault("bricks", "must be there in version 3, and only there");

@@ -175,15 +175,19 @@ void Dispatcher::run(const RpcCall& call, const Caller& caller, bool batched, An
         cancelled = pending->cancelled();
         answer = [pending](std::string text) { pending->answer(std::move(text)); };
     }
-    Reply reply([id = call.id, metrics = context_.metrics,
+    Reply reply([id = call.id, metrics = context_.metrics, budgets = context_.budgets,
+                 who = caller.identity,
                  answer = std::move(answer)](const json* result, const RpcFault* fault) {
         if (fault != nullptr && metrics != nullptr)
             metrics->error(static_cast<int>(fault->code));
         if (!id)
             answer({});
-        else if (result != nullptr)
-            answer(protocol::rpc_result(*id, *result));
-        else
+        else if (result != nullptr) {
+            std::string text = protocol::rpc_result(*id, *result);
+            if (budgets != nullptr)
+                budgets->answered(who, text.size());
+            answer(std::move(text));
+        } else
             answer(protocol::rpc_error(*id, *fault));
     });
     const Method* method = call.refused ? nullptr : find(call.method);

@@ -53,6 +53,9 @@ struct Budget {
     double messages;       ///< likewise; faster ones are read later. A KiB counts for one more
 };
 
+/// Each whole piece of this size of an answer counts as one call more.
+inline constexpr std::size_t answer_bytes = std::size_t{4} << 10;
+
 /// The budget of one person by a link.
 inline constexpr Budget person{protocol::limits::sockets, 64,    protocol::limits::downloads,
                                protocol::limits::probes,  32,    edits_per_second,

@@ -40,6 +40,25 @@ TEST(StoreManifest, ReadsBackWhatItWrites) {
     EXPECT_EQ(store_manifest_text(*after), store_manifest_text(before));
 }
 
+TEST(StoreManifest, ShortensWordsOfItsSourceAndLeavesOutFieldsWithNamesBeyondAnyUse) {
+    auto before = sample_manifest();
+    const std::string megabyte(1 << 20, 'u');
+    before.info.length_unit = before.info.time_unit = before.info.note = before.info.why =
+        before.info.reader = megabyte;
+    before.info.fields.push_back({std::string(256, 'n'), 1, {}, {0, 1}, megabyte});
+    before.info.fields.push_back({megabyte, 1, {}, {0, 1}, "m"});
+    const auto after = parse_store_manifest(store_manifest_text(before));
+    ASSERT_TRUE(after.has_value()) << after.error().message;
+    EXPECT_EQ(after->info.length_unit, std::string(32, 'u'));
+    EXPECT_EQ(after->info.time_unit, std::string(32, 'u'));
+    EXPECT_EQ(after->info.note.size(), 4096u);
+    EXPECT_EQ(after->info.why.size(), 4096u);
+    EXPECT_EQ(after->info.reader.size(), 256u);
+    ASSERT_EQ(after->info.fields.size(), before.info.fields.size() - 1);
+    EXPECT_EQ(after->info.fields.back().name, std::string(256, 'n'));
+    EXPECT_EQ(after->info.fields.back().unit, std::string(32, 'u'));
+}
+
 TEST(StoreManifest, ReadsBackEveryKindOfGrid) {
     auto before = sample_manifest();
     before.info.grid = core::GridKind::Rectilinear;

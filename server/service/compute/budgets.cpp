@@ -110,6 +110,16 @@ std::optional<Budgets::TooFast> Budgets::call(const Visitor& who, bool edits) {
     return std::nullopt;
 }
 
+void Budgets::answered(const Visitor& who, std::size_t bytes) {
+    const std::size_t more = bytes / limits::answer_bytes;
+    if (more == 0)
+        return;
+    const Accounts accounts = of(who);
+    for (const Shared& each : {accounts.person, accounts.holder})
+        if (each != nullptr)
+            each->calls.take(clock_.now(), static_cast<double>(more));
+}
+
 std::chrono::milliseconds Budgets::read(const Visitor& who, double messages) {
     const Accounts accounts = of(who);
     const Time now = clock_.now();
@@ -133,8 +143,11 @@ std::size_t Budgets::used(Use use) const {
 }
 
 std::string Budgets::line(const Visitor& who) {
-    // No session is called like that.
-    return who.grant.empty() ? "\n" + who.person : "\nlink " + who.account();
+    return who.grant.empty() ? "\n" + who.person : line_of(who.account());
+}
+
+std::string Budgets::line_of(const std::string& link) {
+    return "\nlink " + link; // no session is called like that
 }
 
 /// A script with the server's token has no login of its own, and all of one machine would be one person.

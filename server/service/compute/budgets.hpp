@@ -51,6 +51,9 @@ class Budgets {
     /// Takes one call, unless they come too fast.
     std::optional<TooFast> call(const Visitor& who, bool edits);
 
+    /// Takes the calls that an answer of so many bytes counts for beyond its own, on credit.
+    void answered(const Visitor& who, std::size_t bytes);
+
     /// Takes messages that have been read, on credit. Returns how long to read no further.
     std::chrono::milliseconds read(const Visitor& who, double messages);
 
@@ -60,6 +63,8 @@ class Budgets {
     /// Returns the name under which work of no session queues in the compute pool. All clients that came by
     /// one link share one.
     static std::string line(const Visitor& who);
+    /// Returns the same of all who came by the link.
+    static std::string line_of(const std::string& link);
 
   private:
     using Time = std::chrono::steady_clock::time_point;

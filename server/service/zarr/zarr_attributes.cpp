@@ -1,5 +1,7 @@
 #include "server/service/zarr/zarr_attributes.hpp"
 
+#include "core/base/plain_text.hpp"
+
 #include <nlohmann/json.hpp>
 #include <openssl/evp.h>
 
@@ -16,6 +18,8 @@ namespace wakesurf::server {
 using nlohmann::json;
 
 namespace {
+
+constexpr std::size_t longest_unit = 128; // of times with the date that they count from
 
 /// Returns the number that stands for a missing value. null is a NaN, as parse_zarr_json leaves it; a text is
 /// eight bytes of a double in base64, as xarray writes them into version 3. Empty for anything else.
@@ -66,7 +70,7 @@ void read_zarr_attributes(ZarrArray& array, const json& given) {
         return found != attributes.end() && found->is_number() ? std::optional(found->get<double>())
                                                                : std::nullopt;
     };
-    array.unit = text("units");
+    array.unit = core::display_name(text("units"), longest_unit);
     array.scale = number("scale_factor").value_or(1.0);
     array.offset = number("add_offset").value_or(0.0);
     for (const char* name : {"_FillValue", "missing_value"})

@@ -17,6 +17,8 @@ using core::Result;
 
 namespace {
 
+constexpr std::size_t most_scalars = 256;
+
 FieldInfo field_info(const std::string& name, int components, const std::string& unit) {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     return {name, components, FieldInfo::Source::Point, {unknown, unknown}, unit};
@@ -152,6 +154,8 @@ class Description {
                 leave(array.name, "on other nodes");
             else if (found->axes.component)
                 leave(array.name, "a second vector");
+            else if (scalars.size() == most_scalars)
+                leave(array.name, "more than " + std::to_string(most_scalars) + " scalars");
             else
                 scalars.push_back(*found);
         }

@@ -1,5 +1,6 @@
 #include "server/service/zarr/zarr_metadata.hpp"
 
+#include "core/base/plain_text.hpp"
 #include "protocol/api/base/json_members.hpp"
 #include "protocol/api/base/json_text.hpp"
 #include "server/service/zarr/zarr_attributes.hpp"
@@ -24,6 +25,11 @@ constexpr protocol::JsonLimits limits{std::size_t{64} << 20, 32};
 constexpr std::size_t most_axes = 8;
 constexpr std::uint64_t most_numbers = std::uint64_t{1} << 60; // of an array
 constexpr std::uint64_t most_chunk_bytes = 0x7fffffff;         // c-blosc counts in int
+
+/// Returns a word of the metadata as an error quotes it.
+std::string quoted_word(const std::string& word) {
+    return core::display_name(word, 64);
+}
 
 tl::unexpected<Error> unsupported(std::string what, std::string hint = {}) {
     return fail(Error::Code::Unsupported, std::move(what), std::move(hint));
@@ -68,7 +74,7 @@ Result<ZarrArray::Coder> coder(const std::string& name) {
     if (name == "transpose")
         return unsupported("its numbers lie in another order, with the fastest axis first",
                            "write it in C order");
-    return unsupported("it is packed by " + name + ", which is not read",
+    return unsupported("it is packed by " + quoted_word(name) + ", which is not read",
                        "write it uncompressed, or packed by zlib, gzip, zstd or blosc");
 }
 
@@ -158,7 +164,8 @@ Result<ZarrArray> parse_zarr_2(std::string name, const json& array, const json& 
         return tl::unexpected(sound.error());
     const json type = array.value("dtype", json());
     if (!type.is_string() || !read_zarr_type(out, type.get<std::string>()))
-        return unsupported("its numbers are of type " + type.dump() + ", which is not read");
+        return unsupported("its numbers are of type " + quoted_word(type.dump()) +
+                           ", which is not read");
     if (order != "C")
         return unsupported("its numbers lie in Fortran's order, with the fastest axis first",
                            "write it in C order");
@@ -200,11 +207,13 @@ Result<ZarrArray> parse_zarr_3(std::string name, const json& array) {
         if (!sound)
             return tl::unexpected(sound.error());
     if (!type.is_string() || !read_zarr_type_name(out, type.get<std::string>()))
-        return unsupported("its numbers are of type " + type.dump() + ", which is not read");
+        return unsupported("its numbers are of type " + quoted_word(type.dump()) +
+                           ", which is not read");
     if (!regular)
         return unsupported("its chunks are not all of one shape");
     if (encoding != "default" && encoding != "v2")
-        return unsupported("its chunks have names by " + encoding + ", which is not read");
+        return unsupported("its chunks have names by " + quoted_word(encoding) +
+                           ", which is not read");
     out.key_prefix = encoding == "default" ? "c" : "";
     out.separator = encoding == "default" ? '/' : '.';
     if (key.contains("separator") && !read_separator(out, key["separator"]))

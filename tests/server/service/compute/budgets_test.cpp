@@ -48,6 +48,18 @@ struct BudgetsTest : testing::Test {
 
 } // namespace
 
+TEST_F(BudgetsTest, CountALongAnswerAsSeveralCallsOfWhoAskedForIt) {
+    const Visitor asking = by_link("g1", "a");
+    budgets.answered(asking, limits::answer_bytes - 1);
+    const auto most = static_cast<std::size_t>(2 * limits::person.calls);
+    budgets.answered(asking, (most - 5) * limits::answer_bytes);
+    EXPECT_EQ(let_through(asking, false, 10, {}), 5u);
+    EXPECT_EQ(let_through(by_link("g1", "b"), false, 10, {}), 10u);
+    clock.time += milliseconds(100);
+    EXPECT_EQ(let_through(asking, false, most, {}),
+              static_cast<std::size_t>(limits::person.calls / 10));
+}
+
 TEST_F(BudgetsTest, BoundAPersonALinkAndAllLinksAndKeepTheLastPlacesForHosts) {
     EXPECT_EQ(taken(by_link("g1", "a"), Use::Socket, 1000), limits::person.sockets);
     std::size_t by_first = 0;

@@ -138,6 +138,18 @@ TEST(ZarrMetadata, ThatCannotBeAreRefused) {
     expect_refused(parse_zarr_3("u", json("text")), Code::Corrupt, "object");
 }
 
+TEST(ZarrMetadata, AreQuotedOnlyAsFarAsAnyoneReads) {
+    const std::string megabyte(1 << 20, 'w');
+    for (const auto& refused :
+         {of_2("dtype", megabyte), of_2("compressor", {{"id", megabyte}}),
+          of_3("data_type", megabyte), of_3("chunk_key_encoding", {{"name", megabyte}}),
+          of_3("codecs", json::array({{{"name", megabyte}}}))}) {
+        ASSERT_FALSE(refused.has_value());
+        EXPECT_LT(refused.error().message.size(), 200u);
+    }
+    EXPECT_EQ(of_2("dtype", "<f4", {{"units", megabyte}})->unit.size(), 128u);
+}
+
 TEST(ZarrMetadata, NamesLeadNowhereElse) {
     EXPECT_TRUE(is_plain_name("velocity_x-2.1"));
     for (const char* name : {"", ".", "..", "a/b", "../u", "a\\b", "a?b", "a#b", "a%2fb", "a b"})
