@@ -151,10 +151,11 @@ core::Result<void> check_room_for_family(const fs::path& folder, std::uint64_t b
         return tl::unexpected(writable.error());
     std::error_code error;
     const auto space = fs::space(folder, error);
-    if (!error && space.available < bytes)
+    if (!error && space.available < bytes + disk_reserve)
         return core::fail(Error::Code::Io,
-                          "the disk of the store has less room than the family's values take: " +
-                              std::to_string(bytes >> 20) + " MiB",
+                          "the disk of the store has less room than the family's values take, " +
+                              std::to_string(bytes >> 20) + " MiB, and the " +
+                              std::to_string(disk_reserve >> 20) + " MiB that stay free",
                           "free some disk space, or remove a family");
     return {};
 }

@@ -46,8 +46,11 @@ core::Result<std::vector<StoredFamily>> read_families(const std::filesystem::pat
 std::vector<StoredFamily> current_families(std::vector<StoredFamily> families,
                                            const ValueMarks& now);
 
+/// Stays free on the disk of a store: families are for everybody, and sessions may be kept on the same disk.
+inline constexpr std::uint64_t disk_reserve = std::uint64_t{64} << 20;
+
 /// Checks that a family can be written. Error: Io where the folder cannot be written to, or its disk has less
-/// room than `bytes`.
+/// room than `bytes` and the reserve.
 core::Result<void> check_room_for_family(const std::filesystem::path& folder, std::uint64_t bytes);
 
 /// Writes the values, then families.json with this one more: a reader sees it whole or not at all, and so

@@ -3,7 +3,6 @@
 #include "protocol/api/generated/family.hpp"
 #include "server/rpc/family_jobs.hpp"
 #include "server/rpc/method.hpp"
-#include "server/rpc/permission.hpp"
 #include "server/rpc/work_progress.hpp"
 #include "server/service/base/forecast.hpp"
 
@@ -90,14 +89,7 @@ struct Making {
     std::optional<WorkProgress> progress;
 };
 
-/// Returns nothing where the caller may change what the dataset has: each editor may, in their session.
 std::optional<protocol::RpcFault> refused_here(const Call& call) {
-    if (role_of(call) == Role::Viewer)
-        return protocol::RpcFault{protocol::RpcCode::NotPermitted,
-                                  "a viewer may not change the fields of a dataset",
-                                  "ask someone who may edit",
-                                  {},
-                                  {}};
     if (call.context.families == nullptr)
         return protocol::fault_of(
             core::Error{core::Error::Code::Unsupported, "this server makes no families", ""});

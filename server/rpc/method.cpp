@@ -33,8 +33,12 @@ bool Method::takes(std::string_view parameter) const {
 
 Method described(std::string_view name, Method::Handler handler) {
     const protocol::MethodDescription& about = *protocol::described_method(name);
-    const MethodTraits traits{*role_named(about.least_role), about.websocket_only, about.edits,
-                              about.whole_server, about.copier};
+    const MethodTraits traits{*role_named(about.least_role),
+                              about.websocket_only,
+                              about.edits,
+                              about.whole_server,
+                              about.shared,
+                              about.copier};
     return {std::string(name),
             traits,
             {about.parameters.begin(), about.parameters.end()},

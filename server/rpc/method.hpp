@@ -87,7 +87,8 @@ struct MethodTraits {
     bool websocket_only = false;
     bool edits = false;        ///< changes records that are kept
     bool whole_server = false; ///< not for share links, which are for one session
-    bool copier = false;       ///< in a copy also for its maker by a share link, whatever the role
+    bool shared = false; ///< about what all sessions share: by the link's role, also in a copy
+    bool copier = false; ///< in a copy also for its maker by a share link, whatever the role
 };
 
 struct Method {

@@ -34,6 +34,10 @@ Role role_in(const std::string& session, const Call& call) {
 }
 
 Role role_of(const Call& call) {
+    if (const std::string& came_by = call.identity.copier; !came_by.empty()) {
+        const auto link = call.context.grants.identity(came_by);
+        return link ? link->role : Role::Viewer;
+    }
     const bool joined = call.client != nullptr && call.client->session();
     return role_in(joined ? call.client->session()->id() : call.identity.session, call);
 }
@@ -50,7 +54,7 @@ std::optional<RpcFault> refused(const Method& method, const Call& call) {
     if (!identity.session.empty() && !session.empty() && session != identity.session)
         return not_permitted("the share link is for another session",
                              "use `" + identity.session + "`, or ask for a link to this one");
-    const Role role = role_in(session, call);
+    const Role role = method.traits.shared ? role_of(call) : role_in(session, call);
     const bool own_copy = method.traits.copier && is_copier_of(session, identity);
     if (role < method.traits.least && !own_copy)
         return not_permitted(

@@ -17,7 +17,8 @@ std::string session_of(const Method& method, const Call& call);
 /// the link's for newcomers.
 Role role_in(const std::string& session, const Call& call);
 
-/// Returns the same in the session joined, or else the link's: for methods that are about no session.
+/// Returns the role for what all sessions share: that in the session joined, or else the link's. In a copy
+/// that of the link which its maker came by: to be its editor is no right to more than the copy.
 Role role_of(const Call& call);
 
 /// Returns Unauthenticated once the share link has ended; NotPermitted for another session than the link's

@@ -74,7 +74,8 @@ void session_fork(const Call& call, const protocol::SessionFork& of, Reply reply
         return reply.fault(room.error());
     const bool by_link = !call.identity.grant.empty();
     const auto session = call.context.sessions.fork(
-        (*from)->id(), core::display_name(of.name, limits::name_bytes), !by_link);
+        (*from)->id(), core::display_name(of.name, limits::name_bytes), !by_link,
+        call.identity.grant.empty() ? std::string() : call.identity.account());
     if (!session)
         return reply.fault(session.error());
     json out = made_json(call, **session);

@@ -137,6 +137,17 @@ TEST(StoredFamilies, LeaveEverythingAsItWasWhenTheyCannotBeWritten) {
     EXPECT_EQ(store.values("psi", 1), std::vector<float>(8, 1.0f));
 }
 
+TEST(StoredFamilies, LeaveAReserveOnTheDisk) {
+    const tests::TemporaryFolder folder;
+    constexpr std::uint64_t mebi = std::uint64_t{1} << 20;
+    const std::uint64_t free = std::filesystem::space(folder.path()).available;
+    ASSERT_GT(free, 200 * mebi);
+    EXPECT_TRUE(check_room_for_family(folder.path(), free - 160 * mebi));
+    const auto refused = check_room_for_family(folder.path(), free - mebi);
+    ASSERT_FALSE(refused) << "it would fit, but leave less than 64 MiB";
+    EXPECT_NE(refused.error().message.find("MiB"), std::string::npos);
+}
+
 TEST(StoredFamilies, AreAtMostSixteen) {
     const Store store;
     for (std::size_t i = 0; i < most_families; ++i)

@@ -86,7 +86,7 @@ def methods_source(api):
             lines.append(f"constexpr Names of_{snake(method.name)}[]{{{names}}};")
     lines += ["", "constexpr MethodDescription described[]{"]
     for method in api.methods:
-        flags = ", ".join("true" if method.flag(word) else "false" for word in ("x-websocketOnly", "x-edits", "x-wholeServer", "x-copier"))
+        flags = ", ".join("true" if method.flag(word) else "false" for word in ("x-websocketOnly", "x-edits", "x-wholeServer", "x-shared", "x-copier"))
         names = f"of_{snake(method.name)}" if method.params.fields else "{}"
         lines.append(f"    {{{quoted(method.name)}, {quoted(method.role)}, {flags}, {names}}},")
     lines += ["};", "", "} // namespace", "",

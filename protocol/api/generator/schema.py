@@ -20,7 +20,7 @@ OF_SHAPE = {"type", "enum", "const", "minimum", "maximum", "exclusiveMinimum", "
             "x-limit", "x-shape", "x-cpp-type", "x-cpp-members", "x-order", "x-record", "x-ordered", "x-together", "x-needs",
             "x-exactly-one", "x-maxBytes"}
 LAST = ("default", "gesture", "ifRev")  # what all edits have comes after what is their own
-OF_METHOD = {"description", "x-role", "x-edits", "x-websocketOnly", "x-wholeServer", "x-copier", "x-errors", "params", "result", "x-example"}
+OF_METHOD = {"description", "x-role", "x-edits", "x-websocketOnly", "x-wholeServer", "x-shared", "x-copier", "x-errors", "params", "result", "x-example"}
 
 
 class SchemaError(Exception):

@@ -7,6 +7,9 @@
 #include "server/service/base/unix_time.hpp"
 
 #include <chrono>
+#include <cstddef>
+#include <functional>
+#include <string>
 
 namespace wakesurf::server {
 
@@ -32,6 +35,8 @@ struct SessionServices {
     const core::MemoryAccount* memory = nullptr;
     /// The reason why restored surfaces are not computed; null: they are.
     const core::Error* withheld = nullptr;
+    /// Returns the bytes of the records of all copies by a link; empty: not counted.
+    std::function<std::size_t(const std::string& link)> records_of_copies{};
     /// Null: each surface has its own.
     const HistoryBudget* histories = nullptr;
 

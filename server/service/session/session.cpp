@@ -2,6 +2,7 @@
 
 #include "core/base/plain_text.hpp"
 #include "core/surface/rake.hpp"
+#include "server/service/compute/budgets.hpp"
 #include "server/service/limits.hpp"
 #include "server/service/session/records/record_room.hpp"
 
@@ -16,11 +17,16 @@ using core::fail;
 Session::Session(std::string id,
                  std::string name,
                  SessionServices services,
-                 std::uint32_t& next_number)
-    : id_(std::move(id)), name_(std::move(name)), services_(services),
+                 std::uint32_t& next_number,
+                 std::string copier)
+    : id_(std::move(id)), copier_(std::move(copier)), name_(std::move(name)), services_(services),
       participants_(id_, services.loop, services.entropy, services.journal, services.unix_time),
       leases_(services, [this](const std::string& rake) { lease_ended(rake); }),
-      builds_(id_, services, records_, next_number, build_events()),
+      builds_(copier_.empty() ? id_ : Budgets::line_of(copier_),
+              services,
+              records_,
+              next_number,
+              build_events()),
       clock_(services.loop,
              services.wall(),
              {[this] {
@@ -74,9 +80,13 @@ core::Result<void> Session::has_room(std::size_t before, std::size_t after) cons
     if (after <= before)
         return {};
     const std::size_t bytes = records_.bytes() - before + after;
-    if (auto room = room_in_session(bytes); !room)
+    const RoomOf whose = copier_.empty() ? RoomOf::Session : RoomOf::Copies;
+    const std::size_t beside = copier_.empty() || !services_.records_of_copies
+                                   ? 0
+                                   : services_.records_of_copies(copier_) - records_.bytes();
+    if (auto room = room_in_session(bytes + beside, whose); !room)
         return room;
-    return room_beside_others(services_.memory, bytes, after - before);
+    return room_beside_others(services_.memory, bytes, after - before, whose);
 }
 
 void Session::count_memory() {

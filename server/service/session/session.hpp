@@ -53,13 +53,21 @@ struct HistoryMoveResult {
 /// Loop thread only. An author may be left out: then it is the server's own edit, which cannot be undone.
 class Session {
   public:
-    Session(std::string id, std::string name, SessionServices services, std::uint32_t& next_number);
+    /// @param copier  the link of the maker of a copy, with whose other copies it shares turns in the pool and
+    ///                room for records; empty: no copy by a link
+    Session(std::string id,
+            std::string name,
+            SessionServices services,
+            std::uint32_t& next_number,
+            std::string copier = {});
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
 
     const std::string& id() const { return id_; }
 
     const std::string& name() const { return name_; }
+
+    const std::string& copier() const { return copier_; }
 
     /// Returns the units that participants entered.
     const protocol::SessionUnits& units() const { return units_; }
@@ -231,6 +239,7 @@ class Session {
     std::string obstacle(const Edit& edit, const EditStep& step, HistoryMove move) const;
 
     std::string id_;
+    std::string copier_;
     std::string name_;
     protocol::SessionUnits units_;
     SessionServices services_;

@@ -44,6 +44,16 @@ bool in_trash(std::span<const JournalEntry> entries) {
     });
 }
 
+/// Returns the link of the maker of a copy by a link that is still kept; else empty.
+std::string copier_of(std::span<const JournalEntry> entries) {
+    for (const JournalEntry& each : entries)
+        if (each.type == "grant" && each.record)
+            if (const auto grant = protocol::parse_grant(*each.record);
+                grant && !grant->copier.empty())
+                return grant->copier;
+    return {};
+}
+
 TrashedSession trashed(const std::string& id,
                        std::string name,
                        protocol::SessionProfile profile,
@@ -75,13 +85,21 @@ SessionDirectory::SessionDirectory(SessionServices services)
                                           },
                                           services_.memory) {
     services_.histories = &histories_;
+    services_.records_of_copies = [this](const std::string& link) {
+        std::size_t bytes = 0;
+        for (const std::string& id : copies_by(link))
+            bytes += sessions_.at(id)->records().bytes();
+        return bytes;
+    };
     if (services_.memory != nullptr)
         giving_back_.emplace(services_.loop, *services_.memory, [this] { return surfaces(); });
     add(std::string(main_id), std::string(main_id));
 }
 
-std::shared_ptr<Session> SessionDirectory::add(std::string id, std::string name) {
-    auto session = std::make_shared<Session>(id, std::move(name), services_, next_surface_number_);
+std::shared_ptr<Session>
+SessionDirectory::add(std::string id, std::string name, std::string copier) {
+    auto session = std::make_shared<Session>(id, std::move(name), services_, next_surface_number_,
+                                             std::move(copier));
     sessions_[std::move(id)] = session;
     return session;
 }
@@ -97,14 +115,19 @@ core::Result<std::shared_ptr<Session>> SessionDirectory::create(std::string name
     return session;
 }
 
-core::Result<std::shared_ptr<Session>>
-SessionDirectory::fork(const std::string& id, std::string name, bool on_purpose) {
+core::Result<std::shared_ptr<Session>> SessionDirectory::fork(const std::string& id,
+                                                              std::string name,
+                                                              bool on_purpose,
+                                                              const std::string& copier) {
     const auto from = find(id); // held, lest it make room for its own fork
     if (!from)
         return from;
-    if (auto room = room_for((*from)->records()); !room)
+    auto room = room_for((*from)->records(), copier);
+    while (!room && give_up_one(copies_by(copier)))
+        room = room_for((*from)->records(), copier);
+    if (!room)
         return tl::unexpected(room.error());
-    auto session = add_new(name.empty() ? (*from)->name() : std::move(name));
+    auto session = add_new(name.empty() ? (*from)->name() : std::move(name), copier);
     if (session)
         (*session)->copy(**from, on_purpose);
     return session;
@@ -136,22 +159,39 @@ RestoreReport SessionDirectory::restore(const std::string& id,
     }
     auto& session = sessions_[id];
     if (!session)
-        session = std::make_shared<Session>(id, std::move(name), services_, next_surface_number_);
+        session = std::make_shared<Session>(id, std::move(name), services_, next_surface_number_,
+                                            copier_of(entries));
     return session->restore(entries);
 }
 
-core::Result<void> SessionDirectory::room_for(const SessionRecords& records) const {
-    return room_beside_others(services_.memory, records.bytes(), records.bytes());
+core::Result<void> SessionDirectory::room_for(const SessionRecords& records,
+                                              const std::string& copier) {
+    const std::size_t bytes = records.bytes();
+    if (copier.empty())
+        return room_beside_others(services_.memory, bytes, bytes);
+    if (auto room = room_in_session(bytes + services_.records_of_copies(copier), RoomOf::Copies);
+        !room)
+        return room;
+    return room_beside_others(services_.memory, bytes, bytes, RoomOf::Copies);
 }
 
-core::Result<std::shared_ptr<Session>> SessionDirectory::add_new(std::string name) {
+std::vector<std::string> SessionDirectory::copies_by(const std::string& link) const {
+    std::vector<std::string> ids;
+    for (const auto& [id, session] : sessions_)
+        if (!link.empty() && session->copier() == link)
+            ids.push_back(id);
+    return ids;
+}
+
+core::Result<std::shared_ptr<Session>> SessionDirectory::add_new(std::string name,
+                                                                 const std::string& copier) {
     if (auto room = make_room(); !room)
         return tl::unexpected(room.error());
     std::string id = std::string(id_start) + std::to_string(next_session_++);
     if (name.empty())
         name = id;
     log_event("session_created", id);
-    return add(std::move(id), std::move(name));
+    return add(std::move(id), std::move(name), copier);
 }
 
 core::Result<std::shared_ptr<Session>> SessionDirectory::find(const std::string& id) const {

@@ -30,8 +30,11 @@ class SessionDirectory {
     /// Makes a session with the records of another, at the time that this one shows. Error: NotFound,
     /// OverLimit.
     /// @param on_purpose  false: it may go once it is not needed, like one that was never edited
-    core::Result<std::shared_ptr<Session>>
-    fork(const std::string& id, std::string name, bool on_purpose = true);
+    /// @param copier  as of a Session. Its copies that hold no work make room
+    core::Result<std::shared_ptr<Session>> fork(const std::string& id,
+                                                std::string name,
+                                                bool on_purpose = true,
+                                                const std::string& copier = {});
 
     /// Gives up the one of these sessions that has been unused for longest, of those that were never edited,
     /// named or shared and are empty. False: all of them hold work.
@@ -89,10 +92,12 @@ class SessionDirectory {
     std::vector<std::shared_ptr<LiveSurface>> surfaces() const;
 
   private:
-    std::shared_ptr<Session> add(std::string id, std::string name);
-    core::Result<void> room_for(const SessionRecords& records) const;
+    std::shared_ptr<Session> add(std::string id, std::string name, std::string copier = {});
+    core::Result<void> room_for(const SessionRecords& records, const std::string& copier = {});
+    std::vector<std::string> copies_by(const std::string& link) const;
     core::Result<void> make_room();
-    core::Result<std::shared_ptr<Session>> add_new(std::string name);
+    core::Result<std::shared_ptr<Session>> add_new(std::string name,
+                                                   const std::string& copier = {});
     void forget(const std::string& id);
 
     HistoryBudget histories_;

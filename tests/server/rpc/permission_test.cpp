@@ -221,6 +221,16 @@ TEST_F(PermissionTest, TellsALinkTheStatisticsOfItsOwnSessionOnly) {
               0);
 }
 
+TEST_F(PermissionTest, CountsALongAnswerInTheRateOfItsCaller) {
+    const Identity viewer = link(Role::Viewer);
+    std::size_t answered = 0;
+    while (answered < 200 && code_of(answer(call("rpc.discover"), viewer, nullptr)) == 0)
+        ++answered;
+    EXPECT_LT(answered, 200u) << "of short ones there are 4,000 at once";
+    EXPECT_EQ(code_of(answer(call("server.ping"), viewer, nullptr)), -32014);
+    EXPECT_EQ(code_of(answer(call("server.ping"), link(Role::Viewer), nullptr)), 0);
+}
+
 TEST_F(PermissionTest, SaysWhichRoleIsNeeded) {
     const Identity viewer = link(Role::Viewer);
     NotedWire line;
@@ -228,6 +238,33 @@ TEST_F(PermissionTest, SaysWhichRoleIsNeeded) {
     const json error = answer(call("rake.set", {{"session", "main"}}), viewer, &client)["error"];
     EXPECT_EQ(error["data"]["kind"], "notPermitted");
     EXPECT_NE(error["data"]["hint"].get<std::string>().find("editor"), std::string::npos);
+}
+
+TEST_F(PermissionTest, ForWhatIsEverybodysAsksForTheRoleOfTheLinkThatTheMakerOfACopyCameBy) {
+    const json velocity{{"dataset", "any"}, {"velocity", "U"}};
+    for (const Role role : {Role::Viewer, Role::Editor}) {
+        const Identity first = link(role);
+        const auto made = grants.make_for_copy(other, {first.grant, "Ada"});
+        const auto further = grants.make_for_copy(other, {made->grant.id, "Ada"});
+        for (const std::string& key : {made->key, further->key}) {
+            const Identity own = *grants.find(key);
+            ASSERT_EQ(own.role, Role::Editor);
+            NotedWire line;
+            Client client(line, own, grants);
+            ASSERT_EQ(code_of(answer(call("session.join"), own, &client)), 0);
+            EXPECT_NE(code_of(answer(call("rake.set"), own, &client)), not_permitted);
+            for (const auto& [method, parameters] :
+                 {std::pair<const char*, json>{"family.make", json::object()},
+                  {"dataset.open", velocity}}) {
+                EXPECT_EQ(code_of(answer(call(method, parameters), own, &client)) == not_permitted,
+                          role == Role::Viewer)
+                    << method << " by the copy of a link of a " << name(role);
+                EXPECT_EQ(code_of(answer(call(method, parameters), own, nullptr)) == not_permitted,
+                          role == Role::Viewer)
+                    << method;
+            }
+        }
+    }
 }
 
 TEST_F(PermissionTest, NeverTellsALinkWhetherThereIsAnotherSession) {

@@ -131,8 +131,8 @@ Grants::revoke(const std::string& session, const std::string& id, bool children)
                     "the session has no share link `" + id.substr(0, 64) + "`",
                     "`session.shares` lists them");
     const char* const reason = "the share link was revoked";
-    if (children)
-        for (const Grant& each : descendants(id))
+    for (const Grant& each : descendants(id))
+        if (children || each.copier == id)
             end(each.id, reason);
     end(id, reason);
     return {};

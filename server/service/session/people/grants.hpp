@@ -105,8 +105,8 @@ class Grants {
     /// first.
     std::vector<Grant> descendants(const std::string& id) const;
 
-    /// Ends a link of this session, and with `children` its descendants; their holders are told. Error:
-    /// NotFound.
+    /// Ends a link of this session, and those into copies that its holders made; with `children` all its
+    /// descendants. Their holders are told. Error: NotFound.
     core::Result<void>
     revoke(const std::string& session, const std::string& id, bool children = false);
 

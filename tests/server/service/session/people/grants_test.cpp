@@ -168,6 +168,19 @@ TEST_F(GrantsTest, ALinkIntoACopyEndsWithItsMakersAndCountsForThat) {
     EXPECT_TRUE(grants.copies().empty());
 }
 
+TEST_F(GrantsTest, LinksIntoCopiesEndWithTheRevokedLinkAndOtherLinksOnlyWhereThatIsAsked) {
+    const auto made = grants.make("main", Role::Host, {});
+    const auto child = grants.make("main", Role::Viewer, {}, {made->grant.id, "Ada"});
+    const auto copy = grants.make_for_copy("session-1", {made->grant.id, "Ada"});
+    const auto further = grants.make_for_copy("session-2", {copy->grant.id, "Ada"});
+    const auto childs = grants.make_for_copy("session-3", {child->grant.id, "Bob"});
+    ASSERT_TRUE(grants.revoke("main", made->grant.id));
+    EXPECT_EQ(grants.find(copy->key), std::nullopt);
+    EXPECT_EQ(grants.find(further->key), std::nullopt) << "a copy of a copy";
+    EXPECT_TRUE(grants.find(child->key));
+    EXPECT_TRUE(grants.find(childs->key)) << "a copy by a link that is still good";
+}
+
 TEST_F(GrantsTest, RefusesRecordsThatAreNoLinks) {
     const std::string digest(64, 'a');
     const auto record = [&](const std::string& members) { return "{" + members + "}"; };

@@ -124,6 +124,33 @@ TEST_F(RecordRoom, OfAllSessionsIsAPartOfTheMemoryAndSmallSessionsAlwaysHaveSome
     EXPECT_FALSE(sessions->fork(full.id(), "copy"));
 }
 
+TEST_F(RecordRoom, OfTheCopiesByOneLinkIsThatOfOneSession) {
+    const auto copy = [&](const char* link) {
+        return *sessions->fork("main", "copy", false, link);
+    };
+    Session& full = *copy("g1");
+    EXPECT_EQ(fill(full).limit, limits::session_bytes);
+    Session& next = *copy("g1");
+    const auto refused = next.set_rake(long_rake(), ada);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().limit, limits::session_bytes);
+    EXPECT_NE(refused.error().message.find("share link"), std::string::npos)
+        << refused.error().message;
+    EXPECT_FALSE(sessions->fork(full.id(), "copy", false, "g1"));
+    EXPECT_TRUE(copy("g2")->set_rake(long_rake(), ada));
+    EXPECT_TRUE((*sessions->find("main"))->set_rake(long_rake(), ada));
+    EXPECT_TRUE(sessions->fork(full.id(), "copy"));
+}
+
+TEST_F(RecordRoom, OfAllCopiesIsHalfOfThatOfAllSessions) {
+    core::Error refused;
+    for (int i = 0; i < 100 && refused.limit != memory.budget() / limits::records_part / 2; ++i)
+        refused = fill(**sessions->fork("main", "copy", false, "g" + std::to_string(i)));
+    EXPECT_EQ(refused.limit, memory.budget() / limits::records_part / 2);
+    EXPECT_EQ(fill(**sessions->create("work")).limit, limits::session_bytes)
+        << "what is no copy is not refused for them";
+}
+
 TEST_F(RecordRoom, IsGivenBackWithTheSessionAndCountedInTheTrash) {
     const std::string id = (*sessions->create("busy"))->id();
     fill(**sessions->find(id));
