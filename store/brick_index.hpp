@@ -11,7 +11,7 @@
 
 namespace wakesurf::store {
 
-/// Bricks are in the order of the file (BrickLayout::morton_order).
+/// Bricks are in the order of the file (BrickLayout::place_on_disk).
 struct BrickIndex {
     std::vector<std::uint32_t> checksums; ///< CRC-32C of a brick's bytes
     std::vector<std::uint8_t> gaps;       ///< 1: some of its values are not finite; else 0
