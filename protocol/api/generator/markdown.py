@@ -121,7 +121,7 @@ def method_text(api, method):
     who = [f"For {role}"]
     if method.flag("x-wholeServer"):
         who.append("with the server's own token")
-    if method.flag("x-shared"):
+    if method.flag("x-shared") and not method.flag("x-wholeServer"):  # which no link allows
         who.append("in a copy by the role of the link that its maker came by")
     if method.flag("x-copier"):
         who.append("or who made the session, a copy, by a share link")
