@@ -304,6 +304,7 @@ TEST(ObstacleDownload, AtATimeHasTheVelocityOffTheBody) {
     ASSERT_TRUE(
         store::generate_store(ball, folder / "ball", [](const store::ImportProgress&) {}, {}));
     const ServerProcess server({"flow:sphere?a=2", "flow:tornado", folder / "ball"});
+    server.rpc(R"({"jsonrpc":"2.0","id":1,"method":"dataset.open","params":{"dataset":"ball"}})");
     const auto at = [&](const std::string& dataset, const std::string& query) {
         return http(server.port(), "GET", "/api/v1/datasets/" + dataset + "/obstacle.bin" + query,
                     server.bearer());
