@@ -45,8 +45,9 @@ TEST(WorkerThreads, TakeWhatCameFirst) {
 TEST(WorkerThreads, FinishWhatIsAddedWhileTheyEndAndTellItSo) {
     std::atomic<int> ended{0};
     {
+        std::function<void(bool)> again; // is called while the threads end
         WorkerThreads threads(2);
-        std::function<void(bool)> again = [&](bool ending) {
+        again = [&](bool ending) {
             if (ending)
                 ++ended;
             else
