@@ -98,6 +98,8 @@ inline ParticleState take_out(const Particles& p, std::size_t i) {
     if (p.tangents()) {
         at.carried.along_s = p.along_s[i];
         at.carried.along_t = p.along_t[i];
+        if (!p.expansion.empty())
+            at.carried.expansion = double(p.expansion[i]);
     }
     return at;
 }
@@ -109,6 +111,8 @@ inline void put_back(const Particles& p, std::size_t i, const ParticleState& at)
     if (p.tangents()) {
         p.along_s[i] = at.carried.along_s;
         p.along_t[i] = at.carried.along_t;
+        if (!p.expansion.empty())
+            p.expansion[i] = static_cast<float>(at.carried.expansion);
     }
 }
 

@@ -13,6 +13,7 @@
 namespace wakesurf::core {
 
 struct UniformFlow {
+    static constexpr bool divergence_free = true;
     static constexpr bool steady = true;
     double u, v, w;
 
@@ -20,12 +21,14 @@ struct UniformFlow {
 };
 
 struct OscillatingFlow {
+    static constexpr bool divergence_free = true;
     double u, a, omega;
 
     Vec3 velocity(const Vec3&, double t) const { return {u, a * std::sin(omega * t), 0.0}; }
 };
 
 struct RotationFlow {
+    static constexpr bool divergence_free = true;
     static constexpr bool steady = true;
     double omega, w;
 
@@ -33,6 +36,7 @@ struct RotationFlow {
 };
 
 struct ShearFlow {
+    static constexpr bool divergence_free = true;
     static constexpr bool steady = true;
     double u, g;
 
@@ -47,6 +51,7 @@ struct StrainFlow {
 };
 
 struct RotatingStrainFlow {
+    static constexpr bool divergence_free = true;
     double s, omega, w;
 
     Vec3 velocity(const Vec3& p, double t) const {
@@ -57,6 +62,7 @@ struct RotatingStrainFlow {
 };
 
 struct LambOseenFlow {
+    static constexpr bool divergence_free = true;
     static constexpr bool steady = true;
     double gamma, rc, w;
 
@@ -69,6 +75,7 @@ struct LambOseenFlow {
 };
 
 struct SphereFlow {
+    static constexpr bool divergence_free = true;
     static constexpr bool steady = true;
     double u, a;
 
@@ -84,6 +91,7 @@ struct SphereFlow {
 };
 
 struct CylinderFlow {
+    static constexpr bool divergence_free = true;
     static constexpr bool steady = true;
     double u, a, w;
 
@@ -99,6 +107,7 @@ struct CylinderFlow {
 };
 
 struct HillFlow {
+    static constexpr bool divergence_free = true;
     static constexpr bool steady = true;
     double u, a;
 
@@ -117,6 +126,7 @@ struct HillFlow {
 };
 
 struct AbcFlow {
+    static constexpr bool divergence_free = true;
     static constexpr bool steady = true;
     double a, b, c;
 
@@ -127,6 +137,7 @@ struct AbcFlow {
 };
 
 struct DoubleGyreFlow {
+    static constexpr bool divergence_free = true;
     double amplitude, eps, period, w;
 
     Vec3 velocity(const Vec3& p, double t) const {
@@ -158,6 +169,7 @@ struct TornadoFlow {
 };
 
 struct StagnationFlow {
+    static constexpr bool divergence_free = true;
     static constexpr bool steady = true;
     double a;
 

@@ -53,6 +53,8 @@ class Convoy {
                 batch_.tangent[lane][axis] = particles_.along_s[particle][axis];
                 batch_.tangent[lane][4 + axis] = particles_.along_t[particle][axis];
             }
+        batch_.tangent[lane][3] =
+            particles_.expansion.empty() ? 0.0 : double(particles_.expansion[particle]);
         return true;
     }
 
@@ -135,10 +137,11 @@ class Convoy {
     void arrive(std::size_t lane) {
         const auto& p = batch_.position;
         const double* w = batch_.tangent[lane];
-        put_back(particles_, particle_[lane],
-                 {{{p[0][lane], p[1][lane], p[2][lane]}, {w[0], w[1], w[2]}, {w[4], w[5], w[6]}},
-                  to_,
-                  CurveEnd::Running});
+        put_back(
+            particles_, particle_[lane],
+            {{{p[0][lane], p[1][lane], p[2][lane]}, {w[0], w[1], w[2]}, {w[4], w[5], w[6]}, w[3]},
+             to_,
+             CurveEnd::Running});
     }
 
     const Field& field_;

@@ -46,6 +46,10 @@ class CarryingSteps {
         return outcome;
     }
 
+    auto gradient(const CurveStep& step, double theta, double time) const {
+        return steps_.gradient(step, theta, time);
+    }
+
     double inside_until(const CurveStep& step, PointStatus& met) const {
         return steps_.inside_until(step, met);
     }
@@ -73,13 +77,17 @@ bool advance_in_series(const Field& field,
     trace.longest_step = options.longest_step;
     trace.stagnation_speed = options.stagnation_speed;
     trace.most_steps = options.most_steps;
+    trace.expansion = tangents;
     Curve way;
     way.last.position = way.seed = at.carried.position;
     way.release = at.time;
     way.duration = to - at.time;
     const auto go = [&](auto steps) {
         return advance_steps(std::move(steps), way, trace, way.duration, stop,
-                             [](const CurveStep&) { return true; });
+                             [&](const CurveStep& step) {
+                                 at.carried.expansion += double(step.expansion);
+                                 return true;
+                             });
     };
     auto steps = field.series_steps(trace, way.duration < 0.0 ? -1.0 : 1.0);
     const bool whole =

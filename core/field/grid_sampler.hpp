@@ -127,16 +127,7 @@ struct GridSampler {
 
     /// Returns (grad v) w, the exact derivative of the trilinear field within its cell; 0 in a cell with a
     /// gap.
-    Vec3 derivative(const Vec3& p, double t, const Vec3& w) const {
-        return derivatives(p, t, {&w, 1})[0];
-    }
-
-    /// Returns the derivatives along one or two vectors `w`, which share the slopes.
-    std::array<Vec3, 2> derivatives(const Vec3& p, double t, std::span<const Vec3> w) const {
-        std::array<Vec3, 2> result{};
-        std::transform(w.begin(), w.end(), result.begin(), gradient(p, t));
-        return result;
-    }
+    Vec3 derivative(const Vec3& p, double t, const Vec3& w) const { return gradient(p, t)(w); }
 
     /// Returns (grad v) w as a function of w, valid for as long as the field.
     auto gradient(const Vec3& p, double t) const {

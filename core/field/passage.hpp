@@ -140,15 +140,17 @@ class Passage {
             tangent[axis] = at.along_s[axis];
             tangent[4 + axis] = at.along_t[axis];
         }
-        tangent[3] = tangent[7] = 0.0;
+        tangent[3] = at.expansion;
+        tangent[7] = 0.0;
     }
 
     ParticleState state(std::size_t lane) const {
         const auto& p = batch_.position;
         const double* w = batch_.tangent[lane];
-        return {{{p[0][lane], p[1][lane], p[2][lane]}, {w[0], w[1], w[2]}, {w[4], w[5], w[6]}},
-                batch_.start[lane] + batch_.taken[lane] * batch_.dt[lane],
-                CurveEnd::Running};
+        return {
+            {{p[0][lane], p[1][lane], p[2][lane]}, {w[0], w[1], w[2]}, {w[4], w[5], w[6]}, w[3]},
+            batch_.start[lane] + batch_.taken[lane] * batch_.dt[lane],
+            CurveEnd::Running};
     }
 
     void go_on() {

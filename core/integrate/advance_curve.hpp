@@ -8,6 +8,7 @@
 #include "core/integrate/at_rest.hpp"
 #include "core/integrate/cursor_of.hpp"
 #include "core/integrate/curve.hpp"
+#include "core/integrate/divergence.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -114,6 +115,16 @@ StretchStep carry_stretch(
     return out;
 }
 
+/// Returns how much the fluid expands round the particle during a step, by the midpoint rule: a logarithm.
+template <class Steps>
+double expansion_in(const Steps& steps, const CurveStep& step, double release, bool frozen) {
+    const double time = frozen ? release : release + step.time + 0.5 * step.dt;
+    if constexpr (requires { steps.gradient(step, 0.5, time); })
+        return step.dt * divergence_of(steps.gradient(step, 0.5, time));
+    else
+        return step.dt * divergence(steps.field(), Vec3(step.at(0.5)), time);
+}
+
 inline CurveEnd end_at(PointStatus met) {
     return met == PointStatus::InObstacle ? CurveEnd::Obstacle : CurveEnd::Domain;
 }
@@ -216,7 +227,11 @@ bool advance_steps(Steps steps,
         if (outcome != StepOutcome::Taken)
             continue;
         step.time = curve.last.time;
-        if (options.stretch) // before any other test: the steps of cells have their place there
+        // Before any other test: the steps of cells have their place there.
+        if (options.expansion)
+            step.expansion =
+                static_cast<float>(expansion_in(steps, step, curve.release, options.frozen));
+        if (options.stretch)
             curve.stretches.push_back(
                 carry_stretch(steps, step, curve.last.stretch, curve.release, options.frozen));
         PointStatus met = PointStatus::Inside;

@@ -6,6 +6,7 @@
 #include "core/base/point_status.hpp"
 #include "core/integrate/at_rest.hpp"
 #include "core/integrate/carried.hpp"
+#include "core/integrate/divergence.hpp"
 #include "core/integrate/particles.hpp"
 #include "core/integrate/runge_kutta.hpp"
 
@@ -81,19 +82,18 @@ void take_step(const Field& field,
     at.time += way.part * dt;
 }
 
-/// A particle's velocity and the change of its tangents.
+/// A particle's velocity and the change of what it carries.
 template <CarryingField Field>
 Carried carried_slope(const Field& field, const Carried& y, double t, bool tangents) {
     const Vec3 v = field.velocity(y.position, t);
     if (!tangents)
-        return {v, Vec3(0.0), Vec3(0.0)};
-    if constexpr (requires { field.derivatives(y.position, t, std::span<const Vec3>()); }) {
-        const Vec3 tangent[2] = {y.along_s, y.along_t};
-        const auto change = field.derivatives(y.position, t, tangent);
-        return {v, change[0], change[1]};
+        return {v};
+    if constexpr (requires { field.gradient(y.position, t); }) {
+        const auto gradient = field.gradient(y.position, t);
+        return {v, gradient(y.along_s), gradient(y.along_t), divergence_of(gradient)};
     } else {
         return {v, field.derivative(y.position, t, y.along_s),
-                field.derivative(y.position, t, y.along_t)};
+                field.derivative(y.position, t, y.along_t), divergence(field, y.position, t)};
     }
 }
 
@@ -121,8 +121,8 @@ void rk4_particle_step(const Field& field,
     }
     const Carried change = rk4_change(slope, at.carried, at.time, dt, k1);
     // The slope at the end only serves to find a crossing.
-    const Carried end_slope{field.velocity(at.carried.position + change.position, at.time + dt),
-                            Vec3(0.0), Vec3(0.0)};
+    const Carried end_slope{
+        field.velocity(at.carried.position + change.position, at.time + dt), {}, {}, 0.0};
     take_step(field, at, change, k1, end_slope, dt);
 }
 

@@ -98,6 +98,7 @@ void Curve::cut_last_step() {
     const glm::dvec4 c2 = c3 + c4 - second;
     step.c = {c[0], first - c2, c2, c3, c4};
     step.dt *= part;
+    step.expansion *= static_cast<float>(part);
     if (stretches.size() == steps.size()) {
         StretchStep& stretch = stretches.back();
         const StretchStep whole = stretch;

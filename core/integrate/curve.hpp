@@ -40,8 +40,9 @@ struct TraceOptions {
     double longest_step = 0.0; ///< arc length a step may cover, in the dataset's length unit; > 0
     double stagnation_speed = 0.0;   ///< a slower particle may end: at_rest.hpp says which
     std::size_t most_steps = 50'000; ///< attempts after which it ends with Budget: 184 bytes each
-    bool stretch = false; ///< transport the tangent across the rake: 96 bytes a step more
-    bool smooth = false;  ///< stored data: tricubic in space and cubic in time instead of linear
+    bool stretch = false;  ///< transport the tangent across the rake: 96 bytes a step more
+    bool expansion = true; ///< find CurveStep::expansion, which is 0 otherwise
+    bool smooth = false;   ///< stored data: tricubic in space and cubic in time instead of linear
     WorkMemory* memory = nullptr; ///< what the steps take is counted there, where there is one
     /// Sees the steps of a frozen field, of which none is kept then. Called from several threads, for
     /// different curves.
@@ -55,7 +56,8 @@ struct CurveStep {
     double dt = 0.0;             ///< negative upstream
     std::array<glm::dvec4, 5> c; ///< coefficients of the polynomial
     /// The integrator's estimate of the error at the step's end, a length; RK4: 0.
-    double error = 0.0;
+    float error = 0.0f;
+    float expansion = 0.0f; ///< how much the fluid round it expands meanwhile, as of Carried
 
     /// Returns the position and arc length at a part of the step, 0 to 1.
     glm::dvec4 at(double theta) const {

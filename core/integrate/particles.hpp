@@ -32,6 +32,9 @@ struct Particles {
     /// overlap.
     std::span<std::uint32_t> cell{};
 
+    /// Where they carry tangents: Carried::expansion, which grows on the way; may be empty.
+    std::span<float> expansion{};
+
     /// Returns the number of particles.
     std::size_t count() const { return position.size(); }
 

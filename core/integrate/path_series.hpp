@@ -142,7 +142,7 @@ inline std::optional<CurveStep> series_step(const PathSeries& path,
         CurveStep step = dense_output(path, lo, size, arc, t);
         if (!add_arc(step, speed, speed_at(0.5 * t), speed_at(t), t))
             continue;
-        step.error = end_error(path, size, t);
+        step.error = static_cast<float>(end_error(path, size, t));
         return step;
     }
     return std::nullopt;

@@ -61,7 +61,7 @@ class RungeKuttaSteps {
                 curve.next_dt = std::max(curve.next_dt, wanted);
         }
         step = next.dense;
-        step.error = next.error;
+        step.error = static_cast<float>(next.error);
         end_velocity_ = next.velocity;
         return StepOutcome::Taken;
     }

@@ -12,14 +12,15 @@ namespace wakesurf::core {
 
 /// Errors of all directions that have come together since a particle was released. Along the surface they are
 /// an ellipse in the surface's coordinates, which takes part in what happens to the surface without being
-/// touched: an error keeps its coordinates. Through the surface they are lengths times areas, for the flow
-/// keeps volumes. Errors add up as if all had one direction.
+/// touched: an error keeps its coordinates. Through the surface they are lengths times areas, as of
+/// CarriedError. Errors add up as if all had one direction.
 class CarriedDistance {
   public:
     /// Length that it has where the tangents are these.
     double length(const SurfaceTangents& at) const {
         const double det = determinant(metric(at));
-        return det > 0.0 ? std::hypot(along(at), double(through_) / std::sqrt(det)) : along(at);
+        return det > 0.0 ? std::hypot(along(at), double(through_) / std::sqrt(det) * at.growth())
+                         : along(at);
     }
 
     /// Adds an error of any direction that arose where the tangents are these. A particle that had no
@@ -36,7 +37,7 @@ class CarriedDistance {
         const double others = (1.0 + before / added) * radius * radius / det;
         set(own * square(a_) + others * g.tt, own * a_ * b_ - others * g.st,
             own * (square(b_) + square(c_)) + others * g.ss);
-        through_ += static_cast<float>(radius * std::sqrt(det));
+        through_ += static_cast<float>(radius * std::sqrt(det) / at.growth());
     }
 
     /// Returns the distance half-way between two particles.

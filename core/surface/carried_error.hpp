@@ -11,8 +11,9 @@ namespace wakesurf::core {
 
 /// The tangents of a surface at a particle: how its place changes with the surface's two coordinates.
 struct SurfaceTangents {
-    Vec3 s; ///< dx/ds
-    Vec3 t; ///< dx/dt
+    Vec3 s;                 ///< dx/ds
+    Vec3 t;                 ///< dx/dt
+    double expansion = 0.0; ///< of the fluid there since the particle's release, as of Carried
 
     /// Returns how much of a vector points across the surface; all of it where the tangents do not say.
     double across(const Vec3& v) const {
@@ -22,6 +23,13 @@ struct SurfaceTangents {
                    ? std::abs(glm::dot(v, normal)) / length
                    : glm::length(v);
     }
+
+    /// Returns how many times as large a volume has become since release. No fluid becomes 1e17 times as thin
+    /// or as dense: where data say so, errors must not become 0 or overflow a float.
+    double growth() const { return std::exp(std::clamp(expansion, -40.0, 40.0)); }
+
+    /// Returns the volume that a unit had at release, per length across the surface now.
+    double volume() const { return area() / growth(); }
 
     /// Returns the area of a unit of either coordinate, kept away from zero: where the tangents are parallel,
     /// what lies between them is not known.
@@ -36,20 +44,21 @@ struct SurfaceTangents {
 };
 
 /// Errors that have come together since a particle was released, each as the volume between the surface and
-/// where the particle was put: for a unit of the surface's coordinates that is a length across times an area,
-/// and the flow keeps volumes. Errors add up as if all were on one side.
+/// where the particle was put, as large as it was at release: for a unit of the surface's coordinates that is
+/// a length across times an area, and volumes grow as the fluid does. Errors add up as if all were on one
+/// side.
 class CarriedError {
   public:
     /// Length across the surface that it has where the tangents are these.
-    double across(const SurfaceTangents& at) const { return across(at.area()); }
+    double across(const SurfaceTangents& at) const { return across(at.volume()); }
 
-    /// @param area  of the tangents there
-    double across(double area) const { return volume_ > 0.0f ? double(volume_) / area : 0.0; }
+    /// @param volume  of the tangents there
+    double across(double volume) const { return volume_ == 0.0f ? 0.0 : double(volume_) / volume; }
 
     /// Adds an error that arose where the tangents are these. A particle that had no tangents, since nothing
     /// moved where it was released, has no errors.
     void add(const SurfaceTangents& at, double across) {
-        volume_ += static_cast<float>(across * at.area());
+        volume_ += static_cast<float>(across * at.volume());
     }
 
     /// Returns the error half-way between two particles.

@@ -27,6 +27,14 @@ struct MeasuredErrors {
     std::vector<double> stated, truth; ///< of vertices that are not uncertain
     std::size_t uncertain = 0, vertices = 0;
 
+    /// Returns the number of vertices whose own error is no less than the true one, but for `unseen`.
+    std::size_t covered(double unseen) const {
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < truth.size(); ++i)
+            count += truth[i] <= stated[i] + unseen;
+        return count;
+    }
+
     /// Checks the 99th percentile from both sides: not less than the truth, but for the integrator's
     /// tolerance on `way`, and at most ten times as much, but for invisible errors.
     /// @param times  the weight of invisible errors

@@ -60,9 +60,6 @@ struct CellSampler {
     /// Returns (grad v) w, the exact derivative within the cell.
     Vec3 derivative(const Vec3& p, double t, const Vec3& w) const;
 
-    /// Returns the derivatives along one or two vectors `w`.
-    std::array<Vec3, 2> derivatives(const Vec3& p, double t, std::span<const Vec3> w) const;
-
     PointStatus status(const Vec3& p) const;
 
     /// Implements FieldOfTimeSteps.
@@ -115,16 +112,15 @@ class CellSamplerCursor {
         };
     }
 
-    Vec3 derivative(const Vec3& p, double t, const Vec3& w) const {
-        return derivatives(p, t, {&w, 1})[0];
+    /// Returns (grad v) w as a function of w, which is used before anything else is.
+    auto gradient(const Vec3& p, double t) const {
+        const bool known = go_to(p, false);
+        return [known, here = gradient_here(place_.local(), t)](const Vec3& w) {
+            return known ? here(w) : Vec3(0.0);
+        };
     }
 
-    std::array<Vec3, 2> derivatives(const Vec3& p, double t, std::span<const Vec3> w) const {
-        std::array<Vec3, 2> result{};
-        if (go_to(p, false))
-            std::transform(w.begin(), w.end(), result.begin(), gradient_here(place_.local(), t));
-        return result;
-    }
+    Vec3 derivative(const Vec3& p, double t, const Vec3& w) const { return gradient(p, t)(w); }
 
     /// The path of a particle that is at `p`, inside, at field time `t`. @param sign  +1 downstream, -1
     /// upstream
@@ -300,11 +296,6 @@ inline Vec3 CellSampler::velocity(const Vec3& p, double t) const {
 
 inline Vec3 CellSampler::derivative(const Vec3& p, double t, const Vec3& w) const {
     return cursor().derivative(p, t, w);
-}
-
-inline std::array<Vec3, 2>
-CellSampler::derivatives(const Vec3& p, double t, std::span<const Vec3> w) const {
-    return cursor().derivatives(p, t, w);
 }
 
 inline PointStatus CellSampler::status(const Vec3& p) const {

@@ -99,6 +99,9 @@ class RectilinearPlaces {
         cells[2] = w.template each<2>() * Floats::each_of(scale_[2] + i);
     }
 
+    /// Returns cells per unit of length where a lane is.
+    float per_length(std::size_t axis, std::size_t i) const { return scale_[axis][i]; }
+
     /// Returns the first cells of lanes from `g` on, exactly: an axis has fewer than 2^24 cells.
     Floats first_cell(std::size_t axis, std::size_t g) const {
         return Floats::both(Wide::load(cell_[axis] + g).narrow(),

@@ -119,7 +119,7 @@ struct Rk4Batch {
 
     // A particle between steps, in double so that accuracy does not drift.
     alignas(64) double position[3][most] = {};
-    alignas(64) double tangent[most][8] = {}; ///< along_s and along_t, four each
+    alignas(64) double tangent[most][8] = {}; ///< along_s, expansion; along_t, any number
     alignas(64) double start[most] = {};      ///< time at its first step
     alignas(64) double dt[most] = {};
     alignas(64) double taken[most] = {}; ///< steps

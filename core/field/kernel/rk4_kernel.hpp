@@ -156,12 +156,25 @@ class Rk4KernelOf {
         const Floats change = Floats::twice(at.along_x) * cells[0] +
                               at.along_yz.low_twice() * cells[1] +
                               at.along_yz.high_twice() * cells[2];
+        if constexpr (Stage == 1)
+            take_divergence(i, at);
         if constexpr (Stage == 0)
             change.store(tangent_sum_[i]);
         else
             (Floats::load(tangent_sum_[i]) + Floats::all(weight) * change).store(tangent_sum_[i]);
         if constexpr (Stage < 3)
             (change * (Floats::all(reach) * Floats::each_of(dt_ + i))).store(tangent_increment_[i]);
+    }
+
+    /// The midpoint rule is enough: errors grow by it, and need not be known to many digits.
+    void take_divergence(std::size_t i, const KernelSample<Lanes>& at) {
+        alignas(64) float along_x[Lanes::together][4], along_yz[2][Lanes::together][4];
+        at.along_x.store(along_x[0]);
+        at.along_yz.store(along_yz[0][0]);
+        for (std::size_t k = 0; k < Lanes::together; ++k)
+            divergence_[i + k] = along_x[k][0] * places_.per_length(0, i + k) +
+                                 along_yz[0][k][1] * places_.per_length(1, i + k) +
+                                 along_yz[1][k][2] * places_.per_length(2, i + k);
     }
 
     void finish(double (&next)[3][most], double (&next_tangent)[most][8]) {
@@ -179,6 +192,9 @@ class Rk4KernelOf {
             const Wide taken = Wide::load(batch_.taken + g) + Wide::all(1.0);
             batch_.last |= Bits{Wide::not_above(Wide::load(batch_.steps + g), taken)} << g;
         }
+        if constexpr (Tangents)
+            for (std::size_t i = 0; i < batch_.count; ++i)
+                tangent_sum_[i][3] = 6.0f * divergence_[i];
         if constexpr (Tangents)
             for (std::size_t w = 0; w < 8 * batch_.count; w += Wide::size)
                 (Wide::load(batch_.tangent[w / 8] + w % 8) +
@@ -208,6 +224,7 @@ class Rk4KernelOf {
     alignas(64) float tangent_[Tangents ? most : 1][8];
     alignas(64) float tangent_increment_[Tangents ? most : 1][8];
     alignas(64) float tangent_sum_[Tangents ? most : 1][8];
+    alignas(64) float divergence_[Tangents ? most : 1];
 };
 
 template <class Lanes, bool Tangents>

@@ -39,6 +39,7 @@ class UniformPlaces {
                                         static_cast<float>(field.per_spacing[1]),
                                         static_cast<float>(field.per_spacing[2]));
         for (std::size_t axis = 0; axis < 3; ++axis) {
+            per_length_[axis] = static_cast<float>(field.per_spacing[axis]);
             last_[axis] = static_cast<float>(field.last[axis]);
             last_cell_[axis] = static_cast<float>(field.last_cell[axis]);
         }
@@ -107,6 +108,9 @@ class UniformPlaces {
         cells[2] = scaled.template each<2>();
     }
 
+    /// Returns cells per unit of length where a lane is.
+    float per_length(std::size_t axis, std::size_t /*i*/) const { return per_length_[axis]; }
+
     /// Returns the number of cells to the last one on an axis, from those at `cell`.
     Floats to_last_cell(std::size_t axis, const Floats& cell) const {
         return Floats::all(last_cell_[axis]) - cell;
@@ -124,6 +128,7 @@ class UniformPlaces {
     alignas(64) double node_[Rk4Batch::most];
     float last_[3];
     float last_cell_[3];
+    float per_length_[3];
     Floats per_spacing_; ///< of x, y and z, as tangents are
 };
 

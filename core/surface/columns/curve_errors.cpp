@@ -86,9 +86,10 @@ CurveErrors::along(const SeededCurve& seeded, const SeededCurve* left, const See
     Neighbour before(left, seeded.s), after(right, seeded.s);
     Vec3 across = curve.seed_tangent;
     CarriedError error;
-    double pending = 0.0;
+    double pending = 0.0, expansion = 0.0;
     for (std::size_t i = 0; i < curve.steps.size(); ++i) {
-        pending += curve.steps[i].error;
+        pending += double(curve.steps[i].error);
+        expansion += double(curve.steps[i].expansion);
         const bool last = i + 1 == curve.steps.size();
         if ((i + 1) % knot_steps != 0 && !last)
             continue;
@@ -100,7 +101,7 @@ CurveErrors::along(const SeededCurve& seeded, const SeededCurve* left, const See
             across = glm::dot(*a, *a) < glm::dot(*b, *b) ? *a : *b;
         else if (a || b)
             across = a ? *a : *b;
-        const SurfaceTangents here{across, at.velocity};
+        const SurfaceTangents here{across, at.velocity, expansion};
         error.add(here, pending);
         pending = 0.0;
         const double arc = last ? curve.last.arc : curve.steps[i + 1].c[0].w;

@@ -71,6 +71,7 @@ class NodesOnTheirWay {
     trace(std::vector<Curve>& curves, const StepWatch& watch, const std::stop_token& stop) const {
         TraceOptions options = plan_.trace;
         options.watch = &watch;
+        options.expansion = false;
         return flow_.trace(curves, options, stop).map([](const TraceCost&) {});
     }
 

@@ -15,6 +15,7 @@ constexpr int search_rounds = 24;
 /// Particles that are carried together from one time to another.
 struct Batch {
     std::vector<Vec3> position, along_s, along_t;
+    std::vector<float> expansion;
     std::vector<double> time;
     std::vector<CurveEnd> end;
 
@@ -22,17 +23,21 @@ struct Batch {
         position.push_back(carried.position);
         along_s.push_back(carried.along_s);
         along_t.push_back(carried.along_t);
+        expansion.push_back(static_cast<float>(carried.expansion));
         time.push_back(at);
         end.push_back(CurveEnd::Running);
     }
 
-    Carried operator[](std::size_t i) const { return {position[i], along_s[i], along_t[i]}; }
+    Carried operator[](std::size_t i) const {
+        return {position[i], along_s[i], along_t[i], double(expansion[i])};
+    }
 
     Result<TraceCost> advance(const Flow& flow,
                               double to,
                               const AdvanceOptions& options,
                               const std::stop_token& stop) {
-        return flow.advance({position, along_s, along_t, time, end}, to, options, stop);
+        return flow.advance({position, along_s, along_t, time, end, {}, {}, {}, expansion}, to,
+                            options, stop);
     }
 
     Result<TraceCost> advance_places(const Flow& flow,

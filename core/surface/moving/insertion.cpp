@@ -153,7 +153,7 @@ Vec3 doubt_of(const EdgeCubic& edge) {
 }
 
 void add_insertion_error(const EdgeCubic& edge, MaterialPoint& made) {
-    const SurfaceTangents at{made.carried.along_s, made.carried.along_t};
+    const SurfaceTangents at = tangents_of(made.carried);
     const double length = glm::length(edge.b.position - edge.a.position);
     const Vec3 doubt = doubt_of(edge);
     made.error.placed.add(at, std::min(at.across(doubt), length));
@@ -211,7 +211,7 @@ MaterialPoint point_on_edge(const MovingMesh& mesh, TriangleId t, unsigned k, do
     const VertexId b = here.end(k);
     MaterialPoint mid = between(mesh, a, b, part);
     const EdgeCubic edge = edge_cubic(mesh, a, b);
-    const SurfaceTangents mean{mid.carried.along_s, mid.carried.along_t};
+    const SurfaceTangents mean = tangents_of(mid.carried);
     mid.carried = edge.at(part);
     if (cubic_holds(edge_turn(mesh, a, b), mesh.edge(a, b))) {
         const Carried along = mid.carried;

@@ -9,6 +9,7 @@ void for_each_array(MaterialVertices& v, Visit visit) {
     visit(v.position);
     visit(v.along_s);
     visit(v.along_t);
+    visit(v.expansion);
     visit(v.time);
     visit(v.end);
     visit(v.s);
@@ -54,7 +55,7 @@ void MaterialVertices::remove(VertexId v) {
 }
 
 MaterialPoint MaterialVertices::point(VertexId v) const {
-    return {{position[v], along_s[v], along_t[v]},
+    return {{position[v], along_s[v], along_t[v], double(expansion[v])},
             s[v],
             t[v],
             place[v],
@@ -67,6 +68,7 @@ void MaterialVertices::set(VertexId v, const MaterialPoint& point) {
     position[v] = point.carried.position;
     along_s[v] = point.carried.along_s;
     along_t[v] = point.carried.along_t;
+    expansion[v] = static_cast<float>(point.carried.expansion);
     s[v] = point.s;
     t[v] = point.t;
     place[v] = point.place;
@@ -76,7 +78,7 @@ void MaterialVertices::set(VertexId v, const MaterialPoint& point) {
 }
 
 Particles MaterialVertices::particles() {
-    return {position, along_s, along_t, time, end, {}, {}, cell};
+    return {position, along_s, along_t, time, end, {}, {}, cell, expansion};
 }
 
 void MaterialVertices::renumber(std::span<const VertexId> order) {

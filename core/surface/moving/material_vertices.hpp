@@ -25,6 +25,10 @@ struct LatticePlace {
     double row = 0.0;
 };
 
+inline SurfaceTangents tangents_of(const Carried& at) {
+    return {at.along_s, at.along_t, at.expansion};
+}
+
 /// The possible distance of a vertex from the true surface.
 struct VertexError {
     CarriedError traced; ///< by the integrator's steps, as if it had been traced from the rake
@@ -41,8 +45,8 @@ struct VertexError {
     }
 
     double across(const SurfaceTangents& at) const {
-        const double area = at.area();
-        return traced.across(area) + placed.across(area);
+        const double volume = at.volume();
+        return traced.across(volume) + placed.across(volume);
     }
 };
 
@@ -60,7 +64,7 @@ struct MaterialPoint {
 /// A vertex takes so many bytes in all arrays.
 inline constexpr std::size_t vertex_bytes =
     3 * sizeof(Vec3) + 3 * sizeof(double) + sizeof(CurveEnd) + sizeof(LatticePlace) +
-    sizeof(Vec3f) + sizeof(float) + 2 * sizeof(std::uint32_t) + sizeof(VertexRole) +
+    sizeof(Vec3f) + 2 * sizeof(float) + 2 * sizeof(std::uint32_t) + sizeof(VertexRole) +
     sizeof(std::uint8_t) + sizeof(VertexError);
 
 class MaterialVertices {
@@ -79,7 +83,9 @@ class MaterialVertices {
     /// Overwrites what is known of a vertex, its id and role staying.
     void set(VertexId v, const MaterialPoint& point);
 
-    SurfaceTangents tangents(VertexId v) const { return {along_s[v], along_t[v]}; }
+    SurfaceTangents tangents(VertexId v) const {
+        return {along_s[v], along_t[v], double(expansion[v])};
+    }
 
     /// Returns the particles for Flow::advance: only free, living vertices are Running.
     Particles particles();
@@ -101,6 +107,7 @@ class MaterialVertices {
     std::size_t bytes() const;
 
     std::vector<Vec3> position, along_s, along_t;
+    std::vector<float> expansion; ///< as of Carried
     std::vector<double> time;
     std::vector<CurveEnd> end; ///< Running; Time while attached; else why it is dead
     std::vector<double> s, t;

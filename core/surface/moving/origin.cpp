@@ -92,6 +92,7 @@ Result<void> retrace(MovingMesh& mesh,
     if (!born)
         return tl::unexpected(born.error());
     std::vector<Vec3> position, along_s, along_t;
+    std::vector<float> expansion(vertices.size(), 0.0f);
     std::vector<CurveEnd> end(vertices.size(), CurveEnd::Running);
     for (const MaterialPoint& point : *born) {
         position.push_back(point.carried.position);
@@ -101,19 +102,19 @@ Result<void> retrace(MovingMesh& mesh,
             end[position.size() - 1] = CurveEnd::Obstacle;
     }
     options.method = AdvanceOptions::Method::Dopri5;
-    if (auto advanced =
-            flow.advance({position, along_s, along_t, time, end}, mesh.time, options, stop);
+    if (auto advanced = flow.advance({position, along_s, along_t, time, end, {}, {}, {}, expansion},
+                                     mesh.time, options, stop);
         !advanced)
         return tl::unexpected(advanced.error());
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         const VertexId v = vertices[i];
         MaterialPoint point = (*born)[i];
-        point.carried = {position[i], along_s[i], along_t[i]};
+        point.carried = {position[i], along_s[i], along_t[i], double(expansion[i])};
         point.place = mesh.vertices.place[v];
         const double way = glm::length(position[i] - (*born)[i].carried.position);
         point.error.traced = mesh.vertices.error[v].traced;
-        point.error.traced.add({along_s[i], along_t[i]}, options.tolerance * way);
-        point.error.apart.add({along_s[i], along_t[i]}, options.tolerance * way);
+        point.error.traced.add(tangents_of(point.carried), options.tolerance * way);
+        point.error.apart.add(tangents_of(point.carried), options.tolerance * way);
         mesh.vertices.set(v, point);
         mesh.vertices.time[v] = time[i];
         mesh.vertices.end[v] = end[i];

@@ -29,8 +29,9 @@ class CarriedParticles {
         if (tangents_) {
             along_s_.assign(start_.size(), core::Vec3(1.0, 0.0, 0.0));
             along_t_.assign(start_.size(), core::Vec3(0.0, 1.0, 0.0));
+            expansion_.assign(start_.size(), 0.0f);
         }
-        return {position_, along_s_, along_t_, time_, end_};
+        return {position_, along_s_, along_t_, time_, end_, {}, {}, {}, expansion_};
     }
 
     const std::vector<core::Vec3>& start() const { return start_; }
@@ -40,6 +41,7 @@ class CarriedParticles {
   private:
     std::vector<core::Vec3> start_, position_, along_s_, along_t_;
     std::vector<double> time_;
+    std::vector<float> expansion_;
     std::vector<core::CurveEnd> end_;
     bool tangents_;
 };

@@ -44,14 +44,22 @@ struct Swarm {
     std::vector<Vec3> position, along_s, along_t;
     std::vector<double> time;
     std::vector<CurveEnd> end;
+    std::vector<float> expansion{};
 
     Particles particles(bool tangents) {
-        return {position, tangents ? std::span(along_s) : std::span<Vec3>{},
-                tangents ? std::span(along_t) : std::span<Vec3>{}, time, end};
+        return {position,
+                tangents ? std::span(along_s) : std::span<Vec3>{},
+                tangents ? std::span(along_t) : std::span<Vec3>{},
+                time,
+                end,
+                {},
+                {},
+                {},
+                tangents ? std::span(expansion) : std::span<float>{}};
     }
 
     Swarm only(std::size_t i) const {
-        return {{position[i]}, {along_s[i]}, {along_t[i]}, {time[i]}, {end[i]}};
+        return {{position[i]}, {along_s[i]}, {along_t[i]}, {time[i]}, {end[i]}, {expansion[i]}};
     }
 };
 
@@ -80,6 +88,7 @@ Swarm everywhere(std::size_t count, double earliest, double latest) {
         swarm.along_t.push_back(vector() - 0.5);
         swarm.time.push_back(i % 5 == 0 ? earliest : earliest + (latest - earliest) * unit(random));
         swarm.end.push_back(i % 31 == 0 ? CurveEnd::Domain : CurveEnd::Running);
+        swarm.expansion.push_back(0.1f * static_cast<float>(i % 3));
     }
     return swarm;
 }
@@ -107,6 +116,7 @@ void expect_same_bits(const Swarm& a, const Swarm& b) {
         ASSERT_EQ(bits(a.along_s[i]), bits(b.along_s[i])) << "particle " << i;
         ASSERT_EQ(bits(a.along_t[i]), bits(b.along_t[i])) << "particle " << i;
         ASSERT_EQ(a.time[i], b.time[i]) << "particle " << i;
+        ASSERT_EQ(a.expansion[i], b.expansion[i]) << "particle " << i;
         ASSERT_EQ(a.end[i], b.end[i]) << "particle " << i;
     }
 }
@@ -159,6 +169,7 @@ TEST(AdvanceStored, AParticleDoesNotDependOnThoseItTravelsWithNorOnThreads) {
             alone.along_t.push_back(one.along_t[0]);
             alone.time.push_back(one.time[0]);
             alone.end.push_back(one.end[0]);
+            alone.expansion.push_back(one.expansion[0]);
         }
         expect_same_bits(together, alone);
         const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);

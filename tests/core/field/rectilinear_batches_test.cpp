@@ -71,8 +71,9 @@ struct Swarm {
     std::vector<Vec3> position, along_s, along_t;
     std::vector<double> time;
     std::vector<CurveEnd> end;
+    std::vector<float> expansion;
 
-    Particles particles() { return {position, along_s, along_t, time, end}; }
+    Particles particles() { return {position, along_s, along_t, time, end, {}, {}, {}, expansion}; }
 };
 
 /// Anywhere, on the border, at nodes, and beside the ball. @param together  else every other one is released
@@ -94,6 +95,7 @@ Swarm everywhere(const RectilinearGrid& grid, bool together) {
         swarm.along_t.emplace_back(-0.1, 0.8, 0.5);
         swarm.time.push_back(together || i % 2 == 0 ? 0.1 : 0.3);
         swarm.end.push_back(CurveEnd::Running);
+        swarm.expansion.push_back(0.25f);
     }
     return swarm;
 }
@@ -108,6 +110,7 @@ void expect_same_bits(const Swarm& a, const Swarm& b) {
     };
     EXPECT_TRUE(same(a.position, b.position));
     EXPECT_TRUE(same(a.along_s, b.along_s));
+    EXPECT_TRUE(same(a.expansion, b.expansion));
     EXPECT_TRUE(same(a.along_t, b.along_t));
     EXPECT_TRUE(same(a.time, b.time));
     EXPECT_EQ(a.end, b.end);

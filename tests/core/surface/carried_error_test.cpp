@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace wakesurf::core::carried_error_test {
 
 namespace {
@@ -19,6 +21,25 @@ TEST(CarriedError, GrowsAsTheSurfaceShrinksAndNotAsItIsStretched) {
     EXPECT_NEAR(error.across({{0.1, 0.0, 0.0}, {0.0, 0.1, 0.0}}), 0.1, 1e-7);
     // Shear slides it along.
     EXPECT_NEAR(error.across({{1.0, 0.0, 0.0}, {40.0, 1.0, 0.0}}), 1e-3, 1e-9);
+}
+
+TEST(CarriedError, GrowsAsTheFluidExpandsThoughTheSurfaceIsNot) {
+    CarriedError error;
+    error.add(square, 1e-3);
+    SurfaceTangents later = square;
+    later.expansion = std::log(7.0);
+    EXPECT_NEAR(error.across(later), 7e-3, 1e-9);
+    // What arises there has to be carried back to add to it.
+    error.add(later, 7e-3);
+    EXPECT_NEAR(error.across(square), 2e-3, 1e-9);
+    // Data whose divergence makes no sense lose no error.
+    later.expansion = 1e3;
+    EXPECT_GT(error.across(later), 1.0);
+    error.add(later, 1e-3);
+    EXPECT_NEAR(error.across(square), 2e-3, 1e-9);
+    later.expansion = NAN;
+    error.add(later, 1e-3);
+    EXPECT_TRUE(std::isnan(error.across(square)));
 }
 
 TEST(CarriedError, AddsUpAsIfAllWereOnOneSide) {

@@ -24,6 +24,19 @@ std::unique_ptr<Flow> sampled(const char* name, Box box) {
     return make_stored_flow(std::make_shared<TimeStepCache>(source, TimeStepCache::Options{}));
 }
 
+/// A swirl that expands and contracts, stored so finely that its steps make most of the error.
+std::unique_ptr<Flow> expanding(double rate) {
+    std::vector<double> times(31);
+    for (std::size_t i = 0; i < times.size(); ++i)
+        times[i] = 0.1 * static_cast<double>(i);
+    const UniformGrid grid{.origin = Vec3(-8), .spacing = Vec3(0.5), .dimensions = {33, 33, 33}};
+    auto source = std::make_shared<SampledSource>(grid, times, [rate](const Vec3& p, double t) {
+        return (1.0 + 0.5 * std::sin(5.0 * t)) *
+               Vec3(rate * p.x - 2.5 * p.y, rate * p.y + 2.5 * p.x, rate * p.z);
+    });
+    return make_stored_flow(std::make_shared<TimeStepCache>(source, TimeStepCache::Options{}));
+}
+
 /// Flow round a cylinder that sways, on a mesh of cells.
 std::unique_ptr<Flow> meshed_cylinder() {
     CellMesh mesh = block({30, 60, 6}, round_cylinder, true);
@@ -58,6 +71,25 @@ TEST(StatedError, HoldsFromBothSidesForStoredDataWhateverTheSeed) {
             expect_true_errors(*flow, 3.0, seed, 40);
         }
     }
+}
+
+TEST(StatedError, CoversVerticesWhereTheFluidExpandsAndWhereItContracts) {
+    for (const auto& [kind, name] : every_kind)
+        for (const Accuracy accuracy : {Accuracy::Fast, Accuracy::Balanced, Accuracy::Exact}) {
+            SCOPED_TRACE(std::string(name) + " " + std::to_string(static_cast<int>(accuracy)));
+            std::size_t covered = 0, all = 0;
+            for (const double rate : {0.5, 0.2, -0.25, -0.5}) {
+                const auto flow = expanding(rate);
+                const SurfaceParameters p = asked(*flow, kind, accuracy, 3.0);
+                MeasuredErrors sum;
+                for (const Rake& rake : rakes(*flow, 3))
+                    measure(sum, *flow, rake, p, 60);
+                sum.check(accuracy, p.separation, 3.0);
+                covered += sum.covered(1e-7 * p.separation);
+                all += sum.truth.size();
+            }
+            EXPECT_GE(static_cast<double>(covered), 0.95 * static_cast<double>(all));
+        }
 }
 
 TEST(StatedError, HoldsFromBothSidesOnAMeshOfCellsWithABody) {

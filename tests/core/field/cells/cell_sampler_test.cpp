@@ -63,17 +63,14 @@ TEST(CellSampler, DerivativeIsTheDifferenceQuotientInsideBentCells) {
         sampler.interval = 2.0;
         constexpr double h = 1e-5;
         for (const Vec3& p : inner_points(*field.mesh, 200)) {
-            const Vec3 w[2] = {Vec3(0.3, -0.5, 0.7), Vec3(-0.1, 0.9, 0.2)};
-            const auto change = sampler.derivatives(p, 0.6, w);
-            for (std::size_t i = 0; i < 2; ++i) {
-                if (sampler.status(p + h * w[i]) != PointStatus::Inside ||
-                    sampler.status(p - h * w[i]) != PointStatus::Inside)
-                    continue;
-                const Vec3 quotient =
-                    (sampler.velocity(p + h * w[i], 0.6) - sampler.velocity(p - h * w[i], 0.6)) /
-                    (2.0 * h);
-                EXPECT_LT(largest(change[i] - quotient), 3e-7 * (1.0 + largest(quotient)));
-            }
+            const Vec3 w(0.3, -0.5, 0.7);
+            if (sampler.status(p + h * w) != PointStatus::Inside ||
+                sampler.status(p - h * w) != PointStatus::Inside)
+                continue;
+            const Vec3 quotient =
+                (sampler.velocity(p + h * w, 0.6) - sampler.velocity(p - h * w, 0.6)) / (2.0 * h);
+            EXPECT_LT(largest(sampler.derivative(p, 0.6, w) - quotient),
+                      3e-7 * (1.0 + largest(quotient)));
         }
     }
 }
