@@ -32,4 +32,24 @@ describe('a surface as points', () => {
             expect(apart[Math.floor(0.95 * apart.length)], `${zoom}`).toBeLessThan(0.06);
         }
     });
+
+    const sheet: FlatFlow = { corner: [0, 0, 0], size: 1, waves: 0, speed: [1, 1], angle: [0, 1], zoom: 0.6, grid: [11, 7] };
+    const borders: [string, Partial<FlatFlow>, holes: number][] = [
+        ['a straight border', {}, 0],
+        ['one that leans', { lean: 0.6 }, 0],
+        ['corners inwards, round a hole', { hole: [0.3, 0.7, 0.3, 0.7] }, 0],
+        ['a notch beside which the sheet is one cell wide', { hole: [0.1, 0.5, 0, 0.8] }, 0],
+        ['a bent sheet', { waves: 0.05, grid: [21, 13] }, 0],
+        ['a line through cells, which are cut there', { cut: true, grid: [41, 25] }, 0.001],
+    ];
+
+    it.each(borders)('ends where its cells do: %s', async (_, border, most) => {
+        const flow = { ...sheet, ...border };
+        const look = { source: 'constant', backSide: 'same' } as const;
+        const [cells, points] = [await lightOf(flow, look), await lightOf(flow, { ...look, points: true })];
+        const drawn = cells.filter((light) => light > 0).length;
+        expect(drawn).toBeGreaterThan(4000);
+        expect(cells.filter((light, i) => light > 0 && points[i] === 0).length / drawn).toBeLessThanOrEqual(most);
+        expect(points.filter((light, i) => light > 0 && cells[i] === 0).length / drawn).toBeLessThan(0.005);
+    });
 });

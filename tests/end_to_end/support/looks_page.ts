@@ -2,7 +2,7 @@
 // their pixels. The GPU finishes each picture before it is measured.
 import { Color, OrthographicCamera, Scene, WebGLRenderer } from 'three';
 import type { BodyMesh } from '../../../web-client/src/mesh/bodyMesh.ts';
-import type { TimedMeshChange } from '../../../web-client/src/mesh/meshChange.ts';
+import { cutLevel, type TimedMeshChange } from '../../../web-client/src/mesh/meshChange.ts';
 import { View } from '../../../web-client/src/scene/base/view.ts';
 import { Lights } from '../../../web-client/src/scene/lights.ts';
 import { DrawnBody } from '../../../web-client/src/scene/surface/drawnBody.ts';
@@ -23,6 +23,13 @@ export interface FlatFlow {
     zoom?: number;
     /** Of all vertices, see worker/unresolved.ts. */
     unresolved?: readonly [number, number];
+    /** Vertices each way, instead of as many as nobody sees. */
+    grid?: readonly [number, number];
+    /** Cells between these parts of its width and its height are not there, and rows lean by so much. */
+    hole?: readonly [u0: number, u1: number, v0: number, v1: number];
+    lean?: number;
+    /** It is cut along a wave. */
+    cut?: true;
 }
 
 export interface LookBench {
@@ -40,9 +47,9 @@ declare global {
     }
 }
 
-const [columns, rows] = [200, 100];
-
-function sheet({ corner, size, waves, speed, angle, unresolved }: FlatFlow, time: number): TimedMeshChange {
+function sheet(flat: FlatFlow, time: number): TimedMeshChange {
+    const { corner, size, waves, speed, angle, unresolved, hole, lean } = flat;
+    const [columns, rows] = flat.grid ?? [200, 100];
     const count = columns * rows;
     const height = (size * innerHeight) / innerWidth;
     const [positions, normals, seeds] = [new Float32Array(3 * count), new Float32Array(3 * count), new Float32Array(2 * count)];
@@ -52,7 +59,7 @@ function sheet({ corner, size, waves, speed, angle, unresolved }: FlatFlow, time
         const [u, v] = [(i % columns) / (columns - 1), Math.floor(i / columns) / (rows - 1)];
         const [dx, dy] = [waves * Math.cos(9 * u) * 9, -waves * Math.sin(7 * v) * 7];
         const up = size * waves * (Math.sin(9 * u) + Math.cos(7 * v));
-        positions.set([corner[0] + size * u, corner[1] + height * v, corner[2] + up], 3 * i);
+        positions.set([corner[0] + size * (u + (lean ?? 0) * (v - 0.5)), corner[1] + height * v, corner[2] + up], 3 * i);
         const steep = Math.hypot(dx, (dy * size) / height, 1);
         normals.set([-dx / steep, (-dy * size) / height / steep, 1 / steep], 3 * i);
         seeds.set([u, v], 2 * i);
@@ -66,6 +73,8 @@ function sheet({ corner, size, waves, speed, angle, unresolved }: FlatFlow, time
     const indices = new Uint32Array(6 * quads);
     for (let i = 0; i < quads; ++i) {
         const at = Math.floor(i / (columns - 1)) * columns + (i % (columns - 1));
+        const [u, v] = [((at % columns) + 0.5) / (columns - 1), (Math.floor(at / columns) + 0.5) / (rows - 1)];
+        if (hole !== undefined && u > hole[0] && u < hole[1] && v > hole[2] && v < hole[3]) continue;
         indices.set([at, at + 1, at + columns, at + 1, at + columns + 1, at + columns], 6 * i);
     }
     const scalars = ['velocity_x', 'velocity_y', 'velocity_z'].map((name, axis) => ({
@@ -73,9 +82,14 @@ function sheet({ corner, size, waves, speed, angle, unresolved }: FlatFlow, time
     }));
     scalars.push({ name: 'speed', fromVertex: 0, values: speeds });
     const lost = unresolved === undefined ? null : Float32Array.from({ length: 2 * count }, (_, i) => unresolved[i % 2]!);
+    const levels = Uint8Array.from({ length: count }, (_, i) => {
+        const [u, v] = [(i % columns) / (columns - 1), Math.floor(i / columns) / (rows - 1)];
+        return Math.max(0, Math.min(255, cutLevel * (1 + 4 * (u - 0.6 + 0.1 * Math.sin(9 * v)))));
+    });
+    const cut = flat.cut === undefined ? null : { levels, trimmedCells: 0 };
     return {
         ...{ time, vertices: count, triangles: 2 * quads, fromVertex: 0, positions, fromNormal: 0, normals, fromSeed: 0, seeds },
-        ...{ tFrom: 0, scalars, fromIndex: 0, indices, parts: null, cut: null, units: null, unresolved: lost },
+        ...{ tFrom: 0, scalars, fromIndex: 0, indices, parts: null, cut, units: null, unresolved: lost },
     };
 }
 

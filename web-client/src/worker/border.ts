@@ -1,4 +1,5 @@
-// Where a surface has its borders: by the sides of its cells, of which those inside belong to two.
+// The sides of a surface's cells, and its borders along them.
+import { borderOf } from '../mesh/border.ts';
 import { cellStride, noVertex } from '../protocol/cell.ts';
 
 /** The sides of cells, over their mids. @param gone 1 for each cell that does not count */
@@ -15,30 +16,9 @@ export function eachSide(cells: Int32Array, gone: Uint8Array, use: (from: number
     }
 }
 
-/**
- * 1 for each vertex on a border. Inside, each neighbour is met by two cells, and what is written of it twice
- * is gone again; of a vertex on the border two neighbours are met once.
- */
-export function borderOf(cells: Int32Array, vertices: number, gone: Uint8Array): Uint8Array {
-    const met = new Int32Array(vertices);
-    eachSide(cells, gone, (from, to) => {
-        met[from]! ^= mixed(to);
-        met[to]! ^= mixed(from);
-    });
-    const border = new Uint8Array(vertices);
-    for (let v = 0; v < vertices; ++v) if (met[v] !== 0) border[v] = 1;
-    return border;
-}
-
-/** So that no sums of a few numbers are the same by chance. */
-function mixed(vertex: number): number {
-    const spread = Math.imul(vertex + 1, 0x9e3779b1);
-    return Math.imul(spread ^ (spread >>> 15), 0x85ebca6b);
-}
-
 /** The neighbours along the border of each vertex that is on one. */
 export function neighboursOnBorder(cells: Int32Array, vertices: number, gone: Uint8Array): Map<number, number[]> {
-    const onBorder = borderOf(cells, vertices, gone);
+    const onBorder = borderOf((use) => eachSide(cells, gone, use), vertices);
     const met = new Map<number, [number, number]>();
     eachSide(cells, gone, (from, to) => {
         if (onBorder[from] === 0 || onBorder[to] === 0) return;

@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { cutLevel, wholeCut } from '../mesh/meshChange.ts';
-import { borderOf } from './border.ts';
+import { borderOf } from '../mesh/border.ts';
+import { eachSide } from './border.ts';
 import type { TornSurface } from './borderCord.ts';
 import { type Trimming, trimTornBorder } from './tornBorder.ts';
 
@@ -75,9 +76,9 @@ describe('borderOf', () => {
     it('is where a side belongs to one cell alone, over mids too', () => {
         // Two columns of which the right one is cut once: its new vertex hangs on the left cell.
         const cells = Int32Array.from([0, 1, 4, 3, -1, 6, -1, -1, 1, 2, 7, 6, -1, -1, -1, -1, 6, 7, 5, 4, -1, -1, -1, -1]);
-        expect([...borderOf(cells, 8, new Uint8Array(3))]).toEqual([1, 1, 1, 1, 1, 1, 0, 1]);
+        expect([...borderOf((use) => eachSide(cells, new Uint8Array(3), use), 8)]).toEqual([1, 1, 1, 1, 1, 1, 0, 1]);
         const { surface } = new Grid(20, 20, () => true, none);
-        const border = borderOf(surface.cells, surface.vertices, new Uint8Array(400));
+        const border = borderOf((use) => eachSide(surface.cells, new Uint8Array(400), use), surface.vertices);
         expect(border.reduce((sum, each) => sum + each, 0)).toBe(80);
     });
 });

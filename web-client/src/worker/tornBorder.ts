@@ -2,9 +2,10 @@
 // quads that stick out one by one, crumbs, and of the quads along the border what lies outside of a smooth
 // line. Levels of the vertices say so, and the GPU cuts where levels between vertices pass `cutLevel`: cells,
 // triangles and vertices stay as the server has sent them.
+import { borderOf } from '../mesh/border.ts';
 import { cutLevel, wholeCut } from '../mesh/meshChange.ts';
 import { cellStride, noVertex } from '../protocol/cell.ts';
-import { borderOf } from './border.ts';
+import { eachSide } from './border.ts';
 import { BorderCord, type TornSurface } from './borderCord.ts';
 import { rootsOf } from './parts.ts';
 
@@ -25,7 +26,7 @@ const wholeOverCrumb = 50;
 export function trimTornBorder(surface: TornSurface): Trimming | null {
     const { cells, vertices, isEnd } = surface;
     const whole = new Uint8Array(cells.length / cellStride);
-    const torn = borderOf(cells, vertices, whole);
+    const torn = borderOf((use) => eachSide(cells, whole, use), vertices);
     for (let v = 0; v < vertices; ++v) if (torn[v] !== 0 && isEnd(v)) torn[v] = 0;
     if (!torn.includes(1)) return null;
     const gone = leftOut(surface, torn);

@@ -1,6 +1,6 @@
 // A surface as points: at each vertex an elliptical disc in the plane of the surface, as large as the
 // neighbours are away, so that discs leave no holes (after Schafhitzel, Tejada, Weiskopf, Ertl, Point-based
-// stream surfaces and path surfaces, 2007). They are made of what the surface's buffers hold, and drawn by
+// stream surfaces and path surfaces, 2007), cut at the surface's border. They are made of what the surface's buffers hold, and drawn by
 // the surface's own shader.
 import {
     BufferAttribute,
@@ -11,6 +11,8 @@ import {
     type ShaderMaterial,
     Sphere,
 } from 'three';
+import { cutLevel } from '../../mesh/meshChange.ts';
+import { type SplatAxes, splatEnds, type SplatSurface } from './splatEnds.ts';
 
 /** In the frame in which the farthest neighbours are 1 away along both axes, sides of triangles are 2 sqrt 2
  *  long at most, and usually sqrt 2. */
@@ -30,11 +32,16 @@ export class Splats {
         for (const [name, { array, itemSize }] of Object.entries(of.attributes as Record<string, BufferAttribute>)) {
             geometry.setAttribute(name, new InstancedBufferAttribute(array, itemSize));
         }
-        const indices = (of.index!.array as Uint32Array).subarray(0, of.drawRange.count);
-        const { positions, normals } = { positions: arrayOf(of, 'position'), normals: arrayOf(of, 'normal') };
-        const axes = splatAxes({ positions, normals, indices, vertices });
+        const surface: SplatSurface = {
+            ...{ positions: arrayOf(of, 'position'), normals: arrayOf(of, 'normal'), vertices },
+            indices: drawn((of.index!.array as Uint32Array).subarray(0, of.drawRange.count), of),
+        };
+        const axes = splatAxes(surface);
+        const ends = splatEnds(surface, axes, 'cut' in of.attributes ? arrayOf(of, 'cut') : null);
         geometry.setAttribute('axisU', new InstancedBufferAttribute(axes.u, 3));
         geometry.setAttribute('axisV', new InstancedBufferAttribute(axes.v, 3));
+        geometry.setAttribute('endsThrough', new InstancedBufferAttribute(ends.through, 4));
+        geometry.setAttribute('endBeside', new InstancedBufferAttribute(ends.beside, 4));
         geometry.setAttribute('corner', new BufferAttribute(Float32Array.of(-1, -1, 1, -1, 1, 1, -1, 1), 2));
         geometry.setIndex([0, 1, 2, 0, 2, 3]);
         geometry.instanceCount = vertices;
@@ -53,16 +60,15 @@ function arrayOf(geometry: BufferGeometry, name: string): Float32Array {
     return geometry.getAttribute(name).array as Float32Array;
 }
 
+/** Triangles without those that are cut as a whole. */
+function drawn(indices: Uint32Array, { attributes }: BufferGeometry): Uint32Array {
+    const levels = (attributes as Record<string, BufferAttribute>)['cut']?.array;
+    if (levels === undefined) return indices;
+    return indices.filter((_, i) => [0, 1, 2].some((k) => levels[indices[i - (i % 3) + k]!]! <= cutLevel));
+}
+
 /** Half axes of the discs: along the side of a triangle that is longest there, and across it. */
-export function splatAxes({
-    positions,
-    normals,
-    indices,
-    vertices,
-}: Record<'positions' | 'normals', Float32Array> & { indices: Uint32Array; vertices: number }): {
-    u: Float32Array;
-    v: Float32Array;
-} {
+export function splatAxes({ positions, normals, indices, vertices }: SplatSurface): SplatAxes {
     const [u, v] = [new Float32Array(3 * vertices), new Float32Array(3 * vertices)];
     const longest = new Float32Array(vertices);
     const across = new Float32Array(vertices);

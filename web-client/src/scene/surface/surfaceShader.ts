@@ -7,20 +7,27 @@ import { cutLevel } from '../../mesh/meshChange.ts';
 import { flowTextureGlsl, flowVertexGlsl } from './flowTextureShader.ts';
 import { patternGlsl } from './patternShader.ts';
 import { piecesGlsl } from './piecesShader.ts';
+import { endSlack } from './splatEnds.ts';
 import { tableSize } from './colourMap.ts';
 
 export const vertexShader = `
 attribute vec2 seed;
 #ifdef SPLATS
-// Of a disc: its half axes, and a corner of the square round it.
+// Of a disc: its half axes, a corner of the square round it, and where it ends (splatEnds.ts).
 attribute vec3 axisU;
 attribute vec3 axisV;
 attribute vec2 corner;
+attribute vec4 endsThrough;
+attribute vec4 endBeside;
 out vec2 onDisc;
+flat out vec4 through;
+flat out vec4 beside;
 #endif
 attribute float scalar;
 attribute float stretch;
+#ifndef SPLATS
 attribute float cut;
+#endif
 // What a fixed grid cannot resolve: what shape takes away of smoke, and how far sides leave the plane of the
 // vertex.
 attribute vec2 unresolved;
@@ -53,6 +60,8 @@ void main() {
 #ifdef SPLATS
     vec3 at = position + corner.x * axisU + corner.y * axisV;
     onDisc = corner;
+    through = endsThrough;
+    beside = endBeside;
 #else
     vec3 at = position;
 #endif
@@ -64,7 +73,11 @@ void main() {
     place = seed;
     float age = ageOf.x + ageOf.y * seed.y;
     float value = source == 1 ? scalar : source == 2 ? seed.x : age;
+#ifdef SPLATS
+    values = vec4(value, age, stretch, 0.0);
+#else
     values = vec4(value, age, stretch, cut);
+#endif
     flow = vec3(flowX, flowY, flowZ);
     unitLength = unit;
     hidden = fixedGrid ? unresolved : vec2(0.0);
@@ -85,6 +98,8 @@ in vec3 flow;
 in vec2 unitLength;
 #ifdef SPLATS
 in vec2 onDisc;
+flat in vec4 through;
+flat in vec4 beside;
 #endif
 in vec2 hidden;
 in float turned;
@@ -102,8 +117,12 @@ uniform float opacity;
 bool isLeftOut() {
 #ifdef SPLATS
     if (dot(onDisc, onDisc) > 1.0) return true;
-#endif
+    vec2 inside = vec2(dot(onDisc, through.xy), dot(onDisc, through.zw));
+    float least = beside.w > 0.5 ? max(inside.x, inside.y) : min(inside.x, inside.y);
+    return min(least, dot(onDisc, beside.xy) + beside.z) < -${endSlack};
+#else
     return values.w > ${cutLevel}.5;
+#endif
 }
 
 ${piecesGlsl}
