@@ -28,6 +28,14 @@ const pythonClient: Plugin = {
 const unusedShaders =
     /^.*\/(?:(?:lights_(?:physical|toon|phong)|transmission|iridescence|clearcoat|cube_uv_reflection|envmap|shadowm\w+|lightprobes|tonemapping|morph\w+|skin\w*|batching|bumpmap|normalmap|alphahash|gradientmap)_\w+)\.glsl\.js$/;
 
+/** The page does not ship comments within the text of its own shaders. */
+const shaderComments: Plugin = {
+    name: 'shader-comments',
+    apply: 'build',
+    enforce: 'pre',
+    transform: (code, id) => (/\/src\/scene\/.*\.ts$/.test(id) ? code.replace(/^ *(?:\/\/.*|\/\*\*[^]*?\*\/)$/gm, '') : null),
+};
+
 const notices = thirdPartyNotices();
 
 export default defineConfig({
@@ -39,7 +47,7 @@ export default defineConfig({
             { find: unusedShaders, replacement: 'data:text/javascript,export default ""' },
         ],
     },
-    plugins: [pythonClient, notices.page],
+    plugins: [pythonClient, shaderComments, notices.page],
     build: {
         target: 'es2022',
         outDir: 'dist',
