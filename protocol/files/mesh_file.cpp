@@ -2,7 +2,6 @@
 
 #include "protocol/files/mesh_drc.hpp"
 #include "protocol/files/mesh_obj.hpp"
-#include "protocol/files/mesh_ply.hpp"
 #include "protocol/files/mesh_vtp.hpp"
 
 namespace wakesurf::protocol {
@@ -60,12 +59,13 @@ core::Result<std::string> mesh_file(MeshFormat format,
                                     const core::QuadComplex& mesh,
                                     const MeshMetadata& metadata,
                                     const MeshScalars& scalars,
-                                    GlbCoding glb) {
+                                    GlbCoding glb,
+                                    PlyElements ply) {
     switch (format) {
     case MeshFormat::Glb:
         return mesh_glb(mesh, metadata, scalars, glb);
     case MeshFormat::Ply:
-        return mesh_ply(mesh, metadata, scalars);
+        return mesh_ply(mesh, metadata, scalars, ply);
     case MeshFormat::Obj:
         return mesh_obj(mesh, metadata);
     case MeshFormat::Drc:

@@ -6,6 +6,7 @@
 #include "core/surface/quad_complex.hpp"
 #include "protocol/files/mesh_glb.hpp"
 #include "protocol/files/mesh_metadata.hpp"
+#include "protocol/files/mesh_ply.hpp"
 
 #include <array>
 #include <optional>
@@ -32,11 +33,12 @@ std::optional<MeshFormat> mesh_format(std::string_view extension);
 std::string mesh_extensions();
 
 /// Returns the bytes of a file. Same input, same bytes. Error: of .glb and .drc, see encode_triangles.
-/// REQUIRES: as mesh_vtp. @param glb  is ignored for other formats
+/// REQUIRES: as mesh_vtp. @param glb, ply  are ignored for other formats
 core::Result<std::string> mesh_file(MeshFormat format,
                                     const core::QuadComplex& mesh,
                                     const MeshMetadata& metadata,
                                     const MeshScalars& scalars,
-                                    GlbCoding glb = GlbCoding::Draco);
+                                    GlbCoding glb = GlbCoding::Draco,
+                                    PlyElements ply = PlyElements::Cells);
 
 } // namespace wakesurf::protocol

@@ -7,11 +7,14 @@
 #include "protocol/files/ply_parts.hpp"
 #include "protocol/files/viridis.hpp"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace wakesurf::protocol {
@@ -69,6 +72,24 @@ struct SpeedRange {
     }
 };
 
+/// Of the longest side at a vertex: what the page draws as half the longer axis of an ellipse.
+constexpr double radius_of_side = 0.85;
+
+/// Returns the radii of discs at the vertices, each as large as its neighbours are away.
+std::vector<float> disc_radii(const core::QuadComplex& mesh,
+                              const std::vector<Triangle>& triangles) {
+    std::vector<float> radii(mesh.vertices(), 0.0F);
+    for (const Triangle& each : triangles)
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::uint32_t from = each[i], to = each[(i + 1) % 3];
+            const auto radius = static_cast<float>(
+                radius_of_side * glm::distance(mesh.position[from], mesh.position[to]));
+            radii[from] = std::max(radii[from], radius);
+            radii[to] = std::max(radii[to], radius);
+        }
+    return radii;
+}
+
 /// Returns true if the mesh's error is written; a field of the data with that name has priority.
 bool has_error(const core::QuadComplex& mesh, const MeshScalars& scalars) {
     return !mesh.error.empty() && !scalars.contains("error");
@@ -78,7 +99,7 @@ std::string header(const core::QuadComplex& mesh,
                    const MeshMetadata& metadata,
                    const MeshScalars& scalars,
                    const SpeedRange& range,
-                   std::size_t faces) {
+                   std::optional<std::size_t> faces) {
     std::string text = ply_head(metadata);
     text += "comment colours viridis, speed " + number_text(range.lo) + " to " +
             number_text(range.hi) + "\ncomment texture s, t\n";
@@ -94,28 +115,54 @@ std::string header(const core::QuadComplex& mesh,
     text += "property uint component\nproperty uchar approximated\n";
     if (has_error(mesh, scalars))
         text += "property float error\n";
-    for (const std::string& name :
-         words_of(scalars, {"x",   "y",     "z",    "s",           "t",         "speed",       "vx",
-                            "vy",  "vz",    "nx",   "ny",          "nz",        "u",           "v",
-                            "red", "green", "blue", "deformation", "component", "approximated"}))
+    if (!faces)
+        text += "property float radius\n";
+    for (const std::string& name : words_of(scalars, {"x",
+                                                      "y",
+                                                      "z",
+                                                      "s",
+                                                      "t",
+                                                      "speed",
+                                                      "vx",
+                                                      "vy",
+                                                      "vz",
+                                                      "nx",
+                                                      "ny",
+                                                      "nz",
+                                                      "u",
+                                                      "v",
+                                                      "red",
+                                                      "green",
+                                                      "blue",
+                                                      "deformation",
+                                                      "component",
+                                                      "approximated",
+                                                      faces ? "" : "radius"}))
         text += "property float " + name + "\n";
-    text += "element face " + std::to_string(faces) +
-            "\nproperty list uchar int vertex_indices\nend_header\n";
-    return text;
+    if (faces)
+        text +=
+            "element face " + std::to_string(*faces) + "\nproperty list uchar int vertex_indices\n";
+    return text + "end_header\n";
 }
 
 } // namespace
 
-std::string
-mesh_ply(const core::QuadComplex& mesh, const MeshMetadata& metadata, const MeshScalars& scalars) {
-    const Faces faces = faces_of(mesh);
-    const auto normals = vertex_normals(mesh, triangles_of(mesh));
+std::string mesh_ply(const core::QuadComplex& mesh,
+                     const MeshMetadata& metadata,
+                     const MeshScalars& scalars,
+                     PlyElements elements) {
+    const bool points = elements == PlyElements::Points;
+    const Faces faces = points ? Faces() : faces_of(mesh);
+    const auto triangles = triangles_of(mesh);
+    const auto normals = vertex_normals(mesh, triangles);
+    const auto radii = points ? disc_radii(mesh, triangles) : std::vector<float>();
     std::vector<float> speeds;
     speeds.reserve(mesh.vertices());
     for (std::size_t v = 0; v < mesh.vertices(); ++v)
         speeds.push_back(static_cast<float>(mesh.speed(static_cast<core::VertexId>(v))));
     const SpeedRange range(speeds);
-    std::string out = header(mesh, metadata, scalars, range, faces.count);
+    std::string out =
+        header(mesh, metadata, scalars, range, points ? std::nullopt : std::optional(faces.count));
     out.reserve(out.size() + mesh.vertices() * (88 + 4 * scalars.size()) + faces.bytes.size());
     for (std::size_t v = 0; v < mesh.vertices(); ++v) {
         put(out, mesh.position[v]);
@@ -133,6 +180,8 @@ mesh_ply(const core::QuadComplex& mesh, const MeshMetadata& metadata, const Mesh
         put(out, mesh.approximated[v]);
         if (has_error(mesh, scalars))
             put(out, mesh.error[v]);
+        if (points)
+            put(out, radii[v]);
         for (const auto& [name, values] : scalars) {
             assert(values.size() == mesh.vertices());
             put(out, values[v]);

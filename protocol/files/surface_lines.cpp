@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::string_view timelines = "timelines";
 constexpr std::string_view arrows_name = "arrows";
+constexpr std::string_view points_name = "points";
 
 /// Returns the name of lines of particles of one seed. Empty for time surfaces, each of whose points is a
 /// particle of its own, and level surfaces.
@@ -80,12 +81,19 @@ std::string_view parameter(const LinesWanted& wanted) {
     return wanted.along == LinesWanted::Along::Release ? "t" : "s";
 }
 
-core::Result<LinesWanted> read_lines(std::string_view text, SurfaceKind kind) {
+core::Result<LinesWanted> read_lines(std::string_view text, SurfaceKind kind, MeshFormat format) {
     const std::string_view own = seed_lines(kind);
     const std::string kind_name(name(kind));
     const auto refuse = [](std::string what, std::string hint) {
         return core::fail(Error::Code::InvalidArgument, std::move(what), std::move(hint));
     };
+    if (text == points_name && format == MeshFormat::Ply)
+        return LinesWanted{.form = LinesWanted::Form::Points};
+    if (text == points_name)
+        return refuse("points cannot be written as ." + std::string(extension(format)),
+                      "choose .ply");
+    if (format == MeshFormat::Drc)
+        return refuse("lines cannot be written as .drc", "choose .vtp, .glb, .ply or .obj");
     if (kind == SurfaceKind::Level)
         return refuse("a level surface has no lines: no particle runs along it",
                       "build a stream surface for its lines");

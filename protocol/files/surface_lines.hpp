@@ -1,4 +1,4 @@
-// Lines on a surface, instead of its cells: timelines, the streamlines, pathlines or streaklines that the
+// What is taken of a surface instead of its cells: its points, or lines on it: timelines, the streamlines, pathlines or streaklines that the
 // surface consists of, ribbons along them, arrows (core/surface/contour_lines.hpp, even_lines.hpp,
 // surface_cutouts.hpp).
 #pragma once
@@ -7,6 +7,7 @@
 #include "core/surface/contour_lines.hpp"
 #include "core/surface/surface_cutouts.hpp"
 #include "core/surface/surface_parameters.hpp"
+#include "protocol/files/mesh_file.hpp"
 
 #include <cstdint>
 #include <string_view>
@@ -18,7 +19,7 @@ struct LinesWanted {
         Release, ///< timelines: particles of one age
         Seed     ///< lines of the particles of one seed
     };
-    enum class Form : std::uint8_t { Lines, Ribbons, Arrows };
+    enum class Form : std::uint8_t { Lines, Ribbons, Arrows, Points };
 
     Along along = Along::Release;
     /// The number of lines, at values evenly spaced between the ends of the surface; 0: by the distance
@@ -38,9 +39,11 @@ inline constexpr std::uint32_t most_line_values = 1000;
 
 /// Parses `timelines:N`, or the lines that a kind of surface consists of: `streamlines:N`, `pathlines:N` or
 /// `streaklines:N`; N from 1 to most_line_values, or `every=D`, the distance between them. Ribbons take the
-/// same and `,width=W`; arrows take `arrows:every=D,width=W`, and are the only ones of time surfaces. Error:
-/// InvalidArgument, naming what the kind has.
-core::Result<LinesWanted> read_lines(std::string_view text, core::SurfaceKind kind);
+/// same and `,width=W`; arrows take `arrows:every=D,width=W`, and are the only ones of time surfaces. `points`
+/// are the vertices of any kind, and a matter of mesh_file. Error: InvalidArgument, naming what the kind has,
+/// or the formats that there are for it.
+core::Result<LinesWanted>
+read_lines(std::string_view text, core::SurfaceKind kind, MeshFormat format = MeshFormat::Vtp);
 
 /// Holds lines, or the pieces cut out of the surface.
 struct SurfaceLines {
@@ -49,7 +52,7 @@ struct SurfaceLines {
 };
 
 /// Computes the lines. Error: NotFound if the surface has none of the form, OverLimit for too many lines,
-/// InvalidArgument for ribbons that are wider than the surface.
+/// InvalidArgument for ribbons that are wider than the surface. REQUIRES: not points
 /// @param closed  the surface comes from a closed rake
 core::Result<SurfaceLines>
 surface_lines(const core::QuadComplex& mesh, const LinesWanted& wanted, bool closed = false);

@@ -95,9 +95,12 @@ core::Result<std::string> file_of(protocol::MeshFormat format,
                                   const protocol::MeshMetadata& metadata,
                                   const protocol::MeshScalars& scalars,
                                   bool draco) {
-    if (!wanted)
+    const bool points = wanted && wanted->form == protocol::LinesWanted::Form::Points;
+    if (!wanted || points)
         return protocol::mesh_file(format, surface.mesh, metadata, scalars,
-                                   draco ? protocol::GlbCoding::Draco : protocol::GlbCoding::Plain);
+                                   draco ? protocol::GlbCoding::Draco : protocol::GlbCoding::Plain,
+                                   points ? protocol::PlyElements::Points
+                                          : protocol::PlyElements::Cells);
     return protocol::surface_lines(surface.mesh, *wanted, metadata.rake.closed())
         .and_then([&](const auto& lines) {
             return protocol::lines_file(format, lines, *wanted, metadata);
@@ -365,7 +368,8 @@ void add_surface_options(CLI::App& command, SurfaceOptions& options) {
         "Write lines instead of the mesh: timelines:N, or streamlines:N, pathlines:N or "
         "streaklines:N, which the kind of surface consists of; for N also every=D, the distance "
         "between them. timeribbons:N,width=W and so on: ribbons of that width in the surface; "
-        "arrows:every=D,width=W: arrows along the flow. Not as .drc");
+        "arrows:every=D,width=W: arrows along the flow. Not as .drc. points: the vertices, with "
+        "normal and radius, as .ply, or drawn in a picture");
     command.add_option("--stats", options.stats, "JSON file to write statistics to");
 }
 

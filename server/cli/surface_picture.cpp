@@ -39,6 +39,7 @@ int draw_surface(const SurfaceOptions& options, const SurfaceRequest& request) {
                        {"surface", nlohmann::json::parse(request.asked)}};
     job["surface"]["maxQuads"] = options.max_quads;
     job["surface"]["fields"] = options.fields;
+    job["points"] = !options.lines.empty();
     if (!options.rake.empty())
         job["rake"] = rake_json(request.rake);
     if (request.parameters.rake2)

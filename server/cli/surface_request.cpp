@@ -102,26 +102,27 @@ core::Result<void> check_output(const std::string& output, const char* option, b
 
 core::Result<std::optional<protocol::LinesWanted>> read_lines(const SurfaceOptions& options,
                                                               core::SurfaceKind kind) {
-    if (options.lines.empty())
+    if (options.lines.empty() || std::filesystem::path(options.output).extension() == ".png")
         return std::nullopt;
-    auto lines = protocol::read_lines(options.lines, kind);
+    const auto extension = std::filesystem::path(options.output).extension().string();
+    const auto format =
+        extension.empty() ? std::nullopt : protocol::mesh_format(extension.substr(1));
+    auto lines =
+        protocol::read_lines(options.lines, kind, format.value_or(protocol::MeshFormat::Vtp));
     if (!lines)
         return core::fail(Code::InvalidArgument, "--lines: " + lines.error().message,
                           lines.error().hint);
-    const auto extension = std::filesystem::path(options.output).extension();
-    if (extension == ".drc")
-        return core::fail(Code::InvalidArgument, "-o: lines cannot be written as .drc",
-                          "choose .vtp, .glb, .ply or .obj");
     return *lines;
 }
 
 // Returns InvalidArgument for an option that pictures do not take.
 core::Result<void> check_picture_options(const SurfaceOptions& options) {
-    const std::pair<bool, const char*> others[] = {{!options.lines.empty(), "--lines"},
-                                                   {options.tessellate > 1, "--tessellate"},
-                                                   {!options.draco, "--no-draco"},
-                                                   {!options.stats.empty(), "--stats"},
-                                                   {options.seconds > 0.0, "--seconds"}};
+    const std::pair<bool, const char*> others[] = {
+        {!options.lines.empty() && options.lines != "points", "--lines"},
+        {options.tessellate > 1, "--tessellate"},
+        {!options.draco, "--no-draco"},
+        {!options.stats.empty(), "--stats"},
+        {options.seconds > 0.0, "--seconds"}};
     for (const auto& [given, option] : others)
         if (given)
             return core::fail(core::Error::Code::InvalidArgument,

@@ -70,9 +70,6 @@ core::Result<void> read_tessellate(const std::string& text, DownloadRequest& out
 
 /// The valid lines depend on the surface's kind, which is not known yet.
 core::Result<void> read_lines_text(const std::string& text, DownloadRequest& out) {
-    if (out.format == protocol::MeshFormat::Drc)
-        return fail(Error::Code::InvalidArgument, "lines cannot be written as .drc",
-                    "ask for mesh.vtp, mesh.glb, mesh.ply or mesh.obj");
     if (text.empty())
         return fail(Error::Code::InvalidArgument, "`lines` is empty", "as in ?lines=timelines:8");
     out.lines = text;

@@ -106,7 +106,8 @@ struct FileJob {
         metadata.tessellate = request.tessellate;
         if (coarse)
             metadata.stopped = "this is the coarse surface that was shown before the final one";
-        if (lines)
+        const bool points = lines && lines->form == protocol::LinesWanted::Form::Points;
+        if (lines && !points)
             return protocol::surface_lines(shown->mesh, *lines, surface.plan.rake.closed())
                 .and_then([&](const auto& found) {
                     return protocol::lines_file(request.format, found, *lines, metadata);
@@ -114,7 +115,9 @@ struct FileJob {
         const auto scalars = surface_scalars(*dataset, shown->mesh, shown->times, fields, stop);
         if (!scalars)
             return tl::unexpected(scalars.error());
-        return protocol::mesh_file(request.format, shown->mesh, metadata, *scalars, request.glb);
+        return protocol::mesh_file(request.format, shown->mesh, metadata, *scalars, request.glb,
+                                   points ? protocol::PlyElements::Points
+                                          : protocol::PlyElements::Cells);
     }
 };
 
@@ -271,7 +274,8 @@ core::Result<void> Downloads::offer(const HttpRequest& request,
         wanted->tessellate > 1 || std::ranges::any_of(record->fields, core::is_normal_component);
     std::optional<protocol::LinesWanted> lines;
     if (!wanted->lines.empty()) {
-        const auto read = protocol::read_lines(wanted->lines, job.plan.parameters.kind);
+        const auto read =
+            protocol::read_lines(wanted->lines, job.plan.parameters.kind, wanted->format);
         if (!read)
             return tl::unexpected(read.error());
         lines = *read;

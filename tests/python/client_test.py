@@ -155,6 +155,11 @@ class ClientTest(ServerTest):
             self.assertTrue(surface.download(format, lines="arrows:every=0.3,width=0.05").startswith(start), format)
         with self.assertRaisesRegex(wakesurf.InvalidParameters, "lines cannot be written as .drc"):
             surface.download("drc", lines="timelines:3")
+        points = surface.download("ply", lines="points")
+        self.assertIn(b"property float radius\nend_header\n", points)
+        self.assertNotIn(b"element face", points)
+        with self.assertRaisesRegex(wakesurf.InvalidParameters, "points cannot be written as .vtp"):
+            surface.download("vtp", lines="points")
         with self.assertRaisesRegex(wakesurf.InvalidParameters, "no lines called 'streaklines'"):
             surface.lines("streaklines")
 

@@ -88,6 +88,17 @@ class PictureTest(unittest.TestCase):
         self.assertGreater((ground[..., :3].max(axis=-1) < 200).sum(), surface.sum() + 1000)
         self.assertEqual(self.everything(), before)
 
+    def test_of_points_covers_what_that_of_cells_does(self):
+        shown = []
+        for points in (False, True):
+            look = {"colour_by": "constant", "colour": "#ff0000", "back_side": "same", "points": points}
+            drawn = self.session.picture(None, (640, 400), view={"look": look}, background="clear", bar=False, axes=False)
+            shown.append(pixels(drawn.data)[..., 3] == 255)
+        cells, points = shown
+        self.assertGreater(cells.sum(), 1000)
+        self.assertLess((cells ^ points).sum() / cells.sum(), 0.06)  # outlines of a rolled sheet
+        self.assertGreater((cells ^ points).sum(), 0, "the same picture")
+
     def test_a_film_has_a_picture_for_each_time_while_the_clock_of_the_session_stands(self):
         before, told = self.everything(), []
         folder = os.path.join(self.folder.name, "film")

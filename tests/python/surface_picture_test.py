@@ -33,6 +33,15 @@ class SurfacePictureTest(FolderTest):
         mesh = self.run_it(*SURFACE, "-o", os.path.join(self.folder, "a.vtp"), "--seeds", "12")
         self.assertEqual(ran.stdout.split()[6], mesh.stdout.split()[1], "as many quads as the mesh has")
 
+    def test_shows_points_where_asked_for(self):
+        sizes = []
+        for words in ((), ("--lines", "points")):
+            ran = self.run_it(*SURFACE, "-o", self.path, "--size", "400x300", "--seeds", "12", *words)
+            self.assertEqual(ran.returncode, 0, ran.stderr)
+            with open(self.path, "rb") as file:
+                sizes.append(file.read())
+        self.assertNotEqual(*sizes)
+
     def test_goes_to_a_file_whose_name_is_no_text_as_meshes_do(self):
         name = b"wake-\xff.png"
         ran = subprocess.run([BINARY, *SURFACE, "-o", name, "--size", "200x200"], capture_output=True, timeout=300, cwd=self.folder,

@@ -64,7 +64,7 @@ def draw(job: Json, dataset: str, output: str, options: Sequence[str]) -> None:
             raise PictureFailed("the surface is empty: " + stats["empty"]["message"], hint=stats["empty"]["hint"])
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            drawn = session.picture(output, (int(width), int(height)))
+            drawn = session.picture(output, (int(width), int(height)), view={"look": {"points": job["points"]}})
         print(f"{output}: {width} x {height} pixels of {stats['quads']} quads, separation {stats['separation']:.4g}"
               + (", too small for the scalar bar" if drawn.bar_left_out else ""))
 

@@ -81,7 +81,8 @@ class Surface(SurfaceChanger, Record):
         """Returns the whole mesh as the bytes of a .vtp, .glb, .ply, .obj or .drc file, once it is computed: as the
         session shows it, at the time of its clock. `time`: at another time instead, or "end". `draco=False`: a .glb
         for readers that cannot decompress, as ParaView's, some 12 times as large. `lines`, such as "timelines:8" or
-        "arrows:every=0.5,width=0.1": those instead of the mesh, see `lines`; not as .drc. `tessellate`: each cell cut
+        "arrows:every=0.5,width=0.1": those instead of the mesh, see `lines`; not as .drc. "points": the vertices with
+        normal and radius, as .ply alone. `tessellate`: each cell cut
         into so many quads each way, on a curved patch that is as exact as the vertices."""
         return self._fetch(format, None, timeout, time, draco, lines, tessellate)[1]
 

@@ -34,6 +34,7 @@ class SurfaceLook(TypedDict, total=False):
     angle_opacity: bool  # thicker where it is seen edge-on
     smoke: float  # 0 to 1: thinner the more it has been stretched and the older it is
     silhouettes: bool
+    points: bool  # discs at the vertices instead of cells
     lines: Literal["none", "timelines", "streamlines", "grid", "checker"]
     density: float  # of the lines, 0.125 to 8
     texture: bool

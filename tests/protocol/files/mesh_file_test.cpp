@@ -6,6 +6,7 @@
 #include "tests/support/refined_surface.hpp"
 #include "tests/support/small_mesh.hpp"
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <tbb/global_control.h>
@@ -117,6 +118,31 @@ TEST(MeshFile, PlyHasQuadsTrianglesAndEveryArrayExactly) {
     EXPECT_EQ(read.about.at("kind"), "path");
     EXPECT_EQ(read.about.at("dataset"), "a \"b\" c") << "a line break would end the comment";
     EXPECT_EQ(read.about.at("rake"), "0,0,0 0.1,1e-300,-2");
+}
+
+TEST(MeshFile, PlyOfPointsHasTheVerticesWithDiscsThatCoverTheCellsAndNoFaces) {
+    const auto& mesh = surface();
+    const auto whole = tests::read_ply(written(MeshFormat::Ply, mesh, pressure(mesh)));
+    const auto read = tests::read_ply(
+        mesh_file(MeshFormat::Ply, mesh, metadata, pressure(mesh), {}, PlyElements::Points)
+            .value());
+    EXPECT_EQ(read.points, whole.points);
+    EXPECT_TRUE(read.faces.empty());
+    auto arrays = read.arrays;
+    arrays.erase("radius");
+    EXPECT_EQ(arrays, whole.arrays);
+    const auto& radius = read.arrays.at("radius");
+    constexpr int steps = 12;
+    for (const Triangle& each : triangles_of(mesh))
+        for (int i = 0; i <= steps; ++i)
+            for (int j = 0; i + j <= steps; ++j) {
+                const double u = double(i) / steps, v = double(j) / steps;
+                const core::Vec3 at = (1.0 - u - v) * mesh.position[each[0]] +
+                                      u * mesh.position[each[1]] + v * mesh.position[each[2]];
+                EXPECT_TRUE(std::any_of(each.begin(), each.end(), [&](std::uint32_t vertex) {
+                    return glm::distance(at, mesh.position[vertex]) <= radius[vertex];
+                }));
+            }
 }
 
 TEST(MeshFile, PlyAndObjHaveAQuadWhereNothingHangsAndTheSameFaces) {

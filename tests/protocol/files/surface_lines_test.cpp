@@ -132,6 +132,19 @@ TEST(SurfaceLines, TakeMeasuresInLengthsInEitherOrder) {
     EXPECT_FALSE(read("ribbons:every=1,width=0.1", SurfaceKind::Time));
 }
 
+TEST(SurfaceLines, PointsAreOfAnyKindOfSurfaceAndAsPlyAlone) {
+    for (const SurfaceKind kind : {SurfaceKind::Stream, SurfaceKind::Time, SurfaceKind::Level})
+        EXPECT_EQ(read_lines("points", kind, MeshFormat::Ply).value().form,
+                  LinesWanted::Form::Points);
+    for (const MeshFormat format :
+         {MeshFormat::Vtp, MeshFormat::Glb, MeshFormat::Obj, MeshFormat::Drc})
+        EXPECT_EQ(read_lines("points", SurfaceKind::Stream, format).error().message,
+                  "points cannot be written as ." + std::string(extension(format)));
+    EXPECT_FALSE(read_lines("points:8", SurfaceKind::Stream, MeshFormat::Ply));
+    EXPECT_EQ(read_lines("timelines:8", SurfaceKind::Stream, MeshFormat::Drc).error().message,
+              "lines cannot be written as .drc");
+}
+
 TEST(SurfaceLines, RibbonsAndArrowsArePolygonsOfTheFile) {
     const core::QuadComplex mesh = round_a_vortex(SurfaceKind::Stream);
     for (const char* text : {"streamribbons:every=0.4,width=0.05", "timeribbons:3,width=0.05",

@@ -220,6 +220,20 @@ TEST_F(SurfaceCommand, RefusesToCutCellsTooFinelyOrWhereThereAreNone) {
     EXPECT_EQ(files(), 0u);
 }
 
+TEST_F(SurfaceCommand, WritesPointsWithNormalAndRadiusAsPlyAlone) {
+    ASSERT_EQ(run({"-o", file("mesh.ply")}).exit_status, 0);
+    const auto done = run({"-o", file("points.ply"), "--lines", "points"});
+    ASSERT_EQ(done.exit_status, 0) << done.errors;
+    const auto points = tests::read_ply(bytes("points.ply"));
+    EXPECT_EQ(points.points, tests::read_ply(bytes("mesh.ply")).points);
+    EXPECT_EQ(points.arrays.at("radius").size(), points.points.size());
+    EXPECT_EQ(points.arrays.at("nz").size(), points.points.size());
+    EXPECT_TRUE(points.faces.empty());
+    const auto refused = run({"-o", file("points.vtp"), "--lines", "points"});
+    EXPECT_EQ(refused.exit_status, 2);
+    EXPECT_TRUE(holds(refused.errors, "--lines: points cannot be written as .vtp"));
+}
+
 TEST_F(SurfaceCommand, WritesAGlbWithoutDracoWhereAsked) {
     ASSERT_EQ(run({"-o", file("plain.glb"), "--no-draco"}).exit_status, 0);
     ASSERT_EQ(run({"-o", file("out.glb")}).exit_status, 0);

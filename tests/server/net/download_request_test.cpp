@@ -71,7 +71,6 @@ TEST(DownloadRequest, TakesLinesOnlyInFormatsThatHaveThem) {
     EXPECT_EQ(read_download("mesh.vtp", {{"lines", "timelines:8"}})->lines, "timelines:8");
     for (const char* file : {"mesh.obj", "mesh.ply", "mesh.glb"})
         EXPECT_TRUE(read_download(file, {{"lines", "timelines:8"}})) << file;
-    EXPECT_FALSE(read_download("mesh.drc", {{"lines", "timelines:8"}}));
     EXPECT_FALSE(read_download("mesh.vtp", {{"lines", ""}}));
     EXPECT_EQ(read_download("mesh.vtp", {{"tessellate", "4"}})->tessellate, 4u);
     for (const char* wrong : {"", "0", "65", "-1", "4.5", "4x", "99999999999"})

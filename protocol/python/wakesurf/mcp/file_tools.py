@@ -91,6 +91,6 @@ FILM = tool("film", "Draw a film", "Pictures at evenly spaced times, as a folder
              "overwrite": _OVERWRITE}, ["path", "from", "to"])(_film)
 EXPORT = tool("export", "Write a surface to a file", "A surface as .vtp (ParaView), .glb, .ply, .obj or .drc.",
               {"surface": SURFACE_ID, "path": _PATH, "time": TIME,
-               "lines": {"type": "string", "description": "lines instead of the mesh, as timelines:8 or arrows:every=0.5,width=0.1"},
+               "lines": {"type": "string", "description": "instead of the mesh: timelines:8, arrows:every=0.5,width=0.1, or points in a .ply"},
                "tessellate": {"type": "integer", "minimum": 1, "maximum": 16, "description": "each cell cut into so many quads each way"},
                "overwrite": _OVERWRITE}, ["path"])(_export)

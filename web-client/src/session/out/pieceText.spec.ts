@@ -12,6 +12,7 @@ describe('what is shown of a surface, as the server names it', () => {
         expect(text('timelines', 'streak', 0.25)).toBe('timelines:every=0.25');
         expect(text('seedribbons', 'streak', 0.6)).toBe('streakribbons:every=0.6,width=0.2');
         expect(text('arrows', 'time', 2)).toBe('arrows:every=2,width=0.4');
+        expect(pieceText({ ...usualLook, points: true, pieces: 'arrows' }, { kind: 'level' }, bounds)).toBe('points');
         // All of a time surface is one age.
         expect(text('timelines', 'time')).toBeNull();
     });

@@ -11,10 +11,11 @@ export function seedLinesOf(kind: SurfaceRecord['kind']): '' | 'streamlines' | '
 
 /** Null: all of the surface. */
 export function pieceText(
-    look: Pick<SurfaceLook, 'pieces' | 'pieceEvery' | 'pieceWidth'>,
+    look: Pick<SurfaceLook, 'points' | 'pieces' | 'pieceEvery' | 'pieceWidth'>,
     { kind }: Pick<SurfaceRecord, 'kind'>,
     bounds: DatasetDescription['bounds'] | undefined,
 ): string | null {
+    if (look.points) return 'points';
     const { pieces } = look;
     const along = seedLinesOf(kind);
     if (pieces === 'whole' || (along === '' && pieces !== 'arrows')) return null;

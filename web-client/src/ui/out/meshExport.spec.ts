@@ -12,6 +12,26 @@ afterEach(() => {
     vi.restoreAllMocks();
 });
 
+it('of a surface that is shown as points these go into a .ply, and the mesh into others', async () => {
+    const asked: string[] = [];
+    vi.stubGlobal('fetch', async (url: URL) => {
+        asked.push(url.pathname + url.search);
+        return new Response(new Uint8Array(4));
+    });
+    savedFiles();
+    const bench = Object.assign(new PageBench(), { mesh: new MeshDownload(new OwnServer('http://localhost/')) });
+    bench.view.changeLook('surface-1', { points: true });
+    const panel = await ShownPanel.of('wakesurf-mesh-export', bench);
+    for (const format of ['ply', 'vtp']) {
+        await panel.enter('#mesh-format', 'Format', format);
+        await panel.press('Download mesh');
+        await rested();
+    }
+    const surface = '/api/v1/sessions/session/surfaces/surface-1/';
+    expect(asked).toEqual([`${surface}mesh.ply?lines=points`, `${surface}mesh.vtp`]);
+    expect(panel.text).toContain('points are for .ply alone');
+});
+
 it('a mesh is downloaded byte for byte as the server sends it, in every format', async () => {
     const sent = Uint8Array.from({ length: 256 }, (_, i) => i);
     const asked: string[] = [];

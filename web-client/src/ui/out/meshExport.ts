@@ -27,7 +27,7 @@ const choices: readonly FileChoice[] = [
     { value: 'drc', format: 'drc', words: '.drc for programs that read Draco' },
 ];
 const chosen = signal<FileChoice>(vtp);
-/** Lines, ribbons and arrows that are shown of the surface go into the file instead of its mesh. */
+/** Points, lines, ribbons and arrows that are shown of the surface go into the file instead of its mesh. */
 const asShown = signal(true);
 
 export interface MeshExportModel {
@@ -72,8 +72,9 @@ export class MeshExport extends ModelElement<MeshExportModel> {
     private piecesRow(): TemplateResult | typeof nothing {
         const pieces = shownPieces(this.model);
         if (pieces === null) return nothing;
-        const none = chosen.value.format === 'drc';
-        const words = none ? 'The whole mesh: a .drc has no lines' : `Only what is shown of it, as ${pieces.split(':')[0]}`;
+        const none = !canHold(chosen.value, pieces);
+        const wanting = pieces === 'points' ? 'points are for .ply alone' : 'a .drc has no lines';
+        const words = none ? `The whole mesh: ${wanting}` : `Only what is shown of it, as ${pieces.split(':')[0]}`;
         return checkRow(words, asShown.value && !none, (on) => (asShown.value = on), { id: 'mesh-pieces', disabled: none });
     }
 }
@@ -83,9 +84,13 @@ function shownPieces({ state, view }: Pick<MeshExportModel, 'state' | 'view'>): 
     return record === undefined ? null : pieceText(view.lookOf(state.activeSurface.value), record, state.dataset.value?.bounds);
 }
 
+function canHold({ format }: MeshFile, pieces: string): boolean {
+    return pieces === 'points' ? format === 'ply' : format !== 'drc';
+}
+
 function wanted(model: Pick<MeshExportModel, 'state' | 'view'>): MeshFile {
-    const lines = asShown.value && chosen.value.format !== 'drc' ? shownPieces(model) : null;
-    return lines === null ? chosen.value : { ...chosen.value, lines };
+    const lines = shownPieces(model);
+    return lines !== null && asShown.value && canHold(chosen.value, lines) ? { ...chosen.value, lines } : chosen.value;
 }
 
 /** In the format that is chosen. @param now  also where it is not final yet, which the name says then */
