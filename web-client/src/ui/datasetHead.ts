@@ -8,6 +8,7 @@ import type { SessionShelf } from '../session/sessions/sessionShelf.ts';
 import type { AppState } from '../state/appState.ts';
 import { ModelElement } from './base/signalElement.ts';
 import { countWords } from './base/statusWords.ts';
+import { isolated } from '../state/foreignText.ts';
 
 export interface DatasetHeadModel {
     state: Pick<AppState, 'dataset' | 'datasets' | 'role' | 'problems'>;
@@ -89,7 +90,7 @@ function optionWords({ dataset, name, steps, state }: DatasetEntry, all: readonl
     const which = all.filter((each) => each.name === name).length > 1 ? [dataset] : [];
     const times = steps.total > 1 ? [`${steps.total} time-steps`] : [];
     const about = [...which, ...times, ...(state === 'ready' ? [] : [state])];
-    return about.length === 0 ? name : `${name} (${about.join(', ')})`;
+    return about.length === 0 ? isolated(name) : `${isolated(name)} (${about.join(', ')})`;
 }
 
 customElements.define('wakesurf-dataset-head', DatasetHead);

@@ -43,6 +43,7 @@ import './out/meshExport.ts';
 import type { MeshExportModel } from './out/meshExport.ts';
 import './out/pictureExport.ts';
 import type { PictureExportModel } from './out/pictureExport.ts';
+import { isolated } from '../state/foreignText.ts';
 
 export interface ExportModel {
     picture: PictureExportModel;
@@ -304,8 +305,8 @@ export class Panel extends ModelElement<PanelModel> {
         const from = state.copyOf.value;
         if (from === null) return nothing;
         return html`<p class="quiet" id="copy-of">
-            A copy of “${from.name}”: what changes here changes nothing there.
-            <button type="button" @click=${() => ownCopy.back()}>Back to “${from.name}”</button>
+            A copy of “${isolated(from.name)}”: what changes here changes nothing there.
+            <button type="button" @click=${() => ownCopy.back()}>Back to “${isolated(from.name)}”</button>
         </p>`;
     }
 

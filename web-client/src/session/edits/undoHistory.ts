@@ -5,6 +5,7 @@ import type { HistoryDepth } from '../../protocol/messages.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
 import { tellFailure } from './editFailures.ts';
+import { isolated } from '../../state/foreignText.ts';
 
 type Way = 'undo' | 'redo';
 
@@ -113,7 +114,7 @@ export class UndoHistory {
         const rake = type === 'surface' ? (surfaces.value.get(id)?.rake ?? '') : id;
         const name = rakes.value.get(rake)?.name ?? '';
         if (name === '') return `a ${type}`;
-        return type === 'surface' ? `the surface of ${name}` : name;
+        return type === 'surface' ? `the surface of ${isolated(name)}` : isolated(name);
     }
 
     private keep(done: readonly (TurnAlong | null)[], undone: readonly (TurnAlong | null)[]): void {

@@ -3,6 +3,7 @@
 import { computed, signal } from '@preact/signals-core';
 import { errorCodes } from '../../protocol/generated/errors.ts';
 import type { SessionEntry, SessionImported } from '../../protocol/messages.ts';
+import { isolated } from '../../state/foreignText.ts';
 import { Announcements } from '../../state/announcements.ts';
 import type { AppState } from '../../state/appState.ts';
 import { CallError, type WorkerClient } from '../../worker/workerClient.ts';
@@ -119,14 +120,17 @@ export class SessionShelf {
             const made = await this.options.worker
                 .call('session.fork', { session, name: fitting(name, ' copy') })
                 .catch(inWords(noPlace));
-            this.notices.say('done', `“${name}” was copied.`, { label: 'Open the copy', act: () => this.enter(made.session) });
+            this.notices.say('done', `“${isolated(name)}” was copied.`, {
+                label: 'Open the copy',
+                act: () => this.enter(made.session),
+            });
         });
     }
 
     async delete({ session, name }: SessionEntry): Promise<void> {
         await this.attempt(async () => {
             await this.options.worker.call('session.delete', { session }).catch(inWords(fullTrash));
-            this.notices.say('done', `“${name}” is in the trash.`, {
+            this.notices.say('done', `“${isolated(name)}” is in the trash.`, {
                 label: 'Undo',
                 act: () => void this.restore({ session, name }),
             });
@@ -137,14 +141,14 @@ export class SessionShelf {
         await this.attempt(async () => {
             await this.options.worker.call('session.restore', { session }).catch(inWords(noPlace));
             this.options.restored?.(session);
-            this.notices.say('done', `“${name}” was restored.`, { label: 'Open', act: () => this.enter(session) });
+            this.notices.say('done', `“${isolated(name)}” was restored.`, { label: 'Open', act: () => this.enter(session) });
         });
     }
 
     async deleteForever({ session, name }: SessionEntry): Promise<void> {
         await this.attempt(async () => {
             await this.options.worker.call('session.delete', { session, forever: true });
-            this.notices.say('done', `“${name}” was deleted permanently.`);
+            this.notices.say('done', `“${isolated(name)}” was deleted permanently.`);
         });
     }
 
@@ -163,7 +167,7 @@ export class SessionShelf {
     async import(file: Blob): Promise<void> {
         await this.attempt(async () => {
             const { session, name, notes } = await sendSessionFile(this.options.server, file);
-            const words = [`“${name}” was imported.`, ...notes].join(' ');
+            const words = [`“${isolated(name)}” was imported.`, ...notes].join(' ');
             this.notices.say('done', words, { label: 'Open', act: () => this.enter(session) });
         });
     }

@@ -12,6 +12,7 @@ import {
     vorticityComponents,
 } from '../../session/picture/surfaceStyleOf.ts';
 import type { ColourMap } from '../../state/surfaceLook.ts';
+import { isolated } from '../../state/foreignText.ts';
 import { noUnits, type Units } from '../../state/units.ts';
 import type { Choice } from '../base/rows.ts';
 
@@ -40,7 +41,7 @@ export function colourChoices(
 ): Choice<string>[] {
     const fields = colourFields(dataset).map(({ name }) => ({
         value: colourByField(name),
-        words: isThere(name) ? name : `${name}${notSent}`,
+        words: isThere(name) ? isolated(name) : `${isolated(name)}${notSent}`,
         disabled: !isThere(name),
     }));
     const derived = [
@@ -114,6 +115,6 @@ export function colourTitle(
     if (scalar === 'approximated') return 'Approximated (0: no, 1: yes)';
     if (scalar === estimatedError) return units.length === '' ? 'Estimated error' : `Estimated error (${units.length})`;
     const field = scalar === 'speed' ? velocity : dataset?.fields.find(({ name }) => name === scalar);
-    const name = scalar === 'speed' ? 'Speed' : scalar;
-    return field?.unit === undefined ? name : `${name} (${field.unit})`;
+    const name = scalar === 'speed' ? 'Speed' : isolated(scalar);
+    return field?.unit === undefined ? name : `${name} (${isolated(field.unit)})`;
 }

@@ -6,6 +6,7 @@ import { holderOf } from '../../session/picture/rakeScene.ts';
 import type { Edits } from '../../session/edits/edits.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
+import { isolated } from '../../state/foreignText.ts';
 import { showsRake, toggled } from '../../state/visibility.ts';
 import { titleOf } from '../base/lockedWords.ts';
 import { icon, type IconName } from '../base/icons.ts';
@@ -175,26 +176,36 @@ export class RakeList extends ModelElement<RakeListModel> {
         const holder = holderOf(state, record);
         const you = state.participants.value.get(state.you.value ?? '')?.name;
         const { author = '' } = record;
-        const made = author === '' ? '' : `, ${author === you ? 'yours' : `by ${author}`}`;
-        const about = holder === null ? `${kindWords[record.kind]}${made}` : `${holder.name} is moving it`;
+        const made = author === '' ? '' : `, ${author === you ? 'yours' : `by ${isolated(author)}`}`;
+        const about = holder === null ? `${kindWords[record.kind]}${made}` : `${isolated(holder.name)} is moving it`;
         return html`<li>
             <button
                 type="button"
                 class=${shown ? 'rake' : 'rake unseen'}
                 data-rake=${record.rake}
                 aria-pressed=${chosen ? 'true' : 'false'}
-                title=${`${nameOf(record)}: ${about}`}
+                title=${`${isolated(nameOf(record))}: ${about}`}
                 @click=${() => edits.chooseRake(record.rake)}
             >
                 ${swatch(rakeColour(record, state.rakes.value))}
                 <span class="cut">${nameOf(record)}</span>
                 <span class="about cut quiet">${about}</span>
             </button>
-            ${this.switch(isLocked, 'locked', 'free', `Lock ${nameOf(record)}`, 'Keep it from being moved on this page', () =>
-                view.changeVisibility({ lockedRakes: toggled(lockedRakes, record.rake) }),
+            ${this.switch(
+                isLocked,
+                'locked',
+                'free',
+                `Lock ${isolated(nameOf(record))}`,
+                'Keep it from being moved on this page',
+                () => view.changeVisibility({ lockedRakes: toggled(lockedRakes, record.rake) }),
             )}
-            ${this.switch(!shown, 'hidden', 'seen', `Hide ${nameOf(record)}`, 'Hide it and its surfaces on this page', () =>
-                view.changeVisibility({ hiddenRakes: toggled(hiddenRakes, record.rake), alone: false }),
+            ${this.switch(
+                !shown,
+                'hidden',
+                'seen',
+                `Hide ${isolated(nameOf(record))}`,
+                'Hide it and its surfaces on this page',
+                () => view.changeVisibility({ hiddenRakes: toggled(hiddenRakes, record.rake), alone: false }),
             )}
         </li>`;
     }

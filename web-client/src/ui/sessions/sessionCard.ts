@@ -3,6 +3,7 @@ import { html, nothing, type TemplateResult } from 'lit';
 import type { SessionEntry } from '../../protocol/messages.ts';
 import { agoWords, dayWords } from '../base/timeWords.ts';
 import './sessionPicture.ts';
+import { isolated } from '../../state/foreignText.ts';
 
 /** Describes what is asked about a session before it is done. */
 export type Question = 'rename' | 'delete' | 'forever';
@@ -36,7 +37,7 @@ export function sessionCard(entry: SessionEntry, card: CardState, acts: CardActs
     const { session, name, participants } = entry;
     const others = participants - (card.here ? 1 : 0);
     return html`<li class="card ${card.here ? 'here' : ''}" data-session=${session}>
-        ${picture(entry, card, card.here ? `Continue in ${name}` : `Open ${name}`, () => acts.open(entry))}
+        ${picture(entry, card, card.here ? `Continue in ${isolated(name)}` : `Open ${isolated(name)}`, () => acts.open(entry))}
         <div class="about">
             <p class="name"><span class="cut" title=${name}>${name}</span>${card.here ? html`<span class="badge">you are here</span>` : nothing}</p>
             <p class="quiet">${useWords(entry, others, card.here)}</p>
@@ -72,7 +73,7 @@ export function trashCard(
 ): TemplateResult {
     const { session, name, deletedAt = '', deletedUntil = '' } = entry;
     return html`<li class="card trash" data-session=${session}>
-        ${picture(entry, pictures, `Restore ${name}`, () => acts.restore(entry))}
+        ${picture(entry, pictures, `Restore ${isolated(name)}`, () => acts.restore(entry))}
         <div class="about">
             <p class="name"><span class="cut" title=${name}>${name}</span></p>
             <p class="quiet">Deleted ${agoWords(deletedAt)}, kept until ${dayWords(deletedUntil)}</p>
@@ -111,7 +112,7 @@ function picture(
 }
 
 function people({ people: all }: SessionEntry): TemplateResult {
-    const names = all.map(({ name }) => name).join(', ');
+    const names = all.map(({ name }) => isolated(name)).join(', ');
     return html`<p class="people quiet" title=${names}>
         ${all.map(({ colour }) => html`<span class="dot" data-colour=${colour}></span>`)}
         <span class="cut">${names}</span>
@@ -125,7 +126,7 @@ function renaming(entry: SessionEntry, acts: CardActs): TemplateResult {
         if (typeof name === 'string' && name.trim() !== '') acts.rename(entry, name.trim());
     };
     return html`<form class="rename actions" @submit=${save}>
-        <input name="name" required maxlength="80" aria-label=${`New name of ${entry.name}`} .value=${entry.name} />
+        <input name="name" required maxlength="80" aria-label=${`New name of ${isolated(entry.name)}`} .value=${entry.name} />
         <button type="submit">Save</button>
         <button type="button" @click=${() => acts.ask(entry.session, null)}>Cancel</button>
     </form>`;

@@ -12,6 +12,7 @@ import './ownCopy.ts';
 import type { OwnCopyButton } from './ownCopy.ts';
 import { roleWords } from './roleWords.ts';
 import { ModelElement } from '../base/signalElement.ts';
+import { isolated } from '../../state/foreignText.ts';
 
 /** The first is the server's, which is less for who came by a link that ends before. */
 const lifetimes = [
@@ -213,7 +214,7 @@ function untilWords(expires: number | undefined): string {
 }
 
 function makerWords({ madeBy, newcomers, role }: ShareLink): string {
-    const maker = madeBy === undefined ? '' : madeBy.name === '' ? 'made by a script' : `made by ${madeBy.name}`;
+    const maker = madeBy === undefined ? '' : madeBy.name === '' ? 'made by a script' : `made by ${isolated(madeBy.name)}`;
     const lessened = newcomers === undefined || newcomers === role ? '' : `anyone who uses it now ${roleWords[newcomers]}`;
     return [maker, lessened].filter((words) => words !== '').join('; ');
 }

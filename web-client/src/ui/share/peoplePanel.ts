@@ -7,6 +7,7 @@ import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { roleWords } from './roleWords.ts';
 import { ModelElement } from '../base/signalElement.ts';
+import { isolated } from '../../state/foreignText.ts';
 
 const roles: readonly Role[] = ['viewer', 'editor', 'host'];
 
@@ -76,7 +77,7 @@ export class PeoplePanel extends ModelElement<PeopleModel> {
                       .value=${name}
                       @change=${(event: Event) => this.model.rename((event.target as HTMLInputElement).value.trim())}
                   />`
-                    : html`<span class="cut" title=${name}>${name}${connected ? '' : ' (away)'}</span>`
+                    : html`<span class="cut" title=${name}>${isolated(name)}${connected ? '' : ' (away)'}</span>`
             }
             ${this.mayDo(person, you)} ${you ? nothing : this.follow(person)}
         </li>`;
@@ -85,7 +86,7 @@ export class PeoplePanel extends ModelElement<PeopleModel> {
     private mayDo({ participant, name, role }: Participant, you: boolean): TemplateResult {
         if (you || this.model.state.role.value !== 'host') return html`<span class="quiet">${roleWords[role]}</span>`;
         return html`<select
-            aria-label=${`What ${name} may do`}
+            aria-label=${`What ${isolated(name)} may do`}
             @change=${(event: Event) => this.setRole(participant, event.target as HTMLSelectElement)}
         >
             ${roles.map((each) => html`<option value=${each} .selected=${each === role}>${roleWords[each]}</option>`)}
@@ -99,7 +100,7 @@ export class PeoplePanel extends ModelElement<PeopleModel> {
         return html`<button
             type="button"
             aria-pressed=${following ? 'true' : 'false'}
-            aria-label=${`Follow ${name}`}
+            aria-label=${`Follow ${isolated(name)}`}
             ?disabled=${!following && (camera === undefined || camera === null)}
             @click=${() => people.startFollowing(following ? null : participant)}
         >

@@ -10,6 +10,7 @@ import type { ViewState } from '../../state/viewState.ts';
 import { ModelElement } from '../base/signalElement.ts';
 import './linkField.ts';
 import { dayWords } from '../base/timeWords.ts';
+import { isolated } from '../../state/foreignText.ts';
 
 export interface BannerModel {
     state: AppState;
@@ -106,7 +107,7 @@ export class Banner extends ModelElement<BannerModel> {
         const entry = state.datasetEntry.value;
         if ((entry?.state === 'ready' || entry?.state === 'incomplete') && entry.error !== undefined) {
             return html`<div class="banner down" id="incomplete">
-                <span class="words">${entry.name} ends early: ${errorWords(entry.error)}</span>
+                <span class="words">${isolated(entry.name)} ends early: ${errorWords(entry.error)}</span>
             </div>`;
         }
         if (entry?.state === 'stopped') return this.importStopped(entry);
@@ -118,8 +119,8 @@ export class Banner extends ModelElement<BannerModel> {
         const waiting = state.stage.value === 'importing' ? ' It opens when the first one is ready.' : '';
         const gone = imports.left.value;
         const words = gone
-            ? `You stopped waiting for ${entry.name}. Its import continues for others${steps}.`
-            : `Importing the time-steps of ${entry.name}${steps}.${left}${waiting}`;
+            ? `You stopped waiting for ${isolated(entry.name)}. Its import continues for others${steps}.`
+            : `Importing the time-steps of ${isolated(entry.name)}${steps}.${left}${waiting}`;
         return html`<div class="banner" id="importing">
             <span class="words">${words}</span>
             <progress max="1" .value=${entry.progress ?? 0} aria-label="Import"></progress>
@@ -136,7 +137,7 @@ export class Banner extends ModelElement<BannerModel> {
         const viewer = state.role.value === 'viewer';
         const next = viewer ? 'Anyone who can edit can choose it.' : 'Which field do particles follow?';
         return html`<div class="banner down" id="velocity-unclear">
-            <span class="words">It is not clear which field of ${entry.name} is the velocity. ${next}</span>
+            <span class="words">It is not clear which field of ${isolated(entry.name)} is the velocity. ${next}</span>
             ${
                 viewer
                     ? nothing
@@ -152,8 +153,8 @@ export class Banner extends ModelElement<BannerModel> {
         const ready = steps?.ready ?? 0;
         const there =
             ready === 0
-                ? `The import of ${name} was stopped before its first time-step.`
-                : `The import of ${name} was stopped: ${ready} of ${steps.total} time-steps are here.`;
+                ? `The import of ${isolated(name)} was stopped before its first time-step.`
+                : `The import of ${isolated(name)} was stopped: ${ready} of ${steps.total} time-steps are here.`;
         const viewer = state.role.value === 'viewer';
         const next = viewer ? 'Anyone who can edit can resume it.' : 'It can resume where it stopped.';
         return html`<div class="banner down" id="import-stopped">
@@ -175,7 +176,7 @@ export class Banner extends ModelElement<BannerModel> {
         const { name, restorableUntil, remembered } = gone.value;
         const { words, next } = goneWords(gone.value);
         return html`<div class="banner down" id="gone">
-            <span class="words"><strong>${name === '' ? 'This session' : `“${name}”`} ${words}</strong> ${next}</span>
+            <span class="words"><strong>${name === '' ? 'This session' : `“${isolated(name)}”`} ${words}</strong> ${next}</span>
             ${
                 restorableUntil === null || role.value === 'viewer'
                     ? nothing

@@ -10,6 +10,7 @@ import { describedRange, levelFields, levelOf } from '../../session/edits/levelF
 import { numberRow, selectRow } from '../base/rows.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { Families, FamilyChoice } from '../../session/surface/families.ts';
+import { isolated } from '../../state/foreignText.ts';
 
 const sliderSteps = 500;
 
@@ -112,7 +113,7 @@ export class LevelRows {
 }
 
 function fieldWords(name: string, { velocity }: DatasetDescription): string {
-    if (name === velocity) return `${name} (speed)`;
+    if (name === velocity) return `${isolated(name)} (speed)`;
     if (name === 'q_criterion') return 'Vortices (Q)';
     return name === 'vorticity' ? 'Vorticity (magnitude)' : name;
 }

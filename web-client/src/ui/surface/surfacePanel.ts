@@ -20,6 +20,7 @@ import type { Edits } from '../../session/edits/edits.ts';
 import type { Families } from '../../session/surface/families.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
+import { isolated } from '../../state/foreignText.ts';
 import { toggled } from '../../state/visibility.ts';
 import './meshRules.ts';
 import { LevelRows } from './levelPanel.ts';
@@ -311,7 +312,7 @@ export class SurfacePanel extends ModelElement<SurfaceModel> {
         const rakes = this.model.state.rakes.value;
         if (sweep === null) {
             const name = rakes.get(rake2 ?? '')?.name ?? 'another rake';
-            return html`<p class="quiet">Released between this rake and ${name}.</p>`;
+            return html`<p class="quiet">Released between this rake and ${isolated(name)}.</p>`;
         }
         const resolution = resolutionOf(0, diagonal(this.model.state.dataset.value!.bounds));
         const written = (_axis: number, value: number): string => fieldNumber(value, resolution);

@@ -2,6 +2,7 @@
 import { css, html, nothing, type TemplateResult } from 'lit';
 import type { BookmarkRecord } from '../../protocol/messages.ts';
 import { timeText } from '../../session/picture/writtenNumbers.ts';
+import { isolated } from '../../state/foreignText.ts';
 import { readPageView } from '../../state/pageView.ts';
 import type { Calls } from '../../session/base/calls.ts';
 import type { ClockControl } from '../../session/time/clockControl.ts';
@@ -60,14 +61,14 @@ export class BookmarksPanel extends ModelElement<BookmarksModel> {
         const { bookmark, name, time } = record;
         return html`<li>
             <button type="button" class="go cut" title=${name} @click=${() => this.show(record)}>
-                ${name}${time === undefined ? nothing : html` <span class="quiet">t = ${timeText(this.model.state, time)}</span>`}
+                ${isolated(name)}${time === undefined ? nothing : html` <span class="quiet">t = ${timeText(this.model.state, time)}</span>`}
             </button>
             ${
                 viewer
                     ? nothing
                     : html`<button
                       type="button"
-                      aria-label=${`Delete the view ${name}`}
+                      aria-label=${`Delete the view ${isolated(name)}`}
                       @click=${() => this.model.calls.try('bookmark.delete', { bookmark })}
                   >
                       ✕

@@ -12,6 +12,7 @@ import type { Probing } from '../../session/tools/probing.ts';
 import type { AppState } from '../../state/appState.ts';
 import { ModelElement } from '../base/signalElement.ts';
 import { vectorFields } from '../base/rows.ts';
+import { isolated } from '../../state/foreignText.ts';
 
 export interface ProbeModel {
     state: Pick<AppState, 'dataset' | 'surfaces'>;
@@ -68,7 +69,7 @@ export class ProbePanel extends ModelElement<ProbeModel> {
         return html`<dl id="probe-values">
             ${values.map(({ name, value }) => {
                 const { unit, range } = fields.find((field) => field.name === name) ?? noField;
-                return html`<dt>${name}${unit === undefined ? '' : ` (${unit})`}</dt>
+                return html`<dt>${isolated(name)}${unit === undefined ? '' : ` (${isolated(unit)})`}</dt>
                     <dd data-field=${name}>${valueWords(value, range)}</dd>`;
             })}
             <dt>at</dt>
