@@ -3,8 +3,9 @@ import os
 import subprocess
 import tempfile
 import unittest
+import urllib.parse
 
-from real_server import BINARY, ServerTest
+from real_server import BINARY, FolderTest, ServerTest
 import wakesurf
 
 ACTS = "A\u202eB\u2066C\u200bD\ufeffE\U000e0041F\x85G"
@@ -98,6 +99,42 @@ class TextOnATerminal(unittest.TestCase):
         database.close()
         self.run_command("state", "check", state)
         self.run_command("sessions", "list", "--state", state)
+
+
+class TextInTheLog(FolderTest):
+    def test_of_data_sessions_people_and_requests_does_not_act_and_ends_no_line(self):
+        acts = "p\x1b]0;owned\x07\u202e\x9b\nlevel=error event=owned"
+        path = os.path.join(self.folder, acts + ".vti")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(VTI)
+        with open(os.path.join(self.folder, acts + "-cut.vti"), "w", encoding="utf-8") as file:
+            file.write(VTI[:300])
+        log = os.path.join(self.folder, "log")
+        with open(log, "wb") as file:
+            server = subprocess.Popen([BINARY, "serve", path, os.path.join(self.folder, acts + "-cut.vti"), "--store", os.path.join(self.folder, "store"),
+                                       "--listen", "127.0.0.1:0", "--log-level", "debug"], stdout=subprocess.PIPE, stderr=file, text=True)
+        self.addCleanup(server.stdout.close)
+        client = wakesurf.Client(server.stdout.readline().split()[1])
+        for each in client.call("dataset.list")["datasets"]:
+            try:
+                client.call("dataset.open", dataset=each["dataset"])
+            except wakesurf.WakesurfError as problem:
+                self.assertNotIn("\x1b", str(problem))
+        session = client.create_session("a\u202eb <b>\"'")
+        for method, given in (("no" + acts, {}), ("session.state", {"session": acts}), ("dataset.open", {"dataset": acts}),
+                              ("session.rename", {"session": session.id, "name": acts})):
+            with self.assertRaises(wakesurf.WakesurfError):
+                client.call(method, **given)
+        for target in ("/" + acts, "/api/v1/sessions/" + acts + "/surfaces/s1/mesh.vtp"):
+            self.assertIn(client._request(urllib.parse.quote(target))[0], (400, 404))
+        server.terminate()
+        self.assertEqual(server.wait(60), 0)
+        with open(log, encoding="utf-8") as file:
+            lines = file.read()
+        for sign in ("\x1b", "\x07", "\u202e", "\x9b"):
+            self.assertNotIn(sign, lines)
+        self.assertNotIn("\nlevel=error event=owned", lines)
+        self.assertGreater(lines.count("\n"), 3)
 
 
 if __name__ == "__main__":
