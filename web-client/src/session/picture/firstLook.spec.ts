@@ -3,7 +3,7 @@ import type { Vec3 } from '../../protocol/messages.ts';
 import { CameraControls } from '../../scene/camera/cameraControls.ts';
 import { type Bounds, centreOf } from '../../scene/domain/domainAxes.ts';
 import { AppState } from '../../state/appState.ts';
-import { datasetOf, displayedOf } from '../../testing/records.ts';
+import { datasetOf, displayedOf, surfaceOf } from '../../testing/records.ts';
 import { around, lookAtFirst } from './firstLook.ts';
 
 const domain: Bounds = [-10, 10, -10, 10, -10, 10];
@@ -65,6 +65,32 @@ describe('the first look', () => {
             const { pose } = page.controls;
             page.show('final');
             expect(page.controls.pose).toEqual(pose);
+        }
+    });
+
+    it('is taken again at a surface whose kind was changed, when that is final, unless someone has put the camera elsewhere', () => {
+        for (const moved of [false, true]) {
+            const { controls, state, show } = bench();
+            let box: Bounds = [0, 5, 0, 5, 0, 6];
+            const change = (kind: 'stream' | 'streak'): void => {
+                state.surfaces.value = new Map([['s', surfaceOf('s', { kind })]]);
+            };
+            const arrives = (epoch: number): void => {
+                show('final', box);
+                state.displayed.value = new Map([['s', displayedOf('s', { epoch, phase: 'final', cells: 4 })]]);
+            };
+            state.stage.value = 'running';
+            change('stream');
+            arrives(1);
+            if (moved) controls.turn(0.1, 0);
+            const before = rounded({ controls });
+            box = small;
+            arrives(2);
+            expect(rounded({ controls })).toEqual(before);
+            change('streak');
+            expect(rounded({ controls })).toEqual(before);
+            arrives(3);
+            expect(rounded({ controls })).toEqual(moved ? before : [4.5, 4.5, 5]);
         }
     });
 

@@ -8,17 +8,33 @@ import type { SurfaceLayer } from '../../scene/surface/surfaceLayer.ts';
 import type { AppState } from '../../state/appState.ts';
 
 export interface FirstLookOptions {
-    state: Pick<AppState, 'activeSurface' | 'dataset' | 'displayed' | 'editsPending' | 'rakePoints'>;
+    state: Pick<AppState, 'activeSurface' | 'dataset' | 'displayed' | 'editsPending' | 'phase' | 'rakePoints' | 'surface'>;
     controls: Pick<CameraControls, 'offer'>;
     surfaces: Pick<SurfaceLayer, 'boxOf'>;
     /** Returns whether a handle is held. */
     dragging: () => boolean;
 }
 
-/** At what is there first, and once more when that has become final. What is edited does not move the
- *  camera. */
+/** At what is there first, and once more when that has become final; then at one of another kind, which is
+ *  elsewhere or of another size. What else is edited does not move the camera. */
 export function lookAtFirst({ state, controls, surfaces, dragging }: FirstLookOptions): void {
     let done = '';
+    /** Of what was final last. */
+    let last = { surface: '', kind: '', epoch: 0 };
+    const offer = (surface: string): boolean => {
+        const box = around(surfaces.boxOf(surface), state.rakePoints.value);
+        return box === null || controls.offer(box);
+    };
+    effect(() => {
+        if (state.phase.value !== 'final' && state.phase.value !== 'coarsened') return;
+        const [surface, kind] = [state.activeSurface.value ?? '', state.surface.value?.kind ?? ''];
+        const epoch = state.displayed.value.get(surface)?.epoch ?? 0;
+        const isOther = surface === last.surface && kind !== last.kind;
+        // The record says its kind before the first picture of it is here.
+        if (isOther && epoch === last.epoch) return;
+        if (isOther && !dragging()) untracked(() => offer(surface));
+        last = { surface, kind, epoch };
+    });
     effect(() => {
         const dataset = state.dataset.value?.dataset ?? '';
         const surface = state.activeSurface.value ?? '';
@@ -28,8 +44,7 @@ export function lookAtFirst({ state, controls, surfaces, dragging }: FirstLookOp
         untracked(() => {
             if (edited || dragging()) done = dataset;
             else {
-                const box = around(surfaces.boxOf(surface), state.rakePoints.value);
-                if (box !== null && !controls.offer(box)) done = dataset;
+                if (!offer(surface)) done = dataset;
                 if (displayed.phase === 'final') done = dataset;
             }
         });
