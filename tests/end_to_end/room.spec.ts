@@ -147,6 +147,31 @@ describe('the camera', () => {
     });
 });
 
+describe('a list', () => {
+    it('shows all of what can be chosen in it, in any tab', async () => {
+        const cut = new Set<string>();
+        for (const tab of await page.getByRole('tab').all()) {
+            await tab.click();
+            for (const folded of await page.locator('details').all()) {
+                await folded.evaluate((details: HTMLDetailsElement) => (details.open = true));
+            }
+            for (const list of await page.locator('select:visible').all()) {
+                const short = await list.evaluate((select: HTMLSelectElement) => {
+                    const pen = document.createElement('canvas').getContext('2d')!;
+                    const { font, paddingLeft, paddingRight } = getComputedStyle(select);
+                    pen.font = font;
+                    // Beside the text is the arrow.
+                    const room = select.clientWidth - parseFloat(paddingLeft) - parseFloat(paddingRight) - 12;
+                    return [...select.options].map(({ text }) => text).filter((text) => pen.measureText(text).width > room);
+                });
+                for (const text of short) cut.add(text);
+            }
+        }
+        expect([...cut]).toEqual([]);
+        await page.getByRole('tab').first().click();
+    });
+});
+
 describe('the status', () => {
     it('is as high while a surface is computed as when it is there', async () => {
         const height = (): Promise<number> => page.locator('wakesurf-status').evaluate((each) => each.clientHeight);

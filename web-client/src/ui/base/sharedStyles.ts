@@ -104,6 +104,13 @@ export const sharedStyles = css`
         align-items: center;
         gap: 8px;
     }
+    /* What is chosen is read as a whole, below its label where there is no room beside it. */
+    .row:has(> select) {
+        flex-wrap: wrap;
+    }
+    .row > select {
+        max-width: 100%;
+    }
     .check {
         display: flex;
         align-items: center;

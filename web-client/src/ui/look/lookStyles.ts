@@ -9,7 +9,9 @@ export const lookStyles = css`
     .row {
         min-height: 30px;
     }
-    .row select,
+    .row select {
+        min-width: 168px;
+    }
     .row input.number {
         width: 168px;
     }

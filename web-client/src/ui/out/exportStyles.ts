@@ -14,7 +14,7 @@ export const exportStyles = css`
         flex-wrap: wrap;
     }
     select {
-        max-width: 210px;
+        max-width: 100%;
     }
     input.number {
         width: 84px;

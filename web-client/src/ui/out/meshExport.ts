@@ -20,7 +20,7 @@ type FileChoice = MeshFile & Choice<string>;
 const vtp: FileChoice = { value: 'vtp', format: 'vtp', words: '.vtp for ParaView and VTK' };
 const choices: readonly FileChoice[] = [
     vtp,
-    { value: 'glb-plain', format: 'glb', draco: false, words: '.glb for ParaView and any glTF viewer' },
+    { value: 'glb-plain', format: 'glb', draco: false, words: '.glb for ParaView, glTF viewers' },
     { value: 'glb', format: 'glb', words: '.glb, small, for the web and Blender' },
     { value: 'ply', format: 'ply', words: '.ply for MeshLab and Blender' },
     { value: 'obj', format: 'obj', words: '.obj for most 3D programs' },
