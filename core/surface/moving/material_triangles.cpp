@@ -1,7 +1,6 @@
 #include "core/surface/moving/material_triangles.hpp"
 
 #include <algorithm>
-#include <unordered_map>
 
 namespace wakesurf::core {
 
@@ -127,21 +126,19 @@ MaterialTriangles::Edge MaterialTriangles::find(VertexId a, VertexId b) const {
     return {no_triangle, 0};
 }
 
-void MaterialTriangles::append(std::span<const std::array<VertexId, 4>> quads) {
-    std::unordered_map<std::uint64_t, TriangleId> open; // never iterated: its order decides nothing
+/// What is about to be linked: the edges of the boundary at some vertices.
+void MaterialTriangles::add_open(VertexId v, OpenEdges& open) const {
     std::vector<TriangleId> round;
-    for (const auto& quad : quads)
-        for (const VertexId v : quad)
-            if (!unused(v) && fan(v, round))
-                for (const TriangleId t : {round.front(), round.back()})
-                    for (unsigned k = 0; k < 3; ++k)
-                        if (slots_[t].across[k] == no_triangle)
-                            open[directed(slots_[t].begin(k), slots_[t].end(k))] = t;
-    std::vector<TriangleId> made;
-    for (const auto& [a, b, c, d] : quads) {
-        made.push_back(add(a, b, c));
-        made.push_back(add(a, c, d));
-    }
+    if (unused(v) || !fan(v, round))
+        return;
+    for (const TriangleId t : {round.front(), round.back()})
+        for (unsigned k = 0; k < 3; ++k)
+            if (slots_[t].across[k] == no_triangle)
+                open[directed(slots_[t].begin(k), slots_[t].end(k))] = t;
+}
+
+/// Links triangles among themselves and to open edges.
+void MaterialTriangles::link(std::span<const TriangleId> made, OpenEdges& open) {
     for (const TriangleId t : made)
         for (unsigned k = 0; k < 3; ++k)
             open[directed(slots_[t].begin(k), slots_[t].end(k))] = t;
@@ -152,6 +149,30 @@ void MaterialTriangles::append(std::span<const std::array<VertexId, 4>> quads) {
                 slots_[t].across[k] = twin->second;
                 slots_[twin->second].across[slots_[twin->second].edge_from(slots_[t].end(k))] = t;
             }
+}
+
+void MaterialTriangles::fill(std::span<const std::array<VertexId, 3>> triangles) {
+    OpenEdges open;
+    for (const auto& triangle : triangles)
+        for (const VertexId v : triangle)
+            add_open(v, open);
+    std::vector<TriangleId> made;
+    for (const auto& [a, b, c] : triangles)
+        made.push_back(add(a, b, c));
+    link(made, open);
+}
+
+void MaterialTriangles::append(std::span<const std::array<VertexId, 4>> quads) {
+    OpenEdges open;
+    for (const auto& quad : quads)
+        for (const VertexId v : quad)
+            add_open(v, open);
+    std::vector<TriangleId> made;
+    for (const auto& [a, b, c, d] : quads) {
+        made.push_back(add(a, b, c));
+        made.push_back(add(a, c, d));
+    }
+    link(made, open);
     for (std::size_t i = 0; i < made.size(); i += 2)
         pair(made[i], 2, take_id());
     for (std::size_t i = 0; i < made.size() && !contacts_; ++i) {

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace wakesurf::core {
@@ -97,6 +98,9 @@ class MaterialTriangles {
     /// contacts are allowed.
     void append(std::span<const std::array<VertexId, 4>> quads);
 
+    /// Adds triangles, counter-clockwise, that close a hole of the surface together.
+    void fill(std::span<const std::array<VertexId, 3>> triangles);
+
     /// Puts vertex m in the middle of an edge.
     void split(TriangleId t, unsigned k, VertexId m);
 
@@ -155,7 +159,12 @@ class MaterialTriangles {
     std::string violation() const;
 
   private:
+    /// By directed edge. Never iterated: its order decides nothing.
+    using OpenEdges = std::unordered_map<std::uint64_t, TriangleId>;
+
     TriangleId add(VertexId a, VertexId b, VertexId c);
+    void add_open(VertexId v, OpenEdges& open) const;
+    void link(std::span<const TriangleId> made, OpenEdges& open);
     void relink(TriangleId t, TriangleId from, TriangleId to);
     void change(TriangleId t);
     void zip(VertexId v);

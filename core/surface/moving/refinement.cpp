@@ -3,6 +3,7 @@
 #include "core/surface/moving/clipping.hpp"
 #include "core/surface/moving/cuts.hpp"
 #include "core/surface/moving/flips.hpp"
+#include "core/surface/moving/holes.hpp"
 #include "core/surface/moving/insertion.hpp"
 #include "core/surface/moving/joins.hpp"
 #include "core/surface/moving/pairing.hpp"
@@ -148,6 +149,12 @@ void Refinement::cut(MovingMesh& mesh, TriangleId t, unsigned k, bool must) {
              status != PointStatus::Inside)
         mesh.vertices.end[made] =
             status == PointStatus::InObstacle ? CurveEnd::Obstacle : CurveEnd::Domain;
+}
+
+/// Closes holes among living particles: they are not torn then.
+void Refinement::close_torn(MovingMesh& mesh) {
+    const std::uint64_t quads = (close_holes(context(mesh)) + 1) / 2;
+    unresolved_ -= std::min(unresolved_, quads);
 }
 
 /// Ends the surface where it has left the fluid.
@@ -311,6 +318,7 @@ Result<bool> Refinement::run(MovingMesh& mesh, std::stop_token stop, const WorkP
     if (auto within = cut_until_done(mesh, distinct(std::move(candidates)), shape_passes, work);
         !within || !*within)
         return within;
+    close_torn(mesh);
     if (rules_.merge > 0.0) {
         std::vector<TriangleId> small = std::move(needs.joining);
         small.insert(small.end(), triangles.touched().begin(), triangles.touched().end());
@@ -326,6 +334,7 @@ Result<bool> Refinement::run(MovingMesh& mesh, std::stop_token stop, const WorkP
         if (auto within = cut_until_done(mesh, distinct(std::move(small)), 0, work);
             !within || !*within)
             return within;
+        close_torn(mesh);
     }
     std::vector<TriangleId> changed = take(triangles.touched());
     drop_specks(here, changed);

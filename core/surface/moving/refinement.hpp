@@ -71,6 +71,7 @@ class Refinement {
     Result<void> clip_at_the_dead(MovingMesh& mesh, std::span<const TriangleId> candidates);
     void cut_pass(MovingMesh& mesh, std::span<const TriangleId> candidates, bool shape);
     void cut(MovingMesh& mesh, TriangleId t, unsigned k, bool must);
+    void close_torn(MovingMesh& mesh);
     VertexId insert(MovingMesh& mesh, TriangleId t, unsigned k, double part);
     Result<void> pair(MovingMesh& mesh);
     bool wants_trace(const MovingMesh& mesh, VertexId made) const;

@@ -15,10 +15,6 @@ constexpr double largest_bulge = 0.1;
 constexpr double shallow = 0.15; ///< depth of a chord in a convex wall
 constexpr double at_wall = 0.25; ///< reach within which something is beside an obstacle
 
-/// The part of the seed distance at which a new tear may begin, away from the boundary of the surface; a tear
-/// at an obstacle continues at the whole distance.
-constexpr double fresh_tear = 0.125;
-
 /// Relative area in (s, t) below which a web is not cut any more.
 constexpr double thin_web = 1e-5;
 
@@ -66,6 +62,16 @@ bool beside_obstacle(const RefinementContext& context, const Vec3& point) {
     return false;
 }
 
+/// Says whether a place that is drawn for one of the surface is in a body, deeper than a convex wall makes it
+/// dip.
+bool is_deep(const RefinementContext& context, const Vec3& drawn, const Vec3& material) {
+    const double depth = shallow * context.rules.separation;
+    if (!in_obstacle(context.flow, drawn) || barely_inside(context.flow, drawn, depth))
+        return false;
+    // Beside a curved wall every direction along it leaves the body both ways, as from a plate.
+    return in_obstacle(context.flow, material) || squared(material - drawn) > depth * depth;
+}
+
 /// The boundary of the surface at a triangle, or at the two beside an edge.
 struct Boundary {
     bool any = false;
@@ -104,12 +110,21 @@ bool crosses_obstacle(const RefinementContext& context,
     const Vec3 middle = 0.5 * (from + to);
     if (!context.flow.may_cross_wall(from, middle)) // and it begins in the fluid
         return false;
-    const double depth = shallow * context.rules.separation;
-    if (!in_obstacle(context.flow, middle) || barely_inside(context.flow, middle, depth))
+    return is_deep(context, middle, edge_cubic(context.mesh, a, b).at(0.5).position);
+}
+
+bool covers_obstacle(const RefinementContext& context, VertexId a, VertexId b, VertexId c) {
+    if (!context.rules.obstacle)
         return false;
-    // Beside a curved wall every direction along it leaves the body both ways, as from a plate.
-    const Vec3 material = edge_cubic(context.mesh, a, b).at(0.5).position;
-    return in_obstacle(context.flow, material) || squared(material - middle) > depth * depth;
+    const MovingMesh& mesh = context.mesh;
+    const auto& at = mesh.vertices.position;
+    const Vec3 middle = (at[a] + at[b] + at[c]) / 3.0;
+    const auto side = [&](VertexId x, VertexId y) {
+        return edge_cubic(mesh, x, y).at(0.5).position;
+    };
+    // The middle of the quadric through corners and sides.
+    const Vec3 curved = (4.0 * (side(a, b) + side(b, c) + side(c, a)) - 3.0 * middle) / 9.0;
+    return is_deep(context, middle, curved);
 }
 
 double least_bend(const RefinementContext& context) {
@@ -171,6 +186,7 @@ bool is_torn(const RefinementContext& context, TriangleId t, unsigned k) {
         return true;
     if (!rules.obstacle || s > rules.least_s_at_wall || t_part > rules.least_t_at_wall)
         return false;
+    // A tear begins at the boundary of the surface: elsewhere many would, each a hole.
     Boundary boundary;
     bool near_boundary = false;
     for (const TriangleId x : {t, here.across[k]})
@@ -179,11 +195,9 @@ bool is_torn(const RefinementContext& context, TriangleId t, unsigned k) {
             boundary.tear = boundary.tear || its.tear;
             near_boundary = near_boundary || its.any || touches_boundary(mesh, x);
         }
-    if (!near_boundary &&
-        (s > fresh_tear * rules.least_s_at_wall || t_part > fresh_tear * rules.least_t_at_wall))
-        return false;
-    return boundary.tear ||
-           beside_obstacle(context, 0.5 * (mesh.vertices.position[a] + mesh.vertices.position[b]));
+    return near_boundary &&
+           (boundary.tear || beside_obstacle(context, 0.5 * (mesh.vertices.position[a] +
+                                                             mesh.vertices.position[b])));
 }
 
 bool is_crumb(const RefinementContext& context, TriangleId t) {

@@ -26,6 +26,9 @@ bool crosses_obstacle(const RefinementContext& context,
                       VertexId b,
                       double squared_length);
 
+/// Returns true where a body is in the middle of a triangle, in the same sense.
+bool covers_obstacle(const RefinementContext& context, VertexId a, VertexId b, VertexId c);
+
 /// Is true of the inner edge of two triangles that are a good quad without it: it is invisible, so it may be
 /// longer than the separation.
 /// @param waits  also if a side of that quad is too long itself: sides are cut first, and the edge may be
@@ -33,8 +36,8 @@ bool crosses_obstacle(const RefinementContext& context,
 bool is_diagonal(const RefinementContext& context, TriangleId t, unsigned k, bool waits);
 
 /// True where the surface cannot be followed across an edge that would have to be cut: its ends were released
-/// too close to each other, or close and part beside an obstacle. A tear there begins at the boundary of the
-/// surface or where seeds are closer still.
+/// too close to each other, or close and part beside an obstacle, where a tear begins at the boundary of the
+/// surface.
 bool is_torn(const RefinementContext& context, TriangleId t, unsigned k);
 
 /// Returns true for a triangle with next to no material, a web with little, or one of next to no height:

@@ -24,6 +24,9 @@ constexpr std::size_t least_quads = 150; ///< fewer say nothing of shares
 void expect_well_shaped(const MovingRun& request, const Limits& limits = {}) {
     SCOPED_TRACE(request.name);
     const MeshShape shape = final_shape(request);
+    // A body pierces a patch, once.
+    const bool pierced = request.flow->obstacle() && request.parameters.kind == SurfaceKind::Time;
+    EXPECT_LE(shape.holes(), pierced ? 1 : 0) << shape;
     if (shape.quads < least_quads)
         return;
     EXPECT_TRUE(shape.slivers <= limits.slivers && shape.angle5 >= limits.angle5 &&
