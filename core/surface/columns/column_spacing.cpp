@@ -34,20 +34,42 @@ std::size_t first_step(const Curve& curve, double start) {
                                         : static_cast<std::size_t>(after - curve.steps.begin()) - 1;
 }
 
+/// How a sheet lies at a place of a curve.
+struct Frame {
+    Vec3 along;       ///< of length 1
+    Vec3 normal{0.0}; ///< the same, or 0 where it is not known
+};
+
+/// @param step    its number
+/// @param before  what counts where there is no direction
+Frame frame_at(const Curve& curve, std::size_t step, double theta, const Frame& before) {
+    Frame here{unit(tangent(curve.steps[step], theta), before.along)};
+    if (step < curve.stretches.size())
+        here.normal = unit(glm::cross(here.along, curve.stretches[step].at(theta)), before.normal);
+    return here;
+}
+
+Frame first_frame(const Curve& curve, std::size_t step) {
+    return frame_at(curve, step, 0.0, {Vec3(0.0), Vec3(0.0)});
+}
+
+/// Returns the angle by which the curve or the sheet's normal turns, in radians: a sheet may twist about a
+/// straight curve.
+double turn_between(const Frame& a, const Frame& b) {
+    const bool known = a.normal != Vec3(0.0) && b.normal != Vec3(0.0);
+    return std::max(angle(a.along, b.along), known ? angle(a.normal, b.normal) : 0.0);
+}
+
 /// Returns true if any step from `first` on turns faster than `rate`, in radians a length.
 bool bends(const Curve& curve, std::size_t first, double rate) {
     if (first >= curve.steps.size())
         return false;
-    Vec3 before = unit(tangent(curve.steps[first], 0.0), Vec3(0.0));
+    Frame before = first_frame(curve, first);
     for (std::size_t i = first; i < curve.steps.size(); ++i) {
         const bool last = i + 1 == curve.steps.size();
-        const CurveStep& step = curve.steps[i];
-        const CurveStep& next = curve.steps[last ? i : i + 1];
-        const Vec3 after = unit(
-            last ? Vec3(step.c[1] - step.c[2] - step.c[3]) : Vec3(next.c[1] + next.c[2]), before);
-        const double allowed = rate * ((last ? curve.last.arc : next.c[0].w) - step.c[0].w);
-        const Vec3 change = after - before;
-        if (glm::dot(change, change) > allowed * allowed)
+        const Frame after = frame_at(curve, i, 1.0, before);
+        const double end = last ? curve.last.arc : curve.steps[i + 1].c[0].w;
+        if (turn_between(before, after) > rate * (end - curve.steps[i].c[0].w))
             return true;
         before = after;
     }
@@ -63,20 +85,21 @@ std::vector<Mark>
 marks_along(const Curve& curve, std::size_t first, double start, const ColumnSpacing& spacing) {
     const double straight = 1.0 / spacing.longest;
     std::vector<Mark> marks{{start, 0.0}};
-    Vec3 before = unit(tangent(curve.steps[first], 0.0), Vec3(0.0));
+    Frame before = first_frame(curve, first);
     for (std::size_t i = first; i < curve.steps.size(); ++i) {
         const CurveStep& step = curve.steps[i];
         double arc_before = step.c[0].w;
-        const Vec3 end = unit(tangent(step, 1.0), before);
+        const Frame end = frame_at(curve, i, 1.0, before);
         // A long step's turn need not be spread evenly over it.
         const double pieces =
-            std::clamp(std::ceil(4.0 * angle(before, end) / spacing.turn), 1.0, 16.0);
+            std::clamp(std::ceil(4.0 * turn_between(before, end) / spacing.turn), 1.0, 16.0);
         for (double piece = 1.0; piece <= pieces; ++piece) {
             const double theta = piece / pieces;
-            const Vec3 here = unit(tangent(step, theta), before);
+            const Frame here = frame_at(curve, i, theta, before);
             const double arc = std::min(step.at(theta).w, curve.last.arc);
             if (arc > arc_before && arc > marks.back().arc) {
-                const double wanted = angle(before, here) / (spacing.turn * (arc - arc_before));
+                const double wanted =
+                    turn_between(before, here) / (spacing.turn * (arc - arc_before));
                 const double density =
                     std::clamp(wanted, straight, straight / ColumnSpacing::shortest);
                 marks.push_back({arc, marks.back().segments + density * (arc - marks.back().arc)});

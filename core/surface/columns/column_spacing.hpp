@@ -1,5 +1,5 @@
 // Where along a curve a column has its vertices: evenly by arc length where the curve is straight, closer
-// together where it turns. A pure function of one curve: neighbouring columns need not agree, zipping joins
+// together where it turns, or the sheet about it. A pure function of one curve: neighbouring columns need not agree, zipping joins
 // columns of any spacing.
 #pragma once
 
@@ -12,7 +12,8 @@ namespace wakesurf::core {
 
 struct ColumnSpacing {
     double longest; ///< arc length between vertices
-    /// Limits the radians that the curve may turn from one vertex to the next; pi: any.
+    /// Limits the radians that the curve, and the sheet's normal where the curve has its stretch, may turn from
+    /// one vertex to the next; pi: any.
     double turn = std::numbers::pi;
 
     /// A turn brings vertices no closer than this part of `longest`, so that a kink does not refine for ever.

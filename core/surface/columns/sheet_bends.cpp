@@ -138,7 +138,7 @@ class Bends {
     void mark_wide(ColumnSide& a, ColumnSide& b) const {
         const double a_width = a.width();
         const double b_width = b.width();
-        if (std::min(a_width, b_width) < 0.25 * least_width_)
+        if (std::min(a_width, b_width) < 0.2 * least_width_)
             return;
         if (a_width > least_width_ && a_width > 0.5 * b_width)
             a.mark();

@@ -176,7 +176,8 @@ std::vector<SheetOptions> SurfacePlan::sheets(double separation, double largest_
     one.trace.longest_step = flow->finest_spacing();
     one.trace.stagnation_speed = p.stagnation_speed * largest_speed;
     one.trace.most_steps = steps_per_curve(rake, seeding.length(), separation, p.max_quads);
-    one.trace.stretch = p.deformation || p.tangents;
+    // With the stretch it is known where the sheet twists.
+    one.trace.stretch = p.deformation || p.tangents || p.angle < 180.0;
     one.release = p.from;
     one.separation = separation;
     one.merge = p.merge;

@@ -43,6 +43,7 @@ struct Bend {
     double degrees;
     bool along;    ///< between cells that follow one another along the columns
     double extent; ///< the larger of the two cells' in the direction of the bend
+    Vec3 middle;   ///< of the edge
 };
 
 /// One entry for every two cells that share an edge.
@@ -75,7 +76,8 @@ std::vector<Bend> bends(const QuadComplex& mesh) {
             const double cosine = glm::dot(normal(mesh, a), normal(mesh, b));
             all.push_back({std::acos(std::clamp(cosine, -1.0, 1.0)) * 180.0 / std::numbers::pi,
                            by[0].front,
-                           std::max(extent(mesh, a, by[0].front), extent(mesh, b, by[0].front))});
+                           std::max(extent(mesh, a, by[0].front), extent(mesh, b, by[0].front)),
+                           0.5 * (mesh.position[edge.first] + mesh.position[edge.second])});
         }
     return all;
 }
@@ -149,6 +151,23 @@ TEST(SurfaceAngle, AlongTheFlowFewCellsThatCouldBeShorterTurnByMore) {
         };
         EXPECT_LE(share(20.0), std::max(0.25 * share(180.0), 0.0005))
             << c.flow << " " << c.separation;
+    }
+}
+
+/// The streamline on the axis is straight, and the sheet twists about it.
+TEST(SurfaceAngle, OnTheAxisOfAVortexFewNeighboursMeetAtMoreThanTheAngle) {
+    for (const double beside : {0.01, 0.1}) {
+        const Surface surface = built("lamb-oseen?rc=0.5,w=0.5,gamma=5",
+                                      line({-0.9, beside, 0}, {0.9, beside, 0}), 3, 0.2, 20.0);
+        double all = 0, along = 0, across = 0;
+        for (const Bend& bend : bends(surface.mesh))
+            if (std::hypot(bend.middle.x, bend.middle.y) < 0.2) {
+                ++all;
+                (bend.along ? along : across) += bend.degrees > 20.0;
+            }
+        EXPECT_GT(all, 500.0);
+        EXPECT_LE(along, 0.005 * all) << beside << " beside it";
+        EXPECT_LE(across, 0.015 * all) << beside << " beside it: those as narrow as may be";
     }
 }
 
