@@ -1,5 +1,6 @@
 #include "core/dataset/time_step_cache.hpp"
 
+#include "core/base/blocking_wait.hpp"
 #include "core/dataset/brick_cache.hpp"
 #include "core/dataset/step_window.hpp"
 
@@ -25,6 +26,10 @@ using Clock = std::chrono::steady_clock;
 constexpr auto look = 100ms;
 constexpr int looks_when_deadlocked = 3;
 constexpr int looks_when_merely_full = 300;
+
+// After so many polls, reading is a matter of a slow server, and other jobs run meanwhile. Not at once, and not
+// while waiting for room: they would hold time-steps too.
+constexpr int looks_when_slow = 10;
 
 constexpr std::size_t fewest_steps = 4;
 
@@ -284,7 +289,10 @@ TimeStepCache::acquire(std::size_t index, std::stop_token stop, std::size_t held
             window.changed.wait(lock, seen, end - Clock::now());
         return done();
     };
-    while (!waited() && !stop.stop_requested() && !given_up) {
+    std::optional<BlockingWait> slow;
+    for (int looks = 1; !waited() && !stop.stop_requested() && !given_up; ++looks) {
+        if (looks >= looks_when_slow && !slow && window.lent < window.room())
+            slow.emplace();
         given_up = patience.ends(window.lent >= window.room(), window.may_be_deadlocked(),
                                  window.progress);
         window.work.notify_one(); // others may have given memory back

@@ -112,35 +112,34 @@ core::Result<LevelMemory> LevelMemory::of(const core::Grid& grid) {
     if (start == MAP_FAILED)
         return tl::unexpected(no_shared_memory());
     memory.start_ = start;
-    memory.bytes_ = *bytes;
-    const importer::LevelGrid head = memory_layout(grid);
-    std::memcpy(start, &head, sizeof(head));
+    memory.head_ = memory_layout(grid);
+    std::memcpy(start, &memory.head_, sizeof(memory.head_));
     if (const auto* mesh = std::get_if<core::CellMesh>(&grid))
-        copy_mesh(*mesh, head, static_cast<std::byte*>(start));
+        copy_mesh(*mesh, memory.head_, static_cast<std::byte*>(start));
     return memory;
 }
 
 LevelMemory::~LevelMemory() {
     if (start_ != nullptr)
-        ::munmap(start_, bytes_);
+        ::munmap(start_, bytes());
     if (file_ >= 0)
         ::close(file_);
 }
 
 LevelMemory::LevelMemory(LevelMemory&& other) noexcept
     : file_(std::exchange(other.file_, -1)), start_(std::exchange(other.start_, nullptr)),
-      bytes_(std::exchange(other.bytes_, 0)) {}
+      head_(other.head_) {}
 
 LevelMemory& LevelMemory::operator=(LevelMemory&& other) noexcept {
     std::swap(file_, other.file_);
     std::swap(start_, other.start_);
-    std::swap(bytes_, other.bytes_);
+    std::swap(head_, other.head_);
     return *this;
 }
 
 std::span<float> LevelMemory::values() const {
-    return {reinterpret_cast<float*>(static_cast<std::byte*>(start_) + head().values),
-            static_cast<std::size_t>(head().nodes)};
+    return {reinterpret_cast<float*>(static_cast<std::byte*>(start_) + head_.values),
+            static_cast<std::size_t>(head_.nodes)};
 }
 
 } // namespace wakesurf::server

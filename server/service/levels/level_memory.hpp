@@ -25,7 +25,7 @@ class LevelMemory {
 
     int file() const { return file_; }
 
-    std::size_t bytes() const { return bytes_; }
+    std::size_t bytes() const { return static_cast<std::size_t>(head_.bytes); }
 
     /// Returns the values, one a node.
     std::span<float> values() const;
@@ -33,13 +33,9 @@ class LevelMemory {
   private:
     LevelMemory() = default;
 
-    const importer::LevelGrid& head() const {
-        return *static_cast<const importer::LevelGrid*>(start_);
-    }
-
     int file_ = -1;
     void* start_ = nullptr;
-    std::size_t bytes_ = 0;
+    importer::LevelGrid head_; ///< not read again from memory that the process may write
 };
 
 } // namespace wakesurf::server

@@ -1,5 +1,6 @@
 #include "server/service/levels/level_process.hpp"
 
+#include "core/base/blocking_wait.hpp"
 #include "server/service/base/shipped_files.hpp"
 
 #include <fcntl.h>
@@ -8,11 +9,13 @@
 #include <spawn.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -150,6 +153,7 @@ Error LevelProcess::ended() {
         return {Error::Code::OverLimit, "there is not enough memory for this level set",
                 "start with a larger --memory, or choose another level"};
     }
+    gone_ = true;
     return give_up("the process that extracts it ended" + (words.empty() ? "" : ": " + words));
 }
 
@@ -159,23 +163,46 @@ core::Result<void> LevelProcess::send(const importer::LevelRequest& request) {
                                                          : tl::unexpected(ended());
 }
 
+/// Returns the processor time of what extracts: the child of the process that watches it, whose own time
+/// passes always.
+std::chrono::nanoseconds LevelProcess::worked() const {
+    const std::string id = std::to_string(process_);
+    std::ifstream children("/proc/" + id + "/task/" + id + "/children");
+    std::chrono::nanoseconds sum{0};
+    for (pid_t child = 0; children >> child;) {
+        clockid_t clock{};
+        timespec time{};
+        if (::clock_getcpuclockid(child, &clock) == 0 && ::clock_gettime(clock, &time) == 0)
+            sum += std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
+    }
+    return sum;
+}
+
 /// Received bytes stay in `part_`, also after an error. @param bytes  that `part_` is to have
 core::Result<void> LevelProcess::read(std::size_t bytes, const std::stop_token& stop) {
-    const auto until = ProcessTime::now() + options_.patience;
+    const core::BlockingWait blocked;
+    const auto begun = ProcessTime::now();
+    auto seen = begun;
+    auto before = worked();
     while (part_.size() < bytes) {
         pollfd file{talk_, POLLIN, 0};
         const int ready = ::poll(&file, 1, static_cast<int>(answer_look.count()));
+        const auto now = ProcessTime::now();
         if (ready > 0) {
-            const std::size_t before = part_.size();
+            const std::size_t there = part_.size();
             part_.resize(bytes);
-            const auto count = ::read(talk_, part_.data() + before, bytes - before);
-            part_.resize(before + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+            const auto count = ::read(talk_, part_.data() + there, bytes - there);
+            part_.resize(there + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
             if (count == 0 || (count < 0 && errno != EINTR))
                 return tl::unexpected(ended());
+            seen = now;
         } else if (stop.stop_requested()) {
             return core::fail(Error::Code::Cancelled, "the level set was cancelled");
-        } else if (ProcessTime::now() >= until) {
-            return tl::unexpected(give_up("the process that extracts it does not answer"));
+        } else if (now - seen >= options_.patience) {
+            const auto after = worked();
+            if (std::exchange(before, after) == after || now - begun >= options_.longest)
+                return tl::unexpected(give_up("the process that extracts it does not answer"));
+            seen = now;
         }
     }
     return {};

@@ -34,7 +34,9 @@ class LevelProcess {
         std::filesystem::path program{}; ///< empty: wakesurf-import beside our own executable
         /// The bound on its memory, shared memory included, in bytes; 0: its own.
         std::uint64_t memory = 0;
-        std::chrono::milliseconds patience{60'000}; ///< for an answer
+        /// For a sign of life: bytes of an answer, or processor time that extracting takes.
+        std::chrono::milliseconds patience{20'000};
+        std::chrono::milliseconds longest{600'000}; ///< for an answer
     };
 
     /// Starts the process. Error: Io if it cannot be started.
@@ -50,10 +52,13 @@ class LevelProcess {
 
     /// Extracts a level set. Error: Cancelled within 50 ms of `stop`, and the process continues; OverLimit
     /// for more triangles, or without memory; Io if it ended, hung, or answered nonsense, after which it is
-    /// of no use.
+    /// of no use. A job of the compute pool lends its place to others meanwhile.
     core::Result<LevelMesh> extract(importer::LevelRequest request, const std::stop_token& stop);
 
     bool usable() const { return usable_; }
+
+    /// Returns true if it ended by itself, for a reason that the next process need not meet.
+    bool gone() const { return gone_; }
 
     pid_t id() const { return process_; }
 
@@ -64,6 +69,7 @@ class LevelProcess {
     core::Result<void> send(const importer::LevelRequest& request);
     core::Result<void> read(std::size_t bytes, const std::stop_token& stop);
     core::Result<LevelMesh> answer(const std::stop_token& stop);
+    std::chrono::nanoseconds worked() const;
     core::Error give_up(const std::string& why);
     core::Error ended();
 
@@ -76,6 +82,7 @@ class LevelProcess {
     bool asked_ = false;          ///< a request is pending
     std::vector<std::byte> part_; ///< the received part of its answer
     bool usable_ = true;
+    bool gone_ = false;
 };
 
 } // namespace wakesurf::server

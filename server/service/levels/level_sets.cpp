@@ -1,5 +1,6 @@
 #include "server/service/levels/level_sets.hpp"
 
+#include "core/base/blocking_wait.hpp"
 #include "server/service/levels/placed_triangles.hpp"
 
 #include <algorithm>
@@ -12,7 +13,6 @@ using core::Error;
 
 namespace {
 
-constexpr std::chrono::milliseconds turn_look{20};
 constexpr std::chrono::milliseconds memory_patience{
     1000}; ///< the wait for others to release memory
 
@@ -31,25 +31,28 @@ class LevelSets::OneAtATime {
   public:
     OneAtATime(const LevelSets& of, const std::stop_token& stop) : of_(of) {
         std::unique_lock lock(of_.mutex_);
-        while (of_.busy_ && !stop.stop_requested())
-            of_.free_.wait_for(lock, turn_look);
-        if (of_.busy_)
+        of_.turns_.push_back(this);
+        const auto mine = [&] { return of_.turns_.front() == this; };
+        if (!mine()) {
+            const core::BlockingWait blocked;
+            of_.next_.wait(lock, stop, mine);
+        }
+        if (!mine())
             return;
-        of_.busy_ = mine_ = true;
         loaded_ = std::exchange(of_.loaded_, nullptr);
         if (!loaded_)
             loaded_ = std::make_shared<Loaded>();
     }
 
     ~OneAtATime() {
-        if (!mine_)
-            return;
         const std::scoped_lock lock(of_.mutex_);
-        of_.busy_ = false;
+        of_.turns_.remove(this);
+        of_.next_.notify_all();
+        if (!loaded_)
+            return;
         of_.asked_ = of_.options_.clock->now();
         if (loaded_->process && loaded_->process->usable())
             of_.loaded_ = std::move(loaded_);
-        of_.free_.notify_one();
     }
 
     OneAtATime(const OneAtATime&) = delete;
@@ -59,8 +62,7 @@ class LevelSets::OneAtATime {
 
   private:
     const LevelSets& of_;
-    bool mine_ = false;
-    std::shared_ptr<Loaded> loaded_;
+    std::shared_ptr<Loaded> loaded_; ///< null: cancelled before its turn
 };
 
 LevelSets::LevelSets(std::shared_ptr<const core::Flow> flow,
@@ -84,13 +86,13 @@ LevelSets::~LevelSets() {
 
 std::shared_ptr<LevelSets::Loaded> LevelSets::take() const {
     const std::scoped_lock lock(mutex_);
-    return busy_ ? nullptr : std::exchange(loaded_, nullptr);
+    return std::exchange(loaded_, nullptr);
 }
 
 std::shared_ptr<void> LevelSets::take_idle() const {
     {
         const std::scoped_lock lock(mutex_);
-        if (busy_ || !loaded_ || options_.clock->now() - asked_ < options_.idle)
+        if (!loaded_ || options_.clock->now() - asked_ < options_.idle)
             return nullptr;
     }
     return take();
@@ -99,6 +101,11 @@ std::shared_ptr<void> LevelSets::take_idle() const {
 std::optional<pid_t> LevelSets::process() const {
     const std::scoped_lock lock(mutex_);
     return loaded_ ? std::optional(loaded_->process->id()) : std::nullopt;
+}
+
+std::size_t LevelSets::asking() const {
+    const std::scoped_lock lock(mutex_);
+    return turns_.size();
 }
 
 core::Result<void> LevelSets::check_field(const std::string& name) const {
@@ -115,8 +122,11 @@ core::Result<core::LevelTriangles> LevelSets::extract(const core::LevelWanted& w
 }
 
 core::Result<void> LevelSets::begin(Loaded& loaded, const std::stop_token& stop) const {
-    if (loaded.process && loaded.process->usable())
-        return loaded.process->rest(stop);
+    if (loaded.process && loaded.process->usable()) {
+        auto rests = loaded.process->rest(stop);
+        if (rests || rests.error().code == Error::Code::Cancelled)
+            return rests;
+    }
     loaded.process.reset();
     const auto bytes = level_memory_bytes(store_->grid());
     if (!bytes)
@@ -191,6 +201,8 @@ core::Result<core::LevelTriangles> LevelSets::extract_in(Loaded& loaded,
     request.level = wanted.level;
     request.gaps = loaded.gaps ? 1 : 0;
     auto mesh = loaded.process->extract(request, stop);
+    if (!mesh && loaded.process->gone())
+        mesh = begin(loaded, stop).and_then([&] { return loaded.process->extract(request, stop); });
     if (!mesh && mesh.error().code == Error::Code::OverLimit && mesh.error().limit)
         return core::over_limit(wanted.most_triangles / 2,
                                 "the level set of " + wanted.field + " has " +

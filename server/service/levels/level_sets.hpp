@@ -11,6 +11,7 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <list>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -46,8 +47,11 @@ class LevelSets final : public core::LevelSource {
     /// waits for that.
     std::shared_ptr<void> take_idle() const;
 
-    /// Returns the process for tests; empty without one.
+    /// Returns the process for tests; empty without one, and while it is at work.
     std::optional<pid_t> process() const;
+
+    /// Returns the number of callers at work or waiting, for tests.
+    std::size_t asking() const;
 
   private:
     /// Describes the loaded field.
@@ -64,7 +68,7 @@ class LevelSets final : public core::LevelSource {
         std::optional<std::array<double, 2>> range;
     };
 
-    /// Gives one thread at a time access to what is loaded.
+    /// Gives one thread at a time access to what is loaded, in the order of asking.
     class OneAtATime;
 
     core::Result<core::LevelTriangles>
@@ -81,9 +85,10 @@ class LevelSets final : public core::LevelSource {
     std::string velocity_;
     Options options_;
     mutable std::mutex mutex_; ///< guards what follows
-    mutable std::condition_variable free_;
-    mutable bool busy_ = false;
-    mutable std::shared_ptr<Loaded> loaded_; ///< while not busy; null: nothing is loaded
+    mutable std::condition_variable_any next_;
+    mutable std::list<const OneAtATime*>
+        turns_;                              ///< in the order of asking; the first one is at work
+    mutable std::shared_ptr<Loaded> loaded_; ///< without turns; null: nothing is loaded
     mutable std::chrono::steady_clock::time_point asked_{};
     std::shared_ptr<void> ticket_;
 };

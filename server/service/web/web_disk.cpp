@@ -1,5 +1,6 @@
 #include "server/service/web/web_disk.hpp"
 
+#include "core/base/blocking_wait.hpp"
 #include "core/base/either_stop.hpp"
 #include "server/service/web/answer_checks.hpp"
 
@@ -154,6 +155,7 @@ Result<void> WebDisk::read_stoppable(const std::filesystem::path& file,
                                      std::uint64_t offset,
                                      std::span<std::byte> out,
                                      const std::stop_token& stop) const {
+    const core::BlockingWait blocked;
     const std::string address = file.string();
     const auto it = known(address, stop);
     if (!it)

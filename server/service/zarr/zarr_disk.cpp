@@ -1,5 +1,6 @@
 #include "server/service/zarr/zarr_disk.hpp"
 
+#include "core/base/blocking_wait.hpp"
 #include "server/service/web/dataset_disk.hpp"
 #include "server/service/zarr/brick_pieces.hpp"
 #include "server/service/zarr/zarr_chunk.hpp"
@@ -168,7 +169,10 @@ Result<void> ZarrDisk::read_bricks(const Values& values,
             waiting->left.count_down();
         });
     threads_.add(std::move(work));
-    waiting->left.wait();
+    {
+        const core::BlockingWait blocked;
+        waiting->left.wait();
+    }
     for (std::size_t i = 0; i * numbers < out.size(); ++i)
         repeat_last(layout_, layout_.brick_on_disk(place + i), components,
                     out.subspan(i * numbers, numbers));

@@ -3,6 +3,7 @@
 #include "core/surface/level/level_surface.hpp"
 #include "protocol/wire/mesh_decoder.hpp"
 #include "protocol/wire/mesh_encoder.hpp"
+#include "server/service/compute/compute_pool.hpp"
 #include "server/service/levels/level_sets.hpp"
 #include "tests/support/cell_meshes.hpp"
 #include "tests/support/mesh_borders.hpp"
@@ -14,7 +15,10 @@
 #include <signal.h>
 
 #include <cmath>
+#include <cstring>
+#include <future>
 #include <limits>
+#include <mutex>
 #include <thread>
 
 namespace wakesurf::server::level_sets_test {
@@ -220,19 +224,16 @@ pid_t extractor_below(pid_t watching) {
     return std::stoi(tests::read_file("/proc/" + id + "/task/" + id + "/children"));
 }
 
-TEST(LevelSets, OfAProcessThatIsKilledAreAnErrorAndTheNextOnesAreExtracted) {
+TEST(LevelSets, OfAProcessThatIsKilledAreExtractedByANewOne) {
     const Data data{cube(16)};
     const auto before = data.mesh("r", radius);
-    ::kill(extractor_below(*data.levels->process()), SIGKILL);
-    const auto failed = data.surface("r", radius);
-    ASSERT_FALSE(failed);
-    EXPECT_EQ(failed.error().code, Error::Code::Io);
-    EXPECT_NE(failed.error().message.find("the process that extracts it ended"), std::string::npos)
-        << failed.error().message;
+    const auto process = data.levels->process();
+    ::kill(extractor_below(*process), SIGKILL);
     EXPECT_EQ(data.mesh("r", radius).position, before.position);
+    EXPECT_NE(data.levels->process(), process);
 }
 
-TEST(LevelSets, OfAProcessThatHangsAreAnErrorAndTheNextOnesAreExtracted) {
+TEST(LevelSets, OfProcessesThatEndEachTimeAreAnError) {
     auto options = usual();
     options.process.program = "/bin/sleep"; // takes none of these arguments: ends at once
     EXPECT_NE(Data(cube(9), {{"r", distance}}, options)
@@ -240,16 +241,104 @@ TEST(LevelSets, OfAProcessThatHangsAreAnErrorAndTheNextOnesAreExtracted) {
                   .error()
                   .message.find("ended"),
               std::string::npos);
-    tests::TemporaryFolder folder;
+}
+
+/// A process that never answers.
+LevelSets::Options hanging(const tests::TemporaryFolder& folder) {
+    auto options = usual();
     options.process.program = folder / "hangs";
     tests::write_file(options.process.program, "#!/bin/sh\nexec sleep 600\n");
     std::filesystem::permissions(options.process.program, std::filesystem::perms::owner_all);
+    return options;
+}
+
+TEST(LevelSets, OfAProcessThatHangsAreAnErrorAndTheNextOnesAreExtracted) {
+    const tests::TemporaryFolder folder;
+    auto options = hanging(folder);
     options.process.patience = std::chrono::milliseconds(100);
     EXPECT_NE(Data(cube(9), {{"r", distance}}, options)
                   .surface("r", radius)
                   .error()
                   .message.find("does not answer"),
               std::string::npos);
+}
+
+TEST(LevelSets, OfAProcessThatIsStoppedAreAnErrorOnceAndTheNextOnesAreExtracted) {
+    auto options = usual();
+    options.process.patience = std::chrono::milliseconds(300);
+    const Data data{cube(16), {{"r", distance}}, options};
+    const auto before = data.mesh("r", radius);
+    ::kill(extractor_below(*data.levels->process()), SIGSTOP);
+    const auto failed = data.surface("r", radius);
+    ASSERT_FALSE(failed);
+    EXPECT_NE(failed.error().message.find("does not answer"), std::string::npos);
+    EXPECT_EQ(data.mesh("r", radius).position, before.position);
+}
+
+TEST(LevelSets, OfAProcessThatIsAtWorkAreWaitedForBeyondThePatienceAndNotBeyondTheLongestTime) {
+    const tests::TemporaryFolder folder;
+    auto options = usual();
+    options.process.program = folder / "works"; // in a child, as the extractor is
+    tests::write_file(options.process.program,
+                      "#!/bin/sh\nsh -c 'while :; do :; done' &\ntrap 'kill $!' EXIT\nwait\n");
+    std::filesystem::permissions(options.process.program, std::filesystem::perms::owner_all);
+    options.process.patience = std::chrono::milliseconds(100);
+    options.process.longest = std::chrono::milliseconds(1000);
+    const auto begun = std::chrono::steady_clock::now();
+    const auto failed = Data(cube(9), {{"r", distance}}, options).surface("r", radius);
+    ASSERT_FALSE(failed);
+    EXPECT_GE(std::chrono::steady_clock::now() - begun, options.process.longest);
+}
+
+TEST(LevelSets, OfAProcessThatHangsKeepNoPlaceOfTheComputePoolFromOtherSessions) {
+    const tests::TemporaryFolder folder;
+    const Data data{cube(9), {{"r", distance}}, hanging(folder)};
+    std::stop_source stop;
+    ComputePool pool(2);
+    for (int i = 0; i < 8; ++i)
+        pool.run("level" + std::to_string(i), PriorityClass::Long, [&] {
+            (void)data.levels->extract({"r", radius, 0.0, 1'000'000}, stop.get_token());
+        });
+    std::promise<void> ninth;
+    pool.run("stream", PriorityClass::Long, [&] { ninth.set_value(); });
+    EXPECT_EQ(ninth.get_future().wait_for(std::chrono::seconds(10)), std::future_status::ready);
+    stop.request_stop();
+}
+
+TEST(LevelSets, AreAskedForInTheOrderOfTheCallers) {
+    const tests::TemporaryFolder folder;
+    auto options = usual();
+    options.process.program =
+        folder / "notes"; // the first one hangs, the others note what they are asked
+    const std::string notes = (folder / "requests").string();
+    tests::write_file(options.process.program,
+                      "#!/bin/sh\nmkdir " + notes +
+                          ".first 2>/dev/null && exec sleep 600\nhead -c " +
+                          std::to_string(sizeof(importer::LevelRequest)) + " >> " + notes +
+                          "\nhead -c 1000 /dev/zero\n");
+    std::filesystem::permissions(options.process.program, std::filesystem::perms::owner_all);
+    options.process.patience = std::chrono::milliseconds(300);
+    const Data data{cube(9), {{"r", distance}}, options};
+    std::stop_source first;
+    std::vector<std::jthread> threads;
+    for (std::uint64_t i = 0; i < 6; ++i) {
+        threads.emplace_back([&, i] {
+            (void)data.levels->extract({"r", radius, 0.0, i},
+                                       i == 0 ? first.get_token() : std::stop_token());
+        });
+        while (data.levels->asking() <= i)
+            std::this_thread::yield();
+    }
+    first.request_stop();
+    threads.clear();
+    const std::string text = tests::read_file(notes);
+    std::vector<std::uint64_t> order(text.size() / sizeof(importer::LevelRequest));
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        importer::LevelRequest request;
+        std::memcpy(&request, text.data() + i * sizeof(request), sizeof(request));
+        order[i] = request.most_triangles;
+    }
+    EXPECT_EQ(order, (std::vector<std::uint64_t>{1, 2, 3, 4, 5}));
 }
 
 TEST(LevelSets, OfAProcessThatAnswersNonsenseAreAnError) {
