@@ -211,7 +211,7 @@ class Workers {
             for (auto& entry : running)
                 entry = 0; // not ours to end
             store::end_on_signals({});
-            ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+            ::prctl(PR_SET_PDEATHSIG, SIGKILL);
             if (::getppid() != parent)
                 ::_exit(1);
             for (const auto& other : workers_) { // else their pipes would never end

@@ -25,7 +25,7 @@ namespace {
 constexpr std::size_t longest_word_line = 4096;
 constexpr std::chrono::milliseconds look{10};
 constexpr int looks_alone = 100;      // polls before it is asked to end: it may end by itself
-constexpr int looks_when_asked = 500; // polls before it is killed
+constexpr int looks_when_asked = 200; // polls before it is killed
 
 /// Starts the job in a process group of its own: a signal of the terminal goes to the server, which then ends
 /// the job.

@@ -67,6 +67,7 @@ Result<bool> JobKeeper::let_in() {
     if (!*met)
         return false;
     guest_.reset();
+    door_.reset(); // nobody else comes, and a server that is killed leaves nothing behind
     talk_ = std::move(**met);
     rest_ = options_.first_rest;
     spdlog::info("event=bricks_job_there ranks={} bricks={}", talk_->ranks(), talk_->held());

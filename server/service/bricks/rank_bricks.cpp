@@ -1,5 +1,6 @@
 #include "server/service/bricks/rank_bricks.hpp"
 
+#include "core/base/either_stop.hpp"
 #include "server/service/base/log_text.hpp"
 #include "server/service/bricks/job_keeper.hpp"
 #include "server/service/bricks/reads_from_files.hpp"
@@ -51,7 +52,7 @@ struct RankBricks::State {
         (void)!::write(bell.get(), &one, sizeof(one));
     }
 
-    void tend(const std::stop_token& stop);
+    void tend(const std::stop_token& unwanted);
     void wait();
     void look();
     void welcome();
@@ -186,11 +187,14 @@ void RankBricks::State::look() {
     ask();
 }
 
-void RankBricks::State::tend(const std::stop_token& stop) {
-    for (; !stop.stop_requested(); wait())
+void RankBricks::State::tend(const std::stop_token& unwanted) {
+    const core::EitherStop stop(options.closing, unwanted);
+    const std::stop_callback wake(stop.token(), [this] { ring(); });
+    for (; !stop.token().stop_requested(); wait())
         look();
     for (const WaitingRead& each : all_that_wait())
         each.cancel();
+    keeper.end();
 }
 
 RankBricks::RankBricks(const core::BrickSource& files, WantedJob wanted, Options options)
@@ -205,7 +209,6 @@ void RankBricks::begin() {
 
 RankBricks::~RankBricks() {
     state_->thread.request_stop();
-    state_->ring();
 }
 
 void RankBricks::read(std::vector<BrickRead> reads, std::stop_token stop, Done done) const {

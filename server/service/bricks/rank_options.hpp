@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,7 @@ struct RankOptions {
     Duration coming{120'000};           ///< for the job to identify itself
     Duration patience{1000};            ///< for a brick; then it is read from files
     Duration hung{30'000};              ///< for a brick; then the job is ended
+    std::stop_token closing{};          ///< ends the job: those of all datasets at a time
     const core::Clock* clock = nullptr; ///< outlives this; null: the machine's
 
     const core::Clock& wall() const {

@@ -24,6 +24,8 @@ namespace {
 
 constexpr std::size_t longest_line = std::size_t{1} << 20;
 constexpr std::size_t longest_errors = std::size_t{16} << 10;
+constexpr int ending_patience =
+    2000; // milliseconds in which a child that was asked to end says nothing
 
 class Pipe {
   public:
@@ -114,16 +116,31 @@ void take_lines(std::string& text, const std::function<void(std::string_view)>& 
         text.clear();
 }
 
-std::string listen(int out, int errors, const std::function<void(std::string_view)>& line) {
+/// Reads what the child says until it ends, or until it has been killed because it did not end when asked to.
+/// @param asked  readable once it has been asked to
+std::string listen(const Pipe& out,
+                   const Pipe& errors,
+                   const Pipe& asked,
+                   pid_t child,
+                   const std::function<void(std::string_view)>& line) {
     std::string text;
     std::string last_words;
-    std::array<pollfd, 2> files{{{out, POLLIN, 0}, {errors, POLLIN, 0}}};
+    std::array<pollfd, 3> files{
+        {{out.reading(), POLLIN, 0}, {errors.reading(), POLLIN, 0}, {asked.reading(), POLLIN, 0}}};
     while (files[0].fd >= 0 || files[1].fd >= 0) {
-        if (::poll(files.data(), files.size(), -1) < 0 && errno != EINTR)
+        const bool ending = files[2].fd < 0;
+        const int ready = ::poll(files.data(), files.size(), ending ? ending_patience : -1);
+        if (ready < 0 && errno != EINTR)
             break;
-        if (files[0].revents != 0 && !read_some(out, text))
+        if (ready == 0) { // a stopped one heeds nothing else
+            ::kill(child, SIGKILL);
+            break;
+        }
+        if (files[2].revents != 0)
+            files[2].fd = -1;
+        if (files[0].revents != 0 && !read_some(files[0].fd, text))
             files[0].fd = -1;
-        if (files[1].revents != 0 && !read_some(errors, last_words))
+        if (files[1].revents != 0 && !read_some(files[1].fd, last_words))
             files[1].fd = -1;
         take_lines(text, line);
         if (last_words.size() > longest_errors)
@@ -151,6 +168,7 @@ core::Result<ChildOutcome> run_child(const std::filesystem::path& program,
                                      std::stop_token stop) {
     Pipe out;
     Pipe errors;
+    Pipe asked;
     std::vector<std::string> texts{program.string()};
     texts.insert(texts.end(), arguments.begin(), arguments.end());
     std::vector<char*> words;
@@ -158,7 +176,7 @@ core::Result<ChildOutcome> run_child(const std::filesystem::path& program,
                    [](std::string& text) { return text.data(); });
     words.push_back(nullptr);
     pid_t child = -1;
-    const int problem = out.reading() < 0 || errors.reading() < 0
+    const int problem = out.reading() < 0 || errors.reading() < 0 || asked.reading() < 0
                             ? EMFILE
                             : SpawnOptions(out, errors).spawn(child, program, words);
     if (problem != 0)
@@ -171,8 +189,11 @@ core::Result<ChildOutcome> run_child(const std::filesystem::path& program,
     siginfo_t ended{};
     {
         // The child is not reaped in here, so its id cannot be another process's.
-        const std::stop_callback end(stop, [child] { ::kill(child, SIGTERM); });
-        outcome.errors = listen(out.reading(), errors.reading(), line);
+        const std::stop_callback end(stop, [child, &asked] {
+            ::kill(child, SIGTERM);
+            asked.close(1);
+        });
+        outcome.errors = listen(out, errors, asked, child, line);
         while (::waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOWAIT) != 0 &&
                errno == EINTR) {
         }

@@ -148,6 +148,7 @@ std::shared_ptr<RankedStore> with_ranks(const std::shared_ptr<const store::Store
     }
     RankBricks::Options ranks = *options.ranks;
     ranks.store = std::filesystem::absolute(folder);
+    ranks.closing = options.closing;
     return std::make_shared<RankedStore>(reader, std::move(ranks));
 }
 

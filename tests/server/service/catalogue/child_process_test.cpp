@@ -54,6 +54,15 @@ TEST(ChildProcess, IsEndedByTheStopToken) {
     EXPECT_EQ(outcome->signal, SIGTERM);
 }
 
+TEST(ChildProcess, IsKilledIfItDoesNotHeedTheStopToken) {
+    std::stop_source stop;
+    lines.clear();
+    const auto outcome = run_child(
+        "/bin/sh", {"-c", "trap '' TERM; echo up; exec sleep 600"}, 0,
+        [&](std::string_view) { stop.request_stop(); }, stop.get_token());
+    EXPECT_EQ(outcome->signal, SIGKILL);
+}
+
 TEST(ChildProcess, KeepsOnlyTheLastWordsOfAChattyProgram) {
     const auto outcome = shell("head -c 1000000 /dev/zero | tr '\\0' x >&2; echo last >&2");
     EXPECT_LT(outcome.errors.size(), 32'000u);
