@@ -113,10 +113,14 @@ struct Server::Inputs {
 core::Result<void> Server::Inputs::open(const ServerOptions& options) {
     if (kept) {
         ended_logins.emplace(loop, kept->folder.path() / KeptLogins::ended_name);
-        auto found = KeptLogins::open(kept->folder.path(), entropy,
-                                      [this](std::string text, KeptLogins::Done done) {
-                                          ended_logins->put(std::move(text), std::move(done));
-                                      });
+        auto found =
+            KeptLogins::open(kept->folder.path(), entropy,
+                             [this](KeptLogins::To to, std::string text, KeptLogins::Done done) {
+                                 if (to == KeptLogins::To::Append)
+                                     ended_logins->append(std::move(text), std::move(done));
+                                 else
+                                     ended_logins->put(std::move(text), std::move(done));
+                             });
         if (!found)
             return tl::unexpected(found.error());
         logins.emplace(std::move(*found));

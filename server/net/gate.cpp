@@ -311,8 +311,8 @@ tl::expected<Gate::LoggedIn, Refusal> Gate::login(const HttpRequest& request,
         return tl::unexpected(wrong_token(request.from));
     if (had && had->grant == grant->grant)
         if (auto renewed = logins_.renew(*wish.login))
-            return LoggedIn{std::move(*renewed), grant->session};
-    return LoggedIn{logins_.make(grant->grant), grant->session};
+            return LoggedIn{std::move(*renewed), *grant};
+    return LoggedIn{logins_.make(grant->grant), *grant};
 }
 
 std::string Gate::logout(const HttpRequest& request, KeptLogins::Done kept) {

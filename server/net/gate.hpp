@@ -83,8 +83,8 @@ class Gate {
     };
 
     struct LoggedIn {
-        std::string login;   ///< for the page to store and to show from now on
-        std::string session; ///< the only one that it is valid for; empty: every one
+        std::string login; ///< for the page to store and to show from now on
+        Identity holder;   ///< what it allows
     };
 
     /// Renews the page's login for a week if it is valid, and for the same as the token if one is shown; else

@@ -7,6 +7,7 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <iterator>
 #include <sstream>
 #include <utility>
 
@@ -17,6 +18,13 @@ namespace {
 constexpr const char* key_name = "login-key";
 constexpr std::size_t longest_file = std::size_t{4} << 20;
 const std::string token = "-"; ///< stands for a link
+
+/// The file is made anew when it has this many lines more than twice those that are remembered.
+constexpr std::size_t fewest_lines = 256;
+
+std::string line_of(const std::string& grant, const std::string& id, std::int64_t made) {
+    return (grant.empty() ? token : grant) + " " + id + " " + std::to_string(made) + "\n";
+}
 
 } // namespace
 
@@ -48,14 +56,14 @@ void KeptLogins::read(const std::string& text) {
     while (std::getline(in, line)) {
         std::istringstream words(line);
         if (words >> grant >> id >> made)
-            ended_[grant == token ? std::string() : grant][id] = made;
+            add(grant == token ? std::string() : grant, id, made);
     }
     forget_expired();
 }
 
 bool KeptLogins::ended(const std::string& grant, const std::string& id) const {
     const auto found = ended_.find(grant);
-    return found != ended_.end() && found->second.contains(id);
+    return found != ended_.end() && found->second.made.contains(id);
 }
 
 void KeptLogins::end(const std::string& grant,
@@ -63,47 +71,65 @@ void KeptLogins::end(const std::string& grant,
                      std::int64_t made,
                      Done done) {
     forget_expired();
-    ended_[grant][id] = made;
+    add(grant, id, made);
     make_room();
     if (!write_)
         return done({});
-    write_(text(), [done = std::move(done)](core::Result<void> written) {
-        if (!written)
+    auto written = [this, done = std::move(done)](core::Result<void> kept) {
+        if (!kept) {
+            lines_.reset();
             spdlog::warn("event=logout_not_kept message=\"a login that ended may be good again "
                          "after a restart\" reason=\"{}\"",
-                         written.error().message);
-        done(std::move(written));
-    });
+                         kept.error().message);
+        }
+        done(std::move(kept));
+    };
+    const bool append = lines_ && *lines_ <= 2 * count_ + fewest_lines;
+    lines_ = append ? *lines_ + 1 : count_;
+    if (append)
+        write_(To::Append, line_of(grant, id, made), std::move(written));
+    else
+        write_(To::Replace, text(), std::move(written));
+}
+
+void KeptLogins::add(const std::string& grant, const std::string& id, std::int64_t made) {
+    Ended& of = ended_[grant];
+    if (!of.made.emplace(id, made).second)
+        return;
+    of.by_age.emplace(made, id);
+    ++count_;
+}
+
+void KeptLogins::Ended::forget_oldest() {
+    made.erase(by_age.begin()->second);
+    by_age.erase(by_age.begin());
 }
 
 /// Those are too old to be valid.
 void KeptLogins::forget_expired() {
     const std::int64_t oldest = unix_time_() - limits::login_most.count();
-    for (auto& [grant, ended] : ended_)
-        std::erase_if(ended, [&](const auto& each) { return each.second < oldest; });
-    std::erase_if(ended_, [](const auto& each) { return each.second.empty(); });
+    for (auto each = ended_.begin(); each != ended_.end();) {
+        Ended& of = each->second;
+        for (; !of.by_age.empty() && of.by_age.begin()->first < oldest; --count_)
+            of.forget_oldest();
+        each = of.by_age.empty() ? ended_.erase(each) : std::next(each);
+    }
 }
 
 void KeptLogins::make_room() {
-    std::size_t count = 0;
-    Ended* most = nullptr;
-    for (auto& [grant, ended] : ended_) {
-        count += ended.size();
-        if (most == nullptr || ended.size() > most->size())
-            most = &ended;
-    }
-    if (count > most_ended)
-        most->erase(std::min_element(most->begin(), most->end(), [](const auto& a, const auto& b) {
-            return a.second < b.second;
-        }));
+    if (count_ <= most_ended)
+        return;
+    std::ranges::max_element(ended_, {}, [](const auto& each) {
+        return each.second.made.size();
+    })->second.forget_oldest();
+    --count_;
 }
 
 std::string KeptLogins::text() const {
     std::string out;
-    for (const auto& [grant, ended] : ended_)
-        for (const auto& [id, made] : ended)
-            out.append(grant.empty() ? token : grant)
-                .append(" " + id + " " + std::to_string(made) + "\n");
+    for (const auto& [grant, of] : ended_)
+        for (const auto& [id, made] : of.made)
+            out += line_of(grant, id, made);
     return out;
 }
 

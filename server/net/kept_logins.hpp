@@ -11,7 +11,10 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
+#include <set>
 #include <string>
+#include <utility>
 
 namespace wakesurf::server {
 
@@ -26,9 +29,11 @@ class KeptLogins {
     /// Receives whether a restarted server will know it.
     using Done = std::function<void(core::Result<void>)>;
 
-    /// Writes the text of the file with ended logins to the disk, at once or later. Of several pending texts
-    /// the newest includes the others.
-    using Write = std::function<void(std::string text, Done done)>;
+    /// What becomes of a text that is written.
+    enum class To : std::uint8_t { Replace, Append };
+
+    /// Writes to the file with ended logins, at once or later, in the order of the calls.
+    using Write = std::function<void(To, std::string text, Done done)>;
 
     /// Keeps them in memory: they end with this server.
     explicit KeptLogins(Entropy& entropy, UnixTime unix_time = unix_seconds);
@@ -51,12 +56,19 @@ class KeptLogins {
     void end(const std::string& grant, const std::string& id, std::int64_t made, Done done);
 
   private:
-    using Ended = std::map<std::string, std::int64_t>; ///< when made, by id
+    /// The ended logins of a link.
+    struct Ended {
+        std::map<std::string, std::int64_t> made;                ///< by id
+        std::set<std::pair<std::int64_t, std::string>> by_age{}; ///< the same, the oldest first
+
+        void forget_oldest();
+    };
 
     KeptLogins(std::string key, Write write, UnixTime unix_time)
         : key_(std::move(key)), write_(std::move(write)), unix_time_(std::move(unix_time)) {}
 
     void read(const std::string& text);
+    void add(const std::string& grant, const std::string& id, std::int64_t made);
     void forget_expired();
     void make_room();
     std::string text() const;
@@ -65,6 +77,10 @@ class KeptLogins {
     Write write_; ///< null: they are not written
     UnixTime unix_time_;
     std::map<std::string, Ended> ended_; ///< by grant
+    std::size_t count_ = 0;              ///< of all
+    /// Lines of the file, also of logins that are forgotten. Empty: it has to be replaced as a whole, which
+    /// may end in half a line, or lack what could not be written.
+    std::optional<std::size_t> lines_{};
 };
 
 } // namespace wakesurf::server

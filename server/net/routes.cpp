@@ -95,6 +95,15 @@ HttpResponse too_much_waits(std::size_t bytes) {
                            "try again in a few seconds, or ask for less");
 }
 
+HttpResponse too_many_logins(const Budgets::TooFast& slower) {
+    return http_error(
+        Refusal{429,
+                "too many logins and logouts of this token or link, or from this address",
+                "wait a moment",
+                {},
+                std::chrono::ceil<std::chrono::seconds>(slower.retry_after)});
+}
+
 HttpResponse nothing_there() {
     return http_error(404, "there is nothing at this path", "README.md lists the paths");
 }
@@ -213,7 +222,7 @@ std::optional<HttpResponse> Routes::answer_open(const HttpRequest& request) {
     return file ? files_.respond(request) : healthy(health_());
 }
 
-/// Counts an open request. A valid login is no stranger's. /healthz is always answered, or a flood would make
+/// Counts an open request. A valid login is no stranger's: it counts as an edit of its token or link. /healthz is always answered, or a flood would make
 /// monitors restart a healthy server; its connection is delayed instead.
 HttpResponse Routes::counted_open(const HttpRequest& request, HttpResponse answer) {
     if (request.path == login_path && answer.status == 200)
@@ -299,9 +308,12 @@ HttpResponse Routes::login(const HttpRequest& request) {
     const auto login = gate_.login(request, wish);
     if (!login)
         return http_error(login.error());
+    // Each login has a person of its own, so here the address counts as the person.
+    if (const auto slower = budgets_.call(Visitor(login->holder, request.from), true))
+        return too_many_logins(*slower);
     nlohmann::json answer{{"login", login->login}};
-    if (!login->session.empty())
-        answer["session"] = login->session;
+    if (!login->holder.session.empty())
+        answer["session"] = login->holder.session;
     return http_json(protocol::json_text(answer));
 }
 
@@ -309,6 +321,9 @@ HttpResponse Routes::login(const HttpRequest& request) {
 void Routes::logout(const HttpRequest& request, Respond respond) {
     if (const auto refusal = gate_.count_open(request))
         return respond(http_error(*refusal));
+    if (const auto visitor = gate_.check(request))
+        if (const auto slower = budgets_.call(Visitor(*visitor, request.from), true))
+            return respond(too_many_logins(*slower));
     const auto answer = std::make_shared<Respond>(std::move(respond));
     const std::string person = gate_.logout(request, [answer](const core::Result<void>& kept) {
         nlohmann::json said{{"durable", kept.has_value()}};

@@ -16,8 +16,8 @@
 
 namespace wakesurf::server {
 
-/// Writes the file on a thread of its own, from the first change on. Of the changes that wait for the disk
-/// only the newest is written.
+/// Writes the file on a thread of its own, from the first change on. Changes that wait for the disk are
+/// written together.
 class LateFile {
   public:
     using Done = std::function<void(core::Result<void>)>;
@@ -34,14 +34,19 @@ class LateFile {
     /// as write_private_file.
     void put(std::string text, Done done);
 
+    /// Adds to the end of the text. Error: as append_private_file; then none of it is there.
+    void append(std::string text, Done done);
+
   private:
+    void wake();
     void work(const std::stop_token& stop);
 
     Loop& loop_;
     std::filesystem::path file_;
     std::mutex mutex_; ///< guards what follows; never held while the disk is waited for
     std::condition_variable_any wake_;
-    std::optional<std::string> text_;
+    std::optional<std::string> text_; ///< to be written; empty: the file's own
+    std::string more_;                ///< to follow it
     std::vector<Done> waiting_;
     std::jthread thread_; ///< destroyed first: it uses the others
 };

@@ -175,6 +175,19 @@ core::Result<void> write_private_file(const fs::path& file, std::string_view tex
     return {};
 }
 
+core::Result<void> append_private_file(const fs::path& file, std::string_view text) {
+    const auto opened = open_private_file(file, O_WRONLY | O_APPEND | O_CREAT);
+    if (!opened)
+        return tl::unexpected(opened.error());
+    const off_t before = ::lseek(opened->get(), 0, SEEK_END);
+    const auto count = ::write(opened->get(), text.data(), text.size());
+    if (count == static_cast<ssize_t>(text.size()) && ::fsync(opened->get()) == 0)
+        return {};
+    const int error = count < 0 || count == static_cast<ssize_t>(text.size()) ? errno : ENOSPC;
+    (void)!::ftruncate(opened->get(), before); // half a line would spoil the next one
+    return not_written(error);
+}
+
 core::Result<void>
 check_private_folder(const fs::path& folder, std::string_view name, bool shared) {
     const auto path = behind_links(folder);

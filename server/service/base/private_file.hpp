@@ -51,6 +51,10 @@ core::Result<std::string> read_private_file(const std::filesystem::path& file, s
 /// cut it is the old one or the new. Error: Io, without the path.
 core::Result<void> write_private_file(const std::filesystem::path& file, std::string_view text);
 
+/// Adds to the end of such a file, which is made if it is missing. Waits for the disk. Error: Io, without the
+/// path; the file then is as before, unless the disk fails altogether.
+core::Result<void> append_private_file(const std::filesystem::path& file, std::string_view text);
+
 /// The content of a file that a user has named, with permissions of their choice: also the system's (root's),
 /// through links that are this user's or the system's, and with a warning if others can read it.
 struct NamedSecret {

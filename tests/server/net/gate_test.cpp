@@ -363,7 +363,7 @@ TEST_F(GateTest, MakesALoginForTheTokenOnly) {
     const auto made = gate.login({}, {token, {}});
     ASSERT_TRUE(made);
     EXPECT_EQ(made->login.find(token), std::string::npos);
-    EXPECT_EQ(made->session, "");
+    EXPECT_EQ(made->holder.session, "");
 }
 
 TEST_F(GateTest, KnowsWhoComesByTheTokenTheKeyOfAShareLinkOrTheirLogins) {
@@ -374,7 +374,7 @@ TEST_F(GateTest, KnowsWhoComesByTheTokenTheKeyOfAShareLinkOrTheirLogins) {
     EXPECT_EQ(who(made->key), editor);
     EXPECT_EQ(who(login()), host);
     EXPECT_EQ(who(login(made->key)), editor);
-    EXPECT_EQ(gate.login({}, {made->key, {}})->session, "session-1");
+    EXPECT_EQ(gate.login({}, {made->key, {}})->holder.session, "session-1");
     EXPECT_EQ(who(made->grant.id), std::nullopt);
 }
 

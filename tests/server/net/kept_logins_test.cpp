@@ -31,9 +31,13 @@ struct Life {
           kept(*KeptLogins::open(
               folder,
               entropy,
-              [this, folder](const std::string& text, const KeptLogins::Done& done) {
+              [this,
+               folder](KeptLogins::To to, const std::string& text, const KeptLogins::Done& done) {
                   ++writes;
-                  done(to_disk ? write_private_file(folder / KeptLogins::ended_name, text)
+                  bytes += text.size();
+                  const auto write =
+                      to == KeptLogins::To::Append ? append_private_file : write_private_file;
+                  done(to_disk ? write(folder / KeptLogins::ended_name, text)
                                : core::Result<void>());
               },
               [&wall] { return wall; })),
@@ -43,6 +47,7 @@ struct Life {
                grants) {}
 
     int writes = 0;
+    std::size_t bytes = 0;
     bool to_disk = true;
     SystemEntropy entropy;
     HandLoop loop;
@@ -229,6 +234,57 @@ TEST_F(KeptLoginsTest, AreEndedOneByOneSoThatOneWhoLogsOutOftenEndsNoOthers) {
     EXPECT_LT(fs::file_size(folder.path() / "ended-logins"), 100u) << "the others are too old";
 }
 
+TEST_F(KeptLoginsTest, AreWrittenOneByOneHoweverManyHaveEnded) {
+    start();
+    const auto end = [this](std::size_t i) {
+        life->kept.end("link", std::string(28, 'x') + std::to_string(1000 + i), wall,
+                       [](const core::Result<void>& done) { EXPECT_TRUE(done); });
+    };
+    life->to_disk = false; // a sync each takes long
+    for (std::size_t i = 0; i < KeptLogins::most_ended; ++i)
+        end(i);
+    life->to_disk = true;
+    const std::size_t before = life->bytes;
+    constexpr std::size_t more = 20;
+    for (std::size_t i = 0; i < more; ++i)
+        end(KeptLogins::most_ended + i);
+    EXPECT_LT(life->bytes - before, more * 100);
+    life->to_disk = false;
+    for (std::size_t i = 0; i < 3 * KeptLogins::most_ended; ++i)
+        end(2 * KeptLogins::most_ended + i);
+    EXPECT_LT(life->bytes / static_cast<std::size_t>(life->writes), 200u)
+        << "the whole of them is written seldom";
+}
+
+TEST_F(KeptLoginsTest, StayEndedWhereTheLastLineOfTheFileIsTornAndMoreEnd) {
+    start();
+    const std::string first = login(), second = login();
+    EXPECT_TRUE(log_out(first));
+    std::ofstream(folder.path() / "ended-logins", std::ios::app) << "- 0123456789abcdef 17";
+    start();
+    EXPECT_TRUE(log_out(second));
+    start();
+    EXPECT_FALSE(good(first));
+    EXPECT_FALSE(good(second));
+}
+
+TEST_F(KeptLoginsTest, ThatCouldNotBeWrittenAreWrittenWithTheNextOnes) {
+    start();
+    const std::string first = login(), second = login(), third = login();
+    EXPECT_TRUE(log_out(first));
+    fs::rename(folder.path() / "ended-logins", folder.path() / "aside");
+    fs::create_directories(folder.path() / "ended-logins");
+    bool kept = true;
+    life->gate.logout(with(second),
+                      [&](const core::Result<void>& done) { kept = done.has_value(); });
+    EXPECT_FALSE(kept);
+    fs::remove(folder.path() / "ended-logins");
+    EXPECT_TRUE(log_out(third));
+    start();
+    for (const std::string& each : {first, second, third})
+        EXPECT_FALSE(good(each));
+}
+
 TEST_F(KeptLoginsTest, SayWhereALogoutCouldNotBeKept) {
     start();
     const std::string mine = login();
@@ -256,6 +312,24 @@ TEST(LateFile, WritesTheNewestTextForAllThatWaitOnAThreadOfItsOwn) {
     loop.advance(std::chrono::milliseconds(0));
     EXPECT_EQ(done, 1000);
     EXPECT_EQ(*read_private_file(folder / "file", 100), "999");
+}
+
+TEST(LateFile, AddsToTheTextInTheOrderOfTheCalls) {
+    const TemporaryFolder folder;
+    HandClock clock;
+    HandLoop loop(clock);
+    int done = 0;
+    const auto count = [&](const core::Result<void>& kept) { done += kept ? 1 : 0; };
+    {
+        LateFile file(loop, folder / "file");
+        file.append("lost", count);
+        file.put("a", count);
+        for (const char* more : {"b", "c", "d"})
+            file.append(more, count);
+    }
+    loop.advance(std::chrono::milliseconds(0));
+    EXPECT_EQ(done, 5);
+    EXPECT_EQ(*read_private_file(folder / "file", 100), "abcd");
 }
 
 TEST_F(KeptLoginsTest, SayWhatIsWrongWithAKeyThatIsNone) {
