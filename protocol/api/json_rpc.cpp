@@ -116,7 +116,14 @@ RpcMessage parse_rpc(std::string_view text, const RpcLimits& limits) {
 }
 
 std::string rpc_result(std::string_view id, const json& result) {
-    return R"({"jsonrpc":"2.0","id":)" + std::string(id) + R"(,"result":)" + json_text(result) +
+    return rpc_result_of(id, json_text(result));
+}
+
+std::string rpc_result_of(std::string_view id, std::string_view result) {
+    return std::string(R"({"jsonrpc":"2.0","id":)")
+               .append(id)
+               .append(R"(,"result":)")
+               .append(result) +
            "}";
 }
 

@@ -58,6 +58,8 @@ struct RpcMessage {
 RpcMessage parse_rpc(std::string_view text, const RpcLimits& limits);
 
 std::string rpc_result(std::string_view id, const nlohmann::json& result);
+/// Takes the result as JSON text.
+std::string rpc_result_of(std::string_view id, std::string_view result);
 std::string rpc_error(std::string_view id, const RpcFault& fault);
 std::string rpc_notification(std::string_view method, const nlohmann::json& parameters);
 

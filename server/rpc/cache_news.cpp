@@ -18,18 +18,6 @@ namespace {
 // Time-steps that are read at the disk's speed change state far more often than a person can look.
 constexpr std::chrono::milliseconds rest{100};
 
-const char* name_of(core::StepState state) {
-    switch (state) {
-    case core::StepState::Resident:
-        return "resident";
-    case core::StepState::Loading:
-        return "loading";
-    case core::StepState::Cold:
-        break;
-    }
-    return "cold";
-}
-
 /// Returns the parameters of cache.patched: what differs from `before`, which may be empty or shorter.
 json cache_changes_json(const std::string& dataset,
                         const std::vector<core::StepHeld>& before,
@@ -52,16 +40,16 @@ json cache_changes_json(const std::string& dataset,
 
 } // namespace
 
-json cache_json(const std::string& dataset, const core::TimeStepCache::Status& status) {
-    json steps = json::array();
-    json held = json::array();
-    for (const core::StepHeld& step : status.steps) {
-        steps.push_back(name_of(step.state()));
-        held.push_back(json::array({step.resident, step.loading}));
+const char* name_of(core::StepState state) {
+    switch (state) {
+    case core::StepState::Resident:
+        return "resident";
+    case core::StepState::Loading:
+        return "loading";
+    case core::StepState::Cold:
+        break;
     }
-    return {{"dataset", dataset},      {"steps", std::move(steps)},
-            {"held", std::move(held)}, {"bytesPerStep", status.step_bytes},
-            {"bytes", status.bytes},   {"budget", status.budget}};
+    return "cold";
 }
 
 struct CacheNews::Watched {

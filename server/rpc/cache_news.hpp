@@ -5,8 +5,6 @@
 #include "core/dataset/time_step_cache.hpp"
 #include "server/service/base/loop.hpp"
 
-#include <nlohmann/json_fwd.hpp>
-
 #include <functional>
 #include <map>
 #include <memory>
@@ -14,8 +12,8 @@
 
 namespace wakesurf::server {
 
-/// Returns a CacheStatus, as the description of the API has it.
-nlohmann::json cache_json(const std::string& dataset, const core::TimeStepCache::Status& status);
+/// Returns the state's name in the API.
+const char* name_of(core::StepState state);
 
 /// Tells of the caches that it watches. Loop thread only; caches may change on any thread.
 class CacheNews {

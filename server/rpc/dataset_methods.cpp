@@ -1,9 +1,7 @@
 // dataset.list, dataset.describe, dataset.suggest, dataset.open, cache.status, probe.sample.
 #include "protocol/api/base/list_json.hpp"
-#include "protocol/api/dataset_json.hpp"
-#include "protocol/api/family_json.hpp"
 #include "protocol/api/generated/dataset.hpp"
-#include "server/rpc/cache_news.hpp"
+#include "server/rpc/dataset_answers.hpp"
 #include "server/rpc/dataset_entry.hpp"
 #include "server/rpc/import_waiters.hpp"
 #include "server/rpc/method.hpp"
@@ -34,14 +32,7 @@ void dataset_describe(const Call& call, const protocol::DatasetDescribe& of, Rep
     const auto open = call.context.datasets.open(of.dataset);
     if (!open)
         return reply.fault(open.error());
-    json out = protocol::dataset_json(open->info);
-    out["lattice"] = lattice_json(open->lattice);
-    out["smooth"] = open->flow->has_smooth();
-    out["surfaceFields"] = field_names(*open);
-    if (open->scalars)
-        for (const core::FamilyRecord& each : open->scalars->families())
-            out["families"].push_back(protocol::family_json(each));
-    reply.result(out);
+    reply.made_result(call.context.answers->description(of.dataset, *open));
 }
 
 json suggestion_json(const core::SceneSuggestion& scene) {
@@ -158,8 +149,8 @@ void cache_status(const Call& call, const protocol::CacheStatus& of, Reply reply
     if (!open)
         return reply.fault(open.error());
     // A built-in flow has no time-steps, so none of them is anywhere.
-    reply.result(cache_json(of.dataset,
-                            open->cache ? open->cache->status() : core::TimeStepCache::Status()));
+    reply.made_result(call.context.answers->cache(
+        of.dataset, open->cache ? open->cache->status() : core::TimeStepCache::Status()));
 }
 
 json field_values(const ProbeField& field) {

@@ -176,14 +176,15 @@ void Dispatcher::run(const RpcCall& call, const Caller& caller, bool batched, An
         answer = [pending](std::string text) { pending->answer(std::move(text)); };
     }
     Reply reply([id = call.id, metrics = context_.metrics, budgets = context_.budgets,
-                 who = caller.identity,
-                 answer = std::move(answer)](const json* result, const RpcFault* fault) {
+                 who = caller.identity, answer = std::move(answer)](const Reply::Outcome& outcome) {
+        const RpcFault* const fault = outcome.fault;
         if (fault != nullptr && metrics != nullptr)
             metrics->error(static_cast<int>(fault->code));
         if (!id)
             answer({});
-        else if (result != nullptr) {
-            std::string text = protocol::rpc_result(*id, *result);
+        else if (fault == nullptr) {
+            std::string text = outcome.made != nullptr ? protocol::rpc_result_of(*id, *outcome.made)
+                                                       : protocol::rpc_result(*id, *outcome.result);
             if (budgets != nullptr)
                 budgets->answered(who, text.size());
             answer(std::move(text));

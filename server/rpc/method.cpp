@@ -19,12 +19,17 @@ Reply::~Reply() {
 
 void Reply::result(const nlohmann::json& value) {
     if (const Sink sink = std::exchange(sink_, nullptr))
-        sink(&value, nullptr);
+        sink({.result = &value});
+}
+
+void Reply::made_result(const std::string& text) {
+    if (const Sink sink = std::exchange(sink_, nullptr))
+        sink({.made = &text});
 }
 
 void Reply::fault(const protocol::RpcFault& fault) {
     if (const Sink sink = std::exchange(sink_, nullptr))
-        sink(nullptr, &fault);
+        sink({.fault = &fault});
 }
 
 bool Method::takes(std::string_view parameter) const {
@@ -52,17 +57,18 @@ core::Result<Budgets::Permit> take(const Call& call, Use use) {
 
 Reply held_until_settled(Reply reply, Journal& journal) {
     auto kept = std::make_shared<Reply>(std::move(reply));
-    return Reply([kept, &journal](const nlohmann::json* result, const protocol::RpcFault* fault) {
-        if (fault != nullptr)
-            return kept->fault(*fault);
-        journal.settled([kept, answer = *result](const core::Result<void>& outcome) mutable {
-            if (answer.is_object()) {
-                answer["durable"] = outcome.has_value();
-                if (!outcome)
-                    answer["hint"] = outcome.error().message + ": " + outcome.error().hint;
-            }
-            kept->result(answer);
-        });
+    return Reply([kept, &journal](const Reply::Outcome& outcome) {
+        if (outcome.fault != nullptr)
+            return kept->fault(*outcome.fault);
+        journal.settled(
+            [kept, answer = *outcome.result](const core::Result<void>& outcome) mutable {
+                if (answer.is_object()) {
+                    answer["durable"] = outcome.has_value();
+                    if (!outcome)
+                        answer["hint"] = outcome.error().message + ": " + outcome.error().hint;
+                }
+                kept->result(answer);
+            });
     });
 }
 

@@ -26,13 +26,21 @@
 
 namespace wakesurf::server {
 
+class DatasetAnswers;
 class FamilyJobs;
 class ImportWaiters;
 
 /// Is the one answer to a call. Move-only; one that goes unanswered answers with an internal error.
 class Reply {
   public:
-    using Sink = std::function<void(const nlohmann::json* result, const protocol::RpcFault* fault)>;
+    /// One of the three.
+    struct Outcome {
+        const nlohmann::json* result = nullptr;
+        const std::string* made = nullptr; ///< a result as JSON text
+        const protocol::RpcFault* fault = nullptr;
+    };
+
+    using Sink = std::function<void(const Outcome&)>;
 
     explicit Reply(Sink sink) : sink_(std::move(sink)) {}
 
@@ -42,6 +50,8 @@ class Reply {
     Reply(const Reply&) = delete;
 
     void result(const nlohmann::json& value);
+    /// Answers with JSON text that was made before, of a method that edits nothing.
+    void made_result(const std::string& text);
     void fault(const protocol::RpcFault& fault);
 
     void fault(const core::Error& error) { this->fault(protocol::fault_of(error)); }
@@ -49,6 +59,8 @@ class Reply {
   private:
     Sink sink_;
 };
+
+std::shared_ptr<DatasetAnswers> new_dataset_answers();
 
 /// Holds what the methods act on.
 struct MethodContext {
@@ -66,6 +78,8 @@ struct MethodContext {
     std::string notice{};           ///< a notification for each client that joins; empty: none
     Budgets* budgets = nullptr;     ///< null: nothing is limited
     FamilyJobs* families = nullptr; ///< null: none are made
+    /// Made once for all calls.
+    std::shared_ptr<DatasetAnswers> answers = new_dataset_answers();
 };
 
 struct Call {

@@ -35,12 +35,12 @@ struct HandJournal final : Journal {
 class HeldAnswer : public testing::Test {
   protected:
     Reply reply() {
-        return held_until_settled(Reply([this](const json* given, const protocol::RpcFault* why) {
+        return held_until_settled(Reply([this](const Reply::Outcome& outcome) {
                                       EXPECT_FALSE(result || fault) << "answered twice";
-                                      if (given != nullptr)
-                                          result = *given;
+                                      if (outcome.result != nullptr)
+                                          result = *outcome.result;
                                       else
-                                          fault = *why;
+                                          fault = *outcome.fault;
                                   }),
                                   journal);
     }
