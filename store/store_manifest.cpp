@@ -49,18 +49,22 @@ constexpr protocol::JsonLimits limits{std::size_t{64} << 20, 16};
 constexpr std::size_t longest_note = 4096;
 constexpr std::size_t longest_name = 256;
 
-void shorten(core::DatasetInfo& info) {
-    const auto cut = [](std::string& text, std::size_t longest) {
-        if (text.size() > longest)
-            text = core::display_name(text, longest);
-    };
+/// Makes all words harmless, and short. Names of fields stay as different as they were: what acts or cannot be
+/// seen in them is written out.
+void make_plain(core::DatasetInfo& info, StoreLayout& layout) {
     for (std::string* unit : {&info.length_unit, &info.time_unit})
-        cut(*unit, protocol::limits::unit_bytes);
+        *unit = core::display_name(*unit, protocol::limits::unit_bytes);
     for (std::string* text : {&info.note, &info.why})
-        cut(*text, longest_note);
-    cut(info.reader, longest_name);
-    for (core::FieldInfo& field : info.fields)
-        cut(field.unit, protocol::limits::unit_bytes);
+        *text = core::display_lines(*text, longest_note);
+    for (std::string* name : {&info.name, &info.reader})
+        *name = core::display_name(*name, longest_name);
+    info.velocity = core::printable_line(info.velocity);
+    for (StoredScalar& scalar : layout.scalars)
+        scalar.name = core::printable_line(scalar.name);
+    for (core::FieldInfo& field : info.fields) {
+        field.name = core::printable_line(field.name);
+        field.unit = core::display_name(field.unit, protocol::limits::unit_bytes);
+    }
     std::erase_if(info.fields, [&](const core::FieldInfo& field) { // a name cut short names another
         return field.name.size() > longest_name && field.name != info.velocity;
     });
@@ -111,8 +115,8 @@ core::Result<StoreManifest> parse(const json& value) {
         if (wrong != nullptr)
             return tl::unexpected(*wrong);
     manifest->info = std::move(*info);
-    shorten(manifest->info);
     manifest->layout = std::move(*layout);
+    make_plain(manifest->info, manifest->layout);
     if (members.has("bricks") != (version == brick_format_version))
         members.fault("bricks", "must be there in version 3, and only there");
     if (auto sound = members.verdict(); !sound)

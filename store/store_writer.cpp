@@ -7,6 +7,7 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/file.h>
+#include <sys/statvfs.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -105,12 +106,24 @@ core::Result<void> cannot_write(const std::string& name) {
     return error;
 }
 
+/// Checks that bytes fit beside what stays free for others.
+core::Result<void> check_room(int file, const std::string& name, std::uint64_t bytes) {
+    struct statvfs disk {};
+
+    if (::fstatvfs(file, &disk) != 0 || disk.f_bavail * disk.f_frsize >= bytes + disk_reserve)
+        return {};
+    errno = ENOSPC;
+    return cannot_write(name);
+}
+
 core::Result<std::uint32_t> fill(int file, const std::string& name, const NextPiece& next) {
     std::uint32_t sum = 0;
     for (off_t at = 0, portion = 0;;) {
         const auto piece = next();
         if (!piece)
             return tl::unexpected(piece.error());
+        if (auto room = check_room(file, name, piece->size()); !room)
+            return tl::unexpected(room.error());
         if (!write_whole(file, *piece))
             return tl::unexpected(cannot_write(name).error());
         sum = core::crc32c(*piece, sum);
@@ -220,6 +233,8 @@ StoreWriter::write_in_place(const std::string& name,
                             const std::function<core::Result<void>(const PutBytes&)>& fill) {
     return appear(folder_, name,
                   [&](int file) -> core::Result<int> {
+                      if (auto room = check_room(file, name, size); !room)
+                          return tl::unexpected(room.error());
                       // Allocates contiguous space for pieces, if the file system can; a full disk is
                       // reported now.
                       if (::fallocate(file, 0, 0, static_cast<off_t>(size)) != 0 &&

@@ -1,7 +1,6 @@
 #include "core/base/machine_memory.hpp"
 
 #include <fcntl.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -142,10 +141,15 @@ std::uint64_t resident_memory() {
     return page > 0 ? pages * static_cast<std::uint64_t>(page) : 0;
 }
 
+// Not getrusage, which tells of the program before exec() as well: of whoever started this one.
 std::uint64_t peak_resident_memory() {
-    rusage usage{};
-    return getrusage(RUSAGE_SELF, &usage) == 0 ? static_cast<std::uint64_t>(usage.ru_maxrss) * 1024
-                                               : 0;
+    std::ifstream status("/proc/self/status");
+    std::string word;
+    std::uint64_t kibi = 0;
+    while (status >> word)
+        if (word == "VmHWM:" && status >> kibi)
+            return kibi * 1024;
+    return 0;
 }
 
 } // namespace wakesurf::core

@@ -59,6 +59,25 @@ TEST(StoreManifest, ShortensWordsOfItsSourceAndLeavesOutFieldsWithNamesBeyondAny
     EXPECT_EQ(after->info.fields.back().unit, std::string(32, 'u'));
 }
 
+TEST(StoreManifest, WritesOutWhatActsOrCannotBeSeenInNames) {
+    auto before = sample_manifest();
+    const std::string turned = "p\xe2\x80\xae\x1b[2J";
+    before.info.name = before.info.note = turned;
+    before.info.velocity = "U" + turned;
+    ASSERT_FALSE(before.layout.scalars.empty());
+    before.layout.scalars.front().name = turned;
+    before.info.fields = {{"U" + turned, 3, {}, {0, 1}, turned}, {turned, 1, {}, {0, 1}, "m"}};
+    const auto after = parse_store_manifest(store_manifest_text(before));
+    ASSERT_TRUE(after.has_value()) << after.error().message;
+    EXPECT_EQ(after->info.name, "p[2J");
+    EXPECT_EQ(after->info.note, "p[2J");
+    EXPECT_EQ(after->info.velocity, "Up\\u202e\\u001b[2J");
+    EXPECT_EQ(after->info.fields.front().name, after->info.velocity);
+    EXPECT_EQ(after->info.fields.front().unit, "p[2J");
+    EXPECT_EQ(after->layout.scalars.front().name, "p\\u202e\\u001b[2J");
+    EXPECT_TRUE(after->info.fields.back().stored) << "it is found by that name";
+}
+
 TEST(StoreManifest, ReadsBackEveryKindOfGrid) {
     auto before = sample_manifest();
     before.info.grid = core::GridKind::Rectilinear;

@@ -1,9 +1,11 @@
 #include "store/store_writer.hpp"
+#include "store/stored_families.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
+#include <filesystem>
 #include <stdexcept>
 
 namespace wakesurf::store::store_writer_test {
@@ -34,6 +36,18 @@ TEST(StoreWriter, NeverMakesTimeStepsReadyThatWereSkipped) {
     EXPECT_THROW((void)writer.finish_step(2, Record{3, 4}), std::logic_error);
     EXPECT_FALSE(writer.finished_step(1, 2));
     EXPECT_FALSE(writer.finished_step(2, 2));
+}
+
+TEST(StoreWriter, LeavesSomeOfTheDiskFree) {
+    const tests::TemporaryFolder folder;
+    auto writer = writer_in(folder);
+    const auto fill = [](const PutBytes&) -> core::Result<void> { return {}; };
+    const auto free = std::filesystem::space(folder.path()).available;
+    ASSERT_GT(free, disk_reserve);
+    const auto refused = writer.write_in_place("x.f64", free - disk_reserve / 2, fill);
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().hint.find("free some disk space"), std::string::npos);
+    EXPECT_TRUE(writer.write_in_place("x.f64", 8, fill));
 }
 
 TEST(StoreWriter, GoesOnAfterARecordThatWasCutOff) {

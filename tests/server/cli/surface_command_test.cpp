@@ -145,6 +145,16 @@ TEST_F(SurfaceCommand, WritesTheMeshAndItsStatistics) {
               std::string::npos);
 }
 
+TEST_F(SurfaceCommand, StatesItsOwnPeakOfMemoryAndNotThatOfWhoStartedIt) {
+    constexpr std::size_t large = std::size_t{600} << 20;
+    std::vector<char> held(large, 'x');
+    const auto outcome = run({"--stats", file("stats.json")});
+    EXPECT_EQ(outcome.exit_status, 0) << outcome.errors;
+    const auto stats = nlohmann::json::parse(bytes("stats.json"), nullptr, false);
+    EXPECT_GT(stats["peakBytes"], 1 << 20);
+    EXPECT_LT(stats["peakBytes"], held.size());
+}
+
 TEST_F(SurfaceCommand, WritesTheSameBytesForAnyNumberOfThreadsInEveryFormat) {
     for (const std::string name : {"out.vtp", "out.glb", "out.ply", "out.obj", "out.drc"}) {
         std::string first;

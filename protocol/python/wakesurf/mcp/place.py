@@ -7,6 +7,10 @@ from typing import Sequence, Set
 from ..errors import InvalidParameters, NotPermitted
 
 
+_LONGEST_NAME = 200  # with what is added while it is written, less than file systems take
+_LONGEST_PATH = 1000
+
+
 class Place:
     """A folder. Links are followed before it is decided whether a path lies in it."""
 
@@ -17,8 +21,10 @@ class Place:
     def take(self, path: str, extensions: Sequence[str], overwrite: bool = False) -> str:
         """Returns the path to write to; folders on the way are made. From now on it may be written again, also if
         this time fails. An extension of "" allows a folder. Error: NotPermitted, InvalidParameters."""
-        if "\0" in path or not path.strip():
-            raise _wrong(f"{path!r} is no name of a file", "give a path below the folder")
+        if not path.strip() or not path.isprintable():  # nothing that acts on a terminal, or cannot be seen
+            raise _wrong(f"{path!r} is no name of a file", "give a path below the folder, of characters that can be seen")
+        if any(len(os.fsencode(part)) > _LONGEST_NAME for part in path.split("/")) or len(os.fsencode(path)) > _LONGEST_PATH:
+            raise _wrong("`path` is too long", f"names have at most {_LONGEST_NAME} bytes, a path {_LONGEST_PATH}")
         ending = os.path.splitext(path)[1].lower()
         if ending not in extensions:
             raise _wrong(f"`path` ends in {ending or 'nothing'}", "one of " + ", ".join(each or "a folder" for each in extensions))
