@@ -118,6 +118,8 @@ void family_make(const Call& call, const protocol::FamilyMake& of, Reply reply) 
     FamilyWish wish{of.name, std::move(*request), {}};
     if (of.time)
         wish.times = {*of.time};
+    if (!call.identity.grant.empty()) // which links cannot remove
+        wish.most = families_of_links;
     call.context.families->make(of.dataset, std::move(wish), call.stop, work,
                                 [making](const core::Result<core::FamilyRecord>& made) {
                                     making->progress.reset();

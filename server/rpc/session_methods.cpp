@@ -37,10 +37,15 @@ core::Result<void> room_for_copy(const Call& call) {
             ids.push_back(each.session);
         return copies.size() >= most && !call.context.sessions.give_up_one(ids);
     };
-    if (over(call.identity.account(), limits::copies_by_link))
+    // As many as are left of all: what some links have leaves a share to the others.
+    const std::size_t left =
+        limits::copies_by_links -
+        std::min(limits::copies_by_links, call.context.grants.copies({}).size());
+    const std::size_t most = std::clamp<std::size_t>(left, 1, limits::copies_by_link);
+    if (over(call.identity.account(), most))
         return core::over_limit(
-            limits::copies_by_link,
-            "those who came by this share link have " + std::to_string(limits::copies_by_link) +
+            most,
+            "those who came by this share link have " + std::to_string(most) +
                 " copies already, and have changed each of them",
             "go on in one of them, or ask a host of the session for a link to edit");
     if (over({}, limits::copies_by_links))

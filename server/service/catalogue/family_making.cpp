@@ -56,10 +56,16 @@ Result<void> check_name(const LoadedDataset& dataset, const std::string& name) {
     return {};
 }
 
-/// Checks that no family of the name was made meanwhile.
-Result<void> check_unmade(const std::vector<store::StoredFamily>& all, const std::string& name) {
-    if (std::ranges::any_of(all, [&](const auto& each) { return each.record.name == name; }))
-        return tl::unexpected(name_taken(name));
+/// Checks that no family of the name was made meanwhile, and that there is room for another one.
+Result<void> check_unmade(const std::vector<store::StoredFamily>& all, const FamilyWish& wish) {
+    if (std::ranges::any_of(all, [&](const auto& each) { return each.record.name == wish.name; }))
+        return tl::unexpected(name_taken(wish.name));
+    if (all.size() >= wish.most)
+        return core::over_limit(
+            wish.most, fmt::format("the dataset has {} families already", all.size()),
+            wish.most < store::most_families
+                ? "ask someone with the server's token, for whom there is room for more"
+                : "remove one");
     return {};
 }
 
@@ -139,7 +145,7 @@ Result<void> check_family(const LoadedDataset& dataset, const FamilyWish& wish) 
         .and_then(
             [&] { return store::read_families(dataset.store->layout().folder, core::PosixDisk()); })
         .and_then([&](const auto& all) {
-            return check_unmade(store::current_families(all, dataset.store->marks()), wish.name);
+            return check_unmade(store::current_families(all, dataset.store->marks()), wish);
         });
 }
 
@@ -179,7 +185,7 @@ Result<core::FamilyRecord> make_family(const LoadedDataset& dataset,
         return fail(Error::Code::Io, "the data were replaced while the family was made",
                     "make it again");
     return store::add_family(store.layout().folder, marks, record, values,
-                             [&](const auto& all) { return check_unmade(all, wish.name); })
+                             [&](const auto& all) { return check_unmade(all, wish); })
         .map([&] { return std::move(record); });
 }
 

@@ -12,10 +12,14 @@
 
 namespace wakesurf::server {
 
+/// The most families of a dataset for holders of links, who cannot remove them: more are the host's alone.
+inline constexpr std::size_t families_of_links = store::most_families / 2;
+
 struct FamilyWish {
     std::string name;
     core::FamilyRequest request;
-    std::vector<double> times; ///< the nearest time-steps; empty: the first one
+    std::vector<double> times;               ///< the nearest time-steps; empty: the first one
+    std::size_t most = store::most_families; ///< with those that there are
 };
 
 /// Checks a wish as far as possible without tracing. Loads no data. Error: Unsupported (a built-in flow),

@@ -99,6 +99,29 @@ TEST(FamilyMethods, RefuseWhatDoesNotBelongTogether) {
     EXPECT_EQ(refused({{"from", "plane"}, {"point", {90, 0, 0}}, {"normal", {1, 0, 0}}}), -32012);
 }
 
+TEST(FamilyMethods, LeaveRoomForTheHostsFamiliesWhereHoldersOfALinkMakeMany) {
+    const TemporaryFolder folder;
+    generate(folder);
+    ServerProcess server({folder / "flow"});
+    WebSocketClient host(server);
+    host.result("dataset.open", {{"dataset", "flow"}});
+    const json link = host.result("session.share", {{"role", "editor"}});
+    WebSocketClient editor(server, "",
+                           {{"Authorization", "Bearer " + link["key"].get<std::string>()}});
+    editor.result("session.join");
+    const auto make = [](WebSocketClient& by, int number) {
+        json of = psi;
+        of["name"] = "psi" + std::to_string(number);
+        return by.call("family.make", of);
+    };
+    int made = 0;
+    while (make(editor, made).contains("result"))
+        ++made;
+    EXPECT_EQ(made, 8);
+    EXPECT_EQ(make(editor, made)["error"]["code"], -32014);
+    EXPECT_TRUE(make(host, made).contains("result"));
+}
+
 TEST(FamilyMethods, TellTheirProgressAndEndWhenTheyAreCancelled) {
     const TemporaryFolder folder;
     generate(folder);

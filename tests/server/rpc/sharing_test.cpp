@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <map>
 #include <string>
 
@@ -401,6 +402,28 @@ TEST_F(Sharing, CopiesThatNobodyChangedMakeRoomForOthers) {
     EXPECT_EQ(copy()["error"]["code"], -32014);
     EXPECT_EQ(copy()["error"]["data"]["limit"], server::limits::copies_by_link);
     EXPECT_TRUE(host.call("session.fork").contains("result")) << "for the token there is room";
+}
+
+TEST_F(Sharing, CopiesThatWereChangedLeaveAShareToTheHoldersOfOtherLinks) {
+    constexpr std::size_t links = server::limits::copies_by_links / server::limits::copies_by_link;
+    const auto copy = [&](const Headers& key) {
+        return json::parse(http(server.port(), "POST", "/rpc", key,
+                                R"({"jsonrpc":"2.0","id":1,"method":"session.fork"})")
+                               .body);
+    };
+    std::size_t fewest = server::limits::copies_by_link;
+    for (std::size_t link = 0; link < links; ++link) {
+        const Headers key = with_key(share("viewer")["key"]);
+        std::size_t made = 0;
+        for (json one = copy(key); one.contains("result"); one = copy(key), ++made) {
+            json of = rake(1);
+            of["session"] = one["result"]["session"];
+            host.result("rake.set", of);
+        }
+        fewest = std::min(fewest, made);
+    }
+    EXPECT_GE(fewest, 8u);
+    EXPECT_TRUE(copy(with_key(share("viewer")["key"])).contains("result"));
 }
 
 TEST_F(Sharing, ACopyIsDeletedByWhoMadeItByALinkAsLongAsItIsNobodysWork) {
