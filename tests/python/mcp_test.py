@@ -200,7 +200,12 @@ class ToolsTest(McpCase):
             for path in ("../a.vtp", os.path.join(elsewhere, "a.vtp"), "out/a.vtp", "x/../../a.vtp"):
                 self.assertIn("not below the folder", agent.refusal("export", path=path))
             self.assertIn("one of .vtp", agent.refusal("export", path=".bashrc"))
-            self.assertIn("no name", agent.refusal("export", path="a\0.vtp"))
+            for hidden in ("a\0.vtp", "a\u202eptv.exe.vtp", "a\x1b[2J.vtp"):
+                self.assertIn("no name", agent.refusal("export", path=hidden))
+            for long in (300 * "a" + ".vtp", 600 * "c/" + "a.vtp"):
+                refusal = agent.refusal("export", path=long)
+                self.assertIn("too long", refusal)
+                self.assertNotIn(self.folder, refusal)
             self.assertEqual(os.listdir(elsewhere), [])
         self.assertEqual(agent.numbers("export", path="made/wake.vtp")["path"], "made/wake.vtp")
         self.assertGreater(agent.numbers("export", path=os.path.join(self.folder, "made/wake.vtp"))["bytes"], 1000)
