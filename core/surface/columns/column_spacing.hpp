@@ -1,6 +1,6 @@
 // Where along a curve a column has its vertices: evenly by arc length where the curve is straight, closer
-// together where it turns, or the sheet about it. A pure function of one curve: neighbouring columns need not agree, zipping joins
-// columns of any spacing.
+// together where it turns, or the sheet about it. A pure function of one curve: neighbouring columns need
+// not agree, zipping joins columns of any spacing.
 #pragma once
 
 #include "core/integrate/curve.hpp"

@@ -1,7 +1,6 @@
 // Copies of a session, above all those that holders of share links make: what becomes of them, and how many there may be.
 #include "server/service/limits.hpp"
-#include "tests/support/server/server_process.hpp"
-#include "tests/support/server/websocket_client.hpp"
+#include "tests/support/server/shared_session.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -17,33 +16,7 @@ namespace {
 
 constexpr unsigned link_ended = 4003;
 
-Headers with_key(const std::string& key) {
-    return {{"Authorization", "Bearer " + key}};
-}
-
-class Copies : public testing::Test {
-  protected:
-    json share(const std::string& role, json more = json::object()) {
-        more["role"] = role;
-        return host.result("session.share", more);
-    }
-
-    /// The code the server closes with; what it says before is dropped.
-    static unsigned close_code(WebSocketClient& client) {
-        for (;;) {
-            const auto message = client.receive();
-            if (message.opcode == 8 || message.opcode == 0)
-                return message.close_code();
-        }
-    }
-
-    static json rake(double x) {
-        return {{"kind", "line"}, {"points", {{x, 0, 0}, {x + 1, 0, 0}}}, {"seeds", 4}};
-    }
-
-    ServerProcess server;
-    WebSocketClient host{server};
-};
+using Copies = SharedSession;
 
 } // namespace
 

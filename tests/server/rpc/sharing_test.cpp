@@ -1,6 +1,5 @@
 // Several people in one session, over real sockets: share links from the link to its end, presence, and coming back.
-#include "tests/support/server/server_process.hpp"
-#include "tests/support/server/websocket_client.hpp"
+#include "tests/support/server/shared_session.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -19,26 +18,8 @@ constexpr unsigned removed = 4002;
 constexpr unsigned link_ended = 4003;
 constexpr unsigned logged_out = 4004;
 
-Headers with_key(const std::string& key) {
-    return {{"Authorization", "Bearer " + key}};
-}
-
-class Sharing : public testing::Test {
+class Sharing : public SharedSession {
   protected:
-    json share(const std::string& role, json more = json::object()) {
-        more["role"] = role;
-        return host.result("session.share", more);
-    }
-
-    /// The code the server closes with; what it says before is dropped.
-    static unsigned close_code(WebSocketClient& client) {
-        for (;;) {
-            const auto message = client.receive();
-            if (message.opcode == 8 || message.opcode == 0)
-                return message.close_code();
-        }
-    }
-
     /// What a client is told of somebody, once that says `member`.
     static json news_of(WebSocketClient& client, const json& participant, const char* member) {
         for (;;) {
@@ -54,13 +35,6 @@ class Sharing : public testing::Test {
                     R"({"jsonrpc":"2.0","id":1,"method":"server.ping"})")
             .status;
     }
-
-    static json rake(double x) {
-        return {{"kind", "line"}, {"points", {{x, 0, 0}, {x + 1, 0, 0}}}, {"seeds", 4}};
-    }
-
-    ServerProcess server;
-    WebSocketClient host{server};
 };
 
 } // namespace

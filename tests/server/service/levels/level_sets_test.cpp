@@ -311,11 +311,11 @@ TEST(LevelSets, AreAskedForInTheOrderOfTheCallers) {
     options.process.program =
         folder / "notes"; // the first one hangs, the others note what they are asked
     const std::string notes = (folder / "requests").string();
+    const std::string read = "head -c " + std::to_string(sizeof(importer::LevelRequest));
     tests::write_file(options.process.program,
-                      "#!/bin/sh\nmkdir " + notes +
-                          ".first 2>/dev/null && exec sleep 600\nhead -c " +
-                          std::to_string(sizeof(importer::LevelRequest)) + " >> " + notes +
-                          "\nhead -c 1000 /dev/zero\n");
+                      "#!/bin/sh\nif mkdir " + notes + ".first 2>/dev/null; then\n" + read +
+                          " > /dev/null\nmkdir " + notes + ".asked\nexec sleep 600\nfi\n" + read +
+                          " >> " + notes + "\nhead -c 1000 /dev/zero\n");
     std::filesystem::permissions(options.process.program, std::filesystem::perms::owner_all);
     options.process.patience = std::chrono::milliseconds(300);
     const Data data{cube(9), {{"r", distance}}, options};
@@ -329,6 +329,8 @@ TEST(LevelSets, AreAskedForInTheOrderOfTheCallers) {
         while (data.levels->asking() <= i)
             std::this_thread::yield();
     }
+    while (!std::filesystem::exists(notes + ".asked"))
+        std::this_thread::yield();
     first.request_stop();
     threads.clear();
     const std::string text = tests::read_file(notes);
