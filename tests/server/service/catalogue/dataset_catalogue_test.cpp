@@ -97,7 +97,8 @@ TEST(DatasetCatalogue, ADatasetWhoseOpeningThrowsFailsAloneAndIsOpenedOnceItCanB
     all.set(account.budget());
     auto asked =
         account.on_need(core::GiveBack::TimeSteps, [](std::size_t) { throw std::bad_alloc(); });
-    OpenOptions options{folder / "cache"};
+    OpenOptions options;
+    options.store_root = folder / "cache";
     options.cache.account = account;
     Bench bench({"flow:abc", folder / "small"}, options);
     const auto failed = bench.wait_until_settled("small");
