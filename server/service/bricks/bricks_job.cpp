@@ -10,9 +10,12 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <filesystem>
+#include <fstream>
 #include <system_error>
 #include <thread>
 #include <utility>
+#include <vector>
 
 extern char** environ;
 
@@ -70,6 +73,23 @@ bool ends_within(pid_t process, int looks) {
     return false;
 }
 
+/// Returns a process and those that it has started, whatever process groups they have put themselves in: a
+/// starter of ranks gives each its own.
+std::vector<pid_t> with_those_below(pid_t process) {
+    std::vector<pid_t> all{process};
+    std::error_code gone;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        for (std::filesystem::directory_iterator
+                 task("/proc/" + std::to_string(all[i]) + "/task", gone),
+             end;
+             !gone && task != end; task.increment(gone)) {
+            std::ifstream children(task->path() / "children");
+            for (pid_t child = 0; children >> child;)
+                all.push_back(child);
+        }
+    return all;
+}
+
 } // namespace
 
 core::Result<std::vector<std::string>> program_words(std::string_view text) {
@@ -100,7 +120,9 @@ BricksJob::~BricksJob() {
         ::kill(process_, SIGTERM); // the starter of the ranks forwards it
         (void)ends_within(process_, looks_when_asked);
     }
-    ::kill(-process_, SIGKILL); // the remaining processes
+    for (const pid_t each : with_those_below(process_)) // the remaining processes
+        ::kill(each, SIGKILL);
+    ::kill(-process_, SIGKILL); // and those whose parents have ended
     while (::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
     }
 }
