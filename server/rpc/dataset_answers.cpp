@@ -12,10 +12,17 @@
 #include <nlohmann/json.hpp>
 
 #include <iterator>
+#include <utility>
 
 namespace wakesurf::server {
 
 namespace {
+
+/// All of a dataset but its times, which are many.
+std::string words_of(core::DatasetInfo info) {
+    info.times.clear();
+    return protocol::json_text(protocol::dataset_json(info));
+}
 
 nlohmann::json description_json(const OpenDataset& open) {
     nlohmann::json out = protocol::dataset_json(open.info);
@@ -45,8 +52,11 @@ std::string steps_text(const std::vector<core::StepHeld>& steps) {
 const std::string& DatasetAnswers::description(const std::string& dataset,
                                                const OpenDataset& open) {
     Described& made = described_[dataset];
-    if (made.text.empty() || made.flow.lock() != open.flow || made.scalars.lock() != open.scalars)
-        made = {open.flow, open.scalars, protocol::json_text(description_json(open))};
+    std::string words = words_of(open.info);
+    if (made.text.empty() || made.flow.lock() != open.flow || made.scalars.lock() != open.scalars ||
+        made.times != open.info.times || made.words != words)
+        made = {open.flow, open.scalars, open.info.times, std::move(words),
+                protocol::json_text(description_json(open))};
     return made.text;
 }
 

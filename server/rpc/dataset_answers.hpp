@@ -23,6 +23,8 @@ class DatasetAnswers {
     struct Described {
         std::weak_ptr<const core::Flow> flow; ///< opened again, a dataset has another one of these
         std::weak_ptr<const store::StoreScalars> scalars;
+        std::vector<double> times;
+        std::string words; ///< the rest of what is known, which changes as an import goes on
         std::string text;
     };
 
