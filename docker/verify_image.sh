@@ -84,7 +84,7 @@ surface = session.surface(rake, "streak", dataset="sqcyl", from_=8.5, to=16)
 quads = surface.wait(timeout=100)["quads"]
 print("quads", quads, "points", len(surface.mesh().points), "session", session.id, surface.id)
 END_OF_PYTHON
-surface_of() { inside "$1" /usr/bin/python3 "$work/surface.py" "$root/protocol/python" "$(url_of "$1")"; }
+surface_of() { inside "$1" /usr/bin/python3 "$work/surface.py" "$root/python" "$(url_of "$1")"; }
 check "builds a streak surface for a script" prints 'quads [1-9]' surface_of wakesurf-verify
 say "          $(grep -o 'quads.*points [0-9]*' "$work/said" || true)"
 ids=$(sed -n 's/.* session //p' "$work/said")
@@ -127,7 +127,7 @@ print("kept", sys.argv[4] in [each.id for each in surfaces], "quads", surfaces[-
 END_OF_PYTHON
 kept() {
     # shellcheck disable=SC2086 # two ids
-    inside wakesurf-verify /usr/bin/python3 "$work/kept.py" "$root/protocol/python" "$(url_of wakesurf-verify)" $ids
+    inside wakesurf-verify /usr/bin/python3 "$work/kept.py" "$root/python" "$(url_of wakesurf-verify)" $ids
 }
 check "has the session with its surface" prints 'kept True quads [1-9]' kept
 podman rm --force --volumes --time 2 wakesurf-verify >/dev/null 2>&1

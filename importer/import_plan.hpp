@@ -1,11 +1,11 @@
 // Everything about a source that is known before its time-steps are converted.
 #pragma once
 
-#include "command/source_options.hpp"
 #include "core/base/result.hpp"
 #include "importer/base/source.hpp"
 #include "importer/fields/field_choice.hpp"
 #include "importer/time_selection.hpp"
+#include "store/command/source_options.hpp"
 #include "store/step_placement.hpp"
 #include "store/store_manifest.hpp"
 

@@ -1,9 +1,5 @@
 // wakesurf-import: anything VTK reads -> a store, in a process of its own, so that a hostile or damaged file
 // harms nothing else.
-#include "command/layout_option.hpp"
-#include "command/manual_page.hpp"
-#include "command/memory_size.hpp"
-#include "command/source_options.hpp"
 #include "core/base/plain_text.hpp"
 #include "importer/base/failure_words.hpp"
 #include "importer/base/limited_rights.hpp"
@@ -20,6 +16,10 @@
 #include "importer/step_workers.hpp"
 #include "protocol/api/base/json_text.hpp"
 #include "protocol/api/dataset_json.hpp"
+#include "store/command/layout_option.hpp"
+#include "store/command/manual_page.hpp"
+#include "store/command/memory_size.hpp"
+#include "store/command/source_options.hpp"
 #include "store/store_writer.hpp"
 
 #include <CLI/CLI.hpp>

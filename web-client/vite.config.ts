@@ -4,7 +4,7 @@ import { fileURLToPath } from 'node:url';
 import { defineConfig, type Plugin } from 'vite';
 import { thirdPartyNotices } from './tools/third_party_notices.ts';
 
-const python = fileURLToPath(new URL('../protocol/python/', import.meta.url));
+const python = fileURLToPath(new URL('../python/', import.meta.url));
 
 /** The client for Python lies beside the page as one file, so that someone who copies a script from it can fetch what the script needs. */
 const pythonClient: Plugin = {

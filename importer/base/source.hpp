@@ -2,10 +2,10 @@
 // There is one implementation for each family of formats, in sources/.
 #pragma once
 
-#include "command/source_options.hpp"
 #include "core/base/result.hpp"
 #include "core/dataset/cell_mesh.hpp"
 #include "core/dataset/dataset_info.hpp"
+#include "store/command/source_options.hpp"
 #include "store/store_manifest.hpp"
 
 #include <vtkDataSet.h>

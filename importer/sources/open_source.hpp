@@ -1,9 +1,9 @@
 // Finds the format that a path is in, and that format's reader.
 #pragma once
 
-#include "command/source_options.hpp"
 #include "core/base/result.hpp"
 #include "importer/base/source.hpp"
+#include "store/command/source_options.hpp"
 
 #include <filesystem>
 #include <memory>

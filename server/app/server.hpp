@@ -1,9 +1,9 @@
 // The whole service: connects the catalogue, sessions, methods and the network, and runs them on one thread.
 #pragma once
 
-#include "command/source_options.hpp"
 #include "core/base/result.hpp"
 #include "server/net/trusted_proxies.hpp"
+#include "store/command/source_options.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "server/net/admission.hpp"
 
-#include "server/service/limits.hpp"
+#include "server/base/limits.hpp"
 
 #include <sys/resource.h>
 

@@ -3,7 +3,7 @@
 // for a newer one.
 #pragma once
 
-#include "server/service/metrics/metrics.hpp"
+#include "server/base/metrics.hpp"
 
 #include <boost/asio/ip/address.hpp>
 

@@ -4,7 +4,7 @@
 #include "core/surface/patches/tessellation.hpp"
 #include "core/surface/playback/surface_age.hpp"
 #include "core/surface/time_direction.hpp"
-#include "server/service/live/surface_build.hpp"
+#include "server/live/surface_build.hpp"
 
 #include <fmt/format.h>
 

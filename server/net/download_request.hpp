@@ -3,7 +3,7 @@
 
 #include "core/base/result.hpp"
 #include "protocol/files/mesh_file.hpp"
-#include "server/service/live/surface_job.hpp"
+#include "server/live/surface_job.hpp"
 
 #include <map>
 #include <optional>

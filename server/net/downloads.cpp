@@ -7,13 +7,13 @@
 #include "protocol/api/base/json_text.hpp"
 #include "protocol/files/lines_file.hpp"
 #include "protocol/files/mesh_file.hpp"
+#include "server/base/limits.hpp"
+#include "server/data/surface_scalars.hpp"
+#include "server/live/early_plan.hpp"
 #include "server/net/download_request.hpp"
 #include "server/net/http_error.hpp"
 #include "server/net/obstacle_file.hpp"
 #include "server/net/url_query.hpp"
-#include "server/service/catalogue/surface_scalars.hpp"
-#include "server/service/limits.hpp"
-#include "server/service/live/early_plan.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "core/base/memory_account.hpp"
+#include "server/base/identity.hpp"
+#include "server/data/dataset_catalogue.hpp"
 #include "server/net/http_message.hpp"
 #include "server/net/shared_files.hpp"
-#include "server/service/base/identity.hpp"
-#include "server/service/catalogue/dataset_catalogue.hpp"
-#include "server/service/session/session_directory.hpp"
+#include "server/sessions/session_directory.hpp"
 
 #include <string>
 

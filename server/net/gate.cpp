@@ -1,6 +1,6 @@
 #include "server/net/gate.hpp"
 
-#include "server/service/limits.hpp"
+#include "server/base/limits.hpp"
 
 #include <algorithm>
 #include <cctype>

@@ -4,13 +4,13 @@
 #pragma once
 
 #include "core/base/clock.hpp"
+#include "server/base/entropy.hpp"
+#include "server/base/metrics.hpp"
+#include "server/base/visitor.hpp"
+#include "server/live/compute/address_rates.hpp"
 #include "server/net/http_message.hpp"
 #include "server/net/logins.hpp"
-#include "server/service/base/entropy.hpp"
-#include "server/service/base/visitor.hpp"
-#include "server/service/compute/address_rates.hpp"
-#include "server/service/metrics/metrics.hpp"
-#include "server/service/session/people/grants.hpp"
+#include "server/sessions/people/grants.hpp"
 
 #include <tl/expected.hpp>
 

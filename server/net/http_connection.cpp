@@ -1,10 +1,10 @@
 #include "server/net/http_connection.hpp"
 
+#include "server/base/limits.hpp"
 #include "server/net/byte_stream.hpp"
 #include "server/net/gate.hpp"
 #include "server/net/http_error.hpp"
 #include "server/net/websocket_connection.hpp"
-#include "server/service/limits.hpp"
 
 #include <boost/asio/ssl/error.hpp>
 #include <boost/asio/steady_timer.hpp>

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "core/base/mpsc_queue.hpp"
-#include "server/service/base/loop.hpp"
+#include "server/base/loop.hpp"
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/posix/stream_descriptor.hpp>

@@ -1,8 +1,8 @@
 #include "server/net/kept_logins.hpp"
 
+#include "server/base/limits.hpp"
+#include "server/base/private_file.hpp"
 #include "server/net/token_file.hpp"
-#include "server/service/base/private_file.hpp"
-#include "server/service/limits.hpp"
 
 #include <spdlog/spdlog.h>
 

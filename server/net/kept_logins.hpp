@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/base/result.hpp"
-#include "server/service/base/entropy.hpp"
-#include "server/service/base/unix_time.hpp"
+#include "server/base/entropy.hpp"
+#include "server/base/unix_time.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "server/net/listener.hpp"
 
-#include "server/service/base/log_text.hpp"
+#include "server/base/log_text.hpp"
 
 #include <boost/asio/io_context.hpp>
 #include <spdlog/spdlog.h>

@@ -1,6 +1,6 @@
 #include "server/net/logins.hpp"
 
-#include "server/service/limits.hpp"
+#include "server/base/limits.hpp"
 
 namespace wakesurf::server {
 

@@ -3,11 +3,11 @@
 // their number: no login can displace another.
 #pragma once
 
+#include "server/base/entropy.hpp"
+#include "server/base/secret.hpp"
+#include "server/base/unix_time.hpp"
 #include "server/net/kept_logins.hpp"
 #include "server/net/signed_login.hpp"
-#include "server/service/base/entropy.hpp"
-#include "server/service/base/secret.hpp"
-#include "server/service/base/unix_time.hpp"
 
 #include <functional>
 #include <optional>

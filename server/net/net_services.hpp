@@ -1,6 +1,8 @@
 // The parts of the server that connections, of HTTP and WebSockets, use.
 #pragma once
 
+#include "server/base/metrics.hpp"
+#include "server/live/compute/budgets.hpp"
 #include "server/net/admission.hpp"
 #include "server/net/connections.hpp"
 #include "server/net/outbox_memory.hpp"
@@ -9,8 +11,6 @@
 #include "server/net/tls_context.hpp"
 #include "server/net/trusted_proxies.hpp"
 #include "server/net/write_turns.hpp"
-#include "server/service/compute/budgets.hpp"
-#include "server/service/metrics/metrics.hpp"
 
 namespace wakesurf::server {
 

@@ -3,7 +3,7 @@
 
 #include "core/base/memory_account.hpp"
 #include "core/base/result.hpp"
-#include "server/service/catalogue/open_dataset.hpp"
+#include "server/data/open_dataset.hpp"
 
 #include <optional>
 #include <stop_token>

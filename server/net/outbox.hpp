@@ -2,8 +2,8 @@
 // their surfaces: the queue holds only cursors into those.
 #pragma once
 
+#include "server/live/frame_cursor.hpp"
 #include "server/net/outbox_memory.hpp"
-#include "server/service/live/frame_cursor.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "server/net/outbox_memory.hpp"
 
-#include "server/service/limits.hpp"
+#include "server/base/limits.hpp"
 
 #include <algorithm>
 

@@ -2,8 +2,8 @@
 
 #include "protocol/api/base/checked_json.hpp"
 #include "protocol/api/base/json_text.hpp"
+#include "server/base/limits.hpp"
 #include "server/net/http_error.hpp"
-#include "server/service/limits.hpp"
 
 #include <nlohmann/json.hpp>
 

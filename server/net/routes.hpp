@@ -2,14 +2,14 @@
 // login and the downloads.
 #pragma once
 
+#include "server/live/compute/budgets.hpp"
 #include "server/net/downloads.hpp"
 #include "server/net/gate.hpp"
 #include "server/net/http_message.hpp"
+#include "server/net/methods/dispatcher.hpp"
 #include "server/net/outbox_memory.hpp"
 #include "server/net/session_files.hpp"
 #include "server/net/static_files.hpp"
-#include "server/rpc/dispatcher.hpp"
-#include "server/service/compute/budgets.hpp"
 
 #include <tl/expected.hpp>
 

@@ -2,13 +2,13 @@
 
 #include "protocol/api/base/json_text.hpp"
 #include "protocol/api/session_file.hpp"
+#include "server/base/limits.hpp"
+#include "server/base/secret.hpp"
+#include "server/live/compute/background.hpp"
 #include "server/net/http_error.hpp"
-#include "server/rpc/session_import.hpp"
-#include "server/service/base/secret.hpp"
-#include "server/service/compute/background.hpp"
-#include "server/service/limits.hpp"
-#include "server/service/session/records/thumbnail.hpp"
-#include "server/service/session/session_exchange.hpp"
+#include "server/net/methods/session_import.hpp"
+#include "server/sessions/records/thumbnail.hpp"
+#include "server/sessions/session_exchange.hpp"
 
 #include <nlohmann/json.hpp>
 

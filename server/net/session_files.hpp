@@ -1,13 +1,13 @@
 // Sessions as files over HTTP: session.json out and in, of any size, and the picture of a session.
 #pragma once
 
+#include "server/base/identity.hpp"
+#include "server/base/journal.hpp"
+#include "server/base/loop.hpp"
+#include "server/data/datasets.hpp"
+#include "server/live/compute/compute_pool.hpp"
 #include "server/net/http_message.hpp"
-#include "server/service/base/identity.hpp"
-#include "server/service/base/journal.hpp"
-#include "server/service/base/loop.hpp"
-#include "server/service/compute/compute_pool.hpp"
-#include "server/service/session/data/datasets.hpp"
-#include "server/service/session/session_directory.hpp"
+#include "server/sessions/session_directory.hpp"
 
 #include <cstddef>
 

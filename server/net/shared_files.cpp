@@ -1,7 +1,7 @@
 #include "server/net/shared_files.hpp"
 
-#include "server/service/base/log_text.hpp"
-#include "server/service/limits.hpp"
+#include "server/base/limits.hpp"
+#include "server/base/log_text.hpp"
 
 #include <spdlog/spdlog.h>
 

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "core/base/result.hpp"
+#include "server/base/loop.hpp"
+#include "server/live/compute/compute_pool.hpp"
 #include "server/net/kept_files.hpp"
-#include "server/service/base/loop.hpp"
-#include "server/service/compute/compute_pool.hpp"
 
 #include <cstdint>
 #include <functional>

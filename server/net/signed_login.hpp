@@ -2,7 +2,7 @@
 // of its earlier runs, without a list of them.
 #pragma once
 
-#include "server/service/base/secret.hpp"
+#include "server/base/secret.hpp"
 
 #include <cstdint>
 #include <optional>

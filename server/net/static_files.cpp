@@ -1,7 +1,7 @@
 #include "server/net/static_files.hpp"
 
 #include "core/base/crc32c.hpp"
-#include "server/service/base/shipped_files.hpp"
+#include "server/base/shipped_files.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "server/net/tls_context.hpp"
 
-#include "server/service/base/private_file.hpp"
+#include "server/base/private_file.hpp"
 
 #include <boost/asio/ssl/context.hpp>
 #include <openssl/ssl.h>

@@ -1,9 +1,9 @@
 #include "server/net/websocket_connection.hpp"
 
+#include "server/base/limits.hpp"
 #include "server/net/message_batch.hpp"
+#include "server/net/methods/client.hpp"
 #include "server/net/outbox.hpp"
-#include "server/rpc/client.hpp"
-#include "server/service/limits.hpp"
 
 #include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core/buffers_to_string.hpp>

@@ -2,7 +2,7 @@
 // what is measured; targets are printed beside the figures as counters named `target_ms`.
 #pragma once
 
-#include "server/service/catalogue/open_dataset.hpp"
+#include "server/data/open_dataset.hpp"
 
 #include <memory>
 #include <string>

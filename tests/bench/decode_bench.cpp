@@ -1,7 +1,7 @@
 // Updates of a streak surface of 100,000 vertices, decoded by Chromium's worker.
 #include "protocol/wire/mesh_stream.hpp"
-#include "server/service/base/shipped_files.hpp"
-#include "server/service/catalogue/child_process.hpp"
+#include "server/base/shipped_files.hpp"
+#include "server/data/child_process.hpp"
 #include "tests/bench/benchmarks.hpp"
 #include "tests/bench/support/grown_streak.hpp"
 #include "tests/bench/support/sampled_flows.hpp"

@@ -2,7 +2,7 @@
 // which waits before it answers each request; libcurl and all above it are the product's.
 #include "core/dataset/brick_cache.hpp"
 #include "core/surface/builder/surface_builder.hpp"
-#include "server/service/catalogue/open_dataset.hpp"
+#include "server/data/open_dataset.hpp"
 #include "tests/bench/benchmarks.hpp"
 #include "tests/bench/support/temporary_store.hpp"
 #include "tests/support/server/scripted_web_server.hpp"

@@ -3,7 +3,7 @@
 #include "core/surface/builder/surface_builder.hpp"
 #include "core/surface/level/level_surface.hpp"
 #include "protocol/wire/mesh_encoder.hpp"
-#include "server/service/levels/level_sets.hpp"
+#include "server/data/levels/level_sets.hpp"
 #include "tests/bench/benchmarks.hpp"
 #include "tests/bench/support/quantiles.hpp"
 #include "tests/support/programs.hpp"

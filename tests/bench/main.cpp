@@ -1,7 +1,7 @@
 // The program `wakesurf-bench`: parses what `wakesurf bench` hands over and runs the benchmarks asked for.
-#include "server/cli/bench_command.hpp"
-#include "server/cli/failure.hpp"
-#include "server/service/base/shipped_files.hpp"
+#include "server/app/bench_command.hpp"
+#include "server/app/failure.hpp"
+#include "server/base/shipped_files.hpp"
 #include "tests/bench/benchmarks.hpp"
 
 #include <CLI/CLI.hpp>

@@ -1,8 +1,8 @@
 // wakesurf-import as a process, with a folder of its own for sources and the store it makes.
 #pragma once
 
-#include "server/service/catalogue/child_process.hpp"
-#include "server/service/catalogue/import_process.hpp"
+#include "server/data/child_process.hpp"
+#include "server/data/import_process.hpp"
 #include "store/store_manifest.hpp"
 #include "store/store_reader.hpp"
 #include "tests/support/places.hpp"

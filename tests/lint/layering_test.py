@@ -23,14 +23,12 @@ DRACO = r"draco/"
 VTK = r"vtk[A-Z]\w*\.h"
 
 CORE = "core"
-SERVICE = "server/service"
-DATA = [f"{SERVICE}/{folder}" for folder in ("base", "catalogue", "limits.hpp", "session/data")]
-SESSION = [*DATA, *(f"{SERVICE}/{folder}" for folder in ("compute", "metrics", "session/records"))]
-IMPORTED = ["core", "store", "command", "protocol/api", "importer/base", "importer/fields"]
+IMPORTED = ["core", "store", "protocol/api", "importer/base", "importer/fields"]
 READERS = [*IMPORTED, "importer/assembly", *(f"importer/sources/{one}" for one in ("blocks", "files", "series"))]
+SERVICE = ["server/base", "server/data", "server/live", "server/sessions"]
 FORMATS = ("cgns", "ensight", "exodus", "netcdf", "openfoam", "plot3d", "vtk")
 
-# Folder -> what it may include besides itself. The longest that a path begins with counts, so `server/service/session` is what lies
+# Folder -> what it may include besides itself. The longest that a path begins with counts, so `server/sessions` is what lies
 # in that folder alone. tests/ may include everything, and nothing may include tests/.
 MAY_INCLUDE = {
     "core/base": [],
@@ -42,38 +40,34 @@ MAY_INCLUDE = {
     "protocol/api": ["core"],
     "protocol/files": ["core", "protocol/api"],
     "store": ["core", "protocol/api"],
-    "command": ["core/base"],
-    "importer/base": ["core", "store", "command"],
+    "store/command": ["core/base"],
+    "importer/base": ["core", "store"],
     "importer/fields": ["core", "store", "importer/base"],
     "importer/assembly": IMPORTED,
-    "importer/sources/files": IMPORTED[:5],
+    "importer/sources/files": IMPORTED[:4],
     "importer/sources/blocks": IMPORTED,
     "importer/sources/series": [*IMPORTED, "importer/sources/files"],
     **{f"importer/sources/{one}": READERS for one in FORMATS},
     "importer/sources": [*READERS, "importer/sources"],
     "importer": [*IMPORTED, "importer"],
     "importer/filter": ["core", "importer", "protocol/files"],
-    SERVICE: ["protocol/api"],
-    f"{SERVICE}/base": ["core", "protocol/api"],
-    f"{SERVICE}/metrics": ["core/base"],
-    f"{SERVICE}/web": ["core/base", "store"],
-    f"{SERVICE}/zarr": ["core", "store", "protocol/api", f"{SERVICE}/web"],
-    f"{SERVICE}/bricks": ["core", "store", f"{SERVICE}/base"],
-    f"{SERVICE}/bricks/ranks": ["core/base", "store", "command", f"{SERVICE}/bricks"],
-    f"{SERVICE}/journal": ["core/base", f"{SERVICE}/base"],
-    f"{SERVICE}/levels": ["core", "store", "importer/level_message.hpp", f"{SERVICE}/base"],
-    f"{SERVICE}/catalogue": ["core", "store", "command", "protocol",
-                             *(f"{SERVICE}/{one}" for one in ("base", "bricks", "levels", "web", "zarr"))],
-    f"{SERVICE}/compute": ["core", "protocol/wire", f"{SERVICE}/base", f"{SERVICE}/limits.hpp", f"{SERVICE}/metrics"],
-    f"{SERVICE}/session/data": ["core", "store", "protocol", *DATA],
-    f"{SERVICE}/session/records": ["core", "protocol", *DATA],
-    f"{SERVICE}/session/people": ["core", "protocol/api", *DATA, f"{SERVICE}/session/records"],
-    f"{SERVICE}/live": ["core", "protocol", *SESSION],
-    f"{SERVICE}/session": ["core", "protocol/api", SERVICE],
-    "server/net": ["core", "protocol", SERVICE, "server/rpc"],
-    "server/rpc": ["core", "protocol", SERVICE],
-    "server/cli": ["core", "protocol", "store", "command", SERVICE, "server/net", "server/rpc", "server/app"],
-    "server/app": ["core", "protocol", "command", SERVICE, "server/net", "server/rpc"],
+    "server/base": ["core", "protocol/api"],
+    "server/remote": ["core/base", "server/remote/web", "server/remote/zarr"],
+    "server/remote/web": ["core/base", "store"],
+    "server/remote/zarr": ["core", "store", "protocol/api", "server/remote/web"],
+    "server/data": ["core", "store", "protocol", "server/base", "server/remote/remote_dataset.hpp", "server/data"],
+    "server/data/bricks": ["core", "store", "server/base"],
+    "server/data/bricks/ranks": ["core/base", "store", "server/data/bricks"],
+    "server/data/levels": ["core", "store", "importer/level_message.hpp", "server/base"],
+    "server/live": ["core", "protocol", "server/base", "server/data", "server/live/compute"],
+    "server/live/compute": ["core", "protocol/wire", "server/base"],
+    "server/sessions": ["core", "protocol/api", "server/base", "server/data", "server/live", "server/sessions"],
+    "server/sessions/journal": ["core/base", "server/base"],
+    "server/sessions/records": ["core", "protocol", "server/base", "server/data", "server/live/surface_events.hpp"],
+    "server/sessions/people": ["core", "protocol/api", "server/base", "server/data", "server/sessions/records"],
+    "server/net": ["core", "protocol", *SERVICE, "server/net/methods"],
+    "server/net/methods": ["core", "protocol", *SERVICE],
+    "server/app": ["core", "protocol", "store", *SERVICE, "server/remote/remote_dataset.hpp", "server/net"],
 }
 
 # Room of the including file -> what it may not include, and why.
@@ -86,14 +80,14 @@ FORBIDDEN = [
      "Beast and json.hpp cost seconds in every file that sees them: keep them in .cpp files"),
     (r"", r"boost/(asio|beast)\.hpp$", "include the single Asio and Beast headers that are needed"),
     (r"", r".*\.cpp$", "a .cpp file is nobody's interface"),
-    (r"server/service/", r"boost/(asio|beast)", "the service runs without a socket"),
-    (r"server/service/(session|live)/", r"nlohmann/json\.hpp", "a session knows no JSON text"),
-    (r"server/(?!service/bricks/ranks/)", r"server/service/bricks/ranks/", "wakesurf-bricks is a program of its own"),
-    (r"(?!server/service/bricks/ranks/)", r"mpi\.h$", "only the ranks that hold bricks know MPI"),
-    (r"server/service/journal/", r"nlohmann/", "what keeps records knows no JSON"),
-    (r"(?!server/service/journal/|tests/)", r"sqlite3\.h", "only the journal knows SQLite"),
-    (r"(?!server/service/web/|tests/)", r"curl/", "only server/service/web knows libcurl"),
-    (r"(?!server/service/zarr/|tests/)", r"(blosc|zstd)\.h$", "only server/service/zarr knows what packs chunks"),
+    (r"server/(base|remote|data|live|sessions)/", r"boost/(asio|beast)", "only net and app know sockets"),
+    (r"server/(sessions|live)/", r"nlohmann/json\.hpp", "a session knows no JSON text"),
+    (r"server/(?!data/bricks/ranks/)", r"server/data/bricks/ranks/", "wakesurf-bricks is a program of its own"),
+    (r"(?!server/data/bricks/ranks/)", r"mpi\.h$", "only the ranks that hold bricks know MPI"),
+    (r"server/sessions/journal/", r"nlohmann/", "what keeps records knows no JSON"),
+    (r"(?!server/sessions/journal/|tests/)", r"sqlite3\.h", "only the journal knows SQLite"),
+    (r"(?!server/remote/web/|tests/)", r"curl/", "only server/remote/web knows libcurl"),
+    (r"(?!server/remote/zarr/|tests/)", r"(blosc|zstd)\.h$", "only server/remote/zarr knows what packs chunks"),
 ]
 
 
@@ -126,7 +120,7 @@ def wrong_includes(path, text):
                 yield f"{place}: {why}"
         if match.group(1) == "<":
             continue
-        if not re.match(r"(command|core|importer|protocol|server|store|tests)/", target):
+        if not re.match(r"(core|importer|protocol|server|store|tests)/", target):
             yield f"{place}: write it from the root"
         elif home and folder_of(target) != home and not any(
                 target == allowed or re.match(rf"{allowed}\b[/.]?", target) for allowed in MAY_INCLUDE[home]):
@@ -137,7 +131,7 @@ def arrows(texts, name):
     """name(path) -> the names of what it includes, others than itself; `texts`: path -> text."""
     out = {}
     for path, text in texts.items():
-        if re.match(r"(command|core|importer|protocol|server|store)/.*\.(cpp|hpp|h)$", path):
+        if re.match(r"(core|importer|protocol|server|store)/.*\.(cpp|hpp|h)$", path):
             out.setdefault(name(path), set()).update(
                 name(match.group(2)) for match in INCLUDE.finditer(text) if match.group(1) == '"')
     return {start: ends - {start} for start, ends in out.items()}
@@ -253,26 +247,26 @@ BAD = [
     (wrong_includes, "core/base/disk.cpp", "#  include <nlohmann/json_fwd.hpp>\n"),
     (wrong_includes, "core/surface/front.cpp", "#include <draco/mesh/mesh.h>\n"),
     (wrong_includes, "core/dataset/store.cpp", '#include "core/surface/rake.hpp"\n'),
-    (wrong_includes, "protocol/wire/frame.cpp", '#include "server/service/session/session.hpp"\n'),
+    (wrong_includes, "protocol/wire/frame.cpp", '#include "server/sessions/session.hpp"\n'),
     (wrong_includes, "protocol/frame.cpp", "#include <boost/beast/core/flat_buffer.hpp>\n"),
     (wrong_includes, "protocol/frame.hpp", "#include <nlohmann/json.hpp>\n"),
     (wrong_includes, "server/net/listener.hpp", "#include <boost/beast/websocket/stream.hpp>\n"),
-    (wrong_includes, "server/net/listener.cpp", '#include "server/rpc/router.cpp"\n'),
+    (wrong_includes, "server/net/listener.cpp", '#include "server/net/methods/router.cpp"\n'),
     (wrong_includes, "server/net/listener.cpp", "#include <boost/asio.hpp>\n"),
-    (wrong_includes, "server/service/catalogue/store.cpp", "#include <vtkImageData.h>\n"),
+    (wrong_includes, "server/data/store.cpp", "#include <vtkImageData.h>\n"),
     (wrong_includes, "tests/core/surface/peer_test.cpp", "#include <vtkStreamSurface.h>\n"),
-    (wrong_includes, "server/service/session/session.cpp", "#include <nlohmann/json.hpp>\n"),
-    (wrong_includes, "server/service/session/session.cpp", '#include "listener.hpp"\n'),
-    (wrong_includes, "server/service/session/session.cpp", "#include <sqlite3.h>\n"),
+    (wrong_includes, "server/sessions/session.cpp", "#include <nlohmann/json.hpp>\n"),
+    (wrong_includes, "server/sessions/session.cpp", '#include "listener.hpp"\n'),
+    (wrong_includes, "server/sessions/session.cpp", "#include <sqlite3.h>\n"),
     (wrong_includes, "store/store_reader.cpp", "#include <curl/curl.h>\n"),
-    (wrong_includes, "server/service/web/web_disk.cpp", '#include "server/service/catalogue/open_dataset.hpp"\n'),
-    (wrong_includes, "server/service/journal/state_store.cpp", "#include <nlohmann/json.hpp>\n"),
-    (wrong_includes, "server/service/compute/budgets.hpp", '#include "server/service/session/people/grants.hpp"\n'),
-    (wrong_includes, "server/service/session/records/observer.hpp", '#include "server/service/compute/pass_budgets.hpp"\n'),
-    (wrong_includes, "importer/main.cpp", '#include "server/cli/rake_text.hpp"\n'),
-    (wrong_includes, "server/service/bricks/job_talk.cpp", '#include "server/service/catalogue/open_dataset.hpp"\n'),
-    (wrong_includes, "server/service/bricks/job_talk.cpp", "#include <mpi.h>\n"),
-    (wrong_includes, "server/service/catalogue/open_dataset.cpp", '#include "server/service/bricks/ranks/brick_window.hpp"\n'),
+    (wrong_includes, "server/remote/web/web_disk.cpp", '#include "server/data/open_dataset.hpp"\n'),
+    (wrong_includes, "server/sessions/journal/state_store.cpp", "#include <nlohmann/json.hpp>\n"),
+    (wrong_includes, "server/live/compute/budgets.hpp", '#include "server/sessions/people/grants.hpp"\n'),
+    (wrong_includes, "server/sessions/records/observer.hpp", '#include "server/live/compute/pass_budgets.hpp"\n'),
+    (wrong_includes, "importer/main.cpp", '#include "server/app/rake_text.hpp"\n'),
+    (wrong_includes, "server/data/bricks/job_talk.cpp", '#include "server/data/open_dataset.hpp"\n'),
+    (wrong_includes, "server/data/bricks/job_talk.cpp", "#include <mpi.h>\n"),
+    (wrong_includes, "server/data/open_dataset.cpp", '#include "server/data/bricks/ranks/brick_window.hpp"\n'),
     (wrong_includes, "importer/sources/series/pvd_series.cpp", '#include "importer/sources/vtk/xml_file.hpp"\n'),
     (wrong_includes, "importer/sources/exodus/exodus_source.cpp",
      '#include "importer/sources/netcdf/netcdf_file.hpp"\n'),
@@ -287,13 +281,13 @@ BAD = [
     (no_namespace_of_its_own, "tests/server/net/a_test.cpp", "namespace wakesurf::server::b_test {\n"),
 ]
 GOOD = [
-    (wrong_includes, "server/service/journal/database.cpp", "#include <sqlite3.h>\n"),
-    (wrong_includes, "server/service/web/curl_transport.cpp", "#include <curl/curl.h>\n"),
+    (wrong_includes, "server/sessions/journal/database.cpp", "#include <sqlite3.h>\n"),
+    (wrong_includes, "server/remote/web/curl_transport.cpp", "#include <curl/curl.h>\n"),
     (wrong_includes, "protocol/frame.cpp", '#include "core/surface/rake.hpp"\n#include <draco/mesh/mesh.h>\n'),
     (wrong_includes, "protocol/frame.hpp", "#include <nlohmann/json_fwd.hpp>\n"),
     (wrong_includes, "importer/reader.cpp", "#include <vtkImageData.h>\n"),
-    (wrong_includes, "server/service/bricks/ranks/brick_window.hpp", "#include <mpi.h>\n"),
-    (wrong_includes, "server/service/compute/budgets.hpp", '#include "server/service/base/visitor.hpp"\n'),
+    (wrong_includes, "server/data/bricks/ranks/brick_window.hpp", "#include <mpi.h>\n"),
+    (wrong_includes, "server/live/compute/budgets.hpp", '#include "server/base/visitor.hpp"\n'),
     (wrong_includes, "importer/sources/plot3d/plot3d_source.cpp",
      '#include "importer/sources/files/named_path.hpp"\n#include "importer/fields/physical_units.hpp"\n'),
     (wrong_includes, "tests/bench/vtk/peer.cpp", "#include <vtkStreamSurface.h>\n"),
@@ -313,7 +307,7 @@ GOOD = [
 
 
 def project_files():
-    for room in ("core", "protocol", "store", "command", "importer", "server", "web-client", "tests", "docker", ".ci"):
+    for room in ("core", "protocol", "store", "importer", "server", "python", "web-client", "tests", "docker", "packaging", ".ci"):
         for folder, folders, files in os.walk(os.path.join(ROOT, room)):
             folders[:] = sorted(f for f in folders if f not in GENERATED)
             for name in sorted(files):

@@ -61,7 +61,7 @@ class ChromeTest(unittest.TestCase):
         code = "import time, wakesurf.chrome as chrome; kept = chrome.Chrome('http://127.0.0.1:9/', (320, 200)); print(kept._process.pid, flush=True);" \
                "time.sleep(600)"
         python = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True,
-                                  env={**os.environ, "PYTHONPATH": os.path.join(ROOT, "protocol/python")})
+                                  env={**os.environ, "PYTHONPATH": os.path.join(ROOT, "python")})
         browser = int(python.stdout.readline())
         python.kill()
         python.wait()
@@ -83,7 +83,7 @@ class ChromeTest(unittest.TestCase):
 
     def test_ends_with_a_python_that_does_not_close_it(self):
         code = "import wakesurf.chrome as chrome; kept = chrome.Chrome('http://127.0.0.1:9/', (320, 200))"
-        subprocess.run([sys.executable, "-c", code], check=True, env={**os.environ, "PYTHONPATH": os.path.join(ROOT, "protocol/python")})
+        subprocess.run([sys.executable, "-c", code], check=True, env={**os.environ, "PYTHONPATH": os.path.join(ROOT, "python")})
         self.assertEqual(os.listdir(self.profiles), [])
 
 

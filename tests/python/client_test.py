@@ -1,4 +1,4 @@
-"""protocol/python/wakesurf against the real server."""
+"""python/wakesurf against the real server."""
 import os
 import tempfile
 import threading

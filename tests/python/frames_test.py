@@ -1,4 +1,4 @@
-"""protocol/python/wakesurf/frames.py: the golden frames that the C++ and the TypeScript decoders read too, and damage."""
+"""python/wakesurf/frames.py: the golden frames that the C++ and the TypeScript decoders read too, and damage."""
 import json
 import os
 import random

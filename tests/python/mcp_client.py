@@ -12,7 +12,7 @@ class Agent:
 
     def __init__(self, *arguments, folder, command=None, environment=()):
         variables = {name: value for name, value in os.environ.items() if name not in ("WAKESURF_URL", "WAKESURF_TOKEN")}
-        variables.update({"PYTHONPATH": os.path.join(ROOT, "protocol/python"), "WAKESURF": BINARY,
+        variables.update({"PYTHONPATH": os.path.join(ROOT, "python"), "WAKESURF": BINARY,
                           "WAKESURF_STORE": os.path.join(folder, "store"), **dict(environment)})
         self.process = subprocess.Popen([*(command or (sys.executable, "-m", "wakesurf.mcp")), *arguments, "--folder", folder],
                                         stdin=subprocess.PIPE, stdout=subprocess.PIPE, cwd=folder, env=variables)

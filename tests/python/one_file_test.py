@@ -8,7 +8,7 @@ import unittest
 
 from real_server import ROOT, RealServer
 
-PYTHON = os.path.join(ROOT, "protocol/python")
+PYTHON = os.path.join(ROOT, "python")
 SCRIPT = """
 import os, sys, wakesurf, wakesurf.frames
 assert os.path.dirname(wakesurf.__file__) == os.getcwd(), wakesurf.__file__

@@ -86,7 +86,7 @@ class ParaViewTest(unittest.TestCase):
             script = os.path.join(folder, "live.py")
             with open(script, "w", encoding="utf-8") as file:
                 file.write(LIVE)
-            plugin = os.path.join(ROOT, "protocol/python/paraview/wakesurf_source.py")
+            plugin = os.path.join(ROOT, "python/paraview/wakesurf_source.py")
             paraview = subprocess.Popen(["pvpython", script, plugin, server.url, session.id], stdin=subprocess.PIPE,
                                         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
 

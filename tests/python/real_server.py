@@ -8,7 +8,7 @@ import unittest
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 BINARY = os.environ.get("WAKESURF_BINARY", os.path.join(ROOT, "build/release/bin/wakesurf"))
-sys.path.insert(0, os.path.join(ROOT, "protocol/python"))
+sys.path.insert(0, os.path.join(ROOT, "python"))
 import wakesurf  # noqa: E402
 
 LONGEST = 300  # seconds, longer than any machine takes

@@ -62,7 +62,7 @@ class ServeTest(unittest.TestCase):
 
     def test_ends_with_the_script_that_forgot_it(self):
         script = "import wakesurf\nserver = wakesurf.serve('flow:abc')\nprint(server.process.pid)"
-        path = os.path.join(ROOT, "protocol/python")
+        path = os.path.join(ROOT, "python")
         ran = subprocess.run([sys.executable, "-c", script], env={**os.environ, "PYTHONPATH": path}, stdout=subprocess.PIPE, text=True,
                              timeout=60, check=True)
         with self.assertRaises(ProcessLookupError):

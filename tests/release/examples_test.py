@@ -26,7 +26,7 @@ def fenced(name):
 
 
 def docstring_example():
-    lines = ast.get_docstring(ast.parse(text_of("protocol/python/wakesurf/__init__.py"))).split("\n")
+    lines = ast.get_docstring(ast.parse(text_of("python/wakesurf/__init__.py"))).split("\n")
     first = next(i for i, line in enumerate(lines) if line.startswith("    "))
     last = next(i for i in range(first, len(lines)) if lines[i] and not lines[i].startswith("    "))
     return textwrap.dedent("\n".join(lines[first:last]))
@@ -77,7 +77,7 @@ class ExamplesTest(unittest.TestCase):
         self.assertGreater(float(printed), 0)
 
     def test_those_of_the_clients_page(self):
-        blocks = re.findall(r"^```python\n(.*?)^```$", text_of("protocol/python/README.md"), re.S | re.M)
+        blocks = re.findall(r"^```python\n(.*?)^```$", text_of("python/README.md"), re.S | re.M)
         self.assertEqual(len(blocks), 3)
         printed, _ = self.run_example(blocks[0])
         self.assertGreater(float(printed.split()[1]), 0)

@@ -103,8 +103,8 @@ class HealthCheckTest(unittest.TestCase):
 
 class NoticesTest(unittest.TestCase):
     def test_every_library_that_is_built_with_has_its_notice(self):
-        rows = [line.split() for line in text_of("docker/packages.txt").splitlines() if line and line[0] != "#"]
-        tools = {"g++", "cmake", "ninja-build", "ccache", "mold"}
+        rows = [line.split() for line in text_of("packaging/packages.txt").splitlines() if line and line[0] != "#"]
+        tools = {"g++", "python3", "cmake", "ninja-build", "ccache", "mold"}
         libraries = [row[0] for row in rows if row[1] == "build" and row[0] not in tools] + ["libvtk9-dev"]
         noticed = {line.split()[1] for line in text_of("THIRD_PARTY.txt").splitlines()
                    if line.startswith("    package ")}

@@ -1,4 +1,4 @@
-"""docker/install_packages and ./run with an apt of paper: which names they pick, what they say before they start, what they never do."""
+"""packaging/install_packages and ./run with an apt of paper: which names they pick, what they say before they start, what they never do."""
 import os
 import shutil
 import subprocess
@@ -7,7 +7,7 @@ import unittest
 
 from real_server import ROOT
 
-SCRIPT = os.path.join(ROOT, "docker/install_packages")
+SCRIPT = os.path.join(ROOT, "packaging/install_packages")
 
 APT_GET = """#!/bin/sh
 echo "apt-get $*" >>"$FAKE/calls"
@@ -131,7 +131,7 @@ class FirstStartTest(PaperApt):
     def setUp(self):
         super().setUp()
         self.clone = os.path.join(self.folder.name, "clone")
-        shutil.copytree(os.path.join(ROOT, "docker"), os.path.join(self.clone, "docker"))
+        shutil.copytree(os.path.join(ROOT, "packaging"), os.path.join(self.clone, "packaging"))
         shutil.copy(os.path.join(ROOT, "run"), self.clone)
         self.write("packages.txt", "libssl3 build -\nlibvtk9.1 vtk -\nnodejs web sh\n")
         self.write("known", "libssl3\nlibvtk9.1\n")

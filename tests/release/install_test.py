@@ -9,7 +9,7 @@ import urllib.request
 
 from real_server import BINARY, ROOT
 
-sys.path.insert(0, os.path.join(ROOT, "protocol/python"))
+sys.path.insert(0, os.path.join(ROOT, "python"))
 from wakesurf import Client  # noqa: E402
 
 

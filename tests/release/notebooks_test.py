@@ -16,7 +16,7 @@ MISSING = [each for each in ("nbclient", "nbformat", "ipykernel", "matplotlib", 
 def environment(folder):
     """Of a kernel: the client, the server, and nothing that belongs to whoever runs the tests."""
     return {**{name: value for name, value in os.environ.items() if not name.startswith("WAKESURF_") or name == "WAKESURF_CHROMIUM"},
-            "PYTHONPATH": os.path.join(ROOT, "protocol/python"), "WAKESURF": BINARY, "WAKESURF_STORE": os.path.join(folder, "store"),
+            "PYTHONPATH": os.path.join(ROOT, "python"), "WAKESURF": BINARY, "WAKESURF_STORE": os.path.join(folder, "store"),
             "HOME": folder, "JUPYTER_RUNTIME_DIR": os.path.join(folder, "runtime"), "IPYTHONDIR": os.path.join(folder, "ipython"),
             "MPLBACKEND": "module://matplotlib_inline.backend_inline", "MPLCONFIGDIR": os.path.join(folder, "mpl")}
 

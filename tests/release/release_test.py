@@ -10,7 +10,7 @@ from real_server import ROOT
 
 FILES = ("CMakeLists.txt", "CITATION.cff", "CHANGELOG.md", "docs/versions.md", "web-client/package.json",
          "web-client/package-lock.json", "packaging/release", "packaging/version", "packaging/commit.txt", ".gitattributes",
-         "server/cli/built_commit.cmake")
+         "server/app/built_commit.cmake")
 CHECK = '#!/bin/sh\necho "$*" >>"$0.calls"\n[ "$*" != "$RED" ]\n'
 
 
@@ -106,7 +106,7 @@ class VersionTest(Repository):
     def built_commit(self, root=None):
         made = os.path.join(self.outside, "commit.cpp")
         root = root or self.root
-        subprocess.run(["cmake", "-DSOURCES=" + root, "-DOUTPUT=" + made, "-P", os.path.join(root, "server/cli/built_commit.cmake")],
+        subprocess.run(["cmake", "-DSOURCES=" + root, "-DOUTPUT=" + made, "-P", os.path.join(root, "server/app/built_commit.cmake")],
                        check=True)
         with open(made, encoding="utf-8") as file:
             return file.read().split('return "')[1].split('"')[0]

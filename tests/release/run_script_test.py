@@ -20,7 +20,7 @@ class RunScriptTest(unittest.TestCase):
         self.addCleanup(self.folder.cleanup)
         self.clone = os.path.join(self.folder.name, "clone")
         self.state = os.path.join(self.folder.name, "home/state/wakesurf")
-        write_program(self.clone, "docker/setup.sh", "release=$root/build/release\nsay() { echo \"$*\" >&2; }\n" +
+        write_program(self.clone, "packaging/setup.sh", "release=$root/build/release\nsay() { echo \"$*\" >&2; }\n" +
                       "".join(f"{step}() {{ :; }}\n" for step in STEPS))
         write_program(self.clone, "build/release/bin/wakesurf", "#!/bin/sh\n[ \"$2\" != --help ] || exec cat \"$0.help\"\nprintf '%s\\n' \"$@\"\n")
         self.help = subprocess.run([BINARY, "serve", "--help"], text=True, check=True, stdout=subprocess.PIPE).stdout

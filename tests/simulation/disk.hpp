@@ -2,7 +2,7 @@
 // writes that are pending when the server crashes are lost.
 #pragma once
 
-#include "server/service/base/journal.hpp"
+#include "server/base/journal.hpp"
 #include "tests/simulation/world.hpp"
 
 #include <cstddef>

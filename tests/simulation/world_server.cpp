@@ -1,9 +1,9 @@
 #include "tests/simulation/world_server.hpp"
 
+#include "server/net/methods/client.hpp"
+#include "server/net/methods/method.hpp"
 #include "server/net/outbox.hpp"
-#include "server/rpc/client.hpp"
-#include "server/rpc/method.hpp"
-#include "server/service/session/session_restoring.hpp"
+#include "server/sessions/session_restoring.hpp"
 
 #include <algorithm>
 #include <optional>

@@ -2,11 +2,11 @@
 // network, disk and randomness. Its destructor is a crash.
 #pragma once
 
-#include "server/rpc/dispatcher.hpp"
-#include "server/service/compute/compute_pool.hpp"
-#include "server/service/live/probe.hpp"
-#include "server/service/session/people/grants.hpp"
-#include "server/service/session/session_directory.hpp"
+#include "server/live/compute/compute_pool.hpp"
+#include "server/live/probe.hpp"
+#include "server/net/methods/dispatcher.hpp"
+#include "server/sessions/people/grants.hpp"
+#include "server/sessions/session_directory.hpp"
 #include "tests/simulation/disk.hpp"
 #include "tests/simulation/link.hpp"
 #include "tests/simulation/world.hpp"

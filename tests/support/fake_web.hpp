@@ -1,7 +1,7 @@
 // A web server that is a folder: requests are recorded, and a test can answer in its place.
 #pragma once
 
-#include "server/service/web/http_transport.hpp"
+#include "server/remote/web/http_transport.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <algorithm>

@@ -68,12 +68,12 @@ def empty_kinds():
 
 def closing_codes():
     """Codes of our own that a WebSocket is closed with."""
-    return re.findall(r"= (4\d{3})\b", read("server/rpc/wire.hpp"))
+    return re.findall(r"= (4\d{3})\b", read("server/net/methods/wire.hpp"))
 
 
 def client_kinds(kinds):
     """Errors of the Python client that have no section among `kinds`."""
-    names = re.findall(r"^class (\w+)\(WakesurfError", read("protocol/python/wakesurf/errors.py"), re.M)
+    names = re.findall(r"^class (\w+)\(WakesurfError", read("python/wakesurf/errors.py"), re.M)
     return [name for name in names if name[0].lower() + name[1:] not in kinds]
 
 

@@ -4,7 +4,7 @@ from .base import MADE, UP, api, number, table
 INTRO = f"""# Limits
 
 What one server allows. A request beyond a limit is refused with a sentence that names it, and never served in part. Limits of people, links and
-addresses, and what happens to slow clients, are in the server's documents: [budgets]({UP}server/service/compute/README.md#what-each-person-may-ask-for),
+addresses, and what happens to slow clients, are in the server's documents: [budgets]({UP}server/live/compute/README.md#what-each-person-may-ask-for),
 [connections]({UP}server/net/README.md#connections).
 
 """

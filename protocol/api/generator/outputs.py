@@ -10,7 +10,7 @@ from .typescript_table import Tables
 
 ROOT = os.path.dirname(os.path.dirname(FOLDER))
 CPP = "protocol/api/generated"
-PYTHON = "protocol/python/wakesurf/generated"
+PYTHON = "python/wakesurf/generated"
 ENGINE = "core/surface/request"
 TYPESCRIPT = "web-client/src/protocol/generated"
 CHECKED_IN = "docs/api.md"

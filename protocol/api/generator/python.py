@@ -1,4 +1,4 @@
-"""protocol/python/wakesurf/generated: types of what the server answers and tells, numbers of the description, and what python_methods makes."""
+"""python/wakesurf/generated: types of what the server answers and tells, numbers of the description, and what python_methods makes."""
 import json
 import keyword
 import os

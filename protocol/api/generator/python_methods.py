@@ -1,4 +1,4 @@
-"""protocol/python/wakesurf/generated: every method with a signature, and those of surfaces that Session and Surface have."""
+"""python/wakesurf/generated: every method with a signature, and those of surfaces that Session and Surface have."""
 import re
 import textwrap
 

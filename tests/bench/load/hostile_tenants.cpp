@@ -1,7 +1,7 @@
 #include "tests/bench/load/hostile_tenants.hpp"
 
 #include "core/base/vec3.hpp"
-#include "server/service/compute/thread_priority.hpp"
+#include "server/live/compute/thread_priority.hpp"
 #include "tests/support/server/raw_socket.hpp"
 
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 // Surfaces at random that benchmarks measure: the same in every run.
 #pragma once
 
-#include "server/service/catalogue/open_dataset.hpp"
+#include "server/data/open_dataset.hpp"
 #include "tests/support/surfaces_anywhere.hpp"
 
 #include <memory>

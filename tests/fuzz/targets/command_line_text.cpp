@@ -1,6 +1,6 @@
 // What a person types: rakes, vectors and sizes of memory.
-#include "command/memory_size.hpp"
-#include "server/cli/rake_text.hpp"
+#include "server/app/rake_text.hpp"
+#include "store/command/memory_size.hpp"
 #include "tests/fuzz/targets/all.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Rows of a state folder's database, as a start reads them: lines of `type TAB id TAB record`. What a start brings back, the next start
 // brings back whole.
-#include "server/service/session/records/record_entries.hpp"
+#include "server/sessions/records/record_entries.hpp"
 #include "tests/fuzz/targets/all.hpp"
 
 #include <algorithm>

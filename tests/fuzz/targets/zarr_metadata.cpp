@@ -1,5 +1,5 @@
 // The metadata of a Zarr's array, of both versions: what is read has chunks whose numbers can be counted.
-#include "server/service/zarr/zarr_metadata.hpp"
+#include "server/remote/zarr/zarr_metadata.hpp"
 
 #include "tests/fuzz/targets/all.hpp"
 

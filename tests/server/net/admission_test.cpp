@@ -1,6 +1,6 @@
 // Who gets a permit: limits in all, and of one address while it has shown nothing; who makes room for whom.
+#include "server/live/compute/token_bucket.hpp"
 #include "server/net/admission.hpp"
-#include "server/service/compute/token_bucket.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
+#include "server/base/limits.hpp"
+#include "server/base/metrics.hpp"
 #include "server/net/gate.hpp"
-#include "server/service/limits.hpp"
-#include "server/service/metrics/metrics.hpp"
 #include "tests/support/server/hand_clock.hpp"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // Logins beyond a restart: those of one life of the server, shown to the next.
+#include "server/base/late_file.hpp"
+#include "server/base/private_file.hpp"
 #include "server/net/gate.hpp"
 #include "server/net/kept_logins.hpp"
-#include "server/service/base/late_file.hpp"
-#include "server/service/base/private_file.hpp"
 #include "tests/support/server/hand_clock.hpp"
 #include "tests/support/temporary_folder.hpp"
 

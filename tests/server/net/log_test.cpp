@@ -1,5 +1,5 @@
 // What the server writes about itself: one line an event, `key=value`, and never a secret, a path or what somebody said.
-#include "server/service/base/log_text.hpp"
+#include "server/base/log_text.hpp"
 #include "tests/support/server/server_process.hpp"
 #include "tests/support/server/websocket_client.hpp"
 #include "tests/support/temporary_folder.hpp"

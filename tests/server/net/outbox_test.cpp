@@ -1,6 +1,6 @@
+#include "server/base/limits.hpp"
 #include "server/net/outbox.hpp"
-#include "server/service/limits.hpp"
-#include "tests/server/service/live/sample_updates.hpp"
+#include "tests/server/live/sample_updates.hpp"
 #include "tests/support/server/hand_clock.hpp"
 
 #include <gtest/gtest.h>

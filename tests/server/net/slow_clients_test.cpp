@@ -2,7 +2,7 @@
 // phase is over, and not before. They all wait at the same time, so that the test takes no longer than
 // the longest. What is too late is told by the server's own pings to one that is served, every 20 s: a
 // busy machine holds these up as well.
-#include "server/service/limits.hpp"
+#include "server/base/limits.hpp"
 #include "tests/support/server/server_process.hpp"
 #include "tests/support/server/websocket_client.hpp"
 #include "tests/support/temporary_folder.hpp"

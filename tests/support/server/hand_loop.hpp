@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/clock.hpp"
-#include "server/service/base/loop.hpp"
+#include "server/base/loop.hpp"
 
 #include <algorithm>
 #include <condition_variable>

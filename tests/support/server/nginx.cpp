@@ -1,6 +1,6 @@
 #include "tests/support/server/nginx.hpp"
 
-#include "server/service/catalogue/child_process.hpp"
+#include "server/data/child_process.hpp"
 
 #include <arpa/inet.h>
 #include <netinet/in.h>

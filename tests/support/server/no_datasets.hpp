@@ -1,7 +1,7 @@
 // A server without any data.
 #pragma once
 
-#include "server/service/session/data/datasets.hpp"
+#include "server/data/datasets.hpp"
 
 #include <string>
 #include <vector>

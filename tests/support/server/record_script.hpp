@@ -2,7 +2,7 @@
 // after each of them.
 #pragma once
 
-#include "server/service/base/journal.hpp"
+#include "server/base/journal.hpp"
 
 #include <cstddef>
 #include <map>

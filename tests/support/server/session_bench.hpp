@@ -3,9 +3,9 @@
 #pragma once
 
 #include "core/field/analytic_flow.hpp"
-#include "server/service/base/journal.hpp"
-#include "server/service/compute/compute_pool.hpp"
-#include "server/service/session/session_directory.hpp"
+#include "server/base/journal.hpp"
+#include "server/live/compute/compute_pool.hpp"
+#include "server/sessions/session_directory.hpp"
 #include "tests/support/server/hand_loop.hpp"
 
 #include <map>

@@ -1,7 +1,7 @@
 // A session's loop turned by the test's own thread, waiting for what other threads post to it.
 #pragma once
 
-#include "server/service/base/loop.hpp"
+#include "server/base/loop.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Waits for the import of the dataset that is opened, as one of all who do, until this page's user stops it:
-// the last one who does ends the import (server/service/catalogue/README.md).
+// the last one who does ends the import (server/data/README.md).
 import { effect, signal, untracked } from '@preact/signals-core';
 import { errorCodes } from '../protocol/generated/errors.ts';
 import type { DatasetEntry } from '../protocol/messages.ts';

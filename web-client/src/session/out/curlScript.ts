@@ -20,7 +20,7 @@ export function curlScript(place: ScriptPlace, all: readonly ScriptStep[]): stri
         'get() { curl -sS --fail-with-body -H "Authorization: Bearer ${WAKESURF_TOKEN-}" "$@"; }',
     ];
     if (steps.some((step) => !('mesh' in step))) {
-        lines.push(`rpc() { get "$server/rpc" -H 'Content-Type: application/json' -d "$1"; }`);
+        lines.push(`rpc() { get "$server/net/methods" -H 'Content-Type: application/json' -d "$1"; }`);
     }
     if (steps.some((step) => !('mesh' in step) && step.keep !== undefined)) {
         lines.push(`id_of() { jq -er --arg noun "$1" '.result[$noun] // error(.error.message)'; }`);

@@ -1,5 +1,5 @@
 // A script for Python that does what a panel shows, with the client that the server gives away
-// (protocol/python).
+// (python).
 import {
     type CallStep,
     KeptId,

@@ -1,0 +1,38 @@
+#include "server/app/import_command.hpp"
+
+#include "server/app/failure.hpp"
+#include "server/app/stop_on_signal.hpp"
+#include "server/data/dataset_argument.hpp"
+#include "server/data/import_process.hpp"
+
+namespace wakesurf::server {
+
+int run_import(const ImportOptions& options) {
+    const auto source = resolve_dataset(options.dataset);
+    if (!source)
+        return report_failure(source.error());
+    if (source->kind != DatasetArgument::Kind::Source)
+        return report_failure({core::Error::Code::InvalidArgument,
+                               options.dataset + " needs no import", "use it as it is"});
+    const StopOnSignal signals;
+    const auto imported = run_import_process(
+        {source->path,
+         options.store,
+         options.fields,
+         options.times,
+         {},
+         options.precision,
+         options.jobs,
+         options.memory,
+         options.taken,
+         options.layout},
+        [](const store::ImportProgress& progress) { store::show_progress(progress, stdout); },
+        signals.token());
+    if (!imported) {
+        const int status = report_failure(imported.error());
+        return imported.error().code == core::Error::Code::InvalidArgument ? wrong_usage : status;
+    }
+    return 0;
+}
+
+} // namespace wakesurf::server

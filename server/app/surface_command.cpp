@@ -1,0 +1,397 @@
+#include "server/app/surface_command.hpp"
+
+#include "core/base/machine_memory.hpp"
+#include "core/surface/budget_search.hpp"
+#include "core/surface/builder/surface_builder.hpp"
+#include "core/surface/level/level_surface.hpp"
+#include "core/surface/patches/tessellation.hpp"
+#include "core/surface/vertex_times.hpp"
+#include "protocol/api/base/json_text.hpp"
+#include "protocol/api/generated/names.hpp"
+#include "protocol/api/generated/subscription.hpp"
+#include "protocol/api/generated/surface_options.hpp"
+#include "protocol/files/lines_file.hpp"
+#include "protocol/files/mesh_file.hpp"
+#include "server/app/elapsed_line.hpp"
+#include "server/app/failure.hpp"
+#include "server/app/open_surface_options.hpp"
+#include "server/app/own_words.hpp"
+#include "server/app/stop_on_signal.hpp"
+#include "server/app/surface_passes.hpp"
+#include "server/app/surface_picture.hpp"
+#include "server/app/surface_request.hpp"
+#include "server/app/tell.hpp"
+#include "server/app/time_limit.hpp"
+#include "server/app/whole_file.hpp"
+#include "server/base/process_account.hpp"
+#include "server/data/open_dataset.hpp"
+#include "server/data/surface_scalars.hpp"
+#include "store/command/memory_size.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <ctime>
+#include <filesystem>
+#include <thread>
+
+namespace wakesurf::server {
+
+namespace {
+
+/// The memory for putting a file together, in bytes a vertex, scalars included.
+constexpr std::size_t file_bytes = 300;
+
+core::Result<LoadedDataset>
+open(const SurfaceOptions& options, const core::MemoryAccount& account, std::stop_token stop) {
+    const auto argument = resolve_dataset(options.dataset);
+    if (!argument)
+        return tl::unexpected(argument.error());
+    OpenOptions open;
+    open.store_root =
+        options.store.empty() ? default_store_root() : std::filesystem::path(options.store);
+    open.cache.account = account;
+    open.taken = options.taken;
+    const auto show = [](const store::ImportProgress& progress) {
+        store::show_progress(progress, stderr);
+    };
+    return open_dataset(*argument, open, show, stop);
+}
+
+/// Builds one pass. @param dataset  its name
+core::Result<BuiltSurface> build(const std::string& dataset,
+                                 const core::SurfacePlan& plan,
+                                 int threads,
+                                 const core::MemoryAccount& account,
+                                 const std::stop_token& stop) {
+    core::WorkDone work;
+    const ElapsedLine progress("building a " + std::string(protocol::name(plan.parameters.kind)) +
+                                   " surface of " + dataset,
+                               &work, plan.parameters.to);
+    const int used = threads > 0 ? threads : static_cast<int>(std::thread::hardware_concurrency());
+    // The global limit lets an arena be larger than the machine, as `--threads 8` on two cores.
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(used));
+    tbb::task_arena arena(used);
+    auto memory = std::make_shared<core::WorkMemory>(
+        account, stop, std::chrono::seconds(1),
+        fmt::format("a surface of at most {} quads", plan.parameters.max_quads));
+    return arena
+        .execute([&] {
+            return core::build_surface(plan, stop, core::SteadyClock{}, {&work, memory.get()});
+        })
+        .map([&](core::Surface&& surface) {
+            return BuiltSurface{std::move(surface), memory};
+        });
+}
+
+core::Result<std::string> file_of(protocol::MeshFormat format,
+                                  const std::optional<protocol::LinesWanted>& wanted,
+                                  const core::Surface& surface,
+                                  const protocol::MeshMetadata& metadata,
+                                  const protocol::MeshScalars& scalars,
+                                  bool draco) {
+    const bool points = wanted && wanted->form == protocol::LinesWanted::Form::Points;
+    if (!wanted || points)
+        return protocol::mesh_file(format, surface.mesh, metadata, scalars,
+                                   draco ? protocol::GlbCoding::Draco : protocol::GlbCoding::Plain,
+                                   points ? protocol::PlyElements::Points
+                                          : protocol::PlyElements::Cells);
+    return protocol::surface_lines(surface.mesh, *wanted, metadata.rake.closed())
+        .and_then([&](const auto& lines) {
+            return protocol::lines_file(format, lines, *wanted, metadata);
+        });
+}
+
+core::Result<void> write(const SurfaceOptions& options,
+                         const std::optional<protocol::LinesWanted>& lines,
+                         const core::SurfacePlan& plan,
+                         const core::DatasetInfo& info,
+                         const core::Surface& surface,
+                         const protocol::MeshScalars& scalars,
+                         double processor_seconds,
+                         bool cut_short,
+                         std::uint64_t flat_cells) {
+    const protocol::MeshMetadata metadata{.rake = plan.rake,
+                                          .parameters = plan.parameters,
+                                          .separation = surface.statistics.separation,
+                                          .tessellate = options.tessellate,
+                                          .dataset = info.dataset,
+                                          .version = WAKESURF_VERSION,
+                                          .stopped = surface.statistics.stopped};
+    // Checked before the work began: the name has one of the extensions.
+    const auto format =
+        protocol::mesh_format(std::filesystem::path(options.output).extension().string().substr(1));
+    auto written = file_of(*format, lines, surface, metadata, scalars, options.draco)
+                       .and_then([&](const std::string& bytes) {
+                           return write_whole_file(options.output, bytes);
+                       });
+    if (!written || options.stats.empty())
+        return written;
+    auto statistics = protocol::statistics_json(surface.statistics);
+    statistics["peakBytes"] = core::peak_resident_memory();
+    statistics["seconds"]["processor"] = processor_seconds;
+    if (cut_short)
+        statistics["reason"] = "timeLimit";
+    if (options.tessellate > 1)
+        statistics["tessellation"] = {{"pieces", options.tessellate},
+                                      {"quads", surface.mesh.cells.size()},
+                                      {"vertices", surface.mesh.vertices()},
+                                      {"flatCells", flat_cells}};
+    return write_whole_file(options.stats, protocol::json_text(statistics, 2) + "\n");
+}
+
+/// Prints how the result differs from the request to standard error. Error: there is nothing to see, for a
+/// reason that can be cured.
+core::Result<void> tell_statistics(const core::SurfaceStatistics& statistics, bool cut_short) {
+    if (statistics.empty && !statistics.empty->natural())
+        return core::fail(core::Error::Code::InvalidArgument, statistics.empty->message,
+                          statistics.empty->hint);
+    if (statistics.empty)
+        tell(stderr, "wakesurf: the surface is empty: {}; {}\n", statistics.empty->message,
+             with_options({{}, {}, statistics.empty->hint}).hint);
+    if (cut_short) { // the reason why it is coarser, or lacks particles
+        tell(stderr, "wakesurf: not finished: {}; raise --seconds\n", statistics.stopped);
+        return {};
+    }
+    if (statistics.coarsened())
+        tell(stderr,
+             "wakesurf: coarsened: a separation of {:.4g} needs more quads than allowed, so it is "
+             "{:.4g}; raise --max-quads\n",
+             statistics.requested_separation, statistics.separation);
+    if (statistics.terminated.budget > 0)
+        tell(stderr,
+             "wakesurf: {} particles were not followed to the end: they take too many steps; "
+             "raise --max-quads, or shorten the time\n",
+             statistics.terminated.budget);
+    if (statistics.error && statistics.error->uncertain > 0)
+        tell(stderr,
+             "wakesurf: {} of {} vertices are uncertain: the surface may be more than the "
+             "separation away from them; --accuracy exact places them better\n",
+             statistics.error->uncertain, statistics.vertices);
+    if (!statistics.stopped.empty())
+        tell(stderr, "wakesurf: the surface ends early: {}\n", statistics.stopped);
+    if (statistics.data_end)
+        tell(stderr,
+             "wakesurf: the surface goes back to {} only, where the data begin: not as long "
+             "as forward\n",
+             *statistics.data_end);
+    return {};
+}
+
+/// Completes the options from the data, and makes the checks that need the data.
+core::Result<core::SurfacePlan> planned(SurfaceRequest request,
+                                        const SurfaceOptions& options,
+                                        const LoadedDataset& dataset,
+                                        const std::stop_token& stop) {
+    if (auto chosen = choose_open_options(request, options, dataset, stop); !chosen)
+        return tl::unexpected(chosen.error());
+    auto plan = core::plan_surface(dataset.flow, request.rake, std::move(request.parameters));
+    if (!plan)
+        return tl::unexpected(plan.error());
+    if (auto there = core::take_levels(*plan, dataset.levels); !there)
+        return tl::unexpected(there.error());
+    if (plan->clipped)
+        tell(stderr, "wakesurf: part of the rake is outside the domain and was cut away\n");
+    if (auto known = check_fields(dataset, options.fields); !known)
+        return tl::unexpected(known.error());
+    return plan;
+}
+
+/// Cuts the surface's cells if asked to; its error is then that of the cut cells. Returns the number of cells
+/// with a side that stayed flat.
+core::Result<std::uint64_t> cut_cells(core::Surface& surface,
+                                      std::vector<double>& times,
+                                      const SurfaceOptions& options,
+                                      const core::SurfacePlan& plan,
+                                      const std::stop_token& stop,
+                                      core::WorkMemory& memory) {
+    if (options.tessellate <= 1)
+        return 0;
+    auto cut =
+        core::tessellate(plan, surface.mesh, times, options.tessellate, stop, {nullptr, &memory});
+    if (!cut)
+        return tl::unexpected(cut.error());
+    surface.mesh = std::move(cut->mesh);
+    surface.statistics.error = core::stated_error(surface.mesh, surface.statistics.separation);
+    return cut->flat_cells;
+}
+
+core::Error nothing_yet(const core::Error& error, const TimeLimit& limit) {
+    return limit.over() ? nothing_within(limit) : error;
+}
+
+/// Opens the data, builds and writes. @param limit  of opening and building; writing has none
+core::Result<void> make(const SurfaceOptions& options,
+                        SurfaceRequest request,
+                        const TimeLimit& limit,
+                        const std::stop_token& stop) {
+    const auto lines = request.lines;
+    const ProcessAccount process(options.memory);
+    const auto dataset = open(options, process.account(), limit.token());
+    if (!dataset)
+        return tl::unexpected(nothing_yet(dataset.error(), limit));
+    const auto plan = planned(std::move(request), options, *dataset, limit.token());
+    if (!plan)
+        return tl::unexpected(nothing_yet(plan.error(), limit));
+    const std::clock_t began = std::clock();
+    auto built =
+        build_within(limit, plan->parameters, core::coarsest_separation(dataset->flow->domain()),
+                     [&](const auto& parameters) {
+                         core::SurfacePlan pass = *plan;
+                         pass.parameters = parameters;
+                         return build(dataset->info.name, pass, options.threads, process.account(),
+                                      limit.token());
+                     });
+    if (!built)
+        return tl::unexpected(built.error());
+    if (stop.stop_requested())
+        return core::fail(core::Error::Code::Cancelled, "stopped, nothing was written");
+    core::Surface& surface = built->surface;
+    const double processor_seconds =
+        static_cast<double>(std::clock() - began) / static_cast<double>(CLOCKS_PER_SEC);
+    if (auto shown = tell_statistics(surface.statistics, built->cut_short); !shown)
+        return shown;
+    core::WorkMemory memory(process.account(), stop, std::chrono::seconds(1), "the surface's file");
+    auto times = core::vertex_times(surface, plan->parameters);
+    const auto flat = cut_cells(surface, times, options, *plan, stop, memory);
+    if (!flat)
+        return tl::unexpected(flat.error());
+    if (!memory.grow(surface.mesh.vertices() * file_bytes))
+        return tl::unexpected(memory.refusal());
+    const auto scalars = surface_scalars(*dataset, surface.mesh, times, options.fields, stop);
+    if (!scalars)
+        return tl::unexpected(scalars.error());
+    if (auto written = write(options, lines, *plan, dataset->info, surface, *scalars,
+                             processor_seconds, built->cut_short, *flat);
+        !written)
+        return written;
+    const auto& statistics = surface.statistics;
+    tell("{}: {}{} quads, {} vertices, {:.2f} s{}{}\n", options.output,
+         lines ? options.lines + " of a surface of " : "", statistics.quads, statistics.vertices,
+         statistics.seconds.total,
+         options.tessellate > 1 ? fmt::format(", cut into {} quads, {} cells with flat sides",
+                                              surface.mesh.cells.size(), *flat)
+                                : "",
+         built->cut_short ? ", not finished" : "");
+    return {};
+}
+
+} // namespace
+
+void add_surface_options(CLI::App& command, SurfaceOptions& options) {
+    command
+        .add_option("DATASET", options.dataset,
+                    "A file or folder of simulation results, a store or a Zarr or the https:// "
+                    "address of one, or flow:NAME[?k=v,...]")
+        ->required();
+    command.add_option(
+        "--rake", options.rake,
+        "\"x,y,z x,y,z ...\": a line, or a polyline; or a file of its points: .csv, .txt, .vtp, "
+        ".vtk or .obj (default: chosen by the data, with the times and the separation)");
+    command.add_option(
+        "--rake-kind", options.rake_kind,
+        "What the points of --rake are: line: 2; polyline and points: 2 or more; circle: the "
+        "centre and two points on the rim (default: line or polyline, by their number)");
+    command.add_option("--rake2-kind", options.rake2_kind, "The same of --rake2");
+    command.add_option("--seeds", options.seeds, "Initial number of seeds on the rake")
+        ->check(CLI::Range(protocol::limits::seeds_least, protocol::limits::seeds_most))
+        ->capture_default_str();
+    for (const protocol::SurfaceOption& each : protocol::surface_options) {
+        CLI::Option* const option =
+            command.add_option(each.option, options.asked[each.parameter], each.words);
+        option->required(each.required);
+        if (*each.usual != '\0')
+            option->default_str(each.usual);
+    }
+    command
+        .add_option(
+            "--fields", options.fields,
+            "Scalar fields to write at the vertices, a,b; vorticity and q_criterion are derived")
+        ->delimiter(',');
+    command.add_option("--max-quads", options.max_quads, "Maximum number of quads")
+        ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{100'000'000}))
+        ->capture_default_str();
+    command
+        .add_option(
+            "--memory", options.memory,
+            "Memory for the process (default: 60 % of the memory of the machine or control group)")
+        ->transform(command::as_memory_size());
+    command.add_option("--threads", options.threads, "Number of threads (default: one per core)")
+        ->check(CLI::Range(1, 1024));
+    command
+        .add_option("--seconds", options.seconds,
+                    "Time limit by the clock: the finest surface there is by then is written, and "
+                    "marked as not finished")
+        ->check([](const std::string& text) -> std::string {
+            double seconds = 0.0;
+            return CLI::detail::lexical_cast(text, seconds) && seconds > 0.0
+                       ? std::string()
+                       : text + " is not a number of seconds above 0";
+        });
+    command.add_option("--store", options.store,
+                       "Folder for imported data (default: ~/.cache/wakesurf)");
+    command::add_source_options(command, options.taken);
+    command
+        .add_option("-o,--output", options.output,
+                    "File to write: .vtp, .glb, .ply, .obj or .drc, or .png for a picture of it, "
+                    "which needs "
+                    "Python with numpy, and Chromium")
+        ->required();
+    command.add_option("--size", options.size, "WIDTHxHEIGHT of a picture, in pixels")
+        ->capture_default_str()
+        ->check([](const std::string& text) -> std::string {
+            unsigned width = 0;
+            unsigned height = 0;
+            char more = 0;
+            const bool two = std::sscanf(text.c_str(), "%5ux%5u%c", &width, &height, &more) == 2;
+            const auto fits = [](unsigned pixels) { return pixels >= 64 && pixels <= 8192; };
+            return two && fits(width) && fits(height)
+                       ? std::string()
+                       : text + " is not WIDTHxHEIGHT, each from 64 to 8192";
+        });
+    command.add_flag(
+        "--draco,!--no-draco", options.draco,
+        "Compress .glb files with Draco; --no-draco is for readers without it, such as ParaView");
+    command
+        .add_option("--tessellate", options.tessellate,
+                    "Cut each cell into N by N quads on a curved patch through its vertices, which "
+                    "is as exact as they are")
+        ->check(CLI::Range(1U, core::most_tessellated))
+        ->capture_default_str();
+    command.add_option(
+        "--lines", options.lines,
+        "Write lines instead of the mesh: timelines:N, or streamlines:N, pathlines:N or "
+        "streaklines:N, which the kind of surface consists of; for N also every=D, the distance "
+        "between them. timeribbons:N,width=W and so on: ribbons of that width in the surface; "
+        "arrows:every=D,width=W: arrows along the flow. Not as .drc. points: the vertices, with "
+        "normal and radius, as .ply, or drawn in a picture");
+    command.add_option("--stats", options.stats, "JSON file to write statistics to");
+}
+
+int run_surface(const SurfaceOptions& options) {
+    auto request = check_surface_options(options).map_error(with_options);
+    if (!request) {
+        const int status = report_failure(request.error());
+        return request.error().code == core::Error::Code::InvalidArgument ? wrong_usage : status;
+    }
+    if (request->picture)
+        return draw_surface(options, *request);
+    const StopOnSignal signals;
+    const TimeLimit limit(options.seconds, signals.token());
+    const auto made =
+        make(options, *std::move(request), limit, signals.token()).map_error(with_options);
+    if (made)
+        return 0;
+    // Only the dataset decides which times are valid.
+    const bool usage = made.error().code == core::Error::Code::InvalidArgument &&
+                       made.error().message.starts_with("--");
+    const int status = report_failure(made.error());
+    return usage ? wrong_usage : status;
+}
+
+} // namespace wakesurf::server

@@ -1,0 +1,68 @@
+#include "server/data/bricks/ranks/brick_window.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cstring>
+
+namespace wakesurf::server {
+
+BrickWindow::BrickWindow(const RankStore& store, std::uint64_t memory)
+    : store_(store), record_(brick_record_bytes(store.shape().values)) {
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
+    MPI_Comm_size(MPI_COMM_WORLD, &ranks_);
+    const auto ranks = static_cast<std::uint64_t>(ranks_);
+    const std::uint64_t share =
+        (store.bricks() + ranks - 1 - static_cast<std::uint64_t>(rank_)) / ranks;
+    const std::uint64_t room = std::min(share, memory / record_);
+    rooms_.resize(ranks);
+    MPI_Allgather(&room, 1, MPI_UINT64_T, rooms_.data(), 1, MPI_UINT64_T, MPI_COMM_WORLD);
+    for (const std::uint64_t each : rooms_)
+        room_ += each;
+    MPI_Win_allocate(static_cast<MPI_Aint>(room * record_), 1, MPI_INFO_NULL, MPI_COMM_WORLD,
+                     &memory_, &window_);
+    for (std::uint64_t i = 0; i < room; ++i)
+        std::memset(memory_ + i * record_, 0, sizeof(BrickHead)); // not read yet
+    MPI_Barrier(MPI_COMM_WORLD);
+    MPI_Win_lock_all(MPI_MODE_NOCHECK, window_);
+}
+
+BrickWindow::~BrickWindow() {
+    MPI_Win_unlock_all(window_);
+    MPI_Win_free(&window_);
+}
+
+bool BrickWindow::load_next() {
+    if (next_ >= rooms_[static_cast<std::size_t>(rank_)])
+        return false;
+    std::byte* const record = memory_ + next_ * record_;
+    const std::uint64_t place =
+        next_ * static_cast<std::uint64_t>(ranks_) + static_cast<std::uint64_t>(rank_);
+    ++next_;
+    auto& head = *reinterpret_cast<BrickHead*>(record);
+    auto* const values = reinterpret_cast<float*>(record + sizeof(BrickHead));
+    if (store_.read(place, {values, static_cast<std::size_t>(store_.shape().values)}, head)) {
+        MPI_Win_sync(window_);
+        std::atomic_ref(head.held).store(job_magic, std::memory_order_release);
+        MPI_Win_sync(window_);
+    }
+    return true;
+}
+
+std::optional<int> BrickWindow::rank_of(std::uint64_t step, std::uint32_t brick) const {
+    const std::uint64_t place = store_.place_of(step, brick);
+    const auto ranks = static_cast<std::uint64_t>(ranks_);
+    const auto owner = static_cast<std::size_t>(place % ranks);
+    return place / ranks < rooms_[owner] ? std::optional(static_cast<int>(owner)) : std::nullopt;
+}
+
+MPI_Request BrickWindow::get(std::uint64_t step, std::uint32_t brick, std::span<std::byte> to) {
+    const std::uint64_t place = store_.place_of(step, brick);
+    const auto ranks = static_cast<std::uint64_t>(ranks_);
+    MPI_Request request = MPI_REQUEST_NULL;
+    const int bytes = static_cast<int>(record_);
+    MPI_Rget(to.data(), bytes, MPI_BYTE, static_cast<int>(place % ranks),
+             static_cast<MPI_Aint>(place / ranks * record_), bytes, MPI_BYTE, window_, &request);
+    return request;
+}
+
+} // namespace wakesurf::server

@@ -1,0 +1,28 @@
+// Scalar fields of a dataset, stored or derived from its velocity, at the vertices of a surface, for
+// exports.
+#pragma once
+
+#include "core/surface/quad_complex.hpp"
+#include "protocol/files/mesh_metadata.hpp"
+#include "server/data/open_dataset.hpp"
+
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace wakesurf::server {
+
+/// Checks the fields. Error: NotFound for fields that are neither stored nor derived, listing those that are.
+core::Result<void> check_fields(const LoadedDataset& dataset,
+                                const std::vector<std::string>& fields);
+
+/// Returns each named field, with a value a vertex, at the time in `times`. Names of the velocity,
+/// deformation, approximated and error are accepted: every export has them. Error: as check_fields and
+/// reading.
+core::Result<protocol::MeshScalars> surface_scalars(const LoadedDataset& dataset,
+                                                    const core::QuadComplex& mesh,
+                                                    const std::vector<double>& times,
+                                                    const std::vector<std::string>& fields,
+                                                    const std::stop_token& stop);
+
+} // namespace wakesurf::server

@@ -1,0 +1,42 @@
+// What is told of a live surface as it is computed: progress, ranges of values, the outcome.
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/surface/surface_statistics.hpp"
+#include "protocol/wire/mesh_stream.hpp"
+#include "server/base/pass_seconds.hpp"
+#include "server/base/value_ranges.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace wakesurf::server {
+
+/// A surface has a state of a further phase.
+struct SurfaceProgress {
+    std::string surface;
+    std::uint32_t epoch = 0;
+    protocol::Phase phase = protocol::Phase::Final;
+    PassSeconds took; ///< making that state
+};
+
+/// The ranges of a surface's values since it began to play.
+struct SurfaceRanges {
+    std::string surface;
+    std::uint32_t epoch = 0;
+    ValueRanges ranges;
+};
+
+/// The end of an epoch of a surface.
+struct SurfaceOutcome {
+    std::string surface;
+    std::uint32_t epoch = 0;
+    bool complete = false;
+    std::uint32_t state_sum = 0;
+    core::SurfaceStatistics statistics; ///< of the newest state; all zero before the first
+    std::optional<PassSeconds> took;    ///< making the newest state
+    std::optional<core::Error> error;
+};
+
+} // namespace wakesurf::server

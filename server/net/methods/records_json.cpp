@@ -1,0 +1,69 @@
+#include "server/net/methods/records_json.hpp"
+
+#include "server/net/methods/notices.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace wakesurf::server {
+
+using nlohmann::json;
+
+namespace {
+
+json put_json(std::string_view type, const std::string& id, json record) {
+    return {{"op", "put"}, {"type", type}, {"id", id}, {"record", std::move(record)}};
+}
+
+template <class R>
+json patch_json(const R& record) {
+    const RecordKey key = key_of(record);
+    return put_json(name(key.type), key.id, protocol::record_json(record));
+}
+
+json patch_json(const protocol::ClockRecord& record) {
+    return put_json("clock", "clock", protocol::record_json(record));
+}
+
+json patch_json(const SessionName& session) {
+    return put_json("session", session.session, session_name_json(session));
+}
+
+json patch_json(const DeletedRecord& record) {
+    return {{"op", "delete"}, {"type", record.type}, {"id", record.id}};
+}
+
+json aside_json(const KeptAside& each) {
+    return {{"type", each.type}, {"id", each.id}, {"why", each.why}, {"since", each.since}};
+}
+
+} // namespace
+
+json session_name_json(const SessionName& session) {
+    json out{{"session", session.session}, {"name", session.name}};
+    if (!session.units.empty())
+        out["units"] = protocol::units_json(session.units);
+    return out;
+}
+
+json records_json(const Session& session) {
+    json out = session_name_json({session.id(), session.name(), session.units()});
+    out.update({{"rakes", all_json<protocol::RakeRecord>(session)},
+                {"surfaces", all_json<protocol::SurfaceRecord>(session)},
+                {"bookmarks", all_json<protocol::BookmarkRecord>(session)},
+                {"annotations", all_json<protocol::AnnotationRecord>(session)},
+                {"clock", protocol::record_json(session.clock().record())}});
+    constexpr std::size_t told = 50;
+    if (!session.kept_aside().empty())
+        out["keptAside"] = {
+            {"count", session.kept_aside().size()},
+            {"records", protocol::list_json(newest_aside(session, told), aside_json)}};
+    return out;
+}
+
+json patches_json(std::span<const Patch> patches) {
+    return protocol::list_json(patches, [](const Patch& patch) {
+        return std::visit([](const auto& each) { return patch_json(each); }, patch);
+    });
+}
+
+} // namespace wakesurf::server
